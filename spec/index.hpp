@@ -1,0 +1,243 @@
+// Where a point of the base triangle falls: the index algorithms as their sources state them, over any Number.
+//
+//   reference       the bit formula of the Vulkan specification
+//   step            the recursion of Succinct Opacity Micromaps, Algorithm 4, in the readings that the paper allows
+//   corners         the way back: the micro-triangle that carries an index of the curve
+//   w_minor_*       the older row order, Color and Attribute Micromaps, figure 4
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "spec/number.hpp"
+
+namespace mmverify::spec::index {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The Vulkan reference
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A micro-triangle by its grid square (iu, iv) and iw, the complement that makes the curve's bits come out right.
+template <class Word>
+struct Quantised {
+  Word iu, iv, iw;
+};
+
+/// Grid square of a point: iu = floor(uN), iv = floor(vN), both kept below N, and iu lowered until iu+iv < N;
+/// iw = NOT(iu+iv), one less where the point lies in the upper half of the square (uf+vf >= 1).
+/// Domain: every point (u and v are clamped to [0,1]); n in 0..31. Words wrap.
+/// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+template <class Word, Number Q>
+constexpr Quantised<Word> quantise(const Point<Q>& p, Level n) {
+  const Q zero(0), one(1);
+  const Q u = p.u < zero ? zero : one < p.u ? one : p.u;
+  const Q v = p.v < zero ? zero : one < p.v ? one : p.v;
+
+  const std::uint32_t N = side(n);
+  const Q un = times(N, u), vn = times(N, v);
+  Word iu = whole(un), iv = whole(vn);
+  const Q uf = un - Q(whole(un)), vf = vn - Q(whole(vn));
+
+  iu = iu < N ? iu : N - 1;
+  iv = iv < N ? iv : N - 1;
+  const Word s = iu + iv;
+  iu = s < N ? iu : iu - (s - N + 1);
+
+  Word iw = ~(iu + iv);
+  iw = !(uf + vf < one) && s < N - 1 ? iw - 1 : iw;
+  return {iu, iv, iw};
+}
+
+/// XOR of a word's bits at and above each bit: f_i = XOR of t_j for all j >= i, over the low `bits` bits.
+template <class Word>
+constexpr Word xor_from_above(Word t, unsigned bits) {
+  for (unsigned shift = 1; shift < bits; shift *= 2) t ^= t >> shift;
+  return t;
+}
+
+/// Every other bit of the result, from bit 0 up, is a bit of x; the rest are zero: the halves of each group of bits
+/// move apart, group by group; ones / (2^shift + 1) masks the lower half of each.  Domain: x below 2^(bits of Word / 2).
+template <class Word>
+constexpr Word spread(Word x) {
+  for (unsigned shift = 2 * sizeof(Word); shift != 0; shift /= 2)
+    x = (x | x << shift) & (~Word{0} / ((Word{1} << shift) + 1));
+  return x;
+}
+
+/// The curve's index from the grid square: b0 = NOT(iu XOR iw), t = (iu XOR iv) AND b0, f = xor_from_above(t),
+/// b1 = ((f XOR iu) AND NOT b0) OR t; b0 goes to the even bits and b1 to the odd bits.
+/// Domain: a Quantised of the same level.  Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+template <class Word>
+constexpr Word curve(const Quantised<Word>& q, Level n) {
+  constexpr unsigned half_word = 4 * sizeof(Word);
+  const Word low = side(n) - Word{1};
+  const Word b0 = ~(q.iu ^ q.iw) & low;
+  const Word t = (q.iu ^ q.iv) & b0;
+  const Word f = xor_from_above(t, half_word);
+  const Word b1 = ((f ^ q.iu) & ~b0) | t;
+  return spread(b0) | spread(b1) << 1;
+}
+
+/// Index of the micro-triangle that holds the point, by the Vulkan formula in 32-bit words.
+/// Domain: every point; n in 0..16.  Result in [0, 4^n).  Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+template <Number Q>
+constexpr std::uint32_t reference(const Point<Q>& p, Level n) {
+  return curve(quantise<std::uint32_t>(p, n), n);
+}
+
+/// The same formula in 64-bit words, its prefix XOR over all n bits.  Domain: every point; n in 0..31.
+template <Number Q>
+constexpr std::uint64_t reference_wide(const Point<Q>& p, Level n) {
+  return curve(quantise<std::uint64_t>(p, n), n);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The step algorithm
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// What Succinct Opacity Micromaps may be taken to say: Algorithm 4 as printed, or with one thing as Appendix A has it.
+enum class Reading {
+  printed,          ///< Algorithm 4
+  appendix_middle,  ///< M's new coordinates in the order u_M, v_M, w_M of Appendix A (2)
+  appendix_ties,    ///< "round u and v tie-breaks to the middle": the R test's exception is on u, Appendix A (3)
+  appendix_names,   ///< L, R and T move to the coordinates that Appendix A (2) gives under these letters
+};
+
+/// The recursion's arguments: barycentrics on the current triangle, the digits so far, the two flips.
+template <Number Q>
+struct Step {
+  Q u, v, w;
+  std::uint32_t index = 0;
+  bool mid_flip = false, top_flip = false;
+};
+
+/// uv2index's opening: w = 1-u-v, no digit yet, nothing flipped.
+template <Number Q>
+constexpr Step<Q> first_step(const Point<Q>& p) {
+  return {p.u, p.v, Q(1) - p.u - p.v};
+}
+
+/// One call of `step`: which of L, M, R, T holds the point, its digit, and the point's barycentrics on it.
+/// Comparisons with 1/2 are made on doubled coordinates, which is exact in every binary number type.
+/// Source: Succinct Opacity Micromaps, Algorithm 4; the readings, Appendix A.
+template <Reading reading, Number Q>
+constexpr Step<Q> next_step(const Step<Q>& s) {
+  const auto& [u, v, w, index, mid_flip, top_flip] = s;
+  const std::uint32_t L = top_flip ? 2 : 0, M = 1, R = top_flip ? 0 : 2, T = 3;
+  const Q one(1), u2 = times(2, u), v2 = times(2, v), w2 = times(2, w);
+  const bool v_tie = v2 == one, u_tie = u2 == one;
+
+  [[maybe_unused]] constexpr bool renamed = reading == Reading::appendix_names;
+  const auto at_w = [&] { return Point<Q>{u2, v2}; };
+  const auto at_u = [&] { return Point<Q>{u - v - w, v2}; };
+  const auto at_v = [&] { return Point<Q>{u2, v - u - w}; };
+  const auto went = [&](const Point<Q>& to, const Q& w_to, std::uint32_t digit, bool mid, bool top) {
+    return Step<Q>{to.u, to.v, w_to, 4 * index + digit, mid, top};
+  };
+
+  if (one < w2) {
+    if constexpr (renamed) return went(at_u(), w2, L, mid_flip, top_flip);
+    return went(at_w(), w - u - v, L, mid_flip, top_flip);
+  }
+  if (!(v2 < one) && !(v_tie && mid_flip)) {
+    if constexpr (renamed) return went(at_w(), w - u - v, T, mid_flip, !top_flip);
+    return went(at_v(), w2, T, mid_flip, !top_flip);
+  }
+  const bool r_exception = (reading == Reading::appendix_ties ? u_tie : v_tie) && mid_flip;
+  if (!(u2 < one) && !r_exception) {
+    if constexpr (renamed) return went(at_v(), w2, R, mid_flip, top_flip);
+    return went(at_u(), w2, R, mid_flip, top_flip);
+  }
+  if constexpr (reading == Reading::appendix_middle)
+    return went({u + v - w, v + w - u}, u + w - v, M, !mid_flip, top_flip);
+  return went({u + v - w, w + u - v}, v + w - u, M, !mid_flip, top_flip);
+}
+
+/// Index of the micro-triangle that holds the point, by Algorithm 4.
+/// Domain: u, v >= 0, u+v <= 1; n in 0..16.  Result in [0, 4^n).
+template <Reading reading, Number Q>
+constexpr std::uint32_t step(const Point<Q>& p, Level n) {
+  Step<Q> s = first_step(p);
+  for (Level depth = 0; depth < n; ++depth) s = next_step<reading>(s);
+  return s.index;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// From the index back to the micro-triangle
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A micro-vertex (i/N, j/N): i counts along u, j along v.
+struct Vertex {
+  std::uint32_t i, j;
+  friend constexpr bool operator==(const Vertex&, const Vertex&) = default;
+};
+
+/// Three corners, in the order of the children that touch them: child 0, child 2, child 3 (child 1 is the middle).
+using Corners = std::array<Vertex, 3>;
+
+/// Corners of the micro-triangle that carries an index, on the grid of level n.
+///   P = (w-corner, u-corner, v-corner); per digit, with P_ab the midpoint of P_a and P_b:
+///   0: (P0, P01, P02)   1: (P02, P12, P01)   2: (P01, P1, P12)   3: (P12, P02, P2)
+/// Domain: index in [0, 4^n), n in 0..16.
+/// Source: Succinct Opacity Micromaps, Algorithm 4, each case's map inverted; top-flip becomes the order of P0 and P1.
+constexpr Corners corners(std::uint32_t index, Level n) {
+  const std::uint32_t N = side(n);
+  Corners P{Vertex{0, 0}, Vertex{N, 0}, Vertex{0, N}};
+  const auto mid = [&P](int a, int b) { return Vertex{(P[a].i + P[b].i) / 2, (P[a].j + P[b].j) / 2}; };
+  for (Level depth = n; depth-- > 0;) {
+    const Vertex P01 = mid(0, 1), P02 = mid(0, 2), P12 = mid(1, 2);
+    switch (index >> (2 * depth) & 3) {
+      case 0: P = {P[0], P01, P02}; break;
+      case 1: P = {P02, P12, P01}; break;
+      case 2: P = {P01, P[1], P12}; break;
+      default: P = {P12, P02, P[2]}; break;
+    }
+  }
+  return P;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Row order
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The lesser of floor(q) and limit.
+template <Number Q>
+constexpr std::uint32_t whole_up_to(std::uint32_t limit, const Q& q) {
+  const std::uint32_t k = whole(q);
+  return k < limit ? k : limit;
+}
+
+/// Index in row order, rows counted from the w-corner: row^2 + col + (dia - (N-1-row)), where
+///   row = min(N-1, floor((1-w)N)), col = min(row, floor(vN)), dia = min(N-1, floor((1-u)N)).
+/// Domain: u, v >= 0, u+v <= 1; n in 0..16.  Result in [0, 4^n).
+/// Source: Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
+template <Number Q>
+constexpr std::uint32_t w_minor(const Point<Q>& p, Level n) {
+  const std::uint32_t N = side(n);
+  const Q one(1), w = one - (p.u + p.v);
+  const std::uint32_t row = whole_up_to(N - 1, times(N, one - w));
+  const std::uint32_t col = whole_up_to(row, times(N, p.v));
+  const std::uint32_t dia = whole_up_to(N - 1, times(N, one - p.u));
+  return row * row + col + (dia - (N - 1 - row));
+}
+
+/// The row that holds an index of row order: the greatest row with row^2 <= index.
+/// Domain: every index.  Source: Color and Attribute Micromaps, figure 4, with the square root taken in whole numbers.
+constexpr std::uint32_t w_minor_row(std::uint32_t index) {
+  std::uint32_t row = 0;
+  for (std::uint32_t bit = 1u << 15; bit != 0; bit /= 2)
+    if (std::uint64_t{row + bit} * (row + bit) <= index) row += bit;
+  return row;
+}
+
+/// Corners of the micro-triangle that carries an index of row order, in the order v0, v1, v2 of the source.
+/// A (row, column) vertex lies at i = row - column along u, j = column along v.
+/// Domain: index in [0, 4^n).  Source: Color and Attribute Micromaps, figure 4, wminor_uv2vertex_index.
+constexpr Corners w_minor_corners(std::uint32_t index) {
+  const std::uint32_t row = w_minor_row(index), col = index - row * row;
+  const auto at = [](std::uint32_t r, std::uint32_t c) { return Vertex{r - c, c}; };
+  if (col % 2 == 0) return {at(row, col / 2), at(row + 1, col / 2), at(row + 1, col / 2 + 1)};
+  return {at(row, col / 2), at(row + 1, col / 2 + 1), at(row, col / 2 + 1)};
+}
+
+}  // namespace mmverify::spec::index

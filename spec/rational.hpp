@@ -1,0 +1,18 @@
+// The exact number of every specification.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/rational.hpp>
+#include <cstdint>
+
+namespace mmverify::spec {
+
+using Integer = boost::multiprecision::cpp_int;
+using Rational = boost::rational<Integer>;
+
+/// floor(q) for 0 <= q < 2^32.  Boost keeps the denominator positive, so the quotient truncates downwards.
+inline std::uint32_t whole(const Rational& q) {
+  return static_cast<std::uint32_t>(Integer(q.numerator() / q.denominator()));
+}
+
+}  // namespace mmverify::spec
