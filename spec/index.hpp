@@ -1,12 +1,14 @@
-// Where a point of the base triangle falls: the index algorithms as their sources state them, over any Number.
+// Where a point of the base triangle falls: the index algorithms as their sources state them, over any
+// Number.
 //
 //   reference       the bit formula of the Vulkan specification
-//   step            the recursion of Succinct Opacity Micromaps, Algorithm 4, in the readings that the paper allows
-//   corners         the way back: the micro-triangle that carries an index of the curve
-//   w_minor_*       the older row order, Color and Attribute Micromaps, figure 4
+//   step            the recursion of Succinct Opacity Micromaps, Algorithm 4, in the readings that the paper
+//   allows corners         the way back: the micro-triangle that carries an index of the curve w_minor_* the
+//   older row order, Color and Attribute Micromaps, figure 4
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "spec/number.hpp"
@@ -17,7 +19,8 @@ namespace mmverify::spec::index {
 // The Vulkan reference
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// A micro-triangle by its grid square (iu, iv) and iw, the complement that makes the curve's bits come out right.
+/// A micro-triangle by its grid square (iu, iv) and iw, the complement that makes the curve's bits come out
+/// right.
 template <class Word>
 struct Quantised {
   Word iu, iv, iw;
@@ -55,8 +58,9 @@ constexpr Word xor_from_above(Word t, unsigned bits) {
   return t;
 }
 
-/// Every other bit of the result, from bit 0 up, is a bit of x; the rest are zero: the halves of each group of bits
-/// move apart, group by group; ones / (2^shift + 1) masks the lower half of each.  Domain: x below 2^(bits of Word / 2).
+/// Every other bit of the result, from bit 0 up, is a bit of x; the rest are zero: the halves of each group
+/// of bits move apart, group by group; ones / (2^shift + 1) masks the lower half of each.  Domain: x below
+/// 2^(bits of Word / 2).
 template <class Word>
 constexpr Word spread(Word x) {
   for (unsigned shift = 2 * sizeof(Word); shift != 0; shift /= 2)
@@ -64,8 +68,8 @@ constexpr Word spread(Word x) {
   return x;
 }
 
-/// The curve's index from the grid square: b0 = NOT(iu XOR iw), t = (iu XOR iv) AND b0, f = xor_from_above(t),
-/// b1 = ((f XOR iu) AND NOT b0) OR t; b0 goes to the even bits and b1 to the odd bits.
+/// The curve's index from the grid square: b0 = NOT(iu XOR iw), t = (iu XOR iv) AND b0, f =
+/// xor_from_above(t), b1 = ((f XOR iu) AND NOT b0) OR t; b0 goes to the even bits and b1 to the odd bits.
 /// Domain: a Quantised of the same level.  Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 template <class Word>
 constexpr Word curve(const Quantised<Word>& q, Level n) {
@@ -79,7 +83,8 @@ constexpr Word curve(const Quantised<Word>& q, Level n) {
 }
 
 /// Index of the micro-triangle that holds the point, by the Vulkan formula in 32-bit words.
-/// Domain: every point; n in 0..16.  Result in [0, 4^n).  Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+/// Domain: every point; n in 0..16.  Result in [0, 4^n).  Source: VK_EXT_opacity_micromap, appendix
+/// "Reference Code".
 template <Number Q>
 constexpr std::uint32_t reference(const Point<Q>& p, Level n) {
   return curve(quantise<std::uint32_t>(p, n), n);
@@ -95,11 +100,13 @@ constexpr std::uint64_t reference_wide(const Point<Q>& p, Level n) {
 // The step algorithm
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// What Succinct Opacity Micromaps may be taken to say: Algorithm 4 as printed, or with one thing as Appendix A has it.
+/// What Succinct Opacity Micromaps may be taken to say: Algorithm 4 as printed, or with one thing as Appendix
+/// A has it.
 enum class Reading {
   printed,          ///< Algorithm 4
   appendix_middle,  ///< M's new coordinates in the order u_M, v_M, w_M of Appendix A (2)
-  appendix_ties,    ///< "round u and v tie-breaks to the middle": the R test's exception is on u, Appendix A (3)
+  appendix_ties,    ///< "round u and v tie-breaks to the middle": the R test's exception is on u, Appendix A
+                    ///< (3)
   appendix_names,   ///< L, R and T move to the coordinates that Appendix A (2) gives under these letters
 };
 
@@ -122,35 +129,31 @@ constexpr Step<Q> first_step(const Point<Q>& p) {
 /// Source: Succinct Opacity Micromaps, Algorithm 4; the readings, Appendix A.
 template <Reading reading, Number Q>
 constexpr Step<Q> next_step(const Step<Q>& s) {
-  const auto& [u, v, w, index, mid_flip, top_flip] = s;
+  const Q &u = s.u, &v = s.v, &w = s.w;
+  const bool mid_flip = s.mid_flip, top_flip = s.top_flip;
   const std::uint32_t L = top_flip ? 2 : 0, M = 1, R = top_flip ? 0 : 2, T = 3;
   const Q one(1), u2 = times(2, u), v2 = times(2, v), w2 = times(2, w);
-  const bool v_tie = v2 == one, u_tie = u2 == one;
+  const bool u_tie = u2 == one, v_tie = v2 == one;
 
-  [[maybe_unused]] constexpr bool renamed = reading == Reading::appendix_names;
-  const auto at_w = [&] { return Point<Q>{u2, v2}; };
-  const auto at_u = [&] { return Point<Q>{u - v - w, v2}; };
-  const auto at_v = [&] { return Point<Q>{u2, v - u - w}; };
-  const auto went = [&](const Point<Q>& to, const Q& w_to, std::uint32_t digit, bool mid, bool top) {
-    return Step<Q>{to.u, to.v, w_to, 4 * index + digit, mid, top};
+  const auto w_corner = [&](std::uint32_t digit, bool top) {
+    return Step<Q>{u2, v2, w - u - v, 4 * s.index + digit, mid_flip, top};
   };
+  const auto v_corner = [&](std::uint32_t digit, bool top) {
+    return Step<Q>{u2, v - u - w, w2, 4 * s.index + digit, mid_flip, top};
+  };
+  const auto u_corner = [&](std::uint32_t digit, bool top) {
+    return Step<Q>{u - v - w, v2, w2, 4 * s.index + digit, mid_flip, top};
+  };
+  constexpr bool renamed = reading == Reading::appendix_names;
 
-  if (one < w2) {
-    if constexpr (renamed) return went(at_u(), w2, L, mid_flip, top_flip);
-    return went(at_w(), w - u - v, L, mid_flip, top_flip);
-  }
-  if (!(v2 < one) && !(v_tie && mid_flip)) {
-    if constexpr (renamed) return went(at_w(), w - u - v, T, mid_flip, !top_flip);
-    return went(at_v(), w2, T, mid_flip, !top_flip);
-  }
+  if (one < w2) return renamed ? u_corner(L, top_flip) : w_corner(L, top_flip);
+  if (!(v2 < one) && !(v_tie && mid_flip)) return renamed ? w_corner(T, !top_flip) : v_corner(T, !top_flip);
   const bool r_exception = (reading == Reading::appendix_ties ? u_tie : v_tie) && mid_flip;
-  if (!(u2 < one) && !r_exception) {
-    if constexpr (renamed) return went(at_v(), w2, R, mid_flip, top_flip);
-    return went(at_u(), w2, R, mid_flip, top_flip);
-  }
+  if (!(u2 < one) && !r_exception) return renamed ? v_corner(R, top_flip) : u_corner(R, top_flip);
+  const Q mu = u + v - w, mv = v + w - u, mw = w + u - v;
   if constexpr (reading == Reading::appendix_middle)
-    return went({u + v - w, v + w - u}, u + w - v, M, !mid_flip, top_flip);
-  return went({u + v - w, w + u - v}, v + w - u, M, !mid_flip, top_flip);
+    return {mu, mv, mw, 4 * s.index + M, !mid_flip, top_flip};
+  return {mu, mw, mv, 4 * s.index + M, !mid_flip, top_flip};
 }
 
 /// Index of the micro-triangle that holds the point, by Algorithm 4.
@@ -172,25 +175,37 @@ struct Vertex {
   friend constexpr bool operator==(const Vertex&, const Vertex&) = default;
 };
 
-/// Three corners, in the order of the children that touch them: child 0, child 2, child 3 (child 1 is the middle).
+/// Three corners, in the order of the children that touch them: child 0, child 2, child 3 (child 1 is the
+/// middle).
 using Corners = std::array<Vertex, 3>;
 
 /// Corners of the micro-triangle that carries an index, on the grid of level n.
 ///   P = (w-corner, u-corner, v-corner); per digit, with P_ab the midpoint of P_a and P_b:
 ///   0: (P0, P01, P02)   1: (P02, P12, P01)   2: (P01, P1, P12)   3: (P12, P02, P2)
 /// Domain: index in [0, 4^n), n in 0..16.
-/// Source: Succinct Opacity Micromaps, Algorithm 4, each case's map inverted; top-flip becomes the order of P0 and P1.
+/// Source: Succinct Opacity Micromaps, Algorithm 4, each case's map inverted; top-flip becomes the order of
+/// P0 and P1.
 constexpr Corners corners(std::uint32_t index, Level n) {
   const std::uint32_t N = side(n);
   Corners P{Vertex{0, 0}, Vertex{N, 0}, Vertex{0, N}};
-  const auto mid = [&P](int a, int b) { return Vertex{(P[a].i + P[b].i) / 2, (P[a].j + P[b].j) / 2}; };
+  const auto mid = [&P](std::size_t a, std::size_t b) {
+    return Vertex{(P[a].i + P[b].i) / 2, (P[a].j + P[b].j) / 2};
+  };
   for (Level depth = n; depth-- > 0;) {
     const Vertex P01 = mid(0, 1), P02 = mid(0, 2), P12 = mid(1, 2);
     switch (index >> (2 * depth) & 3) {
-      case 0: P = {P[0], P01, P02}; break;
-      case 1: P = {P02, P12, P01}; break;
-      case 2: P = {P01, P[1], P12}; break;
-      default: P = {P12, P02, P[2]}; break;
+      case 0:
+        P = {P[0], P01, P02};
+        break;
+      case 1:
+        P = {P02, P12, P01};
+        break;
+      case 2:
+        P = {P01, P[1], P12};
+        break;
+      default:
+        P = {P12, P02, P[2]};
+        break;
     }
   }
   return P;
@@ -222,7 +237,8 @@ constexpr std::uint32_t w_minor(const Point<Q>& p, Level n) {
 }
 
 /// The row that holds an index of row order: the greatest row with row^2 <= index.
-/// Domain: every index.  Source: Color and Attribute Micromaps, figure 4, with the square root taken in whole numbers.
+/// Domain: every index.  Source: Color and Attribute Micromaps, figure 4, with the square root taken in whole
+/// numbers.
 constexpr std::uint32_t w_minor_row(std::uint32_t index) {
   std::uint32_t row = 0;
   for (std::uint32_t bit = 1u << 15; bit != 0; bit /= 2)

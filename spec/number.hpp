@@ -17,10 +17,8 @@ constexpr std::uint32_t side(Level n) { return std::uint32_t{1} << n; }
 
 /// floor(q) for 0 <= q < 2^32, where the conversion of the number type truncates by itself.
 template <class Q>
-  requires std::is_arithmetic_v<Q>
-constexpr std::uint32_t whole(const Q& q) {
-  return static_cast<std::uint32_t>(q);
-}
+requires std::is_arithmetic_v<Q>
+constexpr std::uint32_t whole(const Q& q) { return static_cast<std::uint32_t>(q); }
 
 /// k q, for a whole number k.  A rounded type rounds k and the product, each once.
 template <class Q>
@@ -29,11 +27,11 @@ constexpr Q times(std::uint32_t k, const Q& q) {
 }
 
 /// A number type that a specification can be run on: ordered, with + and -, made from whole numbers,
-/// multiplied by whole numbers, and with whole(q) = floor(q) for q >= 0. Exact types (Rational, Fixed) make the specification exact; a rounded type
-/// makes it an instance under test and never an oracle.
+/// multiplied by whole numbers, and with whole(q) = floor(q) for q >= 0. Exact types (Rational, Fixed) make
+/// the specification exact; a rounded type makes it an instance under test and never an oracle.
 template <class Q>
 concept Number = std::copyable<Q> && requires(const Q a, const Q b, const std::uint32_t k) {
-  { Q(k) };
+  {Q(k)};
   { a + b } -> std::convertible_to<Q>;
   { a - b } -> std::convertible_to<Q>;
   { times(k, a) } -> std::convertible_to<Q>;

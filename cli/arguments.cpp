@@ -1,0 +1,60 @@
+#include "cli/arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+
+#include "cli/exit_code.hpp"
+#include "proofs/index.hpp"
+#include "proofs/registry.hpp"
+
+namespace mmverify::cli {
+
+using namespace proofs;
+
+Levels parse_levels(const std::string& text) {
+  static const std::regex shape(R"(([0-9]{1,3})(?:\.\.([0-9]{1,3}))?)");
+  std::smatch m;
+  if (!std::regex_match(text, m, shape))
+    throw UsageError(fmt::format("--levels {}: write A..B or A, for example 0..8", text));
+  const auto first = static_cast<Level>(std::stoul(m[1].str()));
+  const auto last = m[2].matched ? static_cast<Level>(std::stoul(m[2].str())) : first;
+  if (first > last) throw UsageError(fmt::format("--levels {}: {} comes after {}", text, first, last));
+  if (last > index::max_level)
+    throw UsageError(fmt::format("--levels {}: the highest level is {}", text, index::max_level));
+  return {first, last};
+}
+
+std::vector<const Law*> parse_laws(const std::vector<std::string>& names) {
+  std::vector<const Law*> chosen;
+  for (const std::string& name : names) {
+    const auto found = laws_named(name);
+    if (found.empty())
+      throw UsageError(fmt::format("no law or topic is called '{}'; `mmverify list` names them all", name));
+    for (const Law* law : found)
+      if (std::find(chosen.begin(), chosen.end(), law) == chosen.end()) chosen.push_back(law);
+  }
+  return chosen;
+}
+
+SubjectPtr parse_subject(const std::string& name) {
+  if (SubjectPtr subject = find_subject(name)) return subject;
+  if (name.find('/') != std::string::npos || name.ends_with(".so")) {
+    std::error_code error;
+    if (!std::filesystem::exists(name, error)) throw EnvironmentError(fmt::format("{}: no such file", name));
+    throw EnvironmentError(fmt::format("{}: this version takes built-in subjects only", name));
+  }
+  std::vector<std::string> names;
+  for (const SubjectPtr& s : subjects()) names.push_back(s->name());
+  throw UsageError(fmt::format("no subject is called '{}'; there are {}", name, fmt::join(names, ", ")));
+}
+
+std::string grouped(std::uint64_t n) {
+  std::string digits = fmt::format("{}", n);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+}  // namespace mmverify::cli

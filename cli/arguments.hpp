@@ -1,0 +1,25 @@
+// Arguments that several commands take, read and checked once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+
+namespace mmverify::cli {
+
+/// "3..7" or "5".  Both ends included; UsageError unless first <= last <= 16.
+proofs::Levels parse_levels(const std::string& text);
+
+/// Every law that the names mean, in the registry's order and once each; UsageError for a name that means
+/// none.
+std::vector<const proofs::Law*> parse_laws(const std::vector<std::string>& names);
+
+/// A built-in subject by its name.  UsageError for an unknown name; EnvironmentError for a file that cannot
+/// be one.
+proofs::SubjectPtr parse_subject(const std::string& name);
+
+/// 1234567 as 1,234,567.
+std::string grouped(std::uint64_t n);
+
+}  // namespace mmverify::cli

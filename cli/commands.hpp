@@ -1,0 +1,18 @@
+// The commands: each adds itself to the program's arguments and runs when it was chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+namespace mmverify::cli {
+
+/// What a command does once its arguments are read; returns the exit code.
+using Action = std::function<int()>;
+
+Action add_list(CLI::App& program);
+Action add_prove(CLI::App& program);
+Action add_replay(CLI::App& program);
+Action add_bench(CLI::App& program);
+
+}  // namespace mmverify::cli

@@ -1,0 +1,81 @@
+#include "cli/json.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/build_info.hpp"
+#include "cli/text.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace proofs;
+using Json = nlohmann::ordered_json;
+
+std::string cpu_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name"))
+      if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+  return "unknown";
+}
+
+Json counterexample(const Result& r, const Counterexample& c) {
+  Json j{{"case", c.at}, {"level", c.level}};
+  if (!c.hex.empty()) j["hex"] = c.hex;
+  j["expected"] = c.expected;
+  j["got"] = c.got;
+  j["replay"] = replay_command(r, c);
+  return j;
+}
+
+Json result(const Result& r) {
+  Json by_kind;
+  constexpr const char* names[] = {"vertex", "edge", "interior"};
+  for (std::size_t k = 0; k < kinds; ++k)
+    by_kind[names[k]] = {{"cases", r.by_kind[k].cases}, {"mismatches", r.by_kind[k].mismatches}};
+  Json j{{"law", r.law},       {"topic", r.topic},   {"subject", r.subject},           {"level", r.level},
+         {"method", r.method}, {"domain", r.domain}, {"verdict", to_string(r.verdict)}};
+  if (!r.reason.empty()) j["reason"] = r.reason;
+  j["cases_expected"] = r.cases_expected;
+  j["cases_run"] = r.cases_run();
+  j["mismatches"] = r.mismatches();
+  j["by_kind"] = by_kind;
+  j["counterexample"] =
+      r.counterexamples.empty() ? Json(nullptr) : counterexample(r, r.counterexamples.front());
+  if (r.counterexamples.size() > 1) {
+    for (std::size_t k = 1; k < r.counterexamples.size(); ++k)
+      j["more_counterexamples"].push_back(counterexample(r, r.counterexamples[k]));
+  }
+  j["digest"] = fmt::format("{:016x}", r.digest);
+  j["seconds"] = r.seconds;
+  return j;
+}
+
+}  // namespace
+
+std::string to_json(const Report& report, std::uint64_t seed) {
+  Json j{{"schema", "mmverify.result/1"},
+         {"tool",
+          {{"version", build::version},
+           {"compiler", build::compiler},
+           {"flags", build::flags},
+           {"cpu", cpu_name()},
+           {"threads", report.threads},
+           {"seed", seed},
+           {"spec_hash", build::spec_hash}}},
+         {"results", Json::array()},
+         {"mutants", Json::array()}};
+  for (const Result& r : report.results) j["results"].push_back(result(r));
+  for (const MutantResult& m : report.mutants) {
+    Json one{{"law", m.law}, {"mutant", m.mutant}, {"killed", m.killed}};
+    one["level"] = m.killed ? Json(m.level) : Json(nullptr);
+    one["case"] = m.killed ? Json(m.at) : Json(nullptr);
+    j["mutants"].push_back(one);
+  }
+  return j.dump(1) + "\n";
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,83 @@
+// mmverify list: every law there is.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "proofs/registry.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace proofs;
+
+std::string method_text(Method method) {
+  switch (method) {
+    case Method::exhaustive:
+      return "exhaustive";
+    case Method::sample:
+      return "sample";
+    case Method::witness:
+      return "witness";
+  }
+  return "?";
+}
+
+std::string levels_text(const Levels& levels) { return fmt::format("{}..{}", levels.first, levels.last); }
+
+nlohmann::ordered_json as_json(const Law& law) {
+  const SubjectPtr first = find_subject(law.subjects.front());
+  nlohmann::ordered_json mutants = nlohmann::ordered_json::array();
+  for (const Mutant& mutant : law.mutants) mutants.push_back(mutant.name);
+  return {{"law", law.id},
+          {"topic", law.topic},
+          {"statement", law.says},
+          {"source", law.source},
+          {"domain", law.domain(*first, law.fast.last)},
+          {"method", method_text(law.method)},
+          {"subjects", law.subjects},
+          {"tiers",
+           {{"fast", {{"levels", levels_text(law.fast)}, {"expected_seconds", law.fast_seconds}}},
+            {"long", {{"levels", levels_text(law.long_run)}}}}},
+          {"mutants", mutants}};
+}
+
+void print_law(const Law& law) {
+  const SubjectPtr first = find_subject(law.subjects.front());
+  fmt::print("{}\n  {}\n", law.id, law.says);
+  fmt::print("  source: {}\n", law.source);
+  fmt::print("  domain: {}\n", law.domain(*first, law.fast.last));
+  fmt::print("  method: {}; fast tier: levels {}, about {} s; long tier: levels {}\n",
+             method_text(law.method), levels_text(law.fast), law.fast_seconds, levels_text(law.long_run));
+  fmt::print("  subjects: {}\n\n", fmt::join(law.subjects, ", "));
+}
+
+}  // namespace
+
+Action add_list(CLI::App& program) {
+  auto* command =
+      program.add_subcommand("list", "every law: id, statement, source, domain, method, and the subjects");
+  auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "as JSON");
+  return [json] {
+    if (*json) {
+      nlohmann::ordered_json all{{"schema", "mmverify.list/1"},
+                                 {"laws", nlohmann::ordered_json::array()},
+                                 {"subjects", nlohmann::ordered_json::array()}};
+      for (const Law& law : laws()) all["laws"].push_back(as_json(law));
+      for (const SubjectPtr& s : subjects())
+        all["subjects"].push_back({{"subject", s->name()}, {"about", s->about()}});
+      fmt::print("{}\n", all.dump(1));
+      return ExitCode::complete;
+    }
+    for (const Law& law : laws()) print_law(law);
+    fmt::print("subjects:\n");
+    for (const SubjectPtr& s : subjects()) fmt::print("  {:<22} {}\n", s->name(), s->about());
+    return ExitCode::complete;
+  };
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,106 @@
+// mmverify prove: runs laws on subjects and says what came of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/json.hpp"
+#include "cli/junit.hpp"
+#include "cli/output_file.hpp"
+#include "cli/text.hpp"
+#include "proofs/plan.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace proofs;
+
+struct Options {
+  std::vector<std::string> laws, subjects;
+  std::string levels, tier = "fast", json, junit;
+  unsigned threads = 0;
+  std::size_t errors = 1;
+  std::uint64_t seed = 1;
+  bool quiet = false;
+};
+
+int exit_code(const Report& report) {
+  const auto any = [&](Verdict v) {
+    return std::any_of(report.results.begin(), report.results.end(),
+                       [v](const Result& r) { return r.verdict == v; });
+  };
+  const bool survived =
+      std::any_of(report.mutants.begin(), report.mutants.end(), [](const auto& m) { return !m.killed; });
+  if (any(Verdict::refuted) || any(Verdict::broken) || survived) return ExitCode::failed;
+  if (report.interrupted || any(Verdict::incomplete)) return ExitCode::interrupted;
+  return ExitCode::complete;
+}
+
+Request request(const Options& options) {
+  Request r;
+  r.laws = parse_laws(options.laws);
+  for (const std::string& name : options.subjects) {
+    const SubjectPtr subject = parse_subject(name);
+    if (std::find(r.subjects.begin(), r.subjects.end(), subject) == r.subjects.end())
+      r.subjects.push_back(subject);
+  }
+  if (!options.levels.empty()) r.levels = parse_levels(options.levels);
+  r.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
+  return r;
+}
+
+int prove(const Options& options) {
+  const std::vector<Job> jobs = plan(request(options));
+  std::optional<OutputFile> json, junit;
+  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
+  if (!options.junit.empty()) junit.emplace(options.junit);
+
+  // With JSON on stdout, the lines for people go where the progress goes.
+  TextReport text(options.json == "-" ? stderr : stdout, !options.laws.empty());
+  const Report report = run_jobs(jobs,
+                                 {options.threads, options.errors, options.seed,
+                                  options.tier == "long" ? Tier::long_run : Tier::fast, !options.quiet},
+                                 [&](const Result& r) { text.add(r); });
+  text.finish(report, !options.subjects.empty());
+  if (json) json->commit(to_json(report, options.seed));
+  if (options.json == "-") fmt::print("{}", to_json(report, options.seed));
+  if (junit) junit->commit(to_junit(report));
+
+  if (std::all_of(report.results.begin(), report.results.end(),
+                  [](const Result& r) { return r.verdict == Verdict::not_applicable; }) &&
+      !report.interrupted)
+    throw UsageError("nothing was run: no law asked for applies to its subject");
+  return exit_code(report);
+}
+
+}  // namespace
+
+Action add_prove(CLI::App& program) {
+  auto* command = program.add_subcommand(
+      "prove", "run laws; with no arguments the fast tier of all, on the built-in subjects");
+  auto options = std::make_shared<Options>();
+  command->add_option("law", options->laws, "laws or topics")->type_name("LAW|TOPIC");
+  command->add_option("--levels", options->levels, "levels A..B, both included; the tier's where not given")
+      ->type_name("A..B");
+  command->add_option("--subject", options->subjects, "who is judged; may be given again")
+      ->type_name("NAME|FILE.so")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--threads", options->threads,
+                   "worker threads; as many as the machine has where not given")
+      ->check(CLI::Range(1u, 1024u));
+  command->add_option("--tier", options->tier, "fast or long")->check(CLI::IsMember({"fast", "long"}));
+  command->add_option("--errors", options->errors, "counterexamples kept of each result")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--seed", options->seed, "of every sample");
+  command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
+  command->add_option("--junit", options->junit, "write the results as JUnit XML")->type_name("FILE");
+  command->add_flag("--quiet", options->quiet, "no progress on stderr");
+  return [options] { return prove(*options); };
+}
+
+}  // namespace mmverify::cli

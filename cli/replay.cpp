@@ -1,0 +1,64 @@
+// mmverify replay: one case again, and its picture.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output_file.hpp"
+#include "proofs/registry.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace proofs;
+
+struct Options {
+  std::string law, level, at, subject, picture;
+};
+
+int replay(const Options& options) {
+  const Law* law = find_law(options.law);
+  if (law == nullptr)
+    throw UsageError(fmt::format("no law is called '{}'; `mmverify list` names them all", options.law));
+  const Levels levels = parse_levels(options.level);
+  if (levels.first != levels.last) throw UsageError(fmt::format("--level {}: one level", options.level));
+  const SubjectPtr subject = parse_subject(options.subject.empty() ? law->subjects.front() : options.subject);
+  if (const auto why = law->unfit(*subject, levels.first)) throw UsageError(*why);
+  if (!law->replay)
+    throw UsageError(
+        fmt::format("{} is not judged case by case; run `mmverify prove {}` again", law->id, law->id));
+  std::optional<OutputFile> picture;
+  if (!options.picture.empty()) picture.emplace(options.picture);
+  try {
+    const Replayed r = law->replay(*subject, levels.first, options.at);
+    fmt::print("{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
+               law->id, levels.first, options.at, subject->name(), r.expected, r.got);
+    if (picture) picture->commit(r.picture);
+    return r.holds ? ExitCode::complete : ExitCode::failed;
+  } catch (const BadCase& error) {
+    throw UsageError(fmt::format("--case {}", error.what()));
+  }
+}
+
+}  // namespace
+
+Action add_replay(CLI::App& program) {
+  auto* command = program.add_subcommand("replay", "judge one case again, as a counterexample's line says");
+  auto options = std::make_shared<Options>();
+  command->add_option("law", options->law, "the law")->type_name("LAW")->required();
+  command->add_option("--level", options->level, "the level")->type_name("N")->required();
+  command->add_option("--case", options->at, "the case as printed, for example u=3/8,v=5/16 or k=22")
+      ->type_name("TEXT")
+      ->required();
+  command
+      ->add_option("--subject", options->subject,
+                   "who is judged; the law's first built-in one where not given")
+      ->type_name("NAME|FILE.so");
+  command->add_option("--picture", options->picture, "draw it")->type_name("FILE.svg");
+  return [options] { return replay(*options); };
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,130 @@
+#include "cli/text.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
+
+#include "cli/arguments.hpp"
+#include "proofs/plan.hpp"
+#include "proofs/registry.hpp"
+
+namespace mmverify::cli {
+
+using namespace proofs;
+
+std::string replay_command(const Result& result, const Counterexample& c) {
+  const Law* law = find_law(result.law);
+  if (law == nullptr || !law->replay)
+    return fmt::format("mmverify prove {} --levels {} --subject {}", result.law, result.level,
+                       result.subject);
+  return fmt::format("mmverify replay {} --level {} --case {} --subject {}", result.law, result.level, c.at,
+                     result.subject);
+}
+
+std::string counterexample_line(const Result& result, const Counterexample& c) {
+  return fmt::format("refuted {} level {} case {}{} expected {} got {}   replay: {}", result.law,
+                     result.level, c.at, c.hex.empty() ? "" : " " + c.hex, c.expected, c.got,
+                     replay_command(result, c));
+}
+
+namespace {
+
+std::string levels_text(const std::vector<Result>& results) {
+  const Level first = results.front().level, last = results.back().level;
+  return first == last ? fmt::format("level {}", first) : fmt::format("levels {}..{}", first, last);
+}
+
+/// The weakest of the verdicts of one law on one subject.
+Verdict verdict_of(const std::vector<Result>& results) { return weakest(results, results.front().subject); }
+
+std::string by_kind(const Result& r) {
+  return fmt::format("vertices {}, edges {}, interiors {}", grouped(r.by_kind[0].mismatches),
+                     grouped(r.by_kind[1].mismatches), grouped(r.by_kind[2].mismatches));
+}
+
+}  // namespace
+
+void TextReport::add(const Result& result) {
+  if (!pending_.empty() && (pending_.front().law != result.law || pending_.front().subject != result.subject))
+    flush();
+  pending_.push_back(result);
+  if (by_level_) flush();
+}
+
+void TextReport::flush() {
+  if (!pending_.empty()) line(pending_);
+  pending_.clear();
+}
+
+void TextReport::line(const std::vector<Result>& results) {
+  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
+  const Result& first = results.front();
+  const Verdict verdict = verdict_of(results);
+  std::uint64_t cases = 0;
+  double seconds = 0;
+  for (const Result& r : results) {
+    cases += r.cases_run();
+    seconds += r.seconds;
+  }
+  if (verdict == Verdict::not_applicable) {
+    fmt::print(out_, "{:<10} {:<32} {:<20} {}\n", "n/a", first.law, first.subject, first.reason);
+    return;
+  }
+  const std::string rate =
+      seconds > 0.01 ? fmt::format("{:7.1f} M/s", static_cast<double>(cases) / seconds / 1e6) : "";
+  fmt::print(out_, "{:<10} {:<32} {:<20} {:<13} {:>15} cases {:>7.2f} s {}\n", to_string(verdict), first.law,
+             first.subject, levels_text(results), grouped(cases), seconds, rate);
+  if (by_level_)
+    fmt::print(out_, "           domain: {}; {}; digest {:016x}\n", first.domain, first.method, first.digest);
+  for (const Result& r : results) {
+    if (r.mismatches() == 0) continue;
+    fmt::print(out_, "  level {}: {} of {} cases wrong ({})\n", r.level, grouped(r.mismatches()),
+               grouped(r.cases_run()), by_kind(r));
+    for (const Counterexample& c : r.counterexamples) fmt::print(out_, "{}\n", counterexample_line(r, c));
+    if (!by_level_) break;
+  }
+  if (verdict == Verdict::incomplete || verdict == Verdict::broken)
+    fmt::print(out_, "  {}\n", results.back().reason);
+  std::fflush(out_);
+}
+
+void TextReport::finish(const Report& report, bool name_subjects) {
+  flush();
+  std::size_t killed = 0;
+  std::string law;
+  for (const MutantResult& m : report.mutants) {
+    if (m.law != law) fmt::print(out_, "mutants of {}:\n", m.law);
+    law = m.law;
+    if (m.killed)
+      fmt::print(out_, "  killed    {} (level {}, {})\n", m.mutant, m.level, m.at);
+    else
+      fmt::print(out_, "  SURVIVED  {}\n", m.mutant);
+    killed += m.killed ? 1 : 0;
+  }
+  if (name_subjects) {
+    std::vector<std::string> named;
+    for (const Result& r : report.results) {
+      if (std::find(named.begin(), named.end(), r.subject) != named.end()) continue;
+      named.push_back(r.subject);
+      fmt::print(out_, "subject {}: {}, the weakest of its verdicts\n", r.subject,
+                 to_string(weakest(report.results, r.subject)));
+    }
+  }
+  std::map<Verdict, std::size_t> verdicts;
+  double seconds = 0;
+  for (const Result& r : report.results) {
+    ++verdicts[r.verdict];
+    seconds += r.seconds;
+  }
+  std::vector<std::string> parts;
+  for (const auto& [verdict, count] : verdicts)
+    parts.push_back(fmt::format("{} {}", count, to_string(verdict)));
+  fmt::print(out_, "{} results: {}; {} of {} mutants killed; {:.1f} s on {} thread{}\n",
+             report.results.size(), fmt::join(parts, ", "), killed, report.mutants.size(), seconds,
+             report.threads, report.threads == 1 ? "" : "s");
+  std::fflush(out_);
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,198 @@
+// Where a point of the base triangle falls, and back: exact answers for binary32 input, in a handful of
+// instructions.
+//
+//   from_barycentrics   index on the curve of the Vulkan specification
+//   corners             the micro-triangle that carries an index of the curve
+//   w_minor             index in row order (Gruen et al.)
+//   w_minor_corners     the micro-triangle that carries an index of row order
+//
+// Each comes once for a single value, inline, and once for spans, in SIMD chosen at run time; both give the
+// same bits.  They need IEEE arithmetic rounded to nearest, the default (no -ffast-math); flushing subnormals
+// to zero changes no answer: a subnormal u or v completes no sum to 1, and before the first grid line dia is
+// N-1 with or without it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+namespace mmverify::impl::index {
+
+/// A subdivision level n; N = 2^n micro-triangles to a side.  Every function here takes a greater level for
+/// max_level.
+using Level = std::uint32_t;
+
+/// The specification's limit, and the last level whose 4^n indices fit 32 bits.
+inline constexpr Level max_level = 16;
+
+/// A micro-vertex (i/N, j/N): i counts along u, j along v.
+struct Vertex {
+  std::uint32_t i, j;
+  friend constexpr bool operator==(const Vertex&, const Vertex&) = default;
+};
+
+/// Three corners; on the curve in the order of the children that touch them: child 0, child 2, child 3.
+using Corners = std::array<Vertex, 3>;
+
+/// Corners of many micro-triangles: corner c of triangle k is (i<c>[k], j<c>[k]).
+struct CornerSpans {
+  std::span<std::uint32_t> i0, j0, i1, j1, i2, j2;
+};
+
+namespace detail {
+
+/// The grid square (iu, iv) of a point, its row (the diagonal strip between u+v = row/N and (row+1)/N), and
+/// ceil(uN).
+/// iu and iv may still be N here: at u = 1 and v = 1.
+struct Located {
+  std::uint32_t iu, iv, row, u_ceil;
+};
+
+/// x in [0,1]; NaN and everything at or below zero become +0: std::max keeps its first argument unless 0 < x
+/// holds.
+inline float clamped(float x) noexcept { return std::min(std::max(0.0f, x), 1.0f); }
+
+/// Locates a point by its clamped u and v, with no rounding anywhere. n in 0..16.
+///   uN, floor(uN) and uf = uN - floor(uN) are exact: N scales by a power of two, a fraction only drops
+///   leading bits.
+///   uf+vf may round, so uf+vf >= 1 is asked as lesser >= 1 - greater.  If greater >= 1/2 the difference is
+///   exact (Sterbenz).  Otherwise both are below 1/2, the sum is below 1, and the rounded difference, at
+///   least 1/2, says so.
+inline Located locate(float u, float v, Level n) noexcept {
+  // Signed conversions: x86 has them in one instruction, and every value here is at most 2^16.
+  const std::int32_t N = std::int32_t{1} << n;
+  const float side = static_cast<float>(N);
+  const float un = clamped(u) * side, vn = clamped(v) * side;
+  const std::int32_t iu = static_cast<std::int32_t>(un), iv = static_cast<std::int32_t>(vn);
+  const float uf = un - static_cast<float>(iu), vf = vn - static_cast<float>(iv);
+  const std::int32_t carry = std::min(uf, vf) >= 1.0f - std::max(uf, vf);
+  const std::int32_t row = std::min(N - 1, iu + iv + carry), u_ceil = iu + (uf > 0.0f);
+  return {static_cast<std::uint32_t>(iu), static_cast<std::uint32_t>(iv), static_cast<std::uint32_t>(row),
+          static_cast<std::uint32_t>(u_ceil)};
+}
+
+/// XOR of a 16-bit word's bits at and above each bit.
+constexpr std::uint32_t xor_from_above(std::uint32_t x) noexcept {
+  x ^= x >> 1;
+  x ^= x >> 2;
+  x ^= x >> 4;
+  return x ^ x >> 8;
+}
+
+/// The low 16 bits of b0 on the even bits and of b1 on the odd; bits above them must be clear.  Both spread
+/// at once.
+constexpr std::uint32_t interleaved(std::uint32_t b0, std::uint32_t b1) noexcept {
+  std::uint64_t x = b0 | std::uint64_t{b1} << 32;
+  x = (x | x << 8) & 0x00ff00ff00ff00ff;
+  x = (x | x << 4) & 0x0f0f0f0f0f0f0f0f;
+  x = (x | x << 2) & 0x3333333333333333;
+  x = (x | x << 1) & 0x5555555555555555;
+  return static_cast<std::uint32_t>(x | x >> 31);
+}
+
+/// Gathers the even bits into the low 16; ignores the odd ones.
+constexpr std::uint32_t gather(std::uint32_t x) noexcept {
+  x &= 0x55555555;
+  x = (x | x >> 1) & 0x33333333;
+  x = (x | x >> 2) & 0x0f0f0f0f;
+  x = (x | x >> 4) & 0x00ff00ff;
+  return (x | x >> 8) & 0x0000ffff;
+}
+
+}  // namespace detail
+
+/// Index on the curve of the micro-triangle that holds (u, v); the specification's answer for these very
+/// numbers.
+///   b0 = iu XOR row, t = (iu XOR iv) AND b0, f = XOR from above of t, b1 = ((f XOR iu) AND NOT b0) OR t,
+///   b0 to the even bits, b1 to the odd; row stands for NOT iw, which saves the masks.
+/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16,
+/// more is 16. Result in [0, 4^level): exactly the rational evaluation of the reference for every pair of
+/// finite floats. Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+inline std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
+  const Level n = std::min(level, max_level);
+  const detail::Located p = detail::locate(u, v, n);
+  const std::uint32_t last = (std::uint32_t{1} << n) - 1;
+  // Beyond the diagonal the reference keeps v and lowers u.
+  const std::uint32_t iv = std::min(p.iv, last), iu = std::min(p.iu, last - iv);
+  const std::uint32_t b0 = iu ^ p.row;
+  const std::uint32_t t = (iu ^ iv) & b0;
+  const std::uint32_t b1 = ((detail::xor_from_above(t) ^ iu) & ~b0) | t;
+  return detail::interleaved(b0, b1);
+}
+
+/// The same for out.size() points: out[k] = from_barycentrics(u[k], v[k], level), bit for bit.
+/// Domain: any length, any alignment; the three spans have one length, or std::invalid_argument is thrown and
+/// nothing is written.  out must not overlap u or v.
+void from_barycentrics(std::span<const float> u, std::span<const float> v, Level level,
+                       std::span<std::uint32_t> out);
+
+/// Corners of the micro-triangle that carries an index of the curve, on the grid of the level.
+///   b0, b1 = even, odd bits; t = b0 AND b1, f = XOR from above of t, m = XOR from above of (b0 AND NOT b1);
+///   iv = (m >> 1) XOR t, iu = b0 ? m >> 1 : b1 XOR f, bit by bit; with f0 and m0 the lowest bits of f and m:
+///   (iu+f0, iv+m0), (iu+1-f0, iv+m0), (iu+m0, iv+1-m0)
+/// m0 says that middle children turned the triangle upside down, f0 whether its first two corners lie the
+/// other way round along u.
+/// Domain: level in 0..16, more is 16; index is masked to its low 2 level bits.  Coordinates in [0, N].
+/// Source: Succinct Opacity Micromaps, Algorithm 4, inverted; the closed form is ours.
+constexpr Corners corners(std::uint32_t index, Level level) noexcept {
+  const Level n = std::min(level, max_level);
+  const std::uint32_t low = (std::uint32_t{1} << n) - 1;
+  const std::uint32_t b0 = detail::gather(index) & low, b1 = detail::gather(index >> 1) & low;
+  const std::uint32_t t = b0 & b1, f = detail::xor_from_above(t), m = detail::xor_from_above(b0 & ~b1);
+  const std::uint32_t inverted = m >> 1;
+  const std::uint32_t iu = (b0 & inverted) | (~b0 & (b1 ^ f)), iv = inverted ^ t;
+  const std::uint32_t f0 = f & 1, m0 = m & 1;
+  return {Vertex{iu + f0, iv + m0}, Vertex{iu + 1 - f0, iv + m0}, Vertex{iu + m0, iv + 1 - m0}};
+}
+
+/// The same for many: corner c of out at k is corners(index[k], level)[c].
+/// Domain: any length, any alignment; all seven spans have one length, or std::invalid_argument is thrown and
+/// nothing is written.  No span of out may overlap another or index.
+void corners(std::span<const std::uint32_t> index, Level level, const CornerSpans& out);
+
+/// Index in row order, rows counted from the w-corner: row^2 + col + (dia - (N-1-row)), where
+///   row = min(N-1, floor((u+v)N)), col = min(row, floor(vN)), dia = min(N-1, N - ceil(uN)).
+/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16,
+/// more is 16. Result in [0, 4^level), exact for every pair of finite floats in the triangle; outside it, the
+/// same formula on the clamped numbers, which stays in the range because dia >= N-1-row even there. Source:
+/// Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
+inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
+  const Level n = std::min(level, max_level);
+  const detail::Located p = detail::locate(u, v, n);
+  const std::uint32_t N = std::uint32_t{1} << n;
+  const std::uint32_t col = std::min(p.row, p.iv), dia = std::min(N - 1, N - p.u_ceil);
+  return p.row * p.row + col + (dia - (N - 1 - p.row));
+}
+
+/// The same for out.size() points: out[k] = w_minor(u[k], v[k], level), bit for bit.
+/// Domain: any length, any alignment; the three spans have one length, or std::invalid_argument is thrown and
+/// nothing is written.  out must not overlap u or v.
+void w_minor(std::span<const float> u, std::span<const float> v, Level level, std::span<std::uint32_t> out);
+
+/// The row that holds an index of row order: the greatest row with row^2 <= index.  Domain: every index.
+/// A binary64 root is safe where the source's binary32 root is not: below 2^32 the index is exact, and k^2 -
+/// 1 has its root more than 1/(2k) >= 2^-17 below k, while binary64 numbers there are at most 2^-37 apart.
+/// Source: Color and Attribute Micromaps, figure 4.
+inline std::uint32_t w_minor_row(std::uint32_t index) noexcept {
+  return static_cast<std::uint32_t>(std::sqrt(static_cast<double>(index)));
+}
+
+/// Corners of the micro-triangle that carries an index of row order, in the order v0, v1, v2 of the source.
+///   row = floor(sqrt(index)), c = floor((index - row^2) / 2), odd = (index - row^2) mod 2:
+///   (row-c, c), (row-c+1-odd, c+odd), (row-c-odd, c+1)
+/// Domain: every index; the level does not enter, as row order only appends rows.  Coordinates in [0, 2^16].
+/// Source: Color and Attribute Micromaps, figure 4, wminor_uv2vertex_index.
+inline Corners w_minor_corners(std::uint32_t index) noexcept {
+  const std::uint32_t row = w_minor_row(index), col = index - row * row;
+  const std::uint32_t c = col / 2, odd = col % 2, i = row - c;
+  return {Vertex{i, c}, Vertex{i + 1 - odd, c + odd}, Vertex{i - odd, c + 1}};
+}
+
+/// The same for many: corner c of out at k is w_minor_corners(index[k])[c].
+/// Domain: any length, any alignment; all seven spans have one length, or std::invalid_argument is thrown and
+/// nothing is written.  No span of out may overlap another or index.
+void w_minor_corners(std::span<const std::uint32_t> index, const CornerSpans& out);
+
+}  // namespace mmverify::impl::index

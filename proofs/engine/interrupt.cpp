@@ -1,0 +1,28 @@
+#include "proofs/engine/interrupt.hpp"
+
+#include <csignal>
+
+namespace mmverify::proofs {
+namespace {
+volatile std::sig_atomic_t stop_asked = 0;
+
+extern "C" void ask_to_stop(int signal) {
+  stop_asked = 1;
+  std::signal(signal, SIG_DFL);
+}
+}  // namespace
+
+bool interrupted() { return stop_asked != 0; }
+
+InterruptGuard::InterruptGuard() {
+  stop_asked = 0;
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+}
+
+InterruptGuard::~InterruptGuard() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+}  // namespace mmverify::proofs

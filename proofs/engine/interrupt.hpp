@@ -1,0 +1,18 @@
+// Ctrl-C: the run stops at the next chunk and says so.
+#pragma once
+
+namespace mmverify::proofs {
+
+/// True once SIGINT or SIGTERM has come in while a guard was alive.
+bool interrupted();
+
+/// Turns SIGINT and SIGTERM into `interrupted()` for its lifetime; the second one ends the process as usual.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
+
+}  // namespace mmverify::proofs

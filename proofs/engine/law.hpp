@@ -1,0 +1,84 @@
+// A law: a statement for all inputs of a domain, how one level of it is judged, and who must fail it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proofs/engine/sweep.hpp"
+
+namespace mmverify::proofs {
+
+/// An implementation under test.  Topics derive from it.
+class Subject {
+ public:
+  Subject(std::string name, std::string about) : name_(std::move(name)), about_(std::move(about)) {}
+  virtual ~Subject() = default;
+  Subject(const Subject&) = delete;
+  Subject& operator=(const Subject&) = delete;
+  const std::string& name() const { return name_; }
+  const std::string& about() const { return about_; }
+
+  /// Whether its answers on the representatives decide all points of their cells.
+  virtual bool exact() const = 0;
+
+ private:
+  std::string name_, about_;
+};
+using SubjectPtr = std::shared_ptr<const Subject>;
+
+/// Both ends included, as on the command line.
+struct Levels {
+  Level first = 0, last = 0;
+  friend bool operator==(const Levels&, const Levels&) = default;
+};
+
+/// How a passing run may be called: exhaustive and witness runs prove, a sample only checks.
+enum class Method { exhaustive, sample, witness };
+
+/// A wrong subject that the law must refute within these levels.
+struct Mutant {
+  std::string name;
+  SubjectPtr subject;
+  Levels levels;
+};
+
+/// One case judged again, for `replay`.
+struct Replayed {
+  bool holds = false;
+  std::string expected, got;
+  std::string picture;  ///< SVG text, empty where a picture says nothing
+};
+
+struct Law {
+  std::string id, topic;
+  std::string says, source;
+  Method method = Method::exhaustive;
+  std::vector<std::string>
+      subjects;  ///< built-in subjects of a run that names none: those that the law is true of
+  Levels fast, long_run;
+  double fast_seconds = 0;  ///< on two cores of the machine the README names, mutants included
+
+  std::function<std::uint64_t(Level, Tier)> cases;  ///< closed form
+  std::function<std::string(const Subject&, Level)> domain;
+  std::function<std::string(const Subject&, Level)> how;  ///< "exhaustive, rational", ...
+  std::function<std::optional<std::string>(const Subject&, Level)>
+      unfit;  ///< why the law does not apply, if so
+  std::function<Tally(const Subject&, Level, const Run&)> judge;
+  std::function<Replayed(const Subject&, Level, const std::string&)> replay;  ///< throws BadCase; empty: none
+  std::vector<Mutant> mutants;
+  bool general = true;  ///< about any subject that fits; otherwise about the ones it names only
+  std::string
+      float_companion;  ///< the law that runs with it on a float subject, for which cells decide nothing else
+};
+
+/// A case text that the law cannot read; what() says what is wrong with it.
+struct BadCase : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace mmverify::proofs

@@ -1,0 +1,35 @@
+#include "proofs/engine/result.hpp"
+
+namespace mmverify::proofs {
+
+std::string to_string(Verdict v) {
+  switch (v) {
+    case Verdict::proved:
+      return "proved";
+    case Verdict::refuted:
+      return "refuted";
+    case Verdict::checked:
+      return "checked";
+    case Verdict::broken:
+      return "broken";
+    case Verdict::not_applicable:
+      return "not_applicable";
+    case Verdict::incomplete:
+      return "incomplete";
+  }
+  return "?";
+}
+
+std::uint64_t Result::cases_run() const {
+  std::uint64_t sum = 0;
+  for (const Count& c : by_kind) sum += c.cases;
+  return sum;
+}
+
+std::uint64_t Result::mismatches() const {
+  std::uint64_t sum = 0;
+  for (const Count& c : by_kind) sum += c.mismatches;
+  return sum;
+}
+
+}  // namespace mmverify::proofs

@@ -1,0 +1,67 @@
+// What a run says: verdicts, counts, counterexamples.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mmverify::proofs {
+
+using Level = std::uint32_t;
+
+/// proved: every case of the named domain was run, or a witness settles the statement.  checked: a sample
+/// passed.
+enum class Verdict { proved, refuted, checked, broken, not_applicable, incomplete };
+
+std::string to_string(Verdict v);
+
+/// Where a point lies on the level's grid.
+enum class Kind : std::uint8_t { vertex, edge, interior };
+constexpr std::size_t kinds = 3;
+
+struct Count {
+  std::uint64_t cases = 0, mismatches = 0;
+  friend bool operator==(const Count&, const Count&) = default;
+};
+using CountByKind = std::array<Count, kinds>;
+
+/// Order of counterexamples: the simplest first. For points: log2 of the common denominator, then v, then u.
+using Simplicity = std::array<std::uint64_t, 3>;
+
+/// One input on which a law fails.  `at` is the text that `replay --case` takes back.
+struct Counterexample {
+  Simplicity simplicity{};
+  Level level = 0;
+  std::string at;
+  std::string hex;  ///< the point as hexadecimal floats, empty where the input is not a point
+  std::string expected, got;
+};
+
+/// One law on one subject at one level.
+struct Result {
+  std::string law, topic, subject;
+  Level level = 0;
+  std::string method, domain;
+  Verdict verdict = Verdict::incomplete;
+  std::string reason;  ///< why broken, not applicable or incomplete
+  std::uint64_t cases_expected = 0;
+  CountByKind by_kind{};
+  std::vector<Counterexample> counterexamples;  ///< the simplest first, at most --errors of them
+  std::uint64_t digest = 0;
+  double seconds = 0;
+
+  std::uint64_t cases_run() const;
+  std::uint64_t mismatches() const;
+};
+
+/// Whether a law can fail: one wrong subject that it must refute.
+struct MutantResult {
+  std::string law, mutant;
+  bool killed = false;
+  Level level = 0;
+  std::string at;
+};
+
+}  // namespace mmverify::proofs

@@ -1,0 +1,129 @@
+#include "proofs/engine/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "proofs/engine/interrupt.hpp"
+
+namespace mmverify::proofs {
+namespace {
+
+Verdict judged(const Law& law, const Result& r) {
+  if (r.mismatches() != 0) return Verdict::refuted;
+  if (r.cases_run() != r.cases_expected) {
+    if (interrupted()) return Verdict::incomplete;
+    throw std::logic_error(fmt::format("{} level {}: {} cases run, {} expected", law.id, r.level,
+                                       r.cases_run(), r.cases_expected));
+  }
+  return law.method == Method::sample ? Verdict::checked : Verdict::proved;
+}
+
+Result named(const Law& law, const Subject& subject, Level level) {
+  Result r;
+  r.law = law.id;
+  r.topic = law.topic;
+  r.subject = subject.name();
+  r.level = level;
+  r.method = law.how(subject, level);
+  r.domain = law.domain(subject, level);
+  return r;
+}
+
+Result not_applicable(const Law& law, const Subject& subject, Level level, const std::string& why) {
+  Result r = named(law, subject, level);
+  r.verdict = Verdict::not_applicable;
+  r.reason = why;
+  return r;
+}
+
+/// Why the job has no level to run, or nothing.
+std::string unfit_throughout(const Job& job) {
+  std::string why = job.unfit;
+  for (Level n = job.levels.first; why.empty() && n <= job.levels.last; ++n)
+    if (!job.law->unfit(*job.subject, n)) return {};
+  return why.empty() ? job.law->unfit(*job.subject, job.levels.first).value_or("no level") : why;
+}
+
+}  // namespace
+
+Result run_level(const Law& law, const Subject& subject, Level level, const Run& run) {
+  Result r = named(law, subject, level);
+  if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, *why);
+  const auto start = std::chrono::steady_clock::now();
+  r.cases_expected = law.cases(level, run.tier);
+  if (run.progress != nullptr)
+    run.progress->now(fmt::format("{} {} level {}", law.id, subject.name(), level));
+  const Tally tally = law.judge(subject, level, run);
+  r.by_kind = tally.by_kind();
+  r.counterexamples = tally.found();
+  r.digest = tally.digest();
+  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  r.verdict = judged(law, r);
+  if (r.verdict == Verdict::incomplete) r.reason = "interrupted";
+  return r;
+}
+
+std::vector<MutantResult> run_mutants(const Law& law, const Run& asked) {
+  // Whether a law can fail must not depend on the sample that was asked for.
+  Run run = asked;
+  run.seed = Run().seed;
+  run.tier = Tier::fast;
+  std::vector<MutantResult> results;
+  for (const Mutant& mutant : law.mutants) {
+    MutantResult m{law.id, mutant.name, false, 0, {}};
+    for (Level n = mutant.levels.first; n <= mutant.levels.last && !m.killed && !interrupted(); ++n) {
+      const Result r = run_level(law, *mutant.subject, n, run);
+      if (r.verdict != Verdict::refuted) continue;
+      m.killed = true;
+      m.level = n;
+      m.at = r.counterexamples.empty() ? std::string() : r.counterexamples.front().at;
+    }
+    if (m.killed || !interrupted()) results.push_back(m);
+  }
+  return results;
+}
+
+Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result) {
+  Report report;
+  report.threads = options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  oneapi::tbb::task_arena arena(static_cast<int>(report.threads));
+
+  std::uint64_t total = 0;
+  for (const Job& job : jobs)
+    for (Level n = job.levels.first; job.unfit.empty() && n <= job.levels.last; ++n)
+      if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, options.tier);
+
+  Progress progress(total, options.show_progress);
+  const InterruptGuard guard;
+  Run run{&arena, &progress, options.errors, options.seed, options.tier};
+  const auto add = [&](const Result& r) {
+    report.results.push_back(r);
+    on_result(r);
+  };
+  for (const Job& job : jobs) {
+    if (const std::string why = unfit_throughout(job); !why.empty()) {
+      add(not_applicable(*job.law, *job.subject, job.levels.first, why));
+      continue;
+    }
+    for (Level n = job.levels.first; n <= job.levels.last; ++n)
+      add(run_level(*job.law, *job.subject, n, run));
+  }
+
+  run.progress = nullptr;
+  std::vector<const Law*> laws;
+  for (const Job& job : jobs)
+    if (std::find(laws.begin(), laws.end(), job.law) == laws.end()) laws.push_back(job.law);
+  for (const Law* law : laws) {
+    if (interrupted()) break;
+    const auto mutants = run_mutants(*law, run);
+    report.mutants.insert(report.mutants.end(), mutants.begin(), mutants.end());
+  }
+  report.interrupted = interrupted();
+  return report;
+}
+
+}  // namespace mmverify::proofs

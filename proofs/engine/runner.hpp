@@ -1,0 +1,48 @@
+// Runs laws on subjects over levels and reports.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+
+namespace mmverify::proofs {
+
+/// One law on one subject over a range of levels.
+struct Job {
+  const Law* law;
+  SubjectPtr subject;
+  Levels levels;
+  std::string unfit = {};  ///< why the law is not about this subject, if so
+};
+
+struct RunOptions {
+  unsigned threads = 0;  ///< 0: as many as the machine has
+  std::size_t errors = 1;
+  std::uint64_t seed = 1;
+  Tier tier = Tier::fast;
+  bool show_progress = true;
+};
+
+struct Report {
+  std::vector<Result> results;
+  std::vector<MutantResult> mutants;
+  unsigned threads = 1;
+  bool interrupted = false;
+};
+
+/// Called as each result comes in.
+using OnResult = std::function<void(const Result&)>;
+
+/// Runs the jobs in order, then the mutants of every law among them.
+Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result);
+
+/// One law on one subject at one level; verdict, counts and reason filled in.
+/// A proof whose cases do not add up to the closed form is an error of this program: std::logic_error.
+Result run_level(const Law& law, const Subject& subject, Level level, const Run& run);
+
+/// Runs every mutant of a law, lowest level first, until the law refutes it.  Samples are those of the
+/// default seed and the fast tier.
+std::vector<MutantResult> run_mutants(const Law& law, const Run& run);
+
+}  // namespace mmverify::proofs

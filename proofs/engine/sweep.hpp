@@ -1,0 +1,36 @@
+// Runs a judge over a domain in fixed chunks, on all threads, with the same outcome for any number of them.
+#pragma once
+
+#include <oneapi/tbb/task_arena.h>
+
+#include <functional>
+
+#include "proofs/engine/progress.hpp"
+#include "proofs/engine/tally.hpp"
+
+namespace mmverify::proofs {
+
+/// fast: minutes at most, what CI runs; long: as far as the machine goes.
+enum class Tier { fast, long_run };
+
+/// What every law is given to run with.
+struct Run {
+  oneapi::tbb::task_arena* arena = nullptr;
+  Progress* progress = nullptr;
+  std::size_t errors = 1;  ///< counterexamples kept
+  std::uint64_t seed = 1;  ///< of every sample
+  Tier tier = Tier::fast;  ///< decides the size of samples
+};
+
+/// A half-open range of a domain's units (cells, rows, indices, samples).
+struct Chunk {
+  std::uint64_t begin, end;
+};
+
+/// Judges [0, units) in chunks of `units_per_chunk`; the judge counts its cases in the tally.
+/// Chunks are skipped once the run is interrupted; the missing cases show in the tally.  Domain:
+/// units_per_chunk > 0.
+Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk,
+            const std::function<void(Chunk, Tally&)>& judge);
+
+}  // namespace mmverify::proofs

@@ -1,0 +1,66 @@
+// What a sweep accumulates. Everything here adds up to the same whatever the order of the chunks.
+#pragma once
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "proofs/engine/result.hpp"
+
+namespace mmverify::proofs {
+
+class Tally {
+ public:
+  explicit Tally(std::size_t keep = 1) : keep_(keep) {}
+
+  void count(Kind kind, std::uint64_t cases) { by_kind_[static_cast<std::size_t>(kind)].cases += cases; }
+
+  /// Adds one answer to the digest:  sum over cases of (answer+1) * weight(case)  modulo 2^64.
+  /// The weight is odd, so that a changed answer changes the sum.
+  void digest(std::uint64_t case_number, std::uint64_t answer) {
+    digest_ += (answer + 1) * ((case_number * 0x9E3779B97F4A7C15u) >> 31 | 1);
+  }
+  void digest_sum(std::uint64_t sum) { digest_ += sum; }
+
+  /// Counts one failed case; `describe` makes its Counterexample, and is called only if it is among the
+  /// simplest.
+  template <class Describe>
+  void mismatch(Kind kind, const Simplicity& simplicity, Describe describe) {
+    ++by_kind_[static_cast<std::size_t>(kind)].mismatches;
+    if (found_.size() == keep_ && (keep_ == 0 || !(simplicity < found_.back().simplicity))) return;
+    keep(describe());
+  }
+
+  void merge(const Tally& other) {
+    for (std::size_t k = 0; k < kinds; ++k) {
+      by_kind_[k].cases += other.by_kind_[k].cases;
+      by_kind_[k].mismatches += other.by_kind_[k].mismatches;
+    }
+    digest_ += other.digest_;
+    for (const Counterexample& c : other.found_) keep(c);
+  }
+
+  /// Puts another tally's counterexamples in the place of these; the counts stay.
+  void replace_found(const Tally& other) { found_ = other.found_; }
+
+  const CountByKind& by_kind() const { return by_kind_; }
+  std::uint64_t digest() const { return digest_; }
+  const std::vector<Counterexample>& found() const { return found_; }
+  std::uint64_t cases() const { return by_kind_[0].cases + by_kind_[1].cases + by_kind_[2].cases; }
+
+ private:
+  void keep(Counterexample c) {
+    const auto place = std::upper_bound(found_.begin(), found_.end(), c, [](const auto& a, const auto& b) {
+      return std::tie(a.simplicity, a.at) < std::tie(b.simplicity, b.at);
+    });
+    found_.insert(place, std::move(c));
+    if (found_.size() > keep_) found_.pop_back();
+  }
+
+  std::size_t keep_;
+  CountByKind by_kind_{};
+  std::uint64_t digest_ = 0;
+  std::vector<Counterexample> found_;
+};
+
+}  // namespace mmverify::proofs

@@ -1,0 +1,30 @@
+// The specification's point -> index algorithms as types, so that one subject template serves them all.
+#pragma once
+
+#include "spec/index.hpp"
+
+namespace mmverify::proofs::index {
+
+struct ReferenceAlgorithm {
+  template <spec::Number Q>
+  static std::uint32_t at(const spec::Point<Q>& p, spec::Level n) {
+    return spec::index::reference(p, n);
+  }
+};
+
+struct WideAlgorithm {
+  template <spec::Number Q>
+  static std::uint32_t at(const spec::Point<Q>& p, spec::Level n) {
+    return static_cast<std::uint32_t>(spec::index::reference_wide(p, n));
+  }
+};
+
+template <spec::index::Reading reading>
+struct StepAlgorithm {
+  template <spec::Number Q>
+  static std::uint32_t at(const spec::Point<Q>& p, spec::Level n) {
+    return spec::index::step<reading>(p, n);
+  }
+};
+
+}  // namespace mmverify::proofs::index

@@ -1,0 +1,198 @@
+// The laws that compare answers on cells.
+#include <fmt/format.h>
+
+#include "proofs/index/judges.hpp"
+#include "proofs/index/on_cells.hpp"
+#include "proofs/index/picture.hpp"
+#include "proofs/index/reference_sweep.hpp"
+#include "spec/rational.hpp"
+
+namespace mmverify::proofs::index {
+namespace {
+
+template <class At>
+Answers one_by_one(At at) {
+  return [at](Batch batch, std::span<std::uint32_t> out) {
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(batch.points[t]);
+  };
+}
+
+Answers asked(const IndexSubject& s, Level n) {
+  return [&s, n](Batch batch, std::span<std::uint32_t> out) { s.index(n, batch, out); };
+}
+
+Answers asked_in_rationals(const IndexSubject& s, Level n) {
+  return one_by_one([&s, n](const GridPoint& p) { return s.index(n, rational(p)); });
+}
+
+/// The micro-triangle that a point of a grid line belongs to: on its +u, +v side; on the hypotenuse, which
+/// has no such side, the one at -u, and at the v-corner the last one.
+template <class Q>
+MicroTriangle rounded_away_from_w(const spec::Point<Q>& p, Level n) {
+  const std::uint32_t N = side(n);
+  const Q u = times(N, p.u), v = times(N, p.v), one(1);
+  std::uint32_t i = whole(u), j = whole(v);
+  const bool upper_half = !(u - Q(i) + (v - Q(j)) < one);
+  if (i + j < N) return {i, j, upper_half && i + j + 1 < N};
+  return i > 0 ? MicroTriangle{i - 1, j, false} : MicroTriangle{0, N - 1, false};
+}
+
+Replayed compared(Level n, const RationalPoint& p, std::uint32_t want, std::uint32_t got,
+                  Order order = Order::curve) {
+  return {want == got, fmt::format("{}", want), fmt::format("{}", got), picture(n, p, want, got, order)};
+}
+
+}  // namespace
+
+RationalPoint received_point(const IndexSubject& s, const std::string& at) {
+  const RationalPoint p = parse_point(at), q = s.receive(p);
+  if (p.u != q.u || p.v != q.v)
+    throw BadCase(fmt::format("'{}' is not a pair of {} numbers, which {} takes", at,
+                              to_string(s.arithmetic()), s.name()));
+  return p;
+}
+
+Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
+  if (s.exact() && n <= rational_levels) {
+    const Answers oracle =
+        one_by_one([n](const GridPoint& p) { return spec::index::reference(rational(p), n); });
+    return compare_on_cells(s, n, run, oracle, asked_in_rationals(s, n));
+  }
+  const Answers oracle = [n](Batch batch, std::span<std::uint32_t> out) {
+    reference_batch(n, batch.points, out);
+  };
+  return compare_on_cells(s, n, run, oracle, asked(s, n));
+}
+
+Replayed replay_equals_reference(const IndexSubject& s, Level n, const std::string& at) {
+  const RationalPoint p = received_point(s, at);
+  return compared(n, p, spec::index::reference(p, n), s.index(n, p));
+}
+
+Tally in_range(const IndexSubject& s, Level n, const Run& run) {
+  const auto last = static_cast<std::uint32_t>(triangle_count(n) - 1);
+  const Answers kept = [&](Batch batch, std::span<std::uint32_t> out) {
+    s.index(n, batch, out);
+    for (std::uint32_t& index : out) index = std::min(index, last);
+  };
+  return compare_on_cells(s, n, run, kept, asked(s, n),
+                          [n](std::uint32_t) { return fmt::format("below 4^{}", n); });
+}
+
+Replayed replay_in_range(const IndexSubject& s, Level n, const std::string& at) {
+  const RationalPoint p = received_point(s, at);
+  const std::uint32_t got = s.index(n, p);
+  return {got < triangle_count(n), fmt::format("below {}", triangle_count(n)), fmt::format("{}", got),
+          picture(n, p, spec::index::reference(p, n), got, Order::curve)};
+}
+
+Tally nested(const IndexSubject& s, Level n, const Run& run) {
+  const Answers quarter = [&s, n](Batch batch, std::span<std::uint32_t> out) {
+    s.index(n + 1, batch, out);
+    for (std::uint32_t& index : out) index /= 4;
+  };
+  return compare_on_cells(s, n + 1, run, asked(s, n), quarter);
+}
+
+Replayed replay_nested(const IndexSubject& s, Level n, const std::string& at) {
+  const RationalPoint p = received_point(s, at);
+  return compared(n, p, s.index(n, p), s.index(n + 1, p) / 4);
+}
+
+Tally rounding(const IndexSubject& s, Level n, const Run& run) {
+  const Answers inside = [&s, n](Batch batch, std::span<std::uint32_t> out) {
+    std::vector<GridPoint> points;
+    for (const GridPoint& p : batch.points) points.push_back(representative(rounded_away_from_w(p, n), n));
+    s.index(n, {points, false}, out);
+  };
+  return compare_on_cells(s, n, run, inside, asked(s, n));
+}
+
+Replayed replay_rounding(const IndexSubject& s, Level n, const std::string& at) {
+  const RationalPoint p = received_point(s, at);
+  const std::uint32_t want = s.index(n, rational(representative(rounded_away_from_w(p, n), n)));
+  return compared(n, p, want, s.index(n, p));
+}
+
+Tally fixed_is_rational(const IndexSubject& s, Level n, const Run& run) {
+  const Answers alone = [&s, n](Batch batch, std::span<std::uint32_t> out) {
+    s.index(n, {batch.points, false}, out);
+  };
+  return compare_on_cells(s, n, run, asked_in_rationals(s, n), alone);
+}
+
+Tally sweep_is_spec(const IndexSubject& s, Level n, const Run& run) {
+  const Answers alone = [&s, n](Batch batch, std::span<std::uint32_t> out) {
+    s.index(n, {batch.points, false}, out);
+  };
+  return compare_on_cells(s, n, run, alone, asked(s, n));
+}
+
+Tally row_order(const IndexSubject& s, Level n, const Run& run) {
+  const Answers figure_4 = one_by_one([n](const GridPoint& p) { return spec::index::w_minor(p, n); });
+  return compare_on_cells(s, n, run, figure_4,
+                          [&s, n](Batch batch, std::span<std::uint32_t> out) { s.row_index(n, batch, out); });
+}
+
+namespace {
+std::uint32_t row_index_at(const IndexSubject& s, Level n, const RationalPoint& p) {
+  const Rational scale(spec::Integer(1) << Fixed64::fraction_bits), u = p.u * scale, v = p.v * scale;
+  if (u.denominator() != 1 || v.denominator() != 1)
+    throw BadCase("row order is replayed on points k/2^30 only");
+  const GridPoint point{Fixed64::from_raw(static_cast<std::int64_t>(u.numerator())),
+                        Fixed64::from_raw(static_cast<std::int64_t>(v.numerator()))};
+  std::uint32_t answer = 0;
+  s.row_index(n, {{&point, 1}, false}, {&answer, 1});
+  return answer;
+}
+
+/// Whether the closed micro-triangle with these corners holds the point: on no edge's outer side.
+template <class Q>
+bool holds(const Corners& c, const spec::Point<Q>& p, Level n) {
+  const Q u = times(side(n), p.u), v = times(side(n), p.v);
+  int left = 0, right = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto &a = c[k], &b = c[(k + 1) % 3];
+    // The edges of micro-triangles run along u, v or their difference, so the cross product needs no products
+    // of points.
+    const auto times_signed = [](std::int64_t f, const Q& q) {
+      return f == 0  ? Q(0)
+             : f > 0 ? times(static_cast<std::uint32_t>(f), q)
+                     : Q(0) - times(static_cast<std::uint32_t>(-f), q);
+    };
+    const std::int64_t di = std::int64_t{b.i} - a.i, dj = std::int64_t{b.j} - a.j;
+    const Q cross = times_signed(di, v - Q(a.j)) - times_signed(dj, u - Q(a.i));
+    left += cross < Q(0) ? 0 : 1;
+    right += Q(0) < cross ? 0 : 1;
+  }
+  return left == 3 || right == 3;
+}
+}  // namespace
+
+Replayed replay_row_order(const IndexSubject& s, Level n, const std::string& at) {
+  const RationalPoint p = received_point(s, at);
+  return compared(n, p, spec::index::w_minor(p, n), row_index_at(s, n, p), Order::rows);
+}
+
+Tally row_holds_point(const IndexSubject& s, Level n, const Run& run) {
+  // The answer is compared with itself where its micro-triangle holds the point, and with no index where not.
+  const Answers held = [&s, n](Batch batch, std::span<std::uint32_t> out) {
+    s.row_index(n, batch, out);
+    for (std::size_t t = 0; t < out.size(); ++t)
+      if (out[t] >= triangle_count(n) || !holds(spec::index::w_minor_corners(out[t]), batch.points[t], n))
+        out[t] = ~out[t];
+  };
+  return compare_on_cells(
+      s, n, run, held, [&s, n](Batch batch, std::span<std::uint32_t> out) { s.row_index(n, batch, out); },
+      [](std::uint32_t) { return std::string("a micro-triangle that holds the point"); });
+}
+
+Replayed replay_row_holds_point(const IndexSubject& s, Level n, const std::string& at) {
+  const RationalPoint p = received_point(s, at);
+  const std::uint32_t got = row_index_at(s, n, p);
+  return {got < triangle_count(n) && holds(spec::index::w_minor_corners(got), p, n),
+          "a micro-triangle that holds the point", fmt::format("{}", got),
+          picture(n, p, spec::index::w_minor(p, n), got, Order::rows)};
+}
+
+}  // namespace mmverify::proofs::index

@@ -1,0 +1,52 @@
+// How the laws of topic index are judged: each function sweeps one law's domain at one level.
+// All take (subject, level, run) and count every case of the closed form that the law names.
+#pragma once
+
+#include "proofs/index/subject.hpp"
+
+namespace mmverify::proofs::index {
+
+/// Levels up to which equals_reference runs in rationals on both sides.
+constexpr Level rational_levels = 8;
+
+// On the cells of the level (nested: of the next level).
+Tally equals_reference(const IndexSubject&, Level, const Run&);
+Tally in_range(const IndexSubject&, Level, const Run&);
+Tally nested(const IndexSubject&, Level, const Run&);
+Tally rounding(const IndexSubject&, Level, const Run&);
+Tally fixed_is_rational(const IndexSubject&, Level, const Run&);
+Tally sweep_is_spec(const IndexSubject&, Level, const Run&);
+Tally row_order(const IndexSubject&, Level, const Run&);
+Tally row_holds_point(const IndexSubject&, Level, const Run&);
+
+// On the 4^n micro-triangles.
+Tally bijective(const IndexSubject&, Level, const Run&);
+Tally contiguous(const IndexSubject&, Level, const Run&);
+
+// On the 4^n indices.
+Tally inverse(const IndexSubject&, Level, const Run&);
+Tally corners_in_order(const IndexSubject&, Level, const Run&);
+Tally row_corners(const IndexSubject&, Level, const Run&);
+
+// On samples.
+Tally exact_on_floats(const IndexSubject&, Level, const Run&, std::uint64_t samples);
+Tally cells_decide(const IndexSubject&, Level, const Run&, std::uint64_t samples);
+
+// The same laws on one case, for `replay`; each throws BadCase for a text it cannot read.
+Replayed replay_equals_reference(const IndexSubject&, Level, const std::string& at);
+Replayed replay_in_range(const IndexSubject&, Level, const std::string& at);
+Replayed replay_nested(const IndexSubject&, Level, const std::string& at);
+Replayed replay_rounding(const IndexSubject&, Level, const std::string& at);
+Replayed replay_row_order(const IndexSubject&, Level, const std::string& at);
+Replayed replay_row_holds_point(const IndexSubject&, Level, const std::string& at);
+Replayed replay_bijective(const IndexSubject&, Level, const std::string& at);
+Replayed replay_contiguous(const IndexSubject&, Level, const std::string& at);
+Replayed replay_inverse(const IndexSubject&, Level, const std::string& at);
+Replayed replay_corners_in_order(const IndexSubject&, Level, const std::string& at);
+Replayed replay_row_corners(const IndexSubject&, Level, const std::string& at);
+
+/// The point of a case text as the subject receives it; BadCase where the subject's arithmetic has no such
+/// number.
+RationalPoint received_point(const IndexSubject&, const std::string& at);
+
+}  // namespace mmverify::proofs::index

@@ -1,0 +1,63 @@
+// The row order of Color and Attribute Micromaps, figure 4, as subjects: exact, and with its roundings.
+#include <cmath>
+
+#include "proofs/index/built_in.hpp"
+#include "proofs/index/rounded_subject.hpp"
+
+namespace mmverify::proofs::index {
+namespace {
+
+/// Figure 4 with the row of an index from a root that the caller chooses.
+template <class Root>
+Corners corners_by_root(std::uint32_t index, Root root) {
+  const std::uint32_t row = root(index), col = index - row * row;
+  const auto at = [](std::uint32_t r, std::uint32_t c) { return spec::index::Vertex{r - c, c}; };
+  if (col % 2 == 0) return {at(row, col / 2), at(row + 1, col / 2), at(row + 1, col / 2 + 1)};
+  return {at(row, col / 2), at(row + 1, col / 2 + 1), at(row, col / 2 + 1)};
+}
+
+class ExactRows : public IndexSubject {
+ public:
+  ExactRows()
+      : IndexSubject("w-minor", "row order, Color and Attribute Micromaps figure 4, exact", Arithmetic::exact,
+                     16) {}
+  bool has(Entry e) const override { return e == Entry::row_index || e == Entry::row_corners; }
+  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = spec::index::w_minor(batch.points[t], n);
+  }
+  void row_corners(Level, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = spec::index::w_minor_corners(indices[t]);
+  }
+};
+
+template <class F>
+class RoundedRows : public IndexSubject {
+ public:
+  explicit RoundedRows(std::string name)
+      : IndexSubject(std::move(name),
+                     "row order, figure 4 and its square root in " + to_string(Rounding<F>::arithmetic),
+                     Rounding<F>::arithmetic, 16) {}
+  bool has(Entry e) const override { return e == Entry::row_index || e == Entry::row_corners; }
+  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t) {
+      const GridPoint& p = batch.points[t];
+      out[t] = spec::index::w_minor(
+          spec::Point<F>{Rounding<F>::from(as_double(p.u)), Rounding<F>::from(as_double(p.v))}, n);
+    }
+  }
+  void row_corners(Level, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
+    const auto root = [](std::uint32_t k) {
+      return static_cast<std::uint32_t>(std::sqrt(static_cast<F>(k)));
+    };
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = corners_by_root(indices[t], root);
+  }
+};
+
+}  // namespace
+
+std::vector<std::shared_ptr<const IndexSubject>> row_subjects() {
+  return {std::make_shared<ExactRows>(), std::make_shared<RoundedRows<float>>("w-minor-f32"),
+          std::make_shared<RoundedRows<double>>("w-minor-f64")};
+}
+
+}  // namespace mmverify::proofs::index

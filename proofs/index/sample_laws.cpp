@@ -1,0 +1,114 @@
+// The laws that are checked on samples.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "proofs/engine/random.hpp"
+#include "proofs/index/exact_float.hpp"
+#include "proofs/index/hard_floats.hpp"
+#include "proofs/index/judges.hpp"
+
+namespace mmverify::proofs::index {
+namespace {
+
+constexpr std::uint64_t floats_per_chunk = 1 << 14;
+constexpr std::uint64_t floats_per_batch = 1024;
+constexpr std::uint64_t rationals_per_chunk = 64;
+
+/// What kind of cell holds the point: how many grid lines pass through it.
+template <class Q>
+Kind kind_at(const spec::Point<Q>& p, Level n) {
+  const Q u = times(side(n), p.u), v = times(side(n), p.v), zero(0), one(1);
+  const Q uf = u - Q(whole(u)), vf = v - Q(whole(v));
+  if (uf == zero || vf == zero) return uf == zero && vf == zero ? Kind::vertex : Kind::edge;
+  return uf + vf == one ? Kind::edge : Kind::interior;
+}
+
+Counterexample at_rational(const RationalPoint& p, Level n, std::uint32_t expected, std::uint32_t got) {
+  return {simplicity(p),         n, case_text(p, n), hex_text(p), fmt::format("{}", expected),
+          fmt::format("{}", got)};
+}
+
+/// A random point in a random open cell of the level, on no finer grid in general, and that cell's
+/// representative.
+struct InCell {
+  RationalPoint anywhere, representative;
+  Kind kind;
+};
+
+InCell random_in_cell(Level n, Random& random) {
+  const std::uint64_t N = side(n), j = random.below(N), i = random.below(N - j);
+  // a/d and b/d with a, b > 0 and a+b < d: inside the upright half of the square. d is odd, so the point is
+  // not dyadic.
+  const std::int64_t d = 2 * random.between(1, 1 << 20) + 1, a = random.between(1, d - 2),
+                     b = random.between(1, d - 1 - a);
+  const auto point = [&](const Rational& du, const Rational& dv) {
+    const spec::Integer whole_N(N);
+    return RationalPoint{(Rational(spec::Integer(i)) + du) / whole_N,
+                         (Rational(spec::Integer(j)) + dv) / whole_N};
+  };
+  const auto part = [](std::int64_t k, std::int64_t of) {
+    return Rational(spec::Integer(k), spec::Integer(of));
+  };
+  const Rational zero = part(0, 1), one = part(1, 1);
+  switch (random.below(5)) {
+    case 0:
+      return {point(part(a, d), zero), point(part(1, 2), zero), Kind::edge};
+    case 1:
+      return {point(zero, part(a, d)), point(zero, part(1, 2)), Kind::edge};
+    case 2:
+      return {point(part(a, d), one - part(a, d)), point(part(1, 2), part(1, 2)), Kind::edge};
+    case 3:
+      if (i + j + 1 < N)
+        return {point(one - part(a, d), one - part(b, d)), point(part(3, 4), part(3, 4)), Kind::interior};
+      [[fallthrough]];
+    default:
+      return {point(part(a, d), part(b, d)), point(part(1, 4), part(1, 4)), Kind::interior};
+  }
+}
+
+}  // namespace
+
+Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
+  return sweep(run, samples, floats_per_chunk, [&](Chunk chunk, Tally& tally) {
+    std::array<float, floats_per_batch> u, v;
+    std::array<std::uint32_t, floats_per_batch> got;
+    for (std::uint64_t from = chunk.begin; from < chunk.end; from += floats_per_batch) {
+      const std::uint64_t count = std::min(floats_per_batch, chunk.end - from);
+      for (std::uint64_t t = 0; t < count; ++t) {
+        const FloatPair p = hard_floats(n, run.seed, from + t);
+        u[t] = p.u;
+        v[t] = p.v;
+      }
+      s.receive({u.data(), count}, {v.data(), count});
+      s.index(n, FloatBatch{{u.data(), count}, {v.data(), count}}, {got.data(), count});
+      for (std::uint64_t t = 0; t < count; ++t) {
+        const auto [want, kind] = on_exact(u[t], v[t], [n](const auto& p) {
+          return std::pair{spec::index::reference(p, n), kind_at(p, n)};
+        });
+        tally.count(kind, 1);
+        tally.digest(from + t, got[t]);
+        if (want == got[t]) continue;
+        const RationalPoint p{rational(u[t]), rational(v[t])};
+        tally.mismatch(kind, simplicity(p), [&, w = want] { return at_rational(p, n, w, got[t]); });
+      }
+    }
+  });
+}
+
+Tally cells_decide(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
+  return sweep(run, samples, rationals_per_chunk, [&](Chunk chunk, Tally& tally) {
+    for (std::uint64_t sample = chunk.begin; sample < chunk.end; ++sample) {
+      Random random(run.seed, n, sample);
+      const InCell in = random_in_cell(n, random);
+      const std::uint32_t want = s.index(n, in.representative), got = s.index(n, in.anywhere);
+      tally.count(in.kind, 1);
+      tally.digest(sample, got);
+      if (want != got)
+        tally.mismatch(in.kind, simplicity(in.anywhere),
+                       [&] { return at_rational(in.anywhere, n, want, got); });
+    }
+  });
+}
+
+}  // namespace mmverify::proofs::index

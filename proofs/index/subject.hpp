@@ -1,0 +1,75 @@
+// An implementation of topic index in the dock, and what it may be asked.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <span>
+
+#include "proofs/engine/law.hpp"
+#include "proofs/index/cells.hpp"
+#include "proofs/index/point.hpp"
+
+namespace mmverify::proofs::index {
+
+using spec::index::Corners;
+
+/// The numbers a subject computes in.  An exact one is decided on all points by its answers on the cells.
+enum class Arithmetic { exact, binary16, binary32, binary64 };
+
+std::string to_string(Arithmetic a);
+
+/// Entry points that a subject may have.
+enum class Entry { index, corners, row_index, row_corners };
+
+/// Points on one level's grid.  `row`: equally spaced in u, all with the same v.
+struct Batch {
+  std::span<const GridPoint> points;
+  bool row = false;
+};
+
+/// Pairs of binary32 numbers.
+struct FloatBatch {
+  std::span<const float> u, v;
+};
+
+/// Every call is const and may come from several threads at once.  Answers go to `out`, as long as the input.
+class IndexSubject : public Subject {
+ public:
+  IndexSubject(std::string name, std::string about, Arithmetic arithmetic, Level max_level)
+      : Subject(std::move(name), std::move(about)), arithmetic_(arithmetic), max_level_(max_level) {}
+
+  Arithmetic arithmetic() const { return arithmetic_; }
+  bool exact() const override { return arithmetic_ == Arithmetic::exact; }
+  Level max_level() const { return max_level_; }
+
+  virtual bool has(Entry e) const = 0;
+
+  /// Points as the subject's arithmetic receives them: rounded to its numbers, once.
+  virtual void receive(std::span<GridPoint>) const {}
+  virtual void receive(std::span<float> /*u*/, std::span<float> /*v*/) const {}
+  virtual RationalPoint receive(const RationalPoint& p) const { return p; }
+
+  /// Barycentrics -> index.
+  virtual void index(Level n, Batch batch, std::span<std::uint32_t> out) const;
+  virtual void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const;
+  /// One point; an exact subject takes any rational, another one a point it can receive.
+  virtual std::uint32_t index(Level n, const RationalPoint& p) const;
+
+  /// Index -> corners.
+  virtual void corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const;
+
+  /// The same two in row order.
+  virtual void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const;
+  virtual void row_corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const;
+
+ private:
+  Arithmetic arithmetic_;
+  Level max_level_;
+};
+
+/// The built-in subjects: name, what it is, its arithmetic.
+const std::vector<std::shared_ptr<const IndexSubject>>& built_in_subjects();
+
+/// Null where there is no built-in subject of this name.
+std::shared_ptr<const IndexSubject> built_in_subject(const std::string& name);
+
+}  // namespace mmverify::proofs::index

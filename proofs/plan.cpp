@@ -1,0 +1,61 @@
+#include "proofs/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "proofs/registry.hpp"
+
+namespace mmverify::proofs {
+namespace {
+
+bool about(const Law& law, const Subject& subject) {
+  return law.general ||
+         std::find(law.subjects.begin(), law.subjects.end(), subject.name()) != law.subjects.end();
+}
+
+bool planned(const std::vector<Job>& jobs, const Law& law, const Subject& subject) {
+  return std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
+    return job.law == &law && job.subject->name() == subject.name();
+  });
+}
+
+}  // namespace
+
+std::vector<Job> plan(const Request& request) {
+  std::vector<const Law*> chosen = request.laws;
+  if (chosen.empty())
+    for (const Law& law : laws()) chosen.push_back(&law);
+
+  std::vector<Job> jobs;
+  const auto add = [&](const Law& law, const SubjectPtr& subject) {
+    if (planned(jobs, law, *subject)) return;
+    Job job{&law, subject, request.levels.value_or(request.tier == Tier::fast ? law.fast : law.long_run), {}};
+    if (!about(law, *subject))
+      job.unfit = fmt::format("{} is about {}", law.id, fmt::join(law.subjects, ", "));
+    jobs.push_back(std::move(job));
+  };
+  for (const Law* law : chosen) {
+    std::vector<SubjectPtr> on = request.subjects;
+    if (on.empty())
+      for (const std::string& name : law->subjects) on.push_back(find_subject(name));
+    for (const SubjectPtr& subject : on) {
+      // A run of every law on one subject leaves out those that are about others.
+      if (request.laws.empty() && !about(*law, *subject)) continue;
+      add(*law, subject);
+      if (!subject->exact() && !law->float_companion.empty()) add(*find_law(law->float_companion), subject);
+    }
+  }
+  return jobs;
+}
+
+Verdict weakest(const std::vector<Result>& results, const std::string& subject) {
+  constexpr Verdict order[] = {Verdict::broken, Verdict::refuted, Verdict::incomplete, Verdict::checked,
+                               Verdict::proved};
+  for (const Verdict v : order)
+    for (const Result& r : results)
+      if (r.subject == subject && r.verdict == v) return v;
+  return Verdict::not_applicable;
+}
+
+}  // namespace mmverify::proofs

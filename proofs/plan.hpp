@@ -1,0 +1,23 @@
+// From what was asked on the command line to the jobs that answer it.
+#pragma once
+
+#include "proofs/engine/runner.hpp"
+
+namespace mmverify::proofs {
+
+struct Request {
+  std::vector<const Law*> laws;      ///< empty: every law
+  std::vector<SubjectPtr> subjects;  ///< empty: each law's own
+  std::optional<Levels> levels;      ///< none: the tier's
+  Tier tier = Tier::fast;
+};
+
+/// The jobs of a request. A law whose cells decide nothing for a float subject brings its companion on floats
+/// along.
+std::vector<Job> plan(const Request& request);
+
+/// The weakest of a subject's verdicts, laws that do not apply left out: broken, refuted, incomplete,
+/// checked, proved. not_applicable where no law applied.
+Verdict weakest(const std::vector<Result>& results, const std::string& subject);
+
+}  // namespace mmverify::proofs

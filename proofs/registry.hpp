@@ -1,0 +1,23 @@
+// All laws and built-in subjects, of all topics.
+#pragma once
+
+#include "proofs/engine/law.hpp"
+
+namespace mmverify::proofs {
+
+const std::vector<Law>& laws();
+
+/// Null where there is no such law.
+const Law* find_law(const std::string& id);
+
+/// The laws that a name means: an id, a topic, or the part of an id before its dot.  Empty where it means
+/// none.
+std::vector<const Law*> laws_named(const std::string& name);
+
+/// The built-in subjects.
+std::vector<SubjectPtr> subjects();
+
+/// Null where there is no built-in subject of that name.
+SubjectPtr find_subject(const std::string& name);
+
+}  // namespace mmverify::proofs
