@@ -54,7 +54,7 @@ struct Located {
 /// holds.
 inline float clamped(float x) noexcept { return std::min(std::max(0.0f, x), 1.0f); }
 
-/// Locates a point by its clamped u and v, with no rounding anywhere. n in 0..16.
+/// Locates a point by its clamped u and v, exactly: nothing that rounds decides anything.  n in 0..16.
 ///   uN, floor(uN) and uf = uN - floor(uN) are exact: N scales by a power of two, a fraction only drops
 ///   leading bits.
 ///   uf+vf may round, so uf+vf >= 1 is asked as lesser >= 1 - greater.  If greater >= 1/2 the difference is

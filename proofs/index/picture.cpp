@@ -86,13 +86,17 @@ class Canvas {
 
   void text(const Pixel& p, const std::string& words, double size, const std::string& fill = ink,
             const std::string& anchor = "start", bool bold = false) {
+    // The white halo keeps words readable on a hatched ground.
     auto node = svg_.append_child("text");
     set(node, {{"x", fmt::format("{:.2f}", p.x)},
                {"y", fmt::format("{:.2f}", p.y)},
                {"font-size", fmt::format("{}", size)},
                {"fill", fill},
                {"text-anchor", anchor},
-               {"font-weight", bold ? "bold" : "normal"}});
+               {"font-weight", bold ? "bold" : "normal"},
+               {"paint-order", "stroke"},
+               {"stroke", "#ffffff"},
+               {"stroke-width", "3"}});
     node.text() = words.c_str();
   }
 
@@ -164,7 +168,7 @@ void draw_indices(Canvas& canvas, const View& view, Level n, Order order, std::u
   std::vector<Pixel> stretch;
   std::uint32_t before = 0;
   const auto flush = [&] {
-    if (stretch.size() > 1) canvas.polygon(stretch, "none", "#cfcfcf", 1.5, 1, false);
+    if (stretch.size() > 1) canvas.polygon(stretch, "none", "#a9b8d6", 2, 1, false);
     stretch.clear();
   };
   std::vector<std::pair<std::uint32_t, Pixel>> numbers;
