@@ -8,6 +8,7 @@
 
 #include "cli/exit_code.hpp"
 #include "proofs/index.hpp"
+#include "proofs/index/plugin_subject.hpp"
 #include "proofs/registry.hpp"
 
 namespace mmverify::cli {
@@ -39,16 +40,22 @@ std::vector<const Law*> parse_laws(const std::vector<std::string>& names) {
   return chosen;
 }
 
-SubjectPtr parse_subject(const std::string& name) {
-  if (SubjectPtr subject = find_subject(name)) return subject;
+std::vector<SubjectPtr> parse_subject(const std::string& name, double timeout_seconds) {
+  if (SubjectPtr subject = find_subject(name)) return {subject};
   if (name.find('/') != std::string::npos || name.ends_with(".so")) {
     std::error_code error;
     if (!std::filesystem::exists(name, error)) throw EnvironmentError(fmt::format("{}: no such file", name));
-    throw EnvironmentError(fmt::format("{}: this version takes built-in subjects only", name));
+    try {
+      const auto offered = index::plugin_subjects(name, {timeout_seconds});
+      return {offered.begin(), offered.end()};
+    } catch (const isolation::CannotLoad& why) {
+      throw EnvironmentError(why.what());
+    }
   }
   std::vector<std::string> names;
   for (const SubjectPtr& s : subjects()) names.push_back(s->name());
-  throw UsageError(fmt::format("no subject is called '{}'; there are {}", name, fmt::join(names, ", ")));
+  throw UsageError(fmt::format("no subject is called '{}'; there are {}, or a shared library's path", name,
+                               fmt::join(names, ", ")));
 }
 
 std::string grouped(std::uint64_t n) {

@@ -15,9 +15,10 @@ proofs::Levels parse_levels(const std::string& text);
 /// none.
 std::vector<const proofs::Law*> parse_laws(const std::vector<std::string>& names);
 
-/// A built-in subject by its name.  UsageError for an unknown name; EnvironmentError for a file that cannot
-/// be one.
-proofs::SubjectPtr parse_subject(const std::string& name);
+/// The subjects that a name or a file means: one built-in, or those that a shared library offers.
+/// timeout_seconds: for one batch of a library.  UsageError for an unknown name; EnvironmentError for a file
+/// that is missing or is no subject.
+std::vector<proofs::SubjectPtr> parse_subject(const std::string& name, double timeout_seconds);
 
 /// 1234567 as 1,234,567.
 std::string grouped(std::uint64_t n);

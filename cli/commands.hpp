@@ -14,5 +14,7 @@ Action add_list(CLI::App& program);
 Action add_prove(CLI::App& program);
 Action add_replay(CLI::App& program);
 Action add_bench(CLI::App& program);
+Action add_gen(CLI::App& program);
+Action add_check(CLI::App& program);
 
 }  // namespace mmverify::cli

@@ -69,6 +69,8 @@ std::string to_json(const Report& report, std::uint64_t seed) {
          {"results", Json::array()},
          {"mutants", Json::array()}};
   for (const Result& r : report.results) j["results"].push_back(result(r));
+  for (const Diagnosis& d : report.diagnoses)
+    j["diagnoses"].push_back({{"law", d.law}, {"subject", d.subject}, {"lines", d.lines}});
   for (const MutantResult& m : report.mutants) {
     Json one{{"law", m.law}, {"mutant", m.mutant}, {"killed", m.killed}};
     one["level"] = m.killed ? Json(m.level) : Json(nullptr);

@@ -21,10 +21,11 @@ using namespace proofs;
 
 struct Options {
   std::vector<std::string> laws, subjects;
-  std::string levels, tier = "fast", json, junit;
+  std::string levels, tier = "fast", cells = "all", json, junit;
   unsigned threads = 0;
   std::size_t errors = 1;
   std::uint64_t seed = 1;
+  double timeout = 10;
   bool quiet = false;
 };
 
@@ -43,11 +44,10 @@ int exit_code(const Report& report) {
 Request request(const Options& options) {
   Request r;
   r.laws = parse_laws(options.laws);
-  for (const std::string& name : options.subjects) {
-    const SubjectPtr subject = parse_subject(name);
-    if (std::find(r.subjects.begin(), r.subjects.end(), subject) == r.subjects.end())
-      r.subjects.push_back(subject);
-  }
+  for (const std::string& name : options.subjects)
+    for (const SubjectPtr& subject : parse_subject(name, options.timeout))
+      if (std::find(r.subjects.begin(), r.subjects.end(), subject) == r.subjects.end())
+        r.subjects.push_back(subject);
   if (!options.levels.empty()) r.levels = parse_levels(options.levels);
   r.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
   return r;
@@ -63,7 +63,7 @@ int prove(const Options& options) {
   TextReport text(options.json == "-" ? stderr : stdout, !options.laws.empty());
   const Report report = run_jobs(jobs,
                                  {options.threads, options.errors, options.seed,
-                                  options.tier == "long" ? Tier::long_run : Tier::fast, !options.quiet},
+                                  options.tier == "long" ? Tier::long_run : Tier::fast, options.cells == "interior", !options.quiet},
                                  [&](const Result& r) { text.add(r); });
   text.finish(report, !options.subjects.empty());
   if (json) json->commit(to_json(report, options.seed));
@@ -94,9 +94,13 @@ Action add_prove(CLI::App& program) {
                    "worker threads; as many as the machine has where not given")
       ->check(CLI::Range(1u, 1024u));
   command->add_option("--tier", options->tier, "fast or long")->check(CLI::IsMember({"fast", "long"}));
+  command->add_option("--cells", options->cells, "all, or interior: leave out points on grid lines")
+      ->check(CLI::IsMember({"all", "interior"}));
   command->add_option("--errors", options->errors, "counterexamples kept of each result")
       ->check(CLI::Range(1, 10000));
   command->add_option("--seed", options->seed, "of every sample");
+  command->add_option("--timeout", options->timeout, "seconds that a library may take for a batch of 4096")
+      ->check(CLI::Range(0.01, 86400.0));
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--junit", options->junit, "write the results as JUnit XML")->type_name("FILE");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");

@@ -17,7 +17,17 @@ using namespace proofs;
 
 struct Options {
   std::string law, level, at, subject, picture;
+  double timeout = 10;
 };
+
+/// A library that offers binary32 and binary64 is two subjects; FILE:f64 means the second.
+SubjectPtr parse_one(const Options& options) {
+  if (options.subject.empty()) return find_subject(find_law(options.law)->subjects.front());
+  constexpr std::string_view second = ":f64";
+  if (!options.subject.ends_with(second)) return parse_subject(options.subject, options.timeout).front();
+  return parse_subject(options.subject.substr(0, options.subject.size() - second.size()), options.timeout)
+      .back();
+}
 
 int replay(const Options& options) {
   const Law* law = find_law(options.law);
@@ -25,7 +35,7 @@ int replay(const Options& options) {
     throw UsageError(fmt::format("no law is called '{}'; `mmverify list` names them all", options.law));
   const Levels levels = parse_levels(options.level);
   if (levels.first != levels.last) throw UsageError(fmt::format("--level {}: one level", options.level));
-  const SubjectPtr subject = parse_subject(options.subject.empty() ? law->subjects.front() : options.subject);
+  const SubjectPtr subject = parse_one(options);
   if (const auto why = law->unfit(*subject, levels.first)) throw UsageError(*why);
   if (!law->replay)
     throw UsageError(
@@ -38,6 +48,10 @@ int replay(const Options& options) {
                law->id, levels.first, options.at, subject->name(), r.expected, r.got);
     if (picture) picture->commit(r.picture);
     return r.holds ? ExitCode::complete : ExitCode::failed;
+  } catch (const SubjectBroken& broken) {
+    fmt::print("broken {} level {} case {} subject {}: {}\n", law->id, levels.first, options.at,
+               subject->name(), broken.what());
+    return ExitCode::failed;
   } catch (const BadCase& error) {
     throw UsageError(fmt::format("--case {}", error.what()));
   }
@@ -57,6 +71,8 @@ Action add_replay(CLI::App& program) {
       ->add_option("--subject", options->subject,
                    "who is judged; the law's first built-in one where not given")
       ->type_name("NAME|FILE.so");
+  command->add_option("--timeout", options->timeout, "seconds that a library may take")
+      ->check(CLI::Range(0.01, 86400.0));
   command->add_option("--picture", options->picture, "draw it")->type_name("FILE.svg");
   return [options] { return replay(*options); };
 }

@@ -103,6 +103,10 @@ void TextReport::finish(const Report& report, bool name_subjects) {
       fmt::print(out_, "  SURVIVED  {}\n", m.mutant);
     killed += m.killed ? 1 : 0;
   }
+  for (const Diagnosis& d : report.diagnoses) {
+    fmt::print(out_, "what {} does instead ({}):\n", d.subject, d.law);
+    for (const std::string& line : d.lines) fmt::print(out_, "  {}\n", line);
+  }
   if (name_subjects) {
     std::vector<std::string> named;
     for (const Result& r : report.results) {

@@ -33,8 +33,11 @@ struct Quantised {
 template <class Word, Number Q>
 constexpr Quantised<Word> quantise(const Point<Q>& p, Level n) {
   const Q zero(0), one(1);
-  const Q u = p.u < zero ? zero : one < p.u ? one : p.u;
-  const Q v = p.v < zero ? zero : one < p.v ? one : p.v;
+  Q u = p.u, v = p.v;
+  u = u < zero ? zero : u;
+  u = one < u ? one : u;
+  v = v < zero ? zero : v;
+  v = one < v ? one : v;
 
   const std::uint32_t N = side(n);
   const Q un = times(N, u), vn = times(N, v);
@@ -52,20 +55,26 @@ constexpr Quantised<Word> quantise(const Point<Q>& p, Level n) {
 }
 
 /// XOR of a word's bits at and above each bit: f_i = XOR of t_j for all j >= i, over the low `bits` bits.
-template <class Word>
-constexpr Word xor_from_above(Word t, unsigned bits) {
-  for (unsigned shift = 1; shift < bits; shift *= 2) t ^= t >> shift;
+/// Doubling: after the shifts 1, 2, ..., bits/2 each bit has met all above it.  Domain: t below 2^bits.
+template <unsigned bits, unsigned shift = 1, class Word>
+constexpr Word xor_from_above(Word t) {
+  if constexpr (shift < bits) return xor_from_above<bits, 2 * shift>(t ^ t >> shift);
   return t;
 }
 
 /// Every other bit of the result, from bit 0 up, is a bit of x; the rest are zero: the halves of each group
 /// of bits move apart, group by group; ones / (2^shift + 1) masks the lower half of each.  Domain: x below
 /// 2^(bits of Word / 2).
+template <unsigned shift, class Word>
+constexpr Word spread(Word x) {
+  constexpr Word halves = static_cast<Word>(~Word{0} / ((Word{1} << shift) + 1));
+  const Word apart = (x | x << shift) & halves;
+  if constexpr (shift > 1) return spread<shift / 2>(apart);
+  return apart;
+}
 template <class Word>
 constexpr Word spread(Word x) {
-  for (unsigned shift = 2 * sizeof(Word); shift != 0; shift /= 2)
-    x = (x | x << shift) & (~Word{0} / ((Word{1} << shift) + 1));
-  return x;
+  return spread<2 * sizeof(Word)>(x);
 }
 
 /// The curve's index from the grid square: b0 = NOT(iu XOR iw), t = (iu XOR iv) AND b0, f =
@@ -77,7 +86,7 @@ constexpr Word curve(const Quantised<Word>& q, Level n) {
   const Word low = side(n) - Word{1};
   const Word b0 = ~(q.iu ^ q.iw) & low;
   const Word t = (q.iu ^ q.iv) & b0;
-  const Word f = xor_from_above(t, half_word);
+  const Word f = xor_from_above<half_word>(t);
   const Word b1 = ((f ^ q.iu) & ~b0) | t;
   return spread(b0) | spread(b1) << 1;
 }

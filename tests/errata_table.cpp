@@ -29,13 +29,14 @@ std::string row(const Result& r) {
     const Counterexample& c = r.counterexamples.front();
     first = fmt::format("{}: {}, got {}", c.at, c.expected, c.got);
   }
-  return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", r.subject, r.level, to_string(r.verdict), cell(Kind::vertex),
-                     cell(Kind::edge), cell(Kind::interior), first);
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", r.subject, r.level, to_string(r.verdict),
+                     cell(Kind::vertex), cell(Kind::edge), cell(Kind::interior), first);
 }
 
 std::string table() {
   std::string text =
-      "| subject | level | verdict | vertices wrong | edges wrong | interiors wrong | simplest counterexample |\n"
+      "| subject | level | verdict | vertices wrong | edges wrong | interiors wrong | simplest "
+      "counterexample |\n"
       "|---|---|---|---|---|---|---|\n";
   const Law& law = *find_law("index.equals_reference");
   for (const char* subject : {"step", "step-appendix-middle", "step-appendix-ties", "step-appendix-names"})
@@ -55,7 +56,8 @@ int main(int argc, char** argv) {
     fmt::print("{}", table());
     return 0;
   }
-  const bool update = argc == 3 && std::strcmp(argv[1], "--update") == 0, check = argc == 3 && std::strcmp(argv[1], "--check") == 0;
+  const bool update = argc == 3 && std::strcmp(argv[1], "--update") == 0,
+             check = argc == 3 && std::strcmp(argv[1], "--check") == 0;
   if (!update && !check) {
     fmt::print(stderr, "usage: errata_table [--update FILE | --check FILE]\n");
     return 2;
@@ -70,7 +72,9 @@ int main(int argc, char** argv) {
   const std::string right = table();
   if (text.substr(from, end - from) == right) return 0;
   if (check) {
-    fmt::print(stderr, "{}: the table is not what the proofs find; if the change is meant, run ./run errata\n", argv[2]);
+    fmt::print(stderr,
+               "{}: the table is not what the proofs find; if the change is meant, run ./run errata\n",
+               argv[2]);
     return 1;
   }
   text.replace(from, end - from, right);

@@ -56,24 +56,34 @@ struct Replayed {
 
 struct Law {
   std::string id, topic;
-  std::string says, source;
+  std::string says = {}, source = {};
   Method method = Method::exhaustive;
   std::vector<std::string>
       subjects;  ///< built-in subjects of a run that names none: those that the law is true of
-  Levels fast, long_run;
+  Levels fast = {}, long_run = {};
   double fast_seconds = 0;  ///< on two cores of the machine the README names, mutants included
 
-  std::function<std::uint64_t(Level, Tier)> cases;  ///< closed form
-  std::function<std::string(const Subject&, Level)> domain;
-  std::function<std::string(const Subject&, Level)> how;  ///< "exhaustive, rational", ...
+  std::function<std::uint64_t(Level, const Run&)> cases = {};  ///< closed form
+  std::function<std::string(const Subject&, Level)> domain = {};
+  std::function<std::string(const Subject&, Level)> how = {};  ///< "exhaustive, rational", ...
   std::function<std::optional<std::string>(const Subject&, Level)>
       unfit;  ///< why the law does not apply, if so
-  std::function<Tally(const Subject&, Level, const Run&)> judge;
-  std::function<Replayed(const Subject&, Level, const std::string&)> replay;  ///< throws BadCase; empty: none
-  std::vector<Mutant> mutants;
+  std::function<Tally(const Subject&, Level, const Run&)> judge = {};
+  std::function<Replayed(const Subject&, Level, const std::string&)> replay = {};  ///< throws BadCase; empty: none
+  std::vector<Mutant> mutants = {};
+  /// Told of the level where a subject was first refuted, lines that say what it did instead.  Empty: nothing
+  /// to say.
+  std::function<std::vector<std::string>(const Subject&, Level)> diagnose = {};
+  bool on_lines = true;        ///< its domain has points on grid lines, which a run may leave out
   bool general = true;  ///< about any subject that fits; otherwise about the ones it names only
-  std::string
-      float_companion;  ///< the law that runs with it on a float subject, for which cells decide nothing else
+  /// Runs with it on a float subject, for which cells decide nothing else.
+  std::string float_companion = {};
+};
+
+/// A subject that did something else than answer; what() says what, and on which input.  Ends the law with
+/// `broken`.
+struct SubjectBroken : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// A case text that the law cannot read; what() says what is wrong with it.

@@ -22,7 +22,7 @@ Verdict judged(const Law& law, const Result& r) {
   return law.method == Method::sample ? Verdict::checked : Verdict::proved;
 }
 
-Result named(const Law& law, const Subject& subject, Level level) {
+Result named(const Law& law, const Subject& subject, Level level, const Run& run) {
   Result r;
   r.law = law.id;
   r.topic = law.topic;
@@ -30,11 +30,12 @@ Result named(const Law& law, const Subject& subject, Level level) {
   r.level = level;
   r.method = law.how(subject, level);
   r.domain = law.domain(subject, level);
+  if (run.interiors_only && law.on_lines) r.domain += ", those inside micro-triangles only";
   return r;
 }
 
-Result not_applicable(const Law& law, const Subject& subject, Level level, const std::string& why) {
-  Result r = named(law, subject, level);
+Result not_applicable(const Law& law, const Subject& subject, Level level, const Run& run, const std::string& why) {
+  Result r = named(law, subject, level, run);
   r.verdict = Verdict::not_applicable;
   r.reason = why;
   return r;
@@ -48,22 +49,34 @@ std::string unfit_throughout(const Job& job) {
   return why.empty() ? job.law->unfit(*job.subject, job.levels.first).value_or("no level") : why;
 }
 
+/// The lowest level at which the job's law refuted its subject.
+std::optional<Level> first_refuted(const Report& report, const Job& job) {
+  for (const Result& r : report.results)
+    if (r.law == job.law->id && r.subject == job.subject->name() && r.verdict == Verdict::refuted) return r.level;
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result run_level(const Law& law, const Subject& subject, Level level, const Run& run) {
-  Result r = named(law, subject, level);
-  if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, *why);
+  Result r = named(law, subject, level, run);
+  if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
   const auto start = std::chrono::steady_clock::now();
-  r.cases_expected = law.cases(level, run.tier);
+  r.cases_expected = law.cases(level, run);
   if (run.progress != nullptr)
     run.progress->now(fmt::format("{} {} level {}", law.id, subject.name(), level));
-  const Tally tally = law.judge(subject, level, run);
-  r.by_kind = tally.by_kind();
-  r.counterexamples = tally.found();
-  r.digest = tally.digest();
+  try {
+    const Tally tally = law.judge(subject, level, run);
+    r.by_kind = tally.by_kind();
+    r.counterexamples = tally.found();
+    r.digest = tally.digest();
+    r.verdict = judged(law, r);
+    if (r.verdict == Verdict::incomplete) r.reason = "interrupted";
+  } catch (const SubjectBroken& broken) {
+    r.verdict = Verdict::broken;
+    r.reason = broken.what();
+  }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  r.verdict = judged(law, r);
-  if (r.verdict == Verdict::incomplete) r.reason = "interrupted";
   return r;
 }
 
@@ -72,6 +85,7 @@ std::vector<MutantResult> run_mutants(const Law& law, const Run& asked) {
   Run run = asked;
   run.seed = Run().seed;
   run.tier = Tier::fast;
+  run.interiors_only = false;
   std::vector<MutantResult> results;
   for (const Mutant& mutant : law.mutants) {
     MutantResult m{law.id, mutant.name, false, 0, {}};
@@ -92,31 +106,45 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   report.threads = options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   oneapi::tbb::task_arena arena(static_cast<int>(report.threads));
 
+  Run run{&arena, nullptr, options.errors, options.seed, options.tier, options.interiors_only};
   std::uint64_t total = 0;
   for (const Job& job : jobs)
     for (Level n = job.levels.first; job.unfit.empty() && n <= job.levels.last; ++n)
-      if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, options.tier);
+      if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, run);
 
   Progress progress(total, options.show_progress);
   const InterruptGuard guard;
-  Run run{&arena, &progress, options.errors, options.seed, options.tier};
+  run.progress = &progress;
   const auto add = [&](const Result& r) {
     report.results.push_back(r);
     on_result(r);
   };
   for (const Job& job : jobs) {
     if (const std::string why = unfit_throughout(job); !why.empty()) {
-      add(not_applicable(*job.law, *job.subject, job.levels.first, why));
+      add(not_applicable(*job.law, *job.subject, job.levels.first, run, why));
       continue;
     }
-    for (Level n = job.levels.first; n <= job.levels.last; ++n)
+    for (Level n = job.levels.first; n <= job.levels.last; ++n) {
       add(run_level(*job.law, *job.subject, n, run));
+      // A subject that breaks at one level would at the next; the run goes on with the next law.
+      if (report.results.back().verdict == Verdict::broken) break;
+    }
   }
 
   run.progress = nullptr;
+  for (const Job& job : jobs)
+    if (const auto refuted = first_refuted(report, job); job.law->diagnose && refuted && !interrupted()) {
+      try {
+        report.diagnoses.push_back({job.law->id, job.subject->name(), job.law->diagnose(*job.subject, *refuted)});
+      } catch (const SubjectBroken& broken) {
+        report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
+      }
+    }
+
   std::vector<const Law*> laws;
   for (const Job& job : jobs)
-    if (std::find(laws.begin(), laws.end(), job.law) == laws.end()) laws.push_back(job.law);
+    if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
+      laws.push_back(job.law);
   for (const Law* law : laws) {
     if (interrupted()) break;
     const auto mutants = run_mutants(*law, run);

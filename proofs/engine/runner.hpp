@@ -21,11 +21,19 @@ struct RunOptions {
   std::size_t errors = 1;
   std::uint64_t seed = 1;
   Tier tier = Tier::fast;
+  bool interiors_only = false;
   bool show_progress = true;
+};
+
+/// What a law has to say about a subject that it refuted.
+struct Diagnosis {
+  std::string law, subject;
+  std::vector<std::string> lines;
 };
 
 struct Report {
   std::vector<Result> results;
+  std::vector<Diagnosis> diagnoses;
   std::vector<MutantResult> mutants;
   unsigned threads = 1;
   bool interrupted = false;

@@ -17,9 +17,10 @@ class Tally {
 
   /// Adds one answer to the digest:  sum over cases of (answer+1) * weight(case)  modulo 2^64.
   /// The weight is odd, so that a changed answer changes the sum.
-  void digest(std::uint64_t case_number, std::uint64_t answer) {
-    digest_ += (answer + 1) * ((case_number * 0x9E3779B97F4A7C15u) >> 31 | 1);
+  static constexpr std::uint64_t digest_of(std::uint64_t case_number, std::uint64_t answer) {
+    return (answer + 1) * ((case_number * 0x9E3779B97F4A7C15u) >> 31 | 1);
   }
+  void digest(std::uint64_t case_number, std::uint64_t answer) { digest_ += digest_of(case_number, answer); }
   void digest_sum(std::uint64_t sum) { digest_ += sum; }
 
   /// Counts one failed case; `describe` makes its Counterexample, and is called only if it is among the

@@ -67,6 +67,15 @@ InCell random_in_cell(Level n, Random& random) {
   }
 }
 
+/// A hard pair that lies on no grid line of the level: the sample's, or the first of further seeds' that does.
+FloatPair inside_pair(Level n, std::uint64_t seed, std::uint64_t sample) {
+  for (std::uint64_t further = 0;; ++further) {
+    const FloatPair p = hard_floats(n, seed + further * 0x9E3779B97F4A7C15u, sample + 7 * further);
+    const Kind kind = on_exact(p.u, p.v, [n](const auto& q) { return kind_at(q, n); });
+    if (kind == Kind::interior && double{p.u} + double{p.v} < 1) return p;
+  }
+}
+
 }  // namespace
 
 Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
@@ -76,7 +85,7 @@ Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint6
     for (std::uint64_t from = chunk.begin; from < chunk.end; from += floats_per_batch) {
       const std::uint64_t count = std::min(floats_per_batch, chunk.end - from);
       for (std::uint64_t t = 0; t < count; ++t) {
-        const FloatPair p = hard_floats(n, run.seed, from + t);
+        const FloatPair p = run.interiors_only ? inside_pair(n, run.seed, from + t) : hard_floats(n, run.seed, from + t);
         u[t] = p.u;
         v[t] = p.v;
       }
@@ -100,7 +109,8 @@ Tally cells_decide(const IndexSubject& s, Level n, const Run& run, std::uint64_t
   return sweep(run, samples, rationals_per_chunk, [&](Chunk chunk, Tally& tally) {
     for (std::uint64_t sample = chunk.begin; sample < chunk.end; ++sample) {
       Random random(run.seed, n, sample);
-      const InCell in = random_in_cell(n, random);
+      InCell in = random_in_cell(n, random);
+      while (run.interiors_only && in.kind != Kind::interior) in = random_in_cell(n, random);
       const std::uint32_t want = s.index(n, in.representative), got = s.index(n, in.anywhere);
       tally.count(in.kind, 1);
       tally.digest(sample, got);

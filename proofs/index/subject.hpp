@@ -43,6 +43,10 @@ class IndexSubject : public Subject {
 
   virtual bool has(Entry e) const = 0;
 
+  /// Points that it likes to be asked at once. A small batch is one row; a larger one gathers many.
+  virtual std::size_t batch() const { return row_batch; }
+  static constexpr std::size_t row_batch = 4096;
+
   /// Points as the subject's arithmetic receives them: rounded to its numbers, once.
   virtual void receive(std::span<GridPoint>) const {}
   virtual void receive(std::span<float> /*u*/, std::span<float> /*v*/) const {}

@@ -1,0 +1,47 @@
+// Which law a figure follows from level to level.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace mmverify::bench {
+
+/// A figure at a level.
+struct LevelValue {
+  std::uint32_t level;
+  double value;
+};
+
+/// A straight line through points, and how far off it is.
+struct Line {
+  double slope = 0, intercept = 0;
+  double residual = 0;  ///< root of the mean squared difference, in units of y
+};
+
+enum class GrowthLaw : std::uint8_t {
+  none,         ///< no value above zero
+  too_few,      ///< above zero on fewer than three levels: no line to speak of
+  flat,         ///< less than a factor of two over the whole range
+  exponential,  ///< value = 2^(intercept + slope level)
+  power,        ///< value = 2^intercept level^slope
+};
+
+struct Growth {
+  GrowthLaw law = GrowthLaw::none;
+  std::size_t levels = 0;             ///< how many the lines were drawn through
+  std::uint32_t first = 0, last = 0;  ///< the first and last of them
+  Line exponential;                   ///< log2(value) against level
+  Line power;                         ///< log2(value) against log2(level)
+};
+
+/// Least squares on log2(value), against level and against log2(level); of a law that grows or shrinks, the
+/// one with the smaller residual.
+/// Domain: at most one value a level.  Values of zero and level 0 are left out, as neither has a logarithm.
+Growth fit_growth(std::span<const LevelValue> values);
+
+/// "doubles each level", "x1.41 each level", "as level^2.0", "flat", "none found" or "too few to fit".
+std::string to_string(const Growth& growth);
+
+}  // namespace mmverify::bench

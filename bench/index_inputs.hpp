@@ -1,0 +1,64 @@
+// Points that ask an index function easy and hard questions, in the number type that it receives.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string_view>
+
+#include "bench/number_type.hpp"
+
+namespace mmverify::bench {
+
+enum class Inputs : std::uint8_t {
+  uniform,  ///< spread evenly over the triangle, then rounded
+  hard,     ///< a few ulp from where the answer changes
+};
+
+/// How a hard point is made; sample number k is of kind k mod 4.
+enum class HardKind : std::uint8_t {
+  lines,       ///< u and v each up to 3 ulp from a grid line
+  diagonal,    ///< u+v up to 3 ulp of v from a diagonal line, u anywhere or near a line
+  straddling,  ///< uf+vf a hair on either side of 1, uf or vf just below 1 and the other tiny
+  hypotenuse,  ///< u+v up to 3 ulp of v below 1
+};
+inline constexpr std::size_t hard_kinds = 4;
+std::string_view to_string(HardKind kind);
+
+/// Exact in doubles, and representable in the number type asked for.
+struct InputPoint {
+  double u, v;
+};
+
+/// An endless stream of points of the closed triangle (u, v >= 0 and u+v <= 1 hold exactly), the same for the
+/// same arguments on every machine.
+///   Lines are those of the level asked for, half of the time, or of a coarser one, so that the few lines
+///   that all levels share are met often. Beside the line 0, where ulp have no end, a few ulp of 1 and down
+///   to 2^-20 of that stand in.
+class IndexInputs {
+ public:
+  /// Domain: level 0..16.
+  IndexInputs(const NumberType& numbers, Inputs inputs, std::uint32_t level, std::uint64_t seed);
+
+  /// The next sample; its kind where they are hard.
+  InputPoint next(HardKind& kind);
+
+ private:
+  std::uint64_t below(std::uint64_t count);
+  int between(int least, int most);
+  double unit();
+  std::uint32_t some_level();
+  double line(std::uint32_t level, double limit);
+  double beside(double x, int most);
+  InputPoint uniform();
+  InputPoint candidate(HardKind kind);
+
+  NumberType numbers_;
+  Inputs inputs_;
+  std::uint32_t level_;
+  std::uint64_t count_ = 0;
+  std::mt19937_64 random_;
+};
+
+}  // namespace mmverify::bench

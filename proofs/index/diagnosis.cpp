@@ -1,0 +1,196 @@
+#include "proofs/index/diagnosis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+
+#include "proofs/index/judges.hpp"
+
+namespace mmverify::proofs::index {
+namespace {
+
+using Permutation = std::array<std::uint32_t, 4>;
+constexpr Permutation identity{0, 1, 2, 3};
+constexpr std::uint32_t unknown = 4;
+
+/// Every micro-triangle of the level with the index that it was given.
+struct Given {
+  GridPoint point;
+  std::uint32_t index;
+};
+
+std::vector<Given> ask_all(Level n, const TriangleIndex& index) {
+  std::vector<Given> all;
+  for (std::uint32_t j = 0; j < side(n); ++j)
+    for (std::uint32_t i = 0; i + j < side(n); ++i)
+      for (const bool upside_down : {false, true}) {
+        if (upside_down && i + j + 1 == side(n)) continue;
+        const MicroTriangle m{i, j, upside_down};
+        all.push_back({representative(m, n), index(m)});
+      }
+  return all;
+}
+
+template <class Order>
+bool is(const std::vector<Given>& given, Order order) {
+  return std::all_of(given.begin(), given.end(), [&](const Given& g) { return order(g.point) == g.index; });
+}
+
+/// The recursion of Algorithm 4 with its flips or its middle triangle left out: a slip that implementations
+/// make.
+std::uint32_t simplified(GridPoint p, Level n, bool flips, bool turns) {
+  using spec::index::Reading;
+  auto s = spec::index::first_step(p);
+  for (Level depth = 0; depth < n; ++depth) {
+    const bool top_flip = s.top_flip;
+    auto next = spec::index::next_step<Reading::printed>(s);
+    // Unturned, the middle triangle keeps u, v and w on the corners opposite to them.
+    if (!turns && next.index % 4 == 1) {
+      const Fixed64 one(1);
+      next.u = one - times(2, s.u);
+      next.v = one - times(2, s.v);
+      next.w = one - times(2, s.w);
+    }
+    if (!flips) next.top_flip = top_flip;
+    s = next;
+  }
+  return s.index;
+}
+
+/// The permutation of children at each depth that turns one order's digits into the other's; nothing where
+/// none does.
+template <class Order>
+std::optional<std::vector<Permutation>> digit_permutations(const std::vector<Given>& given, Level n,
+                                                           Order order) {
+  std::vector<Permutation> at_depth(n, {unknown, unknown, unknown, unknown});
+  for (const Given& g : given) {
+    const std::uint32_t right = order(g.point);
+    for (Level depth = 0; depth < n; ++depth) {
+      const Level shift = 2 * (n - 1 - depth);
+      std::uint32_t& to = at_depth[depth][right >> shift & 3];
+      const std::uint32_t got = g.index >> shift & 3;
+      if (to == unknown) to = got;
+      if (to != got) return std::nullopt;
+    }
+    if (g.index >= triangle_count(n)) return std::nullopt;
+  }
+  for (Permutation p : at_depth) {
+    std::sort(p.begin(), p.end());
+    if (p != identity) return std::nullopt;
+  }
+  return at_depth;
+}
+
+std::string name(const Permutation& p) {
+  std::vector<std::uint32_t> moved;
+  for (std::uint32_t child = 0; child < 4; ++child)
+    if (p[child] != child) moved.push_back(child);
+  if (moved.size() == 2) return fmt::format("children {} and {} change places", moved[0], moved[1]);
+  return fmt::format("children 0, 1, 2, 3 are numbered {}, {}, {}, {}", p[0], p[1], p[2], p[3]);
+}
+
+/// "children 0 and 2 change places from level 2 on", one clause a stretch of depths with the same
+/// permutation.
+std::string name(const std::vector<Permutation>& at_depth) {
+  std::vector<std::string> clauses;
+  for (std::size_t from = 0; from < at_depth.size();) {
+    std::size_t to = from;
+    while (to < at_depth.size() && at_depth[to] == at_depth[from]) ++to;
+    if (at_depth[from] != identity) {
+      const bool to_the_end = to == at_depth.size();
+      const std::string where = from == 0 && to_the_end ? "at every level"
+                                : to_the_end            ? fmt::format("from level {} on", from + 1)
+                                : to == from + 1        ? fmt::format("at level {}", from + 1)
+                                                        : fmt::format("at levels {} to {}", from + 1, to);
+      clauses.push_back(name(at_depth[from]) + " " + where);
+    }
+    from = to;
+  }
+  return fmt::format("{}", fmt::join(clauses, "; "));
+}
+
+/// The point with its barycentrics (w, u, v) rearranged.
+GridPoint rearranged(const GridPoint& p, const std::array<int, 3>& order) {
+  const std::array<Fixed64, 3> wuv{Fixed64(1) - p.u - p.v, p.u, p.v};
+  return {wuv[static_cast<std::size_t>(order[1])], wuv[static_cast<std::size_t>(order[2])]};
+}
+
+}  // namespace
+
+std::string name_order(Level n, const TriangleIndex& index) {
+  const std::vector<Given> given = ask_all(n, index);
+  const auto reference = [n](const GridPoint& p) { return spec::index::reference(p, n); };
+  const auto rows = [n](const GridPoint& p) { return spec::index::w_minor(p, n); };
+  if (is(given, reference)) return {};
+  if (is(given, rows)) return "row order (w-minor), not the curve";
+
+  std::array<int, 3> order{0, 1, 2};
+  const char letters[] = {'w', 'u', 'v'};
+  while (std::next_permutation(order.begin(), order.end())) {
+    const std::string read =
+        fmt::format("({}, {}, {})", letters[order[0]], letters[order[1]], letters[order[2]]);
+    if (is(given, [&](const GridPoint& p) { return reference(rearranged(p, order)); }))
+      return fmt::format("the curve, with (w, u, v) taken as {}", read);
+    if (is(given, [&](const GridPoint& p) { return rows(rearranged(p, order)); }))
+      return fmt::format("row order (w-minor), with (w, u, v) taken as {}", read);
+  }
+
+  struct Base {
+    bool flips, turns;
+    const char* words;
+  };
+  for (const Base& base :
+       {Base{true, true, ""},
+        {false, true, "the flips of the top triangle are missing"},
+        {true, false, "the middle triangle is not turned"},
+        {false, false, "the flips of the top triangle are missing and the middle triangle is not turned"}}) {
+    const auto permuted = digit_permutations(
+        given, n, [&](const GridPoint& p) { return simplified(p, n, base.flips, base.turns); });
+    if (!permuted) continue;
+    const std::string children = name(*permuted), words = base.words;
+    return "the curve, but " + words + (words.empty() || children.empty() ? "" : ", and ") + children;
+  }
+  return {};
+}
+
+std::vector<std::string> diagnose(const IndexSubject& s, Level first_wrong) {
+  // A few levels further, an order that goes wrong on the way shows where it does; higher costs more and says
+  // no more.
+  const Level n = std::max(first_wrong, std::min<Level>({first_wrong + 3, 7, s.max_level()}));
+  std::vector<std::string> lines;
+  lines.push_back(first_wrong == 0
+                      ? "wrong from level 0 on"
+                      : fmt::format("right below level {}, of the levels that were run", first_wrong));
+  const Tally at_first = equals_reference(s, first_wrong, Run{});
+  const Tally out = in_range(s, first_wrong, Run{});
+  const auto wrong = [](const Tally& tally, Kind kind) {
+    return tally.by_kind()[static_cast<std::size_t>(kind)].mismatches;
+  };
+  if (!out.found().empty())
+    lines.push_back(fmt::format(
+        "out of range at level {}: {} of {} cases", first_wrong,
+        wrong(out, Kind::vertex) + wrong(out, Kind::edge) + wrong(out, Kind::interior), out.cases()));
+  if (wrong(at_first, Kind::interior) == 0)
+    lines.push_back(
+        fmt::format("wrong on ties only: {} vertices and {} edges of level {}; every interior is right",
+                    wrong(at_first, Kind::vertex), wrong(at_first, Kind::edge), first_wrong));
+  else
+    lines.push_back(fmt::format("wrong inside {} of {} micro-triangles of level {}",
+                                wrong(at_first, Kind::interior), triangle_count(first_wrong), first_wrong));
+  if (n >= 1 && n <= 7) {
+    const std::string order = name_order(n, [&](const MicroTriangle& m) {
+      std::uint32_t answer = 0;
+      GridPoint p = representative(m, n);
+      s.receive(std::span<GridPoint>(&p, 1));
+      s.index(n, Batch{{&p, 1}, false}, {&answer, 1});
+      return answer;
+    });
+    if (!order.empty()) lines.push_back(fmt::format("its order at level {}: {}", n, order));
+  }
+  return lines;
+}
+
+}  // namespace mmverify::proofs::index

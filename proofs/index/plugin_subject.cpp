@@ -1,0 +1,229 @@
+#include "proofs/index/plugin_subject.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "proofs/index/rounded_subject.hpp"
+
+namespace mmverify::proofs::index {
+namespace {
+
+using isolation::Call;
+using isolation::Misbehaved;
+using isolation::Pool;
+using isolation::Worker;
+
+/// A worker out of the pool; it goes back only if it answered.
+class Borrowed {
+ public:
+  explicit Borrowed(Pool& pool) : pool_(pool), worker_(pool.take()) {}
+  Worker& operator*() const { return *worker_; }
+  void give_back() { pool_.give_back(std::move(worker_)); }
+
+ private:
+  Pool& pool_;
+  std::unique_ptr<Worker> worker_;
+};
+
+template <class T>
+void put(const Worker& worker, Call call, std::size_t array, std::uint64_t count, const T* from) {
+  for (std::uint64_t t = 0; t < count; t += isolation::batch_size) {
+    const std::size_t piece = isolation::in_slot(count, static_cast<std::size_t>(t / isolation::batch_size));
+    std::memcpy(worker.input(call, array, count, t), from + t, piece * sizeof(T));
+  }
+}
+
+std::string point_text(double u, double v) { return fmt::format("u={:a},v={:a}", u, v); }
+
+class PluginSubject : public IndexSubject {
+ public:
+  PluginSubject(std::string name, std::shared_ptr<Pool> pool, const isolation::Mailbox& description,
+                Arithmetic arithmetic)
+      : IndexSubject(std::move(name), description.name[0] != 0 ? description.name : "a shared library",
+                     arithmetic, description.max_level),
+        pool_(std::move(pool)),
+        has_(description.has) {}
+
+  bool has(Entry e) const override {
+    switch (e) {
+      case Entry::index:
+        return offers(point_call());
+      case Entry::corners:
+        return offers(Call::corners);
+      case Entry::row_index:
+        return offers(Call::row_index_f32) && arithmetic() == Arithmetic::binary32;
+      case Entry::row_corners:
+        return offers(Call::row_corners);
+    }
+    return false;
+  }
+
+  std::size_t batch() const override { return isolation::capacity; }
+
+  RationalPoint receive(const RationalPoint& p) const override {
+    if (arithmetic() == Arithmetic::binary64) return {rational(nearest(p.u)), rational(nearest(p.v))};
+    return {rational(static_cast<float>(nearest(p.u))), rational(static_cast<float>(nearest(p.v)))};
+  }
+
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    ask_points(point_call(), n, batch, out);
+  }
+  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    ask_points(Call::row_index_f32, n, batch, out);
+  }
+  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+      const float *u = batch.u.data() + from, *v = batch.v.data() + from;
+      ask(
+          n, point_call(), count,
+          [&](Worker& w, Call call) {
+            place_points(w, call, count, [u, v](std::size_t t) {
+              return std::pair{double{u[t]}, double{v[t]}};
+            });
+          },
+          out.data() + from);
+    });
+  }
+  std::uint32_t index(Level n, const RationalPoint& p) const override {
+    std::uint32_t answer = 0;
+    ask(
+        n, point_call(), 1,
+        [&](Worker& w, Call call) {
+          place_points(w, call, 1, [&p](std::size_t) { return std::pair{nearest(p.u), nearest(p.v)}; });
+        },
+        &answer);
+    return answer;
+  }
+  void corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
+    ask_corners(Call::corners, n, indices, out);
+  }
+  void row_corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
+    ask_corners(Call::row_corners, n, indices, out);
+  }
+
+ private:
+  bool offers(Call call) const { return (has_ >> static_cast<std::uint32_t>(call) & 1) != 0; }
+  Call point_call() const { return arithmetic() == Arithmetic::binary64 ? Call::index_f64 : Call::index_f32; }
+
+  template <class Piece>
+  static void in_pieces(std::size_t size, Piece piece) {
+    for (std::size_t from = 0; from < size; from += isolation::capacity)
+      piece(from, std::min(isolation::capacity, size - from));
+  }
+
+  /// Writes points straight to where the worker reads them; at(t) gives u and v.
+  template <class At>
+  static void place_points(Worker& worker, Call call, std::size_t count, At at) {
+    const auto fill = [&](auto number) {
+      using T = decltype(number);
+      for (std::size_t from = 0; from < count; from += isolation::batch_size) {
+        auto* u = reinterpret_cast<T*>(worker.input(call, 0, count, from));
+        auto* v = reinterpret_cast<T*>(worker.input(call, 1, count, from));
+        const std::size_t piece = std::min(isolation::batch_size, count - from);
+        for (std::size_t t = 0; t < piece; ++t) {
+          const auto [pu, pv] = at(from + t);
+          u[t] = static_cast<T>(pu);
+          v[t] = static_cast<T>(pv);
+        }
+      }
+    };
+    if (call == Call::index_f64)
+      fill(double{});
+    else
+      fill(float{});
+  }
+
+  void ask_points(Call call, Level n, Batch batch, std::span<std::uint32_t> out) const {
+    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+      const GridPoint* p = batch.points.data() + from;
+      constexpr double scale = 1.0 / (1 << Fixed64::fraction_bits);
+      const auto at = [p](std::size_t t) {
+        return std::pair{static_cast<double>(p[t].u.raw()) * scale,
+                         static_cast<double>(p[t].v.raw()) * scale};
+      };
+      ask(
+          n, call, count, [&](Worker& w, Call c) { place_points(w, c, count, at); }, out.data() + from);
+    });
+  }
+
+  void ask_corners(Call call, Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const {
+    static_assert(sizeof(Corners) == isolation::answer_size(Call::corners));
+    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+      ask(
+          n, call, count, [&](Worker& w, Call c) { put(w, c, 0, count, indices.data() + from); },
+          out.data() + from);
+    });
+  }
+
+  /// Runs one command; `place` writes the inputs, the answers go to `out`.
+  template <class Place, class Answer>
+  void ask(Level n, Call call, std::size_t count, Place place, Answer* out) const {
+    Borrowed borrowed(*pool_);
+    Worker& worker = *borrowed;
+    place(worker, call);
+    try {
+      worker.ask(call, n, count);
+    } catch (const Misbehaved& found) {
+      // pin_down leaves the inputs of a new worker, so the text is made from a fresh copy.
+      place(worker, call);
+      throw SubjectBroken(
+          fmt::format("{} at level {} {}", found.what, n, elements(worker, call, count, found)));
+    }
+    for (std::size_t from = 0; from < count; from += isolation::batch_size)
+      std::memcpy(out + from, worker.answer(call, count, from),
+                  std::min(isolation::batch_size, count - from) * sizeof(Answer));
+    borrowed.give_back();
+  }
+
+  static std::string element(const Worker& worker, Call call, std::uint64_t count, std::uint64_t t) {
+    const auto read = [&](std::size_t array, auto number) {
+      std::memcpy(&number, worker.input(call, array, count, t), sizeof number);
+      return number;
+    };
+    switch (call) {
+      case Call::index_f64:
+        return point_text(read(0, double{}), read(1, double{}));
+      case Call::index_f32:
+      case Call::row_index_f32:
+        return point_text(double{read(0, float{})}, double{read(1, float{})});
+      case Call::corners:
+      case Call::row_corners:
+        break;
+    }
+    return fmt::format("k={}", read(0, std::uint32_t{}));
+  }
+
+  static std::string elements(const Worker& worker, Call call, std::uint64_t count, const Misbehaved& found) {
+    const std::string first = element(worker, call, count, found.first);
+    if (found.count == 1) return "on case " + first;
+    return fmt::format("in the batch of {} cases from {} to {}", found.count, first,
+                       element(worker, call, count, found.first + found.count - 1));
+  }
+
+  std::shared_ptr<Pool> pool_;
+  std::uint32_t has_;
+};
+
+}  // namespace
+
+std::vector<std::shared_ptr<const IndexSubject>> plugin_subjects(const std::string& library,
+                                                                 const isolation::Options& options) {
+  auto pool = std::make_shared<Pool>(library, options);
+  auto worker = pool->take();
+  const isolation::Mailbox& description = worker->description();
+  const auto offers = [&](Call call) {
+    return (description.has >> static_cast<std::uint32_t>(call) & 1) != 0;
+  };
+  std::vector<std::shared_ptr<const IndexSubject>> subjects;
+  // A library without any index still has corners or rows to judge.
+  if (offers(Call::index_f32) || !offers(Call::index_f64))
+    subjects.push_back(std::make_shared<PluginSubject>(library, pool, description, Arithmetic::binary32));
+  if (offers(Call::index_f64))
+    subjects.push_back(std::make_shared<PluginSubject>(subjects.empty() ? library : library + ":f64", pool,
+                                                       description, Arithmetic::binary64));
+  pool->give_back(std::move(worker));
+  return subjects;
+}
+
+}  // namespace mmverify::proofs::index

@@ -1,0 +1,89 @@
+// The memory that the tool and a worker process share: a mailbox, and numbers in slots between guard pages.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+namespace mmverify::proofs::isolation {
+
+/// Entry points by number, in the order of the C header.
+enum class Call : std::uint32_t { index_f32, index_f64, corners, row_index_f32, row_corners };
+constexpr std::uint32_t calls = 5;
+
+/// Bytes of one input number, input arrays, and bytes of one answer.
+constexpr std::size_t input_size(Call c) { return c == Call::index_f64 ? 8 : 4; }
+constexpr bool two_inputs(Call c) { return c != Call::corners && c != Call::row_corners; }
+constexpr std::size_t answer_size(Call c) { return two_inputs(c) ? 4 : 24; }
+
+/// A subject is called with this many elements at a time, a command carries up to `slots` such batches: one
+/// switch of processes for all of them keeps its cost small beside 262,144 answers.
+constexpr std::size_t batch_size = 4096;
+constexpr std::size_t slots = 64;
+constexpr std::size_t capacity = batch_size * slots;
+
+/// Bytes before an answer array that must stay as they are: an overrun at the far end meets a guard page.
+constexpr std::size_t canary_size = 64;
+constexpr unsigned char canary = 0xC5;
+
+enum class Outcome : std::uint32_t {
+  ready,
+  cannot_load,
+  answered,
+  threw,
+  changed_mode,
+  wrote_before,
+  non_deterministic
+};
+
+struct Mailbox {
+  std::atomic<std::uint32_t> turn;  ///< 0: the tool's, 1: the worker's; the futex both wait on
+  // From the tool.
+  Call call;
+  std::uint32_t level;
+  std::uint32_t one_by_one;  ///< call with one element at a time, to find the one that does it
+  std::uint64_t count;
+  // From the worker, the first also while it works.
+  std::atomic<std::uint64_t> begun;  ///< elements before the batch that is being worked on
+  Outcome outcome;
+  std::uint64_t element;  ///< the one that `outcome` is about
+  char message[512];
+  // What was loaded.
+  char name[128];
+  std::uint32_t max_level, flags, has;  ///< has: bit c for Call c
+};
+
+/// Where things lie. Every slot ends at a page that cannot be touched, and so does the mailbox.
+class Layout {
+ public:
+  explicit Layout(std::size_t page) : page_(page) {}
+  std::size_t mailbox_bytes() const { return rounded(sizeof(Mailbox)); }
+  std::size_t input_bytes() const { return rounded(batch_size * 8); }
+  std::size_t answer_bytes() const { return rounded(batch_size * 24 + canary_size); }
+  std::size_t input(std::size_t array, std::size_t slot) const {
+    return mailbox_bytes() + page_ + (array * slots + slot) * (input_bytes() + page_);
+  }
+  std::size_t answer(std::size_t slot) const { return input(2, 0) + slot * (answer_bytes() + page_); }
+  std::size_t total() const { return answer(slots); }
+  std::size_t page() const { return page_; }
+
+  /// First byte of `count` numbers pushed against the end of a slot.
+  std::size_t input_at(std::size_t array, std::size_t slot, std::size_t count, std::size_t size) const {
+    return input(array, slot) + input_bytes() - count * size;
+  }
+  std::size_t answer_at(std::size_t slot, std::size_t count, std::size_t size) const {
+    return answer(slot) + answer_bytes() - count * size;
+  }
+
+ private:
+  std::size_t rounded(std::size_t bytes) const { return (bytes + page_ - 1) / page_ * page_; }
+  std::size_t page_;
+};
+
+/// Elements of batch `slot` of a command of `count`.
+constexpr std::size_t in_slot(std::uint64_t count, std::size_t slot) {
+  const std::uint64_t from = slot * batch_size;
+  return from >= count ? 0 : static_cast<std::size_t>(count - from < batch_size ? count - from : batch_size);
+}
+
+}  // namespace mmverify::proofs::isolation

@@ -1,0 +1,86 @@
+// A worker process and what it is asked: a subject's answers, or why there are none.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "proofs/isolation/mailbox.hpp"
+
+namespace mmverify::proofs::isolation {
+
+/// A library that is no subject: missing symbol, another interface, not loadable.  what() names the file.
+struct CannotLoad : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What a subject did instead of answering.
+struct Misbehaved {
+  std::string what;            ///< "crashed (signal 11, Segmentation fault)", "hung: ...", ...
+  std::uint64_t first, count;  ///< the elements of the command during which it did
+};
+
+struct Options {
+  double timeout_seconds = 10;  ///< for one batch of 4096
+};
+
+/// One process with the library loaded. Not for two threads at once.
+class Worker {
+ public:
+  /// Starts it; CannotLoad where the library is no subject, std::runtime_error where no process can be had.
+  Worker(std::string library, const Options& options);
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  const Mailbox& description() const { return *mailbox_; }
+
+  /// Where element t of a command of `count` goes, and where its answer comes.  Domain: t < count <=
+  /// capacity.
+  std::byte* input(Call call, std::size_t array, std::uint64_t count, std::uint64_t t) const;
+  const std::byte* answer(Call call, std::uint64_t count, std::uint64_t t) const;
+
+  /// Runs the command on the inputs in place.  Throws Misbehaved; the worker is of no use after that.
+  void ask(Call call, std::uint32_t level, std::uint64_t count);
+
+ private:
+  void start();
+  void stop();
+  void map();
+  /// Hands the turn over and waits for it to come back.  False where the process ended or hung.
+  bool exchange();
+  /// "crashed (signal ...)" or "called exit(...)" of the ended process.
+  std::string end_of_process() const;
+  /// Asks element by element in a new process, to name the one.
+  void pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found);
+
+  std::string library_;
+  Options options_;
+  Layout layout_;
+  int fd_ = -1, pid_ = -1, status_ = 0;
+  bool hung_ = false;
+  std::byte* base_ = nullptr;
+  Mailbox* mailbox_ = nullptr;
+};
+
+/// Workers that wait for use, one a thread at most.
+class Pool {
+ public:
+  Pool(std::string library, const Options& options) : library_(std::move(library)), options_(options) {}
+
+  std::unique_ptr<Worker> take();
+  void give_back(std::unique_ptr<Worker> worker);
+  const std::string& library() const { return library_; }
+
+ private:
+  std::string library_;
+  Options options_;
+  std::mutex lock_;
+  std::vector<std::unique_ptr<Worker>> idle_;
+};
+
+}  // namespace mmverify::proofs::isolation

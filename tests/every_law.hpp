@@ -1,0 +1,73 @@
+// What the tests that go through every law share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/runner.hpp"
+#include "proofs/registry.hpp"
+
+namespace mmverify::tests {
+
+using namespace proofs;
+using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
+
+inline Asked keeping(std::size_t errors) {
+  Asked run;
+  run.errors = errors;
+  return run;
+}
+
+/// run_jobs on one law, subject and level, silently and without mutants.
+inline Report run_alone(Law law, const SubjectPtr& subject, Level level, unsigned threads,
+                        std::size_t errors = 1) {
+  law.mutants.clear();
+  RunOptions options;
+  options.threads = threads;
+  options.errors = errors;
+  options.show_progress = false;
+  return run_jobs({{&law, subject, {level, level}, {}}}, options, [](const Result&) {});
+}
+
+/// Verdict, counts, digest and counterexamples as one text.
+inline std::string outcome(const Report& report) {
+  std::string text;
+  for (const Result& r : report.results) {
+    text += to_string(r.verdict) + " " + std::to_string(r.digest);
+    for (const Count& c : r.by_kind)
+      text += " " + std::to_string(c.cases) + "/" + std::to_string(c.mismatches);
+    for (const Counterexample& c : r.counterexamples) text += " " + c.at + " " + c.expected + " " + c.got;
+  }
+  return text;
+}
+
+/// A suite over laws: the parameter is the law's id.
+class EveryLaw : public testing::TestWithParam<std::string> {
+ protected:
+  const Law& law = *find_law(GetParam());
+
+ private:
+  const InterruptGuard clears_what_a_test_before_left_;
+};
+
+template <class Predicate>
+std::vector<std::string> ids_of_laws(Predicate chosen) {
+  std::vector<std::string> ids;
+  for (const Law& law : laws())
+    if (chosen(law)) ids.push_back(law.id);
+  return ids;
+}
+
+inline std::string test_name(const testing::TestParamInfo<std::string>& id) {
+  std::string name = id.param;
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+}  // namespace mmverify::tests

@@ -1,0 +1,84 @@
+// proofs/plan.hpp: which law is run on which subject, and the weakest of the verdicts.
+#include "proofs/plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/registry.hpp"
+
+namespace {
+
+using namespace mmverify::proofs;
+
+std::vector<std::string> jobs_of(const Request& request) {
+  std::vector<std::string> all;
+  for (const Job& job : plan(request)) all.push_back(job.law->id + " " + job.subject->name());
+  return all;
+}
+
+TEST(Plan, AFloatSubjectBringsTheCompanionOnFloatsAlong) {
+  Request request;
+  request.laws = {find_law("index.equals_reference"), find_law("index.rounding")};
+  request.subjects = {find_subject("step-f32"), find_subject("step")};
+  EXPECT_THAT(
+      jobs_of(request),
+      testing::ElementsAre("index.equals_reference step-f32", "index.exact_on_floats step-f32",
+                           "index.equals_reference step", "index.rounding step-f32", "index.rounding step"));
+}
+
+TEST(Plan, NoNamesMeanEveryLawOnItsOwnSubjects) {
+  std::size_t all = 0;
+  for (const Law& law : laws()) all += law.subjects.size();
+  const std::vector<std::string> jobs = jobs_of({});
+  EXPECT_EQ(jobs.size(), all);
+  EXPECT_EQ(std::set<std::string>(jobs.begin(), jobs.end()).size(), jobs.size());
+}
+
+TEST(Plan, LawsAboutOthersAreLeftOutOrSaidNotToApply) {
+  Request request;
+  request.subjects = {find_subject("impl")};
+  for (const std::string& job : jobs_of(request)) EXPECT_FALSE(job.starts_with("paper.step")) << job;
+  request.laws = {find_law("paper.step_equals_reference")};
+  const std::vector<Job> asked = plan(request);
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_FALSE(asked.front().unfit.empty());
+}
+
+TEST(Plan, LevelsAreThoseAskedForOrTheTiers) {
+  Request request;
+  request.laws = {find_law("index.in_range")};
+  EXPECT_EQ(plan(request).front().levels, request.laws.front()->fast);
+  request.tier = Tier::long_run;
+  EXPECT_EQ(plan(request).front().levels, request.laws.front()->long_run);
+  request.levels = Levels{2, 3};
+  EXPECT_EQ(plan(request).front().levels, (Levels{2, 3}));
+}
+
+TEST(Weakest, OrderOfTheVerdicts) {
+  const auto of = [](std::vector<Verdict> verdicts) {
+    std::vector<Result> results;
+    for (const Verdict v : verdicts) {
+      results.emplace_back();
+      results.back().subject = "s";
+      results.back().verdict = v;
+    }
+    results.emplace_back();
+    results.back().subject = "another";
+    results.back().verdict = Verdict::broken;
+    return weakest(results, "s");
+  };
+  using enum Verdict;
+  EXPECT_EQ(of({proved, not_applicable}), proved);
+  EXPECT_EQ(of({proved, checked}), checked);
+  EXPECT_EQ(of({checked, incomplete, proved}), incomplete);
+  EXPECT_EQ(of({incomplete, refuted}), refuted);
+  EXPECT_EQ(of({refuted, broken, proved}), broken);
+  EXPECT_EQ(of({not_applicable}), not_applicable);
+  EXPECT_EQ(of({}), not_applicable);
+}
+
+}  // namespace

@@ -1,0 +1,75 @@
+// A counterexample that a run prints is the same one when it is replayed.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "proofs/index/cells.hpp"
+#include "tests/every_law.hpp"
+
+namespace {
+
+using namespace mmverify::tests;
+using mmverify::proofs::index::cell_count;
+
+/// The laws that are judged case by case.
+using Replay = EveryLaw;
+INSTANTIATE_TEST_SUITE_P(All, Replay,
+                         testing::ValuesIn(ids_of_laws([](const Law& law) { return bool(law.replay); })),
+                         test_name);
+
+void expect_replayed(const Law& law, const Subject& subject, const Result& r) {
+  for (const Counterexample& c : r.counterexamples) {
+    const std::string where =
+        law.id + " " + subject.name() + " level " + std::to_string(r.level) + " " + c.at;
+    EXPECT_EQ(c.level, r.level) << where;
+    EXPECT_FALSE(c.at.empty()) << where;
+    try {
+      const Replayed again = law.replay(subject, r.level, c.at);
+      EXPECT_FALSE(again.holds) << where;
+      EXPECT_EQ(again.expected, c.expected) << where;
+      EXPECT_EQ(again.got, c.got) << where;
+    } catch (const BadCase& error) {
+      ADD_FAILURE() << where << ": " << error.what();
+    }
+  }
+}
+
+TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
+  for (const Mutant& mutant : law.mutants)
+    for (Level n = mutant.levels.first; n <= mutant.levels.last; ++n) {
+      const Result r = run_level(law, *mutant.subject, n, keeping(5));
+      if (r.verdict != Verdict::refuted) continue;
+      ASSERT_FALSE(r.counterexamples.empty());
+      expect_replayed(law, *mutant.subject, r);
+      for (const Counterexample& c : r.counterexamples) {
+        const Replayed right = law.replay(*find_subject(law.subjects.front()), n, c.at);
+        EXPECT_TRUE(right.holds) << mutant.name << " " << c.at;
+        EXPECT_TRUE(right.picture.starts_with("<?xml")) << mutant.name << " " << c.at;
+      }
+      break;
+    }
+}
+
+// Also where an answer is wrong in rounded arithmetic, and where rounding moves the points themselves.
+TEST_P(Replay, ShowsTheCounterexamplesOfEverySubject) {
+  // Representatives of level n have n+2 bits, binary16 holds 11; nested runs on those of level n+1.
+  const Level rounded_by_binary16 = law.cases(9, Tier::fast) > cell_count(9) ? 9 : 10;
+  for (const SubjectPtr& s : subjects()) {
+    std::vector<Level> levels{4};
+    if (law.method == Method::exhaustive) levels = {1, 2, 3, 4};
+    if (s->name().ends_with("-f16")) levels.push_back(rounded_by_binary16);
+    for (const Level n : levels) {
+      const Result r = run_level(law, *s, n, keeping(40));
+      if (r.verdict == Verdict::refuted) expect_replayed(law, *s, r);
+    }
+  }
+}
+
+TEST_P(Replay, RefusesACaseThatIsNone) {
+  const Subject& subject = *find_subject(law.subjects.front());
+  for (const char* at : {"", "nonsense", "k=", "k=-1", "k=64", "k=5x", "u=1/2", "u=2,v=0", "u=1/0,v=0"})
+    EXPECT_THROW(law.replay(subject, 3, at), BadCase) << at;
+}
+
+}  // namespace
