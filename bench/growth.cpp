@@ -9,6 +9,9 @@
 namespace mmverify::bench {
 namespace {
 
+// Over less than two octaves of levels the two laws look alike, and noise would choose.
+constexpr std::uint32_t least_spread = 4;
+
 // 2^0.15: what is called doubling lies between 1.8 and 2.2 times.
 constexpr double near_doubling = 0.15;
 
@@ -51,11 +54,13 @@ Growth fit_growth(std::span<const LevelValue> values) {
   if (levels.size() < 3) return growth;
   growth.exponential = fit_line(levels, logs);
   growth.power = fit_line(log_levels, logs);
+  const bool wide = growth.last >= least_spread * growth.first;
   if (std::abs(growth.exponential.slope) * (*last - *first) < 1)
     growth.law = GrowthLaw::flat;
+  else if (wide && growth.power.residual < growth.exponential.residual)
+    growth.law = GrowthLaw::power;
   else
-    growth.law =
-        growth.exponential.residual <= growth.power.residual ? GrowthLaw::exponential : GrowthLaw::power;
+    growth.law = GrowthLaw::exponential;
   return growth;
 }
 

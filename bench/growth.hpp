@@ -36,8 +36,8 @@ struct Growth {
   Line power;                         ///< log2(value) against log2(level)
 };
 
-/// Least squares on log2(value), against level and against log2(level); of a law that grows or shrinks, the
-/// one with the smaller residual.
+/// Least squares on log2(value), against level and against log2(level). A law that grows or shrinks is the
+/// one with the smaller residual; a power law only where the last level is at least four times the first.
 /// Domain: at most one value a level.  Values of zero and level 0 are left out, as neither has a logarithm.
 Growth fit_growth(std::span<const LevelValue> values);
 

@@ -28,14 +28,16 @@ Levels parse_levels(const std::string& text) {
   return {first, last};
 }
 
-std::vector<const Law*> parse_laws(const std::vector<std::string>& names) {
+std::vector<const Law*> parse_laws(const std::vector<std::string>& names, Tier tier) {
   std::vector<const Law*> chosen;
   for (const std::string& name : names) {
     const auto found = laws_named(name);
     if (found.empty())
       throw UsageError(fmt::format("no law or topic is called '{}'; `mmverify list` names them all", name));
     for (const Law* law : found)
-      if (std::find(chosen.begin(), chosen.end(), law) == chosen.end()) chosen.push_back(law);
+      if ((!law->long_only || tier == Tier::long_run || law->id == name) &&
+          std::find(chosen.begin(), chosen.end(), law) == chosen.end())
+        chosen.push_back(law);
   }
   return chosen;
 }

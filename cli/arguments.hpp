@@ -13,7 +13,7 @@ proofs::Levels parse_levels(const std::string& text);
 
 /// Every law that the names mean, in the registry's order and once each; UsageError for a name that means
 /// none.
-std::vector<const proofs::Law*> parse_laws(const std::vector<std::string>& names);
+std::vector<const proofs::Law*> parse_laws(const std::vector<std::string>& names, proofs::Tier tier);
 
 /// The subjects that a name or a file means: one built-in, or those that a shared library offers.
 /// timeout_seconds: for one batch of a library.  UsageError for an unknown name; EnvironmentError for a file

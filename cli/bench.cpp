@@ -10,6 +10,7 @@
 #include "bench/index_times.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench_plot.hpp"
+#include "cli/bench_subject.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -28,7 +29,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::vector<std::string> topics;
-  std::string json, plot, levels;
+  std::string json, plot, levels, subject;
   bench::IndexBenchOptions index;
   bool quiet = false;
 };
@@ -54,8 +55,8 @@ std::string growth(const Growth& g) {
 }
 
 void print_errors(std::FILE* out, const std::vector<IndexFigures>& figures) {
-  fmt::print(out, "{:<18} {:>5} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>15}\n", "", "", "uniform", "hard",
-             "heights", "ulp", "off grid", "ns/index", "/ reference-f32");
+  fmt::print(out, "{:<18} {:>5} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>15}\n", "subject", "level", "uniform",
+             "hard", "heights", "ulp", "off grid", "ns/index", "/ reference-f32");
   for (const IndexFigures& f : figures) {
     if (f.hard.empty()) continue;
     const IndexErrors &u = f.uniform.back(), &h = f.hard.back();
@@ -169,9 +170,25 @@ std::vector<IndexFigures> measured(bench::IndexBenchOptions options, bool quiet)
   return figures;
 }
 
+/// What judging a library costs, beside calling it.
+int run_subject_bench(const Options& options) {
+  if (!options.plot.empty()) throw UsageError("--plot: a library's costs are not drawn");
+  const proofs::Levels levels =
+      options.levels.empty() ? proofs::Levels{10, 10} : parse_levels(options.levels);
+  if (levels.first != levels.last) throw UsageError(fmt::format("--levels {}: one level", options.levels));
+  std::optional<OutputFile> file;
+  if (!options.json.empty() && options.json != "-") file.emplace(options.json);
+  const std::string json =
+      bench_subject(options.subject, levels.first, options.json == "-" ? stderr : stdout);
+  if (file) file->commit(json);
+  if (options.json == "-") fmt::print("{}", json);
+  return ExitCode::complete;
+}
+
 int run_bench(Options options) {
   for (const std::string& topic : options.topics)
     if (topic != "index") throw UsageError(fmt::format("no topic is called '{}'; there is index", topic));
+  if (!options.subject.empty()) return run_subject_bench(options);
   if (!options.levels.empty()) {
     const proofs::Levels levels = parse_levels(options.levels);
     options.index.first = levels.first;
@@ -192,10 +209,10 @@ int run_bench(Options options) {
       options.index.first, options.index.last, options.index.seed, grouped(options.index.samples),
       grouped(options.index.samples));
   print_errors(out, figures);
-  fmt::print(out,
-             "\nGrowth from level to level: the law, its slope (log2 a level, or the power) and, in "
-             "parentheses, its "
-             "residual\n");
+  fmt::print(
+      out,
+      "\nGrowth from level to level: the law, its slope (log2 a level; a power law's is the power), (its "
+      "residual)\nin log2, and the levels that it was fitted on\n");
   print_growth(out, figures);
   fmt::print(out, "\nTime: ns an index, then the ratio to reference-f32\n");
   print_times(out, figures);
@@ -218,6 +235,8 @@ Action add_bench(CLI::App& program) {
       ->type_name("A..B");
   command->add_option("--samples", options->index.samples, "points a level, of each kind of inputs")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+  command->add_option("--subject", options->subject, "measure what judging this library costs instead")
+      ->type_name("FILE.so");
   command->add_option("--seed", options->index.seed, "of the points");
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg");

@@ -97,8 +97,8 @@ std::vector<Box> places(double x, double y, double text_width) {
   for (int ring = 0; ring < 12; ++ring) {
     const double away = ring * line_height;
     for (const double dy : {-away, away}) {
-      at(x + 9, y + dy);
-      at(x - 9 - text_width, y + dy);
+      at(x + 11, y + dy);
+      at(x - 11 - text_width, y + dy);
       at(x - text_width / 2, y + dy + (dy < 0 ? -1 : 1) * line_height);
     }
   }
@@ -138,6 +138,18 @@ std::string labels(const std::vector<Mark>& marks, const Panel& panel, double gr
   return script;
 }
 
+/// "16", or "16 (binary16: 15)" where subjects end sooner than others.
+std::string levels_text(const std::vector<IndexFigures>& figures) {
+  std::uint32_t last = 0;
+  for (const IndexFigures& f : figures)
+    if (!f.hard.empty()) last = std::max(last, f.hard.back().level);
+  std::string text = fmt::format("{}", last);
+  for (const IndexFigures& f : figures)
+    if (!f.hard.empty() && f.hard.back().level < last)
+      return text + fmt::format(" ({}: {})", f.numbers, f.hard.back().level);
+  return text;
+}
+
 std::string error_against_time(const std::vector<IndexFigures>& figures, std::uint64_t samples) {
   double ns_least = 1, ns_most = 1, rate_least = 1;
   std::uint64_t fewest = samples;
@@ -152,7 +164,7 @@ std::string error_against_time(const std::vector<IndexFigures>& figures, std::ui
   // found.
   const double none = power_of_ten(std::min(1.0 / static_cast<double>(samples), rate_least), false);
   const Panel panel{
-      80,        980, 50,  420, power_of_ten(ns_least * 0.8, false), power_of_ten(ns_most * 2, true),
+      80,        970, 50,  420, power_of_ten(ns_least * 0.8, false), power_of_ten(ns_most * 2, true),
       none / 30, 1.5, true};
 
   std::vector<Mark> marks;
@@ -170,9 +182,7 @@ std::string error_against_time(const std::vector<IndexFigures>& figures, std::ui
         marks[k].y = marks[other].y - 13;
 
   std::string script = axes(panel);
-  script +=
-      "set title 'Error against time: one mark a subject, at level 16 (binary16: 15) or the last level "
-      "run'\n";
+  script += fmt::format("set title 'Error against time at level {}'\n", levels_text(figures));
   script += "set xlabel 'ns an index, one thread' offset 0,0.4\nset ylabel 'mismatch rate on hard points'\n";
   script += "set format x '10^{%L}'\nset xtics auto\nunset key\nset mytics 1\n";
   script += fmt::format("set ytics ('none' {:.6g}", none);
@@ -182,7 +192,7 @@ std::string error_against_time(const std::vector<IndexFigures>& figures, std::ui
   script += fmt::format(
       "set label 'none found in {} points (rational: {})' at screen {:.5f},{:.5f} right font ',12' "
       "tc rgb '#444444'\n",
-      grouped(samples), grouped(fewest), (panel.right - 8) / width, 1 - (panel.bottom - 11) / height);
+      grouped(samples), grouped(fewest), (panel.right - 8) / width, 1 - (panel.bottom - 18) / height);
   for (const Mark& m : marks) {
     const Look l = look(*m.subject);
     script += fmt::format("set label '' at screen {:.5f},{:.5f} point pt {} ps 1.3 lw 2 lc rgb '{}'\n",
@@ -213,14 +223,14 @@ std::string rate_against_level(const std::vector<IndexFigures>& figures, bool ha
   std::uint32_t first = 16, last = 0;
   for (const IndexFigures& f : figures)
     for (const IndexErrors& e : f.hard) first = std::min(first, e.level), last = std::max(last, e.level);
-  const double left = hard ? 560 : 80;
+  const double left = hard ? 550 : 80;
   const Panel panel{left,
                     left + 420,
                     510,
                     800,
                     first - 0.5,
                     last + 0.5,
-                    power_of_ten(1.0 / static_cast<double>(samples), false),
+                    power_of_ten(1.0 / static_cast<double>(samples), false) / 2,
                     1.5,
                     false};
 
@@ -249,7 +259,7 @@ std::string rate_against_level(const std::vector<IndexFigures>& figures, bool ha
   script += "set format x '%g'\nset format y '10^{%L}'\nset xtics 1\nset samples 161\n";
   script += hard ? "unset key\n"
                  : fmt::format(
-                       "set key at screen 0.5,{:.5f} center center horizontal Left reverse maxrows 2 "
+                       "set key at screen 0.5,{:.5f} center center vertical Left reverse maxrows 2 "
                        "width 3 samplen 1\n",
                        65 / height);
   return script + (plots.empty() ? "plot 1/0 notitle\n" : "plot " + plots + "\n");

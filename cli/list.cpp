@@ -40,7 +40,9 @@ nlohmann::ordered_json as_json(const Law& law) {
           {"method", method_text(law.method)},
           {"subjects", law.subjects},
           {"tiers",
-           {{"fast", {{"levels", levels_text(law.fast)}, {"expected_seconds", law.fast_seconds}}},
+           {{"fast", law.long_only ? nlohmann::ordered_json(nullptr)
+                                   : nlohmann::ordered_json{{"levels", levels_text(law.fast)},
+                                                            {"expected_seconds", law.fast_seconds}}},
             {"long", {{"levels", levels_text(law.long_run)}}}}},
           {"mutants", mutants}};
 }

@@ -1,4 +1,6 @@
 // mmverify gen and check: any program on a pipe as the subject.
+#include "proofs/index/pipe.hpp"
+
 #include <fmt/format.h>
 
 #include <iostream>
@@ -11,7 +13,6 @@
 #include "cli/json.hpp"
 #include "cli/output_file.hpp"
 #include "cli/text.hpp"
-#include "proofs/index/pipe.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -76,7 +77,8 @@ Action add_gen(CLI::App& program) {
 }
 
 Action add_check(CLI::App& program) {
-  auto* command = program.add_subcommand("check", "judge the answers that a program on a pipe gave to `gen`'s cases");
+  auto* command =
+      program.add_subcommand("check", "judge the answers that a program on a pipe gave to `gen`'s cases");
   auto options = std::make_shared<Options>();
   add_common(*command, *options);
   command->add_option("--errors", options->errors, "counterexamples kept")->check(CLI::Range(1, 10000));

@@ -43,13 +43,13 @@ int exit_code(const Report& report) {
 
 Request request(const Options& options) {
   Request r;
-  r.laws = parse_laws(options.laws);
+  r.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
+  r.laws = parse_laws(options.laws, r.tier);
   for (const std::string& name : options.subjects)
     for (const SubjectPtr& subject : parse_subject(name, options.timeout))
       if (std::find(r.subjects.begin(), r.subjects.end(), subject) == r.subjects.end())
         r.subjects.push_back(subject);
   if (!options.levels.empty()) r.levels = parse_levels(options.levels);
-  r.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
   return r;
 }
 
@@ -61,10 +61,11 @@ int prove(const Options& options) {
 
   // With JSON on stdout, the lines for people go where the progress goes.
   TextReport text(options.json == "-" ? stderr : stdout, !options.laws.empty());
-  const Report report = run_jobs(jobs,
-                                 {options.threads, options.errors, options.seed,
-                                  options.tier == "long" ? Tier::long_run : Tier::fast, options.cells == "interior", !options.quiet},
-                                 [&](const Result& r) { text.add(r); });
+  const Report report = run_jobs(
+      jobs,
+      {options.threads, options.errors, options.seed, options.tier == "long" ? Tier::long_run : Tier::fast,
+       options.cells == "interior", !options.quiet},
+      [&](const Result& r) { text.add(r); });
   text.finish(report, !options.subjects.empty());
   if (json) json->commit(to_json(report, options.seed));
   if (options.json == "-") fmt::print("{}", to_json(report, options.seed));

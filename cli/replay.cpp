@@ -18,10 +18,12 @@ using namespace proofs;
 struct Options {
   std::string law, level, at, subject, picture;
   double timeout = 10;
+  std::optional<std::uint32_t> answer;
 };
 
 /// A library that offers binary32 and binary64 is two subjects; FILE:f64 means the second.
 SubjectPtr parse_one(const Options& options) {
+  if (options.answer) return subject_that_answers(*options.answer);
   if (options.subject.empty()) return find_subject(find_law(options.law)->subjects.front());
   constexpr std::string_view second = ":f64";
   if (!options.subject.ends_with(second)) return parse_subject(options.subject, options.timeout).front();
@@ -71,6 +73,8 @@ Action add_replay(CLI::App& program) {
       ->add_option("--subject", options->subject,
                    "who is judged; the law's first built-in one where not given")
       ->type_name("NAME|FILE.so");
+  command->add_option("--answer", options->answer, "judge this answer instead of asking a subject")
+      ->type_name("INDEX");
   command->add_option("--timeout", options->timeout, "seconds that a library may take")
       ->check(CLI::Range(0.01, 86400.0));
   command->add_option("--picture", options->picture, "draw it")->type_name("FILE.svg");

@@ -16,6 +16,9 @@ using namespace proofs;
 
 std::string replay_command(const Result& result, const Counterexample& c) {
   const Law* law = find_law(result.law);
+  if (result.subject == "standard input")
+    return fmt::format("mmverify replay {} --level {} --case {} --answer {}", result.law, result.level, c.at,
+                       c.got);
   if (law == nullptr || !law->replay)
     return fmt::format("mmverify prove {} --levels {} --subject {}", result.law, result.level,
                        result.subject);

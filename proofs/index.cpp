@@ -136,7 +136,7 @@ Law contiguous_law() {
                             [](Level n, const GridPoint&, std::uint32_t answer) {
                               return n > 4 && answer % 2 == 0 ? answer ^ 2 : answer;
                             })},
-          .on_lines = false};
+      .on_lines = false};
 }
 
 Law inverse_law() {
@@ -173,29 +173,30 @@ Law inverse_law() {
 }
 
 Law corners_law() {
-  return {.id = "index.corners",
-          .topic = "index",
-          .says = "the corners of an index are those of the specification, in the order of children 0, 2, 3",
-          .source = succinct_4_3,
-          .method = Method::exhaustive,
-          .subjects = {"impl"},
-          .fast = {0, 10},
-          .long_run = {0, 15},
-          .fast_seconds = 0.5,
-          .cases = all_triangles,
-          .domain = indices,
-          .how = exhaustively,
-          .unfit = needing({Entry::corners}),
-          .judge = judged_by(corners_in_order),
-          .replay = replayed_by(replay_corners_in_order),
-          .mutants = {swapped_corners("two corners of one index of level 7 change places", "impl", 7, 7777),
-                      swapped_corners("two corners of the last index of level 6 change places", "impl", 6, 4095),
-                      on_indices("u and v change places", "impl", {0, 3},
-                                 [](Level, std::uint32_t, Corners c) {
-                                   for (auto& vertex : c) std::swap(vertex.i, vertex.j);
-                                   return c;
-                                 })},
-          .on_lines = false};
+  return {
+      .id = "index.corners",
+      .topic = "index",
+      .says = "the corners of an index are those of the specification, in the order of children 0, 2, 3",
+      .source = succinct_4_3,
+      .method = Method::exhaustive,
+      .subjects = {"impl"},
+      .fast = {0, 10},
+      .long_run = {0, 15},
+      .fast_seconds = 0.5,
+      .cases = all_triangles,
+      .domain = indices,
+      .how = exhaustively,
+      .unfit = needing({Entry::corners}),
+      .judge = judged_by(corners_in_order),
+      .replay = replayed_by(replay_corners_in_order),
+      .mutants = {swapped_corners("two corners of one index of level 7 change places", "impl", 7, 7777),
+                  swapped_corners("two corners of the last index of level 6 change places", "impl", 6, 4095),
+                  on_indices("u and v change places", "impl", {0, 3},
+                             [](Level, std::uint32_t, Corners c) {
+                               for (auto& vertex : c) std::swap(vertex.i, vertex.j);
+                               return c;
+                             })},
+      .on_lines = false};
 }
 
 Law rounding_law() {
@@ -246,37 +247,38 @@ Law row_order_law() {
 }
 
 Law row_corners_law() {
-  return {.id = "index.row_corners",
-          .topic = "index",
-          .says = "the corners of a row-order index are those of figure 4 with a root in whole numbers",
-          .source = attribute_4,
-          .method = Method::exhaustive,
-          .subjects = {"impl", "w-minor-f64"},
-          .fast = {0, 11},
-          .long_run = {0, 16},
-          .fast_seconds = 1,
-          .cases = all_triangles,
-          .domain = indices,
-          .how = exhaustively,
-          .unfit = needing({Entry::row_corners}),
-          .judge = judged_by(row_corners),
-          .replay = replayed_by(replay_row_corners),
-          .mutants = {{"the root in binary32", the("w-minor-f32"), {13, 13}},
-                      swapped_corners("two corners of one index of level 7 change places", "impl", 7, 127 * 127),
-                      on_indices("the last index of a row goes to the next", "w-minor", {0, 6},
-                                 [](Level n, std::uint32_t k, Corners c) {
-                                   return n == 6 && k == 50 * 50 - 1 ? spec::index::w_minor_corners(k + 1)
-                                                                     : c;
-                                 })},
-          .on_lines = false};
+  return {
+      .id = "index.row_corners",
+      .topic = "index",
+      .says = "the corners of a row-order index are those of figure 4 with a root in whole numbers",
+      .source = attribute_4,
+      .method = Method::exhaustive,
+      .subjects = {"impl", "w-minor-f64"},
+      .fast = {0, 11},
+      .long_run = {0, 16},
+      .fast_seconds = 1,
+      .cases = all_triangles,
+      .domain = indices,
+      .how = exhaustively,
+      .unfit = needing({Entry::row_corners}),
+      .judge = judged_by(row_corners),
+      .replay = replayed_by(replay_row_corners),
+      .mutants = {{"the root in binary32", the("w-minor-f32"), {13, 13}},
+                  swapped_corners("two corners of one index of level 7 change places", "impl", 7, 127 * 127),
+                  on_indices("the last index of a row goes to the next", "w-minor", {0, 6},
+                             [](Level n, std::uint32_t k, Corners c) {
+                               return n == 6 && k == 50 * 50 - 1 ? spec::index::w_minor_corners(k + 1) : c;
+                             })},
+      .on_lines = false};
 }
 
 }  // namespace
 
 std::vector<Law> laws() {
-  std::vector<Law> all{equals_reference_law(), in_range_law(), bijective_law(), nested_law(), contiguous_law(),
-                       inverse_law(), corners_law(), rounding_law()};
-  for (const auto& group : {arithmetic_laws(), std::vector{row_order_law(), row_corners_law()}, paper_laws(equals_reference_law())})
+  std::vector<Law> all{equals_reference_law(), in_range_law(), bijective_law(), nested_law(),
+                       contiguous_law(),       inverse_law(),  corners_law(),   rounding_law()};
+  for (const auto& group : {arithmetic_laws(), std::vector{row_order_law(), row_corners_law()},
+                            paper_laws(equals_reference_law())})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

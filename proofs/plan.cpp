@@ -25,7 +25,8 @@ bool planned(const std::vector<Job>& jobs, const Law& law, const Subject& subjec
 std::vector<Job> plan(const Request& request) {
   std::vector<const Law*> chosen = request.laws;
   if (chosen.empty())
-    for (const Law& law : laws()) chosen.push_back(&law);
+    for (const Law& law : laws())
+      if (!law.long_only || request.tier == Tier::long_run) chosen.push_back(&law);
 
   std::vector<Job> jobs;
   const auto add = [&](const Law& law, const SubjectPtr& subject) {

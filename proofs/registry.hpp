@@ -17,6 +17,9 @@ std::vector<const Law*> laws_named(const std::string& name);
 /// The built-in subjects.
 std::vector<SubjectPtr> subjects();
 
+/// A subject that gives this answer to every point.
+SubjectPtr subject_that_answers(std::uint32_t index);
+
 /// Null where there is no built-in subject of that name.
 SubjectPtr find_subject(const std::string& name);
 

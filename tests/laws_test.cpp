@@ -42,6 +42,11 @@ TEST(Laws, IdsAndSubjectsAreUnique) {
   for (const SubjectPtr& s : subjects()) EXPECT_TRUE(names.insert(s->name()).second) << s->name();
 }
 
+/// Those that a test can afford to run.
+using FastLaw = EveryLaw;
+INSTANTIATE_TEST_SUITE_P(All, FastLaw,
+                         testing::ValuesIn(ids_of_laws([](const Law& law) { return !law.long_only; })),
+                         test_name);
 INSTANTIATE_TEST_SUITE_P(All, EveryLaw, testing::ValuesIn(ids_of_laws([](const Law&) { return true; })),
                          test_name);
 
@@ -53,7 +58,7 @@ TEST_P(EveryLaw, SaysWhatItIs) {
   EXPECT_LE(law.long_run.first, law.fast.first);
   EXPECT_LE(law.fast.last, law.long_run.last);
   EXPECT_LE(law.long_run.last, mmverify::proofs::index::max_level);
-  EXPECT_GT(law.fast_seconds, 0);
+  EXPECT_TRUE(law.long_only || law.fast_seconds > 0);
   EXPECT_FALSE(law.subjects.empty());
   for (const std::string& name : law.subjects) EXPECT_NE(find_subject(name), nullptr) << name;
   if (!law.float_companion.empty()) {
@@ -70,7 +75,7 @@ std::uint64_t promised(const std::string& domain, Level n) {
   return 0;
 }
 
-TEST_P(EveryLaw, HoldsOfItsOwnSubjectsOverItsWholeDomain) {
+TEST_P(FastLaw, HoldsOfItsOwnSubjectsOverItsWholeDomain) {
   const Verdict passed = law.method == Method::sample ? Verdict::checked : Verdict::proved;
   const Level last = std::min(law.fast.last, small);
   // A sample is as large at every level; the first and the last one will do.
@@ -87,7 +92,7 @@ TEST_P(EveryLaw, HoldsOfItsOwnSubjectsOverItsWholeDomain) {
       ++applied;
       EXPECT_EQ(r.verdict, passed) << name << " level " << n
                                    << (r.counterexamples.empty() ? "" : " " + r.counterexamples.front().at);
-      EXPECT_EQ(r.cases_run(), law.cases(n, Tier::fast));
+      EXPECT_EQ(r.cases_run(), law.cases(n, Asked{}));
       EXPECT_EQ(r.cases_expected, r.cases_run());
       EXPECT_GT(r.cases_run(), 0u);
       EXPECT_EQ(r.mismatches(), 0u);
@@ -99,7 +104,7 @@ TEST_P(EveryLaw, HoldsOfItsOwnSubjectsOverItsWholeDomain) {
   }
 }
 
-TEST_P(EveryLaw, CountsItsCellsByKind) {
+TEST_P(FastLaw, CountsItsCellsByKind) {
   const Result r = run_level(law, *find_subject(law.subjects.front()), 2, Asked{});
   const std::uint64_t N = r.domain.find("level n+1") != std::string::npos ? 8 : 4;
   if (r.domain.find("3N^2+3N+1") != std::string::npos) {
@@ -109,6 +114,21 @@ TEST_P(EveryLaw, CountsItsCellsByKind) {
   } else if (law.method != Method::sample) {
     EXPECT_EQ(r.by_kind[0].cases + r.by_kind[1].cases, 0u);
   }
+}
+
+// prove --cells interior: the same law for who promises nothing on lines.
+TEST_P(FastLaw, LeavesTheLinesOutWhereAsked) {
+  Asked inside;
+  inside.interiors_only = true;
+  const SubjectPtr subject = find_subject(law.subjects.front());
+  const Result all = run_level(law, *subject, 2, Asked{}), r = run_level(law, *subject, 2, inside);
+  EXPECT_EQ(r.verdict, all.verdict);
+  if (law.method != Method::exhaustive || !law.on_lines || !law.general) {
+    EXPECT_EQ(r.by_kind, all.by_kind);
+    return;
+  }
+  EXPECT_EQ(r.by_kind, (CountByKind{Count{0, 0}, Count{0, 0}, all.by_kind[2]}));
+  EXPECT_NE(r.domain, all.domain);
 }
 
 TEST_P(EveryLaw, HasThreeMutantsAndOneThatOnlyHigherLevelsShow) {
@@ -122,7 +142,7 @@ TEST_P(EveryLaw, HasThreeMutantsAndOneThatOnlyHigherLevelsShow) {
   }
 }
 
-TEST_P(EveryLaw, KillsEveryMutant) {
+TEST_P(FastLaw, KillsEveryMutant) {
   const std::vector<MutantResult> results = run_mutants(law, Asked{});
   ASSERT_EQ(results.size(), law.mutants.size());
   for (std::size_t k = 0; k < results.size(); ++k) {
@@ -133,7 +153,7 @@ TEST_P(EveryLaw, KillsEveryMutant) {
   }
 }
 
-TEST_P(EveryLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
+TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
   // Several chunks, so that two threads have something to share; one level less where every case is rational.
   const Level n = law.method != Method::exhaustive      ? law.fast.first + 1
                   : law.id == "index.fixed_is_rational" ? 8

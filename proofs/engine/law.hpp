@@ -69,13 +69,15 @@ struct Law {
   std::function<std::optional<std::string>(const Subject&, Level)>
       unfit;  ///< why the law does not apply, if so
   std::function<Tally(const Subject&, Level, const Run&)> judge = {};
-  std::function<Replayed(const Subject&, Level, const std::string&)> replay = {};  ///< throws BadCase; empty: none
+  std::function<Replayed(const Subject&, Level, const std::string&)> replay =
+      {};  ///< throws BadCase; empty: none
   std::vector<Mutant> mutants = {};
   /// Told of the level where a subject was first refuted, lines that say what it did instead.  Empty: nothing
   /// to say.
   std::function<std::vector<std::string>(const Subject&, Level)> diagnose = {};
-  bool on_lines = true;        ///< its domain has points on grid lines, which a run may leave out
-  bool general = true;  ///< about any subject that fits; otherwise about the ones it names only
+  bool long_only = false;  ///< no part of the fast tier, unless asked for by its id
+  bool on_lines = true;    ///< its domain has points on grid lines, which a run may leave out
+  bool general = true;     ///< about any subject that fits; otherwise about the ones it names only
   /// Runs with it on a float subject, for which cells decide nothing else.
   std::string float_companion = {};
 };

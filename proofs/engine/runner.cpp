@@ -34,7 +34,8 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   return r;
 }
 
-Result not_applicable(const Law& law, const Subject& subject, Level level, const Run& run, const std::string& why) {
+Result not_applicable(const Law& law, const Subject& subject, Level level, const Run& run,
+                      const std::string& why) {
   Result r = named(law, subject, level, run);
   r.verdict = Verdict::not_applicable;
   r.reason = why;
@@ -52,13 +53,17 @@ std::string unfit_throughout(const Job& job) {
 /// The lowest level at which the job's law refuted its subject.
 std::optional<Level> first_refuted(const Report& report, const Job& job) {
   for (const Result& r : report.results)
-    if (r.law == job.law->id && r.subject == job.subject->name() && r.verdict == Verdict::refuted) return r.level;
+    if (r.law == job.law->id && r.subject == job.subject->name() && r.verdict == Verdict::refuted)
+      return r.level;
   return std::nullopt;
 }
 
 }  // namespace
 
-Result run_level(const Law& law, const Subject& subject, Level level, const Run& run) {
+Result run_level(const Law& law, const Subject& subject, Level level, const Run& asked) {
+  Run run = asked;
+  // What a law says of named subjects it says of all cells.
+  run.interiors_only = asked.interiors_only && law.general;
   Result r = named(law, subject, level, run);
   if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
   const auto start = std::chrono::steady_clock::now();
@@ -135,7 +140,8 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   for (const Job& job : jobs)
     if (const auto refuted = first_refuted(report, job); job.law->diagnose && refuted && !interrupted()) {
       try {
-        report.diagnoses.push_back({job.law->id, job.subject->name(), job.law->diagnose(*job.subject, *refuted)});
+        report.diagnoses.push_back(
+            {job.law->id, job.subject->name(), job.law->diagnose(*job.subject, *refuted)});
       } catch (const SubjectBroken& broken) {
         report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
       }

@@ -9,6 +9,10 @@
 namespace mmverify::proofs::index {
 namespace {
 
+// For each of the 0x3C01 encodings of u in [0,1], the encodings of v up to the greatest number not above 1-u.
+// The run counts them anew; a different number is an error.
+constexpr std::uint64_t pairs_of_binary16 = 231'750'657;
+
 std::uint64_t hard_pairs(Level, const Run& run) { return run.tier == Tier::fast ? 1'000'000 : 100'000'000; }
 std::uint64_t rational_points(Level, const Run& run) { return run.tier == Tier::fast ? 1'000 : 100'000; }
 
@@ -30,28 +34,27 @@ Law exact_on_floats_law() {
                            true}),
                   {level, level}};
   };
-  return {
-      .id = "index.exact_on_floats",
-      .topic = "index",
-      .says = "for binary32 numbers the index is that of the exact reference for those very numbers",
-      .source = vulkan,
-      .method = Method::sample,
-      .subjects = {"step", "impl"},
-      .fast = {0, 16},
-      .long_run = {0, 16},
-      .fast_seconds = 12,
-      .cases = hard_pairs,
-      .domain = floats,
-      .how = by_sample,
-      .unfit = needing({Entry::index}),
-      .judge = [](const Subject& s, Level n,
-                  const Run& run) { return exact_on_floats(of_index(s), n, run, hard_pairs(n, run)); },
-      .replay = replayed_by(replay_equals_reference),
-      .mutants = {wrong_at("one pair of level 9, an ulp under the hypotenuse", "impl", 9, 0.5f,
-                           0x1.fffffep-2f),
-                  {"the reference in binary32", the("reference-f32"), {4, 8}},
-                  {"the step algorithm in binary32", the("step-f32"), {4, 4}},
-                  wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)}};
+  return {.id = "index.exact_on_floats",
+          .topic = "index",
+          .says = "for binary32 numbers the index is that of the exact reference for those very numbers",
+          .source = vulkan,
+          .method = Method::sample,
+          .subjects = {"step", "impl"},
+          .fast = {0, 16},
+          .long_run = {0, 16},
+          .fast_seconds = 12,
+          .cases = hard_pairs,
+          .domain = floats,
+          .how = by_sample,
+          .unfit = needing({Entry::index}),
+          .judge = [](const Subject& s, Level n,
+                      const Run& run) { return exact_on_floats(of_index(s), n, run, hard_pairs(n, run)); },
+          .replay = replayed_by(replay_equals_reference),
+          .mutants = {
+              wrong_at("one pair of level 9, an ulp under the hypotenuse", "impl", 9, 0.5f, 0x1.fffffep-2f),
+              {"the reference in binary32", the("reference-f32"), {4, 8}},
+              {"the step algorithm in binary32", the("step-f32"), {4, 4}},
+              wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)}};
 }
 
 Law floats_err_law() {
@@ -169,10 +172,44 @@ Law sweep_is_spec_law() {
                   in_rows_only("the last cell of level 8", 8, 0, corner(8))}};
 }
 
+Law exact_on_binary16_law() {
+  const auto wrong_at = [](const char* name, Level level, float u, float v) {
+    Alteration once;
+    once.on_floats = [=](Level n, float pu, float pv, std::uint32_t answer) {
+      return n == level && pu == u && pv == v ? answer ^ 1 : answer;
+    };
+    return Mutant{name, altered(name, the("impl"), std::move(once)), {level, level}};
+  };
+  return {.id = "index.exact_on_binary16",
+          .topic = "index",
+          .says = "for binary16 numbers the index is that of the exact reference for those very numbers",
+          .source = vulkan,
+          .method = Method::exhaustive,
+          .subjects = {"impl"},
+          .fast = {0, 10},
+          .long_run = {0, 10},
+          .cases = [](Level, const Run&) { return pairs_of_binary16; },
+          .domain =
+              [](const Subject&, Level) {
+                return std::string("every pair of non-negative binary16 numbers of the triangle");
+              },
+          .how = in_fixed_point,
+          .unfit = needing({Entry::index}),
+          .judge = judged_by(exact_on_binary16),
+          .replay = replayed_by(replay_equals_reference),
+          .mutants = {wrong_at("the least subnormal pair, at level 5", 5, 0x1p-24f, 0x1p-24f),
+                      wrong_at("fractions that add up to 1 only by rounding, at level 4", 4, 0x1.ffcp-5f,
+                               0x1p-16f),
+                      wrong_at("the v-corner, at level 9", 9, 0.0f, 1.0f)},
+          .long_only = true,
+          .on_lines = false};
+}
+
 }  // namespace
 
 std::vector<Law> arithmetic_laws() {
-  return {exact_on_floats_law(), floats_err_law(), cells_decide_law(), fixed_is_rational_law(), sweep_is_spec_law()};
+  return {exact_on_floats_law(), exact_on_binary16_law(), floats_err_law(),
+          cells_decide_law(),    fixed_is_rational_law(), sweep_is_spec_law()};
 }
 
 }  // namespace mmverify::proofs::index

@@ -28,6 +28,17 @@ class StepSubject : public ExactSubject<Printed> {
   }
 };
 
+class GivenAnswer : public IndexSubject {
+ public:
+  explicit GivenAnswer(std::uint32_t answer)
+      : IndexSubject("the answer given", "one answer", Arithmetic::exact, 16), answer_(answer) {}
+  bool has(Entry e) const override { return e == Entry::index; }
+  std::uint32_t index(Level, const RationalPoint&) const override { return answer_; }
+
+ private:
+  std::uint32_t answer_;
+};
+
 template <class S, class... Args>
 std::shared_ptr<const IndexSubject> make(Args&&... args) {
   return std::make_shared<S>(std::forward<Args>(args)...);
@@ -58,6 +69,10 @@ std::vector<std::shared_ptr<const IndexSubject>> make_all() {
 }
 
 }  // namespace
+
+std::shared_ptr<const IndexSubject> given_answer(std::uint32_t answer) {
+  return std::make_shared<GivenAnswer>(answer);
+}
 
 const std::vector<std::shared_ptr<const IndexSubject>>& built_in_subjects() {
   static const auto all = make_all();

@@ -28,6 +28,9 @@ Tally inverse(const IndexSubject&, Level, const Run&);
 Tally corners_in_order(const IndexSubject&, Level, const Run&);
 Tally row_corners(const IndexSubject&, Level, const Run&);
 
+// On all pairs of non-negative binary16 numbers of the triangle.
+Tally exact_on_binary16(const IndexSubject&, Level, const Run&);
+
 // On samples.
 Tally exact_on_floats(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 Tally cells_decide(const IndexSubject&, Level, const Run&, std::uint64_t samples);

@@ -6,7 +6,6 @@ namespace mmverify::proofs::index {
 
 const IndexSubject& of_index(const Subject& s) { return dynamic_cast<const IndexSubject&>(s); }
 
-
 std::function<Tally(const Subject&, Level, const Run&)> judged_by(Judge judge) {
   return [judge](const Subject& s, Level n, const Run& run) { return judge(of_index(s), n, run); };
 }

@@ -69,13 +69,13 @@ Law row_holds_point_law() {
           .unfit = needing({Entry::row_index}),
           .judge = judged_by(row_holds_point),
           .replay = replayed_by(replay_row_holds_point),
-          .mutants = {single("one point inside a micro-triangle of level 7", "w-minor", 7, 4 * 20 + 1,
-                             4 * 30 + 1),
-                      single("the w-corner of level 5 is in row 1", "w-minor", 5, 0, 0),
-                      on_points("column and diagonal round apart on u lines of level 6", "w-minor", {0, 6},
-                                [](Level n, const GridPoint& p, std::uint32_t answer) {
-                                  return n == 6 && on_u_line(p, n) ? answer + 1 : answer;
-                                })}};
+          .mutants = {
+              single("one point inside a micro-triangle of level 7", "w-minor", 7, 4 * 20 + 1, 4 * 30 + 1),
+              single("the w-corner of level 5 is in row 1", "w-minor", 5, 0, 0),
+              on_points("column and diagonal round apart on u lines of level 6", "w-minor", {0, 6},
+                        [](Level n, const GridPoint& p, std::uint32_t answer) {
+                          return n == 6 && on_u_line(p, n) ? answer + 1 : answer;
+                        })}};
 }
 
 Law binary32_root_law() {
@@ -110,7 +110,8 @@ Law binary32_root_law() {
 }  // namespace
 
 std::vector<Law> paper_laws(const Law& equals_reference) {
-  return {step_claim_law(equals_reference),
+  return {
+      step_claim_law(equals_reference),
       differs_law(
           "paper.appendix_middle_differs",
           "with the middle triangle's coordinates in Appendix A's order, Algorithm 4 is not the reference",

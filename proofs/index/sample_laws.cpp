@@ -67,7 +67,8 @@ InCell random_in_cell(Level n, Random& random) {
   }
 }
 
-/// A hard pair that lies on no grid line of the level: the sample's, or the first of further seeds' that does.
+/// A hard pair that lies on no grid line of the level: the sample's, or the first of further seeds' that
+/// does.
 FloatPair inside_pair(Level n, std::uint64_t seed, std::uint64_t sample) {
   for (std::uint64_t further = 0;; ++further) {
     const FloatPair p = hard_floats(n, seed + further * 0x9E3779B97F4A7C15u, sample + 7 * further);
@@ -85,7 +86,8 @@ Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint6
     for (std::uint64_t from = chunk.begin; from < chunk.end; from += floats_per_batch) {
       const std::uint64_t count = std::min(floats_per_batch, chunk.end - from);
       for (std::uint64_t t = 0; t < count; ++t) {
-        const FloatPair p = run.interiors_only ? inside_pair(n, run.seed, from + t) : hard_floats(n, run.seed, from + t);
+        const FloatPair p =
+            run.interiors_only ? inside_pair(n, run.seed, from + t) : hard_floats(n, run.seed, from + t);
         u[t] = p.u;
         v[t] = p.v;
       }

@@ -57,6 +57,7 @@ void Worker::start() {
   if (base_ == MAP_FAILED) fail("cannot map a worker's memory");
   mailbox_ = reinterpret_cast<Mailbox*>(base_);
   mailbox_->turn.store(1);
+  mailbox_->outcome = Outcome::cannot_load;  // until the worker says otherwise
 
   const std::string program = worker_program(), fd = fmt::format("{}", fd_);
   std::string name = "mmverify-worker", fd_text = fd, library = std::filesystem::absolute(library_).string();
@@ -67,7 +68,6 @@ void Worker::start() {
     fail("cannot start mmverify-worker");
   }
   hung_ = false;
-  mailbox_->outcome = Outcome::answered;
   while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
     futex_wait(mailbox_->turn, 1, slice_milliseconds);
     if (mailbox_->turn.load(std::memory_order_acquire) == 1 && waitpid(pid_, &status_, WNOHANG) == pid_) {

@@ -1,0 +1,141 @@
+// Runs the built program the way a script does: arguments in, exit code, stdout and stderr out.
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace mmverify::tests {
+
+namespace fs = std::filesystem;
+
+inline std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A new folder, gone with the object.
+class Folder {
+ public:
+  Folder() {
+    std::string name = testing::TempDir() + "mmverify-XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder: " + name);
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+  const fs::path& path() const { return path_; }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename());
+    return names;
+  }
+
+ private:
+  fs::path path_;
+};
+
+struct Outcome {
+  int exit_code = -1;  ///< 128 + the signal that ended it, as a shell has it
+  std::string out, err;
+};
+
+/// A program under way.
+class Process {
+ public:
+  /// stdout goes to out_file where one is given, else it is captured.
+  explicit Process(std::vector<std::string> arguments, const std::string& out_file = {})
+      : out_(out_file.empty() ? (captured_ / "out").string() : out_file) {
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out_.c_str(), O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, (captured_ / "err").c_str(), O_WRONLY | O_CREAT,
+                                     0600);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const int error = posix_spawn(&pid_, argv[0], &files, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (error != 0) throw std::runtime_error(arguments[0] + " cannot be started");
+  }
+  ~Process() {
+    if (pid_ <= 0) return;
+    ::kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  void send(int signal) const { ::kill(pid_, signal); }
+
+  /// Waits until stdout holds the words; false once the process has ended without them, or after ten minutes.
+  bool says(const std::string& words) const {
+    for (int tries = 0; tries < 60'000; ++tries) {
+      siginfo_t state{};
+      waitid(P_PID, static_cast<id_t>(pid_), &state, WEXITED | WNOHANG | WNOWAIT);
+      if (text_of(out_).find(words) != std::string::npos) return true;
+      if (state.si_pid != 0) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+
+  Outcome wait() {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            out_.starts_with("/dev/") ? std::string() : text_of(out_), text_of(captured_ / "err")};
+  }
+
+ private:
+  Folder captured_;
+  std::string out_;
+  pid_t pid_ = -1;
+};
+
+inline std::vector<std::string> program_with(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), MMVERIFY_PROGRAM);
+  return arguments;
+}
+
+inline Outcome program(const std::vector<std::string>& arguments) {
+  return Process(program_with(arguments)).wait();
+}
+
+/// A line as a person pastes it into a shell that finds mmverify on its PATH.
+inline Outcome shell(const std::string& line) {
+  const std::string folder = fs::path(MMVERIFY_PROGRAM).parent_path();
+  return Process({"/bin/sh", "-c", "PATH=\"$1:$PATH\"; " + line, "sh", folder}).wait();
+}
+
+/// All that a failed command says: one line on stderr that names the program, nothing on stdout.
+inline void expect_complaint(const Outcome& outcome, int exit_code, const std::string& words) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(outcome.err.starts_with("mmverify: ")) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+}
+
+}  // namespace mmverify::tests

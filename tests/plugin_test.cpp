@@ -1,0 +1,216 @@
+// Shared-library subjects and programs on a pipe: right, wrong and misbehaving ones, judged by the built
+// program.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/command.hpp"
+
+namespace mmverify::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string library(const std::string& name) { return std::string(MMVERIFY_SUBJECTS) + "/" + name + ".so"; }
+
+Outcome judge(const std::string& name, const std::string& more = "index.equals_reference --levels 6..8") {
+  return shell("mmverify prove --quiet --timeout 1 --threads 1 --subject " + library(name) + " " + more);
+}
+
+TEST(Subject, the_example_in_c_is_proved_on_all_cells) {
+  const Outcome o = judge("example", "index.equals_reference --levels 0..8");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("the 3N^2+3N+1 representatives, as binary32 numbers"));
+  EXPECT_THAT(o.out, HasSubstr("checked    index.exact_on_floats"));
+  EXPECT_THAT(o.out, HasSubstr("example.so: checked, the weakest of its verdicts"));
+}
+
+TEST(Subject, entry_points_that_are_missing_are_not_applicable) {
+  const Outcome o = judge("example", "index.corners index.in_range --levels 0..3");
+  EXPECT_EQ(o.exit_code, 0) << o.out;
+  EXPECT_THAT(o.out, HasSubstr("n/a        index.corners"));
+  EXPECT_EQ(judge("example", "index.corners").exit_code, 2);
+}
+
+TEST(Subject, every_entry_point_is_judged_and_binary64_apart) {
+  const Outcome o = judge("batched", "--levels 0..5");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  for (const char* law :
+       {"index.corners", "index.inverse", "index.row_order", "index.row_corners", "index.bijective"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("proved     ") + law));
+  EXPECT_THAT(o.out, HasSubstr("batched.so:f64: checked"));
+}
+
+// The tie was planted at u = 3/8, v = 1/4 of level 7: the answer is to name that vertex and no other.
+TEST(Subject, one_wrong_tie_is_found_and_replayed) {
+  const Outcome o = judge("tie");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("level 7: 1 of 49,537 cases wrong (vertices 1, edges 0, interiors 0)"));
+  EXPECT_THAT(o.out,
+              HasSubstr("refuted index.equals_reference level 7 case v:u=3/8,v=1/4 (0x1.8p-2,0x1p-2) "));
+  EXPECT_THAT(o.out, HasSubstr("right below level 7"));
+  EXPECT_THAT(o.out,
+              HasSubstr("wrong on ties only: 1 vertices and 0 edges of level 7; every interior is right"));
+  const auto at = o.out.find("replay: ");
+  ASSERT_NE(at, std::string::npos);
+  const Outcome again = shell(o.out.substr(at + 8, o.out.find('\n', at) - at - 8));
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_THAT(again.out, HasSubstr("refuted index.equals_reference level 7 case v:u=3/8,v=1/4"));
+}
+
+TEST(Subject, one_wrong_tie_passes_where_only_interiors_count) {
+  const Outcome o = judge("tie", "index.equals_reference --levels 6..8 --cells interior");
+  EXPECT_EQ(o.exit_code, 0) << o.out;
+  EXPECT_THAT(o.out, HasSubstr("those inside micro-triangles only"));
+}
+
+TEST(Subject, children_swapped_from_level_2_are_named) {
+  const Outcome o = judge("swapped_from_level_2", "index.equals_reference --levels 0..4");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("the curve, but children 0 and 2 change places from level 2 on"));
+}
+
+TEST(Subject, row_order_is_named) {
+  EXPECT_THAT(judge("rows", "index.equals_reference --levels 0..4").out,
+              HasSubstr("row order (w-minor), not the curve"));
+}
+
+TEST(Subject, exchanged_barycentrics_are_named) {
+  EXPECT_THAT(judge("u_and_v_exchanged", "index.equals_reference --levels 0..4").out,
+              HasSubstr("the curve, with (w, u, v) taken as (w, v, u)"));
+}
+
+struct Misbehaviour {
+  const char *name, *said;
+  bool one_case;
+  bool every_time = true;  ///< an interleaving of threads is not met in every law
+};
+
+class Misbehaving : public testing::TestWithParam<Misbehaviour> {};
+
+TEST_P(Misbehaving, is_broken_and_the_run_goes_on) {
+  const auto& [name, said, one_case, every_time] = GetParam();
+  const Outcome o = judge(name, "index.equals_reference index.in_range --levels 6..8");
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("broken     index.equals_reference"));
+  EXPECT_THAT(o.out, HasSubstr(every_time ? "broken     index.in_range" : " index.in_range"))
+      << "the next law is judged";
+  EXPECT_THAT(o.out, HasSubstr(said));
+  EXPECT_THAT(o.out, HasSubstr(one_case ? "at level 7 on case u=0x1.8p-2,v=0x1p-2"
+                                        : "at level 7 in the batch of 4096 cases"));
+}
+
+// What each does, at u = 3/8, v = 1/4 of level 7, stands in tests/subjects/misbehaving.cpp.
+INSTANTIATE_TEST_SUITE_P(
+    Subject, Misbehaving,
+    testing::Values(Misbehaviour{"crash", "crashed (signal ", true},
+                    Misbehaviour{"hang", "hung: no answer within 1 s", true},
+                    Misbehaviour{"overrun", "it touched memory outside its output", false},
+                    Misbehaviour{"underrun", "wrote before the start of its output", false},
+                    Misbehaviour{"exits", "called exit(0)", true},
+                    Misbehaviour{"throws", "threw an exception: no such triangle", true},
+                    Misbehaviour{"rounds", "left the rounding or flush mode changed", true},
+                    Misbehaviour{"counts_calls", "non-deterministic, asked", true},
+                    Misbehaviour{"sees_batch", "non-deterministic, asked in batches of 7", true},
+                    Misbehaviour{"sees_threads", "non-deterministic, asked from two threads at once", true,
+                                 false},
+                    Misbehaviour{"writes_input", "it wrote to its input or read past its end", true}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Subject, what_it_prints_stays_out_of_the_results) {
+  const Outcome o = judge("prints", "index.in_range --levels 7 --json -");
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_EQ(o.out.front(), '{');
+  EXPECT_THAT(o.out, HasSubstr("\"mmverify.result/1\""));
+  EXPECT_THAT(o.out, Not(HasSubstr("{}")));
+}
+
+TEST(Subject, same_digest_for_any_number_of_threads) {
+  const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
+  const std::string at = "prove index.equals_reference --quiet --levels 9 --subject " + library("batched");
+  const Outcome one = shell("mmverify " + at + " --threads 1"),
+                two = shell("mmverify " + at + " --threads 2");
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_EQ(digest(one), digest(two));
+  EXPECT_EQ(digest(one),
+            digest(shell("mmverify prove index.equals_reference --quiet --levels 9 --subject step")));
+}
+
+TEST(Subject, a_file_that_is_no_subject_is_exit_4) {
+  expect_complaint(judge("fault_0"), 4, "it does not export mmverify_subject_v1");
+  expect_complaint(judge("fault_1"), 4, "it was built for version 2 of the interface, this is version 1");
+  expect_complaint(judge("fault_2"), 4, "all its entry points are null");
+  expect_complaint(judge("no/such"), 4, "no such file");
+  expect_complaint(shell("mmverify prove --quiet --subject /etc/passwd"), 4, "/etc/passwd: ");
+}
+
+// -----------------------------------------------------------------------------------------------------------------
+
+// What it says of a reader that stopped is left out.
+const std::string python = std::string("python3 2>/dev/null ") + MMVERIFY_EXAMPLES + "/pipe/index.py";
+
+Outcome piped(const std::string& filter, int level = 5, const std::string& more = "") {
+  const std::string n = std::to_string(level);
+  return shell("mmverify gen index --level " + n + more + " | " + filter +
+               " | mmverify check index --level " + n + more);
+}
+
+TEST(Pipe, the_example_in_python_is_proved) {
+  for (const int level : {0, 1, 5}) {
+    const Outcome o = piped(python, level);
+    EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+    EXPECT_THAT(o.out, HasSubstr("proved     index.equals_reference"));
+  }
+  EXPECT_EQ(piped(python, 4, " --cells interior").exit_code, 0);
+}
+
+TEST(Pipe, a_level_has_as_many_cases_as_cells) {
+  const Outcome o = shell("mmverify gen index --level 3 | grep -vc '#'");
+  EXPECT_EQ(o.out, "217\n");  // 3 64 + 3 8 + 1
+}
+
+// Case 5 of level 2 is the vertex (1/2 + 1/8, 0) of the first row: 0 1/8 1/4 3/8 1/2 5/8, an edge's middle,
+// in fact.
+TEST(Pipe, a_wrong_answer_is_refuted_and_replayed) {
+  const Outcome o = piped(python + " | sed 's/^5 .*/5 0/'", 2);
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("refuted index.equals_reference level 2 case e:u=5/8,v=0 "));
+  EXPECT_THAT(o.out, HasSubstr("wrong on ties only"));
+  const auto at = o.out.find("replay: ");
+  const Outcome again = shell(o.out.substr(at + 8, o.out.find('\n', at) - at - 8));
+  EXPECT_EQ(again.exit_code, 1) << again.err;
+}
+
+TEST(Pipe, a_planted_tie_at_a_vertex_of_level_7_is_that_vertex) {
+  const Outcome o =
+      shell("mmverify gen index --level 7 | awk '$2==\"0x1.8p-2\" && $3==\"0x1p-2\" {print $1}'");
+  const std::string number = o.out.substr(0, o.out.find('\n'));
+  const Outcome judged = piped(python + " | sed 's/^" + number + " .*/" + number + " 1/'", 7);
+  EXPECT_EQ(judged.exit_code, 1);
+  EXPECT_THAT(judged.out, HasSubstr("case v:u=3/8,v=1/4 (0x1.8p-2,0x1p-2) expected "));
+  EXPECT_THAT(judged.out, HasSubstr("(vertices 1, edges 0, interiors 0)"));
+}
+
+TEST(Pipe, short_long_and_garbled_answers_name_the_line) {
+  expect_complaint(piped(python + " | head -n 100"), 4,
+                   "standard input ended after line 100, with 100 of 3169 cases answered");
+  expect_complaint(piped("cat >/dev/null; true"), 4, "standard input ended after line 0");
+  expect_complaint(piped("(" + python + "; echo 3169 0)"), 4,
+                   "line 3170: more than the 3169 cases of this level");
+  expect_complaint(piped(python + " | sed 's/^50 .*/50 x/'"), 4, "line 51: '50 x' is not an answer");
+  expect_complaint(piped(python + " | sed 's/^50 .*/50 -1/'"), 4, "line 51: ");
+  expect_complaint(piped(python + " | sed 's/^50 .*/50 4294967296/'"), 4, "line 51: ");
+  expect_complaint(piped(python + " | sed '51d'"), 4, "line 51: case 51 where case 50 is due");
+}
+
+TEST(Pipe, comments_empty_lines_and_hexadecimal_pass) {
+  EXPECT_EQ(piped("(echo '# hello'; echo; " + python +
+                  R"() | awk '{if (NF==2 && $1 ~ /^[0-9]/) printf "%d 0x%x\r\n", $1, $2; else print}')")
+                .exit_code,
+            0);
+}
+
+}  // namespace
+}  // namespace mmverify::tests
