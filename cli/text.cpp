@@ -93,19 +93,28 @@ void TextReport::line(const std::vector<Result>& results) {
   std::fflush(out_);
 }
 
+std::size_t TextReport::print_mutants(const std::vector<MutantResult>& mutants) const {
+  std::size_t killed = 0;
+  for (auto of_law = mutants.begin(); of_law != mutants.end();) {
+    const auto next = std::find_if(of_law, mutants.end(), [&](const MutantResult& m) { return m.law != of_law->law; });
+    const auto dead = std::count_if(of_law, next, [](const MutantResult& m) { return m.killed; });
+    fmt::print(out_, "mutants    {:<32} {} of {} killed{}\n", of_law->law, dead, next - of_law, by_level_ ? ":" : "");
+    for (; of_law != next; ++of_law) {
+      if (!of_law->killed)
+        fmt::print(out_, "  SURVIVED {}\n", of_law->mutant);
+      else if (by_level_)
+        fmt::print(out_, "  killed   {} (level {}, {})\n", of_law->mutant, of_law->level, of_law->at);
+      else
+        fmt::print(out_, "  {}\n", of_law->mutant);
+    }
+    killed += static_cast<std::size_t>(dead);
+  }
+  return killed;
+}
+
 void TextReport::finish(const Report& report, bool name_subjects) {
   flush();
-  std::size_t killed = 0;
-  std::string law;
-  for (const MutantResult& m : report.mutants) {
-    if (m.law != law) fmt::print(out_, "mutants of {}:\n", m.law);
-    law = m.law;
-    if (m.killed)
-      fmt::print(out_, "  killed    {} (level {}, {})\n", m.mutant, m.level, m.at);
-    else
-      fmt::print(out_, "  SURVIVED  {}\n", m.mutant);
-    killed += m.killed ? 1 : 0;
-  }
+  const std::size_t killed = print_mutants(report.mutants);
   for (const Diagnosis& d : report.diagnoses) {
     fmt::print(out_, "what {} does instead ({}):\n", d.subject, d.law);
     for (const std::string& line : d.lines) fmt::print(out_, "  {}\n", line);

@@ -25,6 +25,8 @@ class TextReport {
  private:
   void flush();
   void line(const std::vector<proofs::Result>& results);
+  /// Which mutants were killed, by law; returns how many.
+  std::size_t print_mutants(const std::vector<proofs::MutantResult>& mutants) const;
 
   std::FILE* out_;
   bool by_level_;

@@ -30,12 +30,17 @@ TEST(Plan, AFloatSubjectBringsTheCompanionOnFloatsAlong) {
                            "index.equals_reference step", "index.rounding step-f32", "index.rounding step"));
 }
 
-TEST(Plan, NoNamesMeanEveryLawOnItsOwnSubjects) {
-  std::size_t all = 0;
-  for (const Law& law : laws()) all += law.subjects.size();
-  const std::vector<std::string> jobs = jobs_of({});
-  EXPECT_EQ(jobs.size(), all);
-  EXPECT_EQ(std::set<std::string>(jobs.begin(), jobs.end()).size(), jobs.size());
+TEST(Plan, NoNamesMeanEveryLawOfTheTierOnItsOwnSubjects) {
+  for (const Tier tier : {Tier::fast, Tier::long_run}) {
+    std::size_t all = 0;
+    for (const Law& law : laws())
+      if (tier == Tier::long_run || !law.long_only) all += law.subjects.size();
+    Request request;
+    request.tier = tier;
+    const std::vector<std::string> jobs = jobs_of(request);
+    EXPECT_EQ(jobs.size(), all);
+    EXPECT_EQ(std::set<std::string>(jobs.begin(), jobs.end()).size(), jobs.size());
+  }
 }
 
 TEST(Plan, LawsAboutOthersAreLeftOutOrSaidNotToApply) {
