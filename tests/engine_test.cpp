@@ -12,6 +12,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "proofs/engine/interrupt.hpp"
@@ -355,12 +356,16 @@ TEST_F(Runner, ALawsMutantsRunOnceHoweverManyJobsItHas) {
 // Interrupts
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Counts its cases, and raises the signal in the middle of level 1.
+/// Counts its cases; in level 1 raises the signal at case 200 or beyond, where every other chunk waits for
+/// it.
 Judge raising(int signal) {
   return
       [=, raised = std::make_shared<std::atomic<bool>>(false)](const Subject& s, Level n, const Asked& run) {
         return sweep(run, 1000, 10, [&](Chunk chunk, Tally& tally) {
-          if (n == 1 && chunk.begin >= 200 && s.name() == "s" && !raised->exchange(true)) std::raise(signal);
+          if (n == 1 && chunk.begin >= 200 && s.name() == "s") {
+            if (!raised->exchange(true)) std::raise(signal);
+            while (!interrupted()) std::this_thread::yield();
+          }
           tally.count(Kind::edge, chunk.end - chunk.begin);
         });
       };
