@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <regex>
 
@@ -26,6 +27,33 @@ Levels parse_levels(const std::string& text) {
   if (last > index::max_level)
     throw UsageError(fmt::format("--levels {}: the highest level is {}", text, index::max_level));
   return {first, last};
+}
+
+Level parse_level(const std::string& text) {
+  static const std::regex shape("[0-9]{1,3}");
+  if (!std::regex_match(text, shape))
+    throw UsageError(fmt::format("--level {}: write one level, for example 5", text));
+  const auto level = static_cast<Level>(std::stoul(text));
+  if (level > index::max_level)
+    throw UsageError(fmt::format("--level {}: the highest level is {}", text, index::max_level));
+  return level;
+}
+
+std::function<std::string(const std::string&)> finite_within(double least, double most) {
+  return [least, most](const std::string& text) -> std::string {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (end != text.c_str() && *end == 0 && value >= least && value <= most) return {};
+    return fmt::format("'{}' is not a number from {} to {}", text, least, most);
+  };
+}
+
+std::string shell_quoted(const std::string& text) {
+  static const std::regex plain("[A-Za-z0-9_./:=,+-]+");
+  if (std::regex_match(text, plain)) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted.append(c == '\'' ? "'\\''" : std::string(1, c));
+  return quoted.append("'");
 }
 
 std::vector<const Law*> parse_laws(const std::vector<std::string>& names, Tier tier) {

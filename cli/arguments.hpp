@@ -1,6 +1,7 @@
 // Arguments that several commands take, read and checked once.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,15 @@ namespace mmverify::cli {
 
 /// "3..7" or "5".  Both ends included; UsageError unless first <= last <= 16.
 proofs::Levels parse_levels(const std::string& text);
+
+/// "5", of the option --level.
+proofs::Level parse_level(const std::string& text);
+
+/// For a double's option: finite and within [least, most].  CLI11's own range lets NaN through.
+std::function<std::string(const std::string&)> finite_within(double least, double most);
+
+/// The text as one word of a shell.
+std::string shell_quoted(const std::string& text);
 
 /// Every law that the names mean, in the registry's order and once each; UsageError for a name that means
 /// none.

@@ -52,8 +52,11 @@ void print_law(const Law& law) {
   fmt::print("{}\n  {}\n", law.id, law.says);
   fmt::print("  source: {}\n", law.source);
   fmt::print("  domain: {}\n", law.domain(*first, law.fast.last));
-  fmt::print("  method: {}; fast tier: levels {}, about {} s; long tier: levels {}\n",
-             method_text(law.method), levels_text(law.fast), law.fast_seconds, levels_text(law.long_run));
+  const std::string fast =
+      law.long_only ? "not in it"
+                    : fmt::format("levels {}, about {} s", levels_text(law.fast), law.fast_seconds);
+  fmt::print("  method: {}; fast tier: {}; long tier: levels {}\n", method_text(law.method), fast,
+             levels_text(law.long_run));
   fmt::print("  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }
 

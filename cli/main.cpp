@@ -10,6 +10,17 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 
+namespace {
+
+/// The exit code, or 4 where standard output did not take all that was said.
+int closed(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  fmt::print(stderr, "mmverify: standard output cannot be written\n");
+  return code == mmverify::cli::complete ? mmverify::cli::environment : code;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace mmverify::cli;
   CLI::App program("mmverify: an exact referee for opacity micromaps", "mmverify");
@@ -29,7 +40,7 @@ int main(int argc, char** argv) {
   try {
     const auto commands = program.get_subcommands({});
     for (std::size_t k = 0; k < actions.size(); ++k)
-      if (commands[k]->parsed()) return actions[k]();
+      if (commands[k]->parsed()) return closed(actions[k]());
   } catch (const UsageError& error) {
     fmt::print(stderr, "mmverify: {}\n", error.what());
     return ExitCode::usage;

@@ -25,11 +25,7 @@ struct Options {
   bool interiors_only() const { return cells == "interior"; }
 };
 
-Level one_level(const Options& options) {
-  const Levels levels = parse_levels(options.level);
-  if (levels.first != levels.last) throw UsageError(fmt::format("--level {}: one level", options.level));
-  return levels.first;
-}
+Level one_level(const Options& options) { return parse_level(options.level); }
 
 void add_common(CLI::App& command, Options& options) {
   command.add_option("topic", options.topic, "index")->required()->check(CLI::IsMember({"index"}));

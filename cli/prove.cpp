@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -21,7 +23,8 @@ using namespace proofs;
 
 struct Options {
   std::vector<std::string> laws, subjects;
-  std::string levels, tier = "fast", cells = "all", json, junit;
+  std::optional<std::string> levels;
+  std::string tier = "fast", cells = "all", json, junit;
   unsigned threads = 0;
   std::size_t errors = 1;
   std::uint64_t seed = 1;
@@ -49,12 +52,23 @@ Request request(const Options& options) {
     for (const SubjectPtr& subject : parse_subject(name, options.timeout))
       if (std::find(r.subjects.begin(), r.subjects.end(), subject) == r.subjects.end())
         r.subjects.push_back(subject);
-  if (!options.levels.empty()) r.levels = parse_levels(options.levels);
+  if (options.levels) r.levels = parse_levels(*options.levels);
   return r;
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return !b.empty() &&
+         std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+}
+
 int prove(const Options& options) {
+  if (options.junit == "-") throw UsageError("--junit -: standard output is for --json; name a file");
+  if (!options.json.empty() && same_file(options.json, options.junit))
+    throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
   const std::vector<Job> jobs = plan(request(options));
+  // A reader that goes away does not take the results in files along.
+  std::signal(SIGPIPE, SIG_IGN);
   std::optional<OutputFile> json, junit;
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
   if (!options.junit.empty()) junit.emplace(options.junit);
@@ -101,7 +115,7 @@ Action add_prove(CLI::App& program) {
       ->check(CLI::Range(1, 10000));
   command->add_option("--seed", options->seed, "of every sample");
   command->add_option("--timeout", options->timeout, "seconds that a library may take for a batch of 4096")
-      ->check(CLI::Range(0.01, 86400.0));
+      ->check(finite_within(0.01, 86400));
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--junit", options->junit, "write the results as JUnit XML")->type_name("FILE");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");

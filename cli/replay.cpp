@@ -35,24 +35,23 @@ int replay(const Options& options) {
   const Law* law = find_law(options.law);
   if (law == nullptr)
     throw UsageError(fmt::format("no law is called '{}'; `mmverify list` names them all", options.law));
-  const Levels levels = parse_levels(options.level);
-  if (levels.first != levels.last) throw UsageError(fmt::format("--level {}: one level", options.level));
+  const Level level = parse_level(options.level);
   const SubjectPtr subject = parse_one(options);
-  if (const auto why = law->unfit(*subject, levels.first)) throw UsageError(*why);
+  if (const auto why = law->unfit(*subject, level)) throw UsageError(*why);
   if (!law->replay)
     throw UsageError(
         fmt::format("{} is not judged case by case; run `mmverify prove {}` again", law->id, law->id));
   std::optional<OutputFile> picture;
   if (!options.picture.empty()) picture.emplace(options.picture);
   try {
-    const Replayed r = law->replay(*subject, levels.first, options.at);
+    const Replayed r = law->replay(*subject, level, options.at);
     fmt::print("{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
-               law->id, levels.first, options.at, subject->name(), r.expected, r.got);
+               law->id, level, options.at, subject->name(), r.expected, r.got);
     if (picture) picture->commit(r.picture);
     return r.holds ? ExitCode::complete : ExitCode::failed;
   } catch (const SubjectBroken& broken) {
-    fmt::print("broken {} level {} case {} subject {}: {}\n", law->id, levels.first, options.at,
-               subject->name(), broken.what());
+    fmt::print("broken {} level {} case {} subject {}: {}\n", law->id, level, options.at, subject->name(),
+               broken.what());
     return ExitCode::failed;
   } catch (const BadCase& error) {
     throw UsageError(fmt::format("--case {}", error.what()));
@@ -76,7 +75,7 @@ Action add_replay(CLI::App& program) {
   command->add_option("--answer", options->answer, "judge this answer instead of asking a subject")
       ->type_name("INDEX");
   command->add_option("--timeout", options->timeout, "seconds that a library may take")
-      ->check(CLI::Range(0.01, 86400.0));
+      ->check(finite_within(0.01, 86400));
   command->add_option("--picture", options->picture, "draw it")->type_name("FILE.svg");
   return [options] { return replay(*options); };
 }

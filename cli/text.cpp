@@ -21,9 +21,9 @@ std::string replay_command(const Result& result, const Counterexample& c) {
                        c.got);
   if (law == nullptr || !law->replay)
     return fmt::format("mmverify prove {} --levels {} --subject {}", result.law, result.level,
-                       result.subject);
+                       shell_quoted(result.subject));
   return fmt::format("mmverify replay {} --level {} --case {} --subject {}", result.law, result.level, c.at,
-                     result.subject);
+                     shell_quoted(result.subject));
 }
 
 std::string counterexample_line(const Result& result, const Counterexample& c) {
@@ -33,6 +33,14 @@ std::string counterexample_line(const Result& result, const Counterexample& c) {
 }
 
 namespace {
+
+/// Prints, and leaves a stream that no longer takes anything to the end of the program, which reports it: the
+/// results in files are still to come.
+template <class... Args>
+void say(std::FILE* out, fmt::format_string<Args...> format, Args&&... args) {
+  const std::string text = fmt::format(format, std::forward<Args>(args)...);
+  std::fwrite(text.data(), 1, text.size(), out);
+}
 
 std::string levels_text(const std::vector<Result>& results) {
   const Level first = results.front().level, last = results.back().level;
@@ -72,40 +80,42 @@ void TextReport::line(const std::vector<Result>& results) {
     seconds += r.seconds;
   }
   if (verdict == Verdict::not_applicable) {
-    fmt::print(out_, "{:<10} {:<32} {:<20} {}\n", "n/a", first.law, first.subject, first.reason);
+    say(out_, "{:<10} {:<32} {:<20} {}\n", "n/a", first.law, first.subject, first.reason);
     return;
   }
   const std::string rate =
       seconds > 0.01 ? fmt::format("{:7.1f} M/s", static_cast<double>(cases) / seconds / 1e6) : "";
-  fmt::print(out_, "{:<10} {:<32} {:<20} {:<13} {:>15} cases {:>7.2f} s {}\n", to_string(verdict), first.law,
-             first.subject, levels_text(results), grouped(cases), seconds, rate);
+  say(out_, "{:<10} {:<32} {:<20} {:<13} {:>15} cases {:>7.2f} s {}\n", to_string(verdict), first.law,
+      first.subject, levels_text(results), grouped(cases), seconds, rate);
   if (by_level_)
-    fmt::print(out_, "           domain: {}; {}; digest {:016x}\n", first.domain, first.method, first.digest);
+    say(out_, "           domain: {}; {}; digest {:016x}\n", first.domain, first.method, first.digest);
   for (const Result& r : results) {
     if (r.mismatches() == 0) continue;
-    fmt::print(out_, "  level {}: {} of {} cases wrong ({})\n", r.level, grouped(r.mismatches()),
-               grouped(r.cases_run()), by_kind(r));
-    for (const Counterexample& c : r.counterexamples) fmt::print(out_, "{}\n", counterexample_line(r, c));
+    say(out_, "  level {}: {} of {} cases wrong ({})\n", r.level, grouped(r.mismatches()),
+        grouped(r.cases_run()), by_kind(r));
+    for (const Counterexample& c : r.counterexamples) say(out_, "{}\n", counterexample_line(r, c));
     if (!by_level_) break;
   }
   if (verdict == Verdict::incomplete || verdict == Verdict::broken)
-    fmt::print(out_, "  {}\n", results.back().reason);
+    say(out_, "  {}\n", results.back().reason);
   std::fflush(out_);
 }
 
 std::size_t TextReport::print_mutants(const std::vector<MutantResult>& mutants) const {
   std::size_t killed = 0;
   for (auto of_law = mutants.begin(); of_law != mutants.end();) {
-    const auto next = std::find_if(of_law, mutants.end(), [&](const MutantResult& m) { return m.law != of_law->law; });
+    const auto next =
+        std::find_if(of_law, mutants.end(), [&](const MutantResult& m) { return m.law != of_law->law; });
     const auto dead = std::count_if(of_law, next, [](const MutantResult& m) { return m.killed; });
-    fmt::print(out_, "mutants    {:<32} {} of {} killed{}\n", of_law->law, dead, next - of_law, by_level_ ? ":" : "");
+    say(out_, "mutants    {:<32} {} of {} killed{}\n", of_law->law, dead, next - of_law,
+        by_level_ ? ":" : "");
     for (; of_law != next; ++of_law) {
       if (!of_law->killed)
-        fmt::print(out_, "  SURVIVED {}\n", of_law->mutant);
+        say(out_, "  SURVIVED {}\n", of_law->mutant);
       else if (by_level_)
-        fmt::print(out_, "  killed   {} (level {}, {})\n", of_law->mutant, of_law->level, of_law->at);
+        say(out_, "  killed   {} (level {}, {})\n", of_law->mutant, of_law->level, of_law->at);
       else
-        fmt::print(out_, "  {}\n", of_law->mutant);
+        say(out_, "  {}\n", of_law->mutant);
     }
     killed += static_cast<std::size_t>(dead);
   }
@@ -116,16 +126,16 @@ void TextReport::finish(const Report& report, bool name_subjects) {
   flush();
   const std::size_t killed = print_mutants(report.mutants);
   for (const Diagnosis& d : report.diagnoses) {
-    fmt::print(out_, "what {} does instead ({}):\n", d.subject, d.law);
-    for (const std::string& line : d.lines) fmt::print(out_, "  {}\n", line);
+    say(out_, "what {} does instead ({}):\n", d.subject, d.law);
+    for (const std::string& line : d.lines) say(out_, "  {}\n", line);
   }
   if (name_subjects) {
     std::vector<std::string> named;
     for (const Result& r : report.results) {
       if (std::find(named.begin(), named.end(), r.subject) != named.end()) continue;
       named.push_back(r.subject);
-      fmt::print(out_, "subject {}: {}, the weakest of its verdicts\n", r.subject,
-                 to_string(weakest(report.results, r.subject)));
+      say(out_, "subject {}: {}, the weakest of its verdicts\n", r.subject,
+          to_string(weakest(report.results, r.subject)));
     }
   }
   std::map<Verdict, std::size_t> verdicts;
@@ -137,9 +147,9 @@ void TextReport::finish(const Report& report, bool name_subjects) {
   std::vector<std::string> parts;
   for (const auto& [verdict, count] : verdicts)
     parts.push_back(fmt::format("{} {}", count, to_string(verdict)));
-  fmt::print(out_, "{} results: {}; {} of {} mutants killed; {:.1f} s on {} thread{}\n",
-             report.results.size(), fmt::join(parts, ", "), killed, report.mutants.size(), seconds,
-             report.threads, report.threads == 1 ? "" : "s");
+  say(out_, "{} results: {}; {} of {} mutants killed; {:.1f} s on {} thread{}\n", report.results.size(),
+      fmt::join(parts, ", "), killed, report.mutants.size(), seconds, report.threads,
+      report.threads == 1 ? "" : "s");
   std::fflush(out_);
 }
 

@@ -26,7 +26,7 @@ Law equals_reference_law() {
           .judge = judged_by(equals_reference),
           .replay = replayed_by(replay_equals_reference),
           .mutants = wrong_on_cells("step"),
-          .diagnose = [](const Subject& s, Level n) { return diagnose(of_index(s), n); },
+          .diagnose = [](const Subject& s, const Levels& run) { return diagnose(of_index(s), run); },
           .float_companion = "index.exact_on_floats"};
 }
 

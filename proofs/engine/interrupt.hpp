@@ -3,10 +3,14 @@
 
 namespace mmverify::proofs {
 
-/// True once SIGINT or SIGTERM has come in while a guard was alive.
+/// True once SIGINT, SIGTERM or SIGHUP has come in while a guard was alive.
 bool interrupted();
 
-/// Turns SIGINT and SIGTERM into `interrupted()` for its lifetime; the second one ends the process as usual.
+/// Leaves a wait that an interrupt cut short.
+struct Interrupted {};
+
+/// Turns SIGINT, SIGTERM and SIGHUP into `interrupted()` for its lifetime; the second one ends the process as
+/// usual.
 class InterruptGuard {
  public:
   InterruptGuard();

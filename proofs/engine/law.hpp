@@ -72,9 +72,9 @@ struct Law {
   std::function<Replayed(const Subject&, Level, const std::string&)> replay =
       {};  ///< throws BadCase; empty: none
   std::vector<Mutant> mutants = {};
-  /// Told of the level where a subject was first refuted, lines that say what it did instead.  Empty: nothing
-  /// to say.
-  std::function<std::vector<std::string>(const Subject&, Level)> diagnose = {};
+  /// Given the lowest level run and the one where a subject was first refuted, lines that say what it did
+  /// instead.  Empty: nothing to say.
+  std::function<std::vector<std::string>(const Subject&, const Levels&)> diagnose = {};
   bool long_only = false;  ///< no part of the fast tier, unless asked for by its id
   bool on_lines = true;    ///< its domain has points on grid lines, which a run may leave out
   bool general = true;     ///< about any subject that fits; otherwise about the ones it names only

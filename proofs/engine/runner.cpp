@@ -74,9 +74,13 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
     const Tally tally = law.judge(subject, level, run);
     r.by_kind = tally.by_kind();
     r.counterexamples = tally.found();
+    for (Counterexample& c : r.counterexamples) c.level = level;
     r.digest = tally.digest();
     r.verdict = judged(law, r);
     if (r.verdict == Verdict::incomplete) r.reason = "interrupted";
+  } catch (const Interrupted&) {
+    r.verdict = Verdict::incomplete;
+    r.reason = "interrupted";
   } catch (const SubjectBroken& broken) {
     r.verdict = Verdict::broken;
     r.reason = broken.what();
@@ -90,6 +94,7 @@ std::vector<MutantResult> run_mutants(const Law& law, const Run& asked) {
   Run run = asked;
   run.seed = Run().seed;
   run.tier = Tier::fast;
+  run.rationals = false;
   run.interiors_only = false;
   std::vector<MutantResult> results;
   for (const Mutant& mutant : law.mutants) {
@@ -111,7 +116,13 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   report.threads = options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   oneapi::tbb::task_arena arena(static_cast<int>(report.threads));
 
-  Run run{&arena, nullptr, options.errors, options.seed, options.tier, options.interiors_only};
+  Run run;
+  run.arena = &arena;
+  run.errors = options.errors;
+  run.seed = options.seed;
+  run.tier = options.tier;
+  run.interiors_only = options.interiors_only;
+
   std::uint64_t total = 0;
   for (const Job& job : jobs)
     for (Level n = job.levels.first; job.unfit.empty() && n <= job.levels.last; ++n)
@@ -140,8 +151,9 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   for (const Job& job : jobs)
     if (const auto refuted = first_refuted(report, job); job.law->diagnose && refuted && !interrupted()) {
       try {
-        report.diagnoses.push_back(
-            {job.law->id, job.subject->name(), job.law->diagnose(*job.subject, *refuted)});
+        report.diagnoses.push_back({job.law->id, job.subject->name(),
+                                    job.law->diagnose(*job.subject, {job.levels.first, *refuted})});
+      } catch (const Interrupted&) {
       } catch (const SubjectBroken& broken) {
         report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
       }

@@ -17,9 +17,11 @@ enum class Tier { fast, long_run };
 struct Run {
   oneapi::tbb::task_arena* arena = nullptr;
   Progress* progress = nullptr;
-  std::size_t errors = 1;       ///< counterexamples kept
-  std::uint64_t seed = 1;       ///< of every sample
-  Tier tier = Tier::fast;       ///< decides the size of samples
+  std::size_t errors = 1;  ///< counterexamples kept
+  std::uint64_t seed = 1;  ///< of every sample
+  Tier tier = Tier::fast;  ///< decides the size of samples
+  bool rationals =
+      true;  ///< the slow, exact numbers where a law has a choice; its mutants are as wrong in fast ones
   bool interiors_only = false;  ///< leave out the cells on lines: for who promises nothing there
 };
 

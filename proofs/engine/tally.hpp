@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -28,7 +29,7 @@ class Tally {
   template <class Describe>
   void mismatch(Kind kind, const Simplicity& simplicity, Describe describe) {
     ++by_kind_[static_cast<std::size_t>(kind)].mismatches;
-    if (found_.size() == keep_ && (keep_ == 0 || !(simplicity < found_.back().simplicity))) return;
+    if (found_.size() == keep_ && (keep_ == 0 || found_.back().simplicity < simplicity)) return;
     keep(describe());
   }
 
@@ -54,6 +55,10 @@ class Tally {
     const auto place = std::upper_bound(found_.begin(), found_.end(), c, [](const auto& a, const auto& b) {
       return std::tie(a.simplicity, a.at) < std::tie(b.simplicity, b.at);
     });
+    // A sample may meet a case twice.
+    if (place != found_.begin() && std::prev(place)->at == c.at &&
+        std::prev(place)->simplicity == c.simplicity)
+      return;
     found_.insert(place, std::move(c));
     if (found_.size() > keep_) found_.pop_back();
   }

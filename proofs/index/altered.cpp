@@ -27,7 +27,10 @@ class Altered : public IndexSubject {
       out[t] = alteration_.on_floats(n, batch.u[t], batch.v[t], out[t]);
   }
   std::uint32_t index(Level n, const RationalPoint& p) const override {
-    const std::uint32_t answer = base_->index(n, p);
+    std::uint32_t answer = base_->index(n, p);
+    const auto u32 = static_cast<float>(nearest(p.u)), v32 = static_cast<float>(nearest(p.v));
+    if (alteration_.on_floats && rational(u32) == p.u && rational(v32) == p.v)
+      answer = alteration_.on_floats(n, u32, v32, answer);
     if (!alteration_.on_rationals || !alteration_.on_point) return answer;
     const Rational scale(spec::Integer(1) << Fixed64::fraction_bits), u = p.u * scale, v = p.v * scale;
     if (u.denominator() != 1 || v.denominator() != 1) return answer;

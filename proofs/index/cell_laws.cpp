@@ -53,7 +53,7 @@ RationalPoint received_point(const IndexSubject& s, const std::string& at) {
 }
 
 Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
-  if (s.exact() && n <= rational_levels) {
+  if (s.exact() && run.rationals && n <= rational_levels) {
     const Answers oracle =
         one_by_one([n](const GridPoint& p) { return spec::index::reference(rational(p), n); });
     return compare_on_cells(s, n, run, oracle, asked_in_rationals(s, n));
@@ -82,7 +82,7 @@ Tally in_range(const IndexSubject& s, Level n, const Run& run) {
 Replayed replay_in_range(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
   const std::uint32_t got = s.index(n, p);
-  return {got < triangle_count(n), fmt::format("below {}", triangle_count(n)), fmt::format("{}", got),
+  return {got < triangle_count(n), fmt::format("below 4^{}", n), fmt::format("{}", got),
           picture(n, p, spec::index::reference(p, n), got, Order::curve)};
 }
 

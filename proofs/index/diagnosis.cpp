@@ -156,14 +156,17 @@ std::string name_order(Level n, const TriangleIndex& index) {
   return {};
 }
 
-std::vector<std::string> diagnose(const IndexSubject& s, Level first_wrong) {
+std::vector<std::string> diagnose(const IndexSubject& s, const Levels& levels) {
+  const Level first_wrong = levels.last;
   // A few levels further, an order that goes wrong on the way shows where it does; higher costs more and says
   // no more.
   const Level n = std::max(first_wrong, std::min<Level>({first_wrong + 3, 7, s.max_level()}));
   std::vector<std::string> lines;
-  lines.push_back(first_wrong == 0
-                      ? "wrong from level 0 on"
-                      : fmt::format("right below level {}, of the levels that were run", first_wrong));
+  if (levels.first == first_wrong)
+    lines.push_back(fmt::format("wrong at level {}, the lowest that was run", first_wrong));
+  else
+    lines.push_back(
+        fmt::format("right at levels {}..{}, wrong at {}", levels.first, first_wrong - 1, first_wrong));
   const Tally at_first = equals_reference(s, first_wrong, Run{});
   const Tally out = in_range(s, first_wrong, Run{});
   const auto wrong = [](const Tally& tally, Kind kind) {

@@ -115,7 +115,9 @@ FloatPair candidate(Level n, Random& random, std::uint64_t kind) {
 }
 
 bool acceptable(const FloatPair& p) {
-  return p.u >= 0 && p.v >= 0 && static_cast<double>(p.u) + static_cast<double>(p.v) <= 1 + 0x1p-23;
+  // Neither above 1, or a tiny other one could hide in the sum's rounding.
+  return p.u >= 0 && p.v >= 0 && p.u <= 1 && p.v <= 1 &&
+         static_cast<double>(p.u) + static_cast<double>(p.v) <= 1 + 0x1p-23;
 }
 
 }  // namespace

@@ -37,25 +37,39 @@ std::string fraction_text(const Rational& q) {
 
 bool is_whole(const Rational& q) { return q.denominator() == 1; }
 
+/// Decimal digits as a number; Integer itself would take a leading 0 for octal.
+Integer parse_digits(std::string digits) {
+  const bool negative = digits.starts_with('-');
+  digits.erase(0, negative ? 1 : 0);
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  const Integer size(digits);
+  return negative ? Integer(-size) : size;
+}
+
+/// "-0x1.8p-2": sign, whole part, fraction part, exponent. Exact, whatever its length.
+Rational parse_hex(const std::smatch& m) {
+  const std::string digits = m[2].str() + m[4].str();
+  const Integer significand("0x" + digits);
+  const int exponent = std::stoi(m[5].str()) - 4 * static_cast<int>(m[4].length());
+  return scaled(m[1].length() != 0 ? Integer(-significand) : significand, exponent);
+}
+
 Rational parse_coordinate(const std::string& text) {
   static const std::regex fraction(R"((-?[0-9]{1,400})/([0-9]{1,400}))"),
       decimal(R"((-?)([0-9]{1,400})(\.([0-9]{1,400}))?)"),
-      hex(R"(-?0[xX][0-9a-fA-F]+(\.[0-9a-fA-F]*)?[pP][-+]?[0-9]{1,4})");
+      hex(R"((-?)0[xX]([0-9a-fA-F]{1,400})(\.([0-9a-fA-F]{0,400}))?[pP]([-+]?[0-9]{1,4}))");
   std::smatch m;
   if (std::regex_match(text, m, fraction)) {
-    const Integer denominator(m[2].str());
+    const Integer denominator = parse_digits(m[2].str());
     if (denominator == 0) throw BadCase(fmt::format("'{}' divides by zero", text));
-    return Rational(Integer(m[1].str()), denominator);
+    return Rational(parse_digits(m[1].str()), denominator);
   }
   if (std::regex_match(text, m, decimal)) {
-    Rational q{Integer(m[2].str() + m[4].str())};
+    Rational q{parse_digits(m[2].str() + m[4].str())};
     for (std::ptrdiff_t d = 0; d < m[4].length(); ++d) q /= Integer(10);
     return m[1].length() != 0 ? Rational(-q) : q;
   }
-  if (std::regex_match(text, hex)) {
-    const double x = std::strtod(text.c_str(), nullptr);
-    if (std::isfinite(x)) return exact(x);
-  }
+  if (std::regex_match(text, m, hex)) return parse_hex(m);
   throw BadCase(fmt::format("'{}' is not a coordinate: write 3/8, 0.375 or 0x1.8p-2", text));
 }
 
@@ -80,8 +94,12 @@ double nearest(const Rational& q) {
   const Integer top = shift >= 0 ? Integer(n << shift) : n, bottom = shift >= 0 ? d : Integer(d << -shift);
   Integer quotient = top / bottom;
   if (quotient * bottom != top) quotient |= 1;  // sticky
-  // 64 or 65 bits with the last one sticky: round to 53 by hand, half to even.
-  const unsigned extra = static_cast<unsigned>(msb(quotient)) - 52;
+  // 64 or 65 bits with the last one sticky: round to 53, or fewer for a subnormal result, by hand, half to
+  // even.
+  const int top_bit = static_cast<int>(msb(quotient)), exponent = top_bit - shift;
+  const int precision = exponent >= -1022 ? 53 : 53 - (-1022 - exponent);
+  if (precision < 0) return negative ? -0.0 : 0.0;
+  const unsigned extra = static_cast<unsigned>(top_bit + 1 - precision);
   const Integer half = Integer(1) << (extra - 1), rest = quotient & ((Integer(1) << extra) - 1);
   quotient >>= extra;
   if (rest > half || (rest == half && (quotient & 1) != 0)) ++quotient;

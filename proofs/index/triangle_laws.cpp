@@ -103,7 +103,8 @@ Tally bijective(const IndexSubject& s, Level n, const Run& run) {
         part.count(Kind::interior, 1);
         part.digest(number(m, n), index);
         if (index >= triangle_count(n) || seen.mark(index))
-          part.mismatch(Kind::interior, {~std::uint64_t{0}, 0, 0}, [] { return Counterexample{}; });
+          part.mismatch(Kind::interior, simplicity(representative(m, n)),
+                        [&] { return at_triangle(m, n, not_taken(), fmt::format("{}", index)); });
       });
   });
   if (tally.found().empty() || interrupted()) return tally;
@@ -127,8 +128,9 @@ Tally bijective(const IndexSubject& s, Level n, const Run& run) {
 
 namespace {
 
-MicroTriangle triangle_at(const IndexSubject& s, Level n, const std::string& at) {
-  const RationalPoint p = received_point(s, at);
+/// The micro-triangle whose inside holds the point; the subject receives that point in its own numbers later.
+MicroTriangle triangle_at(Level n, const std::string& at) {
+  const RationalPoint p = parse_point(at);
   if (kind_of(p, n) != Kind::interior)
     throw BadCase(fmt::format("'{}' is not inside a micro-triangle of level {}", at, n));
   const Rational u = p.u * spec::Integer(side(n)), v = p.v * spec::Integer(side(n));
@@ -199,7 +201,7 @@ std::string adjacency(std::uint32_t index) {
 }  // namespace
 
 Replayed replay_bijective(const IndexSubject& s, Level n, const std::string& at) {
-  const MicroTriangle m = triangle_at(s, n, at);
+  const MicroTriangle m = triangle_at(n, at);
   const std::uint32_t index = index_of(s, n, m);
   const bool holds = index < triangle_count(n) && !earlier_owner(s, n, m, index);
   const RationalPoint p = rational(representative(m, n));
@@ -230,7 +232,7 @@ Tally contiguous(const IndexSubject& s, Level n, const Run& run) {
 }
 
 Replayed replay_contiguous(const IndexSubject& s, Level n, const std::string& at) {
-  const MicroTriangle m = triangle_at(s, n, at);
+  const MicroTriangle m = triangle_at(n, at);
   const std::uint32_t index = index_of(s, n, m);
   const bool holds =
       index == triangle_count(n) - 1 ||

@@ -26,6 +26,9 @@ constexpr std::size_t capacity = batch_size * slots;
 constexpr std::size_t canary_size = 64;
 constexpr unsigned char canary = 0xC5;
 
+/// What lies in an output before a call, and before the same elements are asked again.
+constexpr unsigned char blank = 0xD3, blank_again = 0x5A;
+
 enum class Outcome : std::uint32_t {
   ready,
   cannot_load,
@@ -33,6 +36,7 @@ enum class Outcome : std::uint32_t {
   threw,
   changed_mode,
   wrote_before,
+  unwritten,
   non_deterministic
 };
 

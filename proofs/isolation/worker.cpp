@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "proofs/engine/interrupt.hpp"
 #include "proofs/isolation/futex.hpp"
 
 extern char** environ;
@@ -62,14 +63,23 @@ void Worker::start() {
   const std::string program = worker_program(), fd = fmt::format("{}", fd_);
   std::string name = "mmverify-worker", fd_text = fd, library = std::filesystem::absolute(library_).string();
   char* argv[] = {name.data(), fd_text.data(), library.data(), nullptr};
-  if (const int error = posix_spawn(&pid_, program.c_str(), nullptr, nullptr, argv, environ); error != 0) {
+  // A group of its own: what a subject forks ends with it, and Ctrl-C stays this process's business.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  const int error = posix_spawn(&pid_, program.c_str(), nullptr, &attributes, argv, environ);
+  posix_spawnattr_destroy(&attributes);
+  if (error != 0) {
     pid_ = -1;
     errno = error;
     fail("cannot start mmverify-worker");
   }
   hung_ = false;
+  group_ = pid_;
   while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
     futex_wait(mailbox_->turn, 1, slice_milliseconds);
+    if (interrupted()) throw Interrupted();
     if (mailbox_->turn.load(std::memory_order_acquire) == 1 && waitpid(pid_, &status_, WNOHANG) == pid_) {
       pid_ = -1;
       throw CannotLoad(fmt::format("{}: {} while it was loaded", library_, end_of_process()));
@@ -80,11 +90,9 @@ void Worker::start() {
 }
 
 void Worker::stop() {
-  if (pid_ > 0) {
-    kill(pid_, SIGKILL);
-    waitpid(pid_, &status_, 0);
-  }
-  pid_ = -1;
+  if (group_ > 0) kill(-group_, SIGKILL);
+  if (pid_ > 0) waitpid(pid_, &status_, 0);
+  pid_ = group_ = -1;
   if (base_ != nullptr && base_ != MAP_FAILED) munmap(base_, layout_.total());
   base_ = nullptr;
   if (fd_ >= 0) close(fd_);
@@ -113,6 +121,7 @@ bool Worker::exchange() {
   while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
     futex_wait(mailbox_->turn, 1, slice_milliseconds);
     if (mailbox_->turn.load(std::memory_order_acquire) != 1) break;
+    if (interrupted()) throw Interrupted();
     if (waitpid(pid_, &status_, WNOHANG) == pid_) {
       pid_ = -1;
       return false;
@@ -197,6 +206,8 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
     case Outcome::wrote_before:
       found.what = "wrote before the start of its output";
       break;
+    case Outcome::unwritten:
+      throw Misbehaved{"left its output unwritten", element, 1};
     case Outcome::non_deterministic:
       throw Misbehaved{"non-deterministic, " + message, element, 1};
   }

@@ -44,7 +44,8 @@ class Worker {
   std::byte* input(Call call, std::size_t array, std::uint64_t count, std::uint64_t t) const;
   const std::byte* answer(Call call, std::uint64_t count, std::uint64_t t) const;
 
-  /// Runs the command on the inputs in place.  Throws Misbehaved; the worker is of no use after that.
+  /// Runs the command on the inputs in place.  Throws Misbehaved, or Interrupted; the worker is of no use
+  /// after that.
   void ask(Call call, std::uint32_t level, std::uint64_t count);
 
  private:
@@ -61,7 +62,7 @@ class Worker {
   std::string library_;
   Options options_;
   Layout layout_;
-  int fd_ = -1, pid_ = -1, status_ = 0;
+  int fd_ = -1, pid_ = -1, group_ = -1, status_ = 0;
   bool hung_ = false;
   std::byte* base_ = nullptr;
   Mailbox* mailbox_ = nullptr;

@@ -26,7 +26,8 @@ enum Misbehaviour {
   sees_threads,
   writes_input,
   tie,
-  prints
+  prints,
+  unwritten
 };
 
 constexpr bool at_the_vertex(uint32_t level, float u, float v) {
@@ -82,11 +83,14 @@ void misbehave(const float* u, uint32_t* index, size_t count, size_t k) {
     case prints:
       std::puts("{}");
       break;
+    case unwritten:
+      break;
   }
 }
 
 void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count) {
   for (size_t k = 0; k < count; ++k) {
+    if (MISBEHAVIOUR == unwritten && at_the_vertex(level, u[k], v[k])) continue;
     index[k] = mmverify::impl::index::from_barycentrics(u[k], v[k], level);
     if (at_the_vertex(level, u[k], v[k])) misbehave(u, index, count, k);
   }
