@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         Complaint{{"replay", "index", "--level", "1", "--case", "k=0"}, 2, "'index'"},
         Complaint{{"replay", replayed_law, "--case", "u=0,v=0"}, 2, "--level"},
         Complaint{{"replay", replayed_law, "--level", "1"}, 2, "--case"},
-        Complaint{{"replay", replayed_law, "--level", "1..2", "--case", "u=0,v=0"}, 2, "one level"},
+        Complaint{{"replay", replayed_law, "--level", "1..2", "--case", "u=0,v=0"}, 2, "1..2"},
         Complaint{{"replay", replayed_law, "--level", "x", "--case", "u=0,v=0"}, 2, "x"},
         Complaint{{"replay", replayed_law, "--level", "17", "--case", "u=0,v=0"}, 2, "highest level is 16"},
         Complaint{{"replay", "index.nested", "--level", "16", "--case", "u=0,v=0"}, 2, "up to level 16"},

@@ -17,9 +17,9 @@ constexpr bool two_inputs(Call c) { return c != Call::corners && c != Call::row_
 constexpr std::size_t answer_size(Call c) { return two_inputs(c) ? 4 : 24; }
 
 /// A subject is called with this many elements at a time, a command carries up to `slots` such batches: one
-/// switch of processes for all of them keeps its cost small beside 262,144 answers.
+/// switch of processes for all of them keeps its cost small beside 524,288 answers.
 constexpr std::size_t batch_size = 4096;
-constexpr std::size_t slots = 64;
+constexpr std::size_t slots = 128;
 constexpr std::size_t capacity = batch_size * slots;
 
 /// Bytes before an answer array that must stay as they are: an overrun at the far end meets a guard page.
