@@ -148,6 +148,29 @@ TEST(Subject, a_file_that_is_no_subject_is_exit_4) {
   expect_complaint(shell("mmverify prove --quiet --subject /etc/passwd"), 4, "/etc/passwd: ");
 }
 
+TEST(Subject, a_replay_line_is_one_for_a_shell_whatever_the_file_is_called) {
+  const Folder folder;
+  const fs::path odd = folder / "a b'$(exit 9);.so";
+  fs::copy_file(library("tie"), odd);
+  const Outcome o =
+      program({"prove", "index.equals_reference", "--quiet", "--levels", "7", "--subject", odd});
+  const auto at = o.out.find("replay: ");
+  ASSERT_NE(at, std::string::npos) << o.out << o.err;
+  const Outcome again = shell(o.out.substr(at + 8, o.out.find('\n', at) - at - 8));
+  EXPECT_EQ(again.exit_code, 1) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("case v:u=3/8,v=1/4"));
+}
+
+TEST(Subject, an_interrupt_does_not_wait_for_a_subject_that_hangs) {
+  Process run(program_with({"prove", "index.equals_reference", "--levels", "6..7", "--timeout", "500",
+                            "--subject", library("hang")}));
+  ASSERT_TRUE(run.says("level 6"));
+  run.send(SIGINT);
+  const Outcome o = run.wait();
+  EXPECT_EQ(o.exit_code, 3) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("incomplete index.equals_reference"));
+}
+
 // -----------------------------------------------------------------------------------------------------------------
 
 // What it says of a reader that stopped is left out.
