@@ -56,7 +56,14 @@ class ImplSubject : public IndexSubject {
     fast::from_barycentrics(batch.u, batch.v, n, out);
   }
   std::uint32_t index(Level n, const RationalPoint& p) const override {
-    return fast::from_barycentrics(static_cast<float>(nearest(p.u)), static_cast<float>(nearest(p.v)), n);
+    // A batch of one point over and over: a replay goes through the same vector code as the sweep.
+    constexpr std::size_t vectors = 64;
+    std::array<float, vectors> u, v;
+    std::array<std::uint32_t, vectors> out;
+    u.fill(static_cast<float>(nearest(p.u)));
+    v.fill(static_cast<float>(nearest(p.v)));
+    fast::from_barycentrics(u, v, n, out);
+    return out.front();
   }
   void corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
     to_corners(indices, out, [n](auto k, const auto& to) { fast::corners(k, n, to); });
