@@ -171,6 +171,7 @@ class Worker {
   void compare(std::size_t slot, const std::vector<std::byte>& again, const std::string& how) {
     const std::size_t count = in_slot(mailbox_.count, slot), wide = answer_size(mailbox_.call);
     const std::byte* before = answer(slot, count);
+    if (std::memcmp(before, again.data(), count * wide) == 0) return;
     for (std::size_t t = 0; t < count; ++t) {
       if (std::memcmp(before + t * wide, again.data() + t * wide, wide) == 0) continue;
       const auto blank_element = again.begin() + static_cast<std::ptrdiff_t>(t * wide);
