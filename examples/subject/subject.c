@@ -1,8 +1,6 @@
 /* A complete subject: the index of a hit, as a shader would have it, handed to mmverify for judgement. */
 #include "mmverify_subject.h"
-
 static float clamped(float x) { return x > 0 ? (x < 1 ? x : 1) : 0; }
-
 static uint32_t spread(uint32_t x) {
   x = (x | x << 8) & 0x00ff00ff;
   x = (x | x << 4) & 0x0f0f0f0f;
@@ -15,7 +13,7 @@ static uint32_t index_of(uint32_t level, float u, float v) {
   const float un = clamped(u) * (float)n, vn = clamped(v) * (float)n;
   uint32_t i = (uint32_t)un, j = (uint32_t)vn;
   const float uf = un - (float)i, vf = vn - (float)j;
-  /* uf + vf >= 1 without the sum, which can round up to 1 */
+  /* the sum uf + vf could round up to 1 */
   const int upper = uf > vf ? vf >= 1 - uf : uf >= 1 - vf;
   if (j > n - 1) j = n - 1;
   if (i > n - 1 - j) i = n - 1 - j;
