@@ -151,19 +151,20 @@ Law fixed_is_rational_law() {
 }
 
 Law sweep_is_spec_law() {
-  const auto in_rows_only = [](const char* name, Level level, std::int64_t ku, std::int64_t kv) {
+  const auto in_rows_only = [](const char* name, Level level, std::int64_t ku, std::int64_t kv,
+                               const char* base = "step") {
     return Mutant{
-        name, altered_in_rows(name, the("step"), only_at_point(level, ku, kv, level, 1)), {level, level}};
+        name, altered_in_rows(name, the(base), only_at_point(level, ku, kv, level, 1)), {level, level}};
   };
   return {
       .id = "index.sweep_is_spec",
       .topic = "index",
-      .says = "a row of points answered at once gets the answers that Algorithm 4 gives each of them alone",
+      .says = "a row of points answered at once gets the answers that the algorithm gives each of them alone",
       .source = "docs/SOUNDNESS.md, \"Rows\"",
       .method = Method::exhaustive,
-      .subjects = {"step"},
+      .subjects = {"step", "reference"},
       .fast = {0, 10},
-      .long_run = {0, 14},
+      .long_run = {0, 15},
       .fast_seconds = 1,
       .cases = all_cells,
       .domain = points,
@@ -172,7 +173,8 @@ Law sweep_is_spec_law() {
       .judge = judged_by(sweep_is_spec),
       .mutants = {in_rows_only("one vertex of level 7", 7, corner(7) / 2, corner(7) / 4),
                   in_rows_only("the first cell of level 6", 6, 0, 0),
-                  in_rows_only("the last cell of level 8", 8, 0, corner(8))}};
+                  in_rows_only("the last cell of level 8", 8, 0, corner(8)),
+                  in_rows_only("one edge of level 9 in the reference", 9, 6, 4, "reference")}};
 }
 
 Law exact_on_binary16_law() {

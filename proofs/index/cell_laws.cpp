@@ -17,9 +17,14 @@ Answers one_by_one(At at) {
   };
 }
 
-Answers asked(const IndexSubject& s, Level n) {
-  return [&s, n](Batch batch, std::span<std::uint32_t> out) { s.index(n, batch, out); };
+/// The subject's answers of level n on the cells of `grid`.
+Answers asked(const IndexSubject& s, Level n, Level grid) {
+  return {[&s, n](Batch batch, std::span<std::uint32_t> out) { s.index(n, batch, out); },
+          [&s, n, grid](std::span<const Row> rows, std::span<std::uint32_t> out) {
+            s.index_rows(n, grid, rows, out);
+          }};
 }
+Answers asked(const IndexSubject& s, Level n) { return asked(s, n, n); }
 
 Answers asked_in_rationals(const IndexSubject& s, Level n) {
   return one_by_one([&s, n](const GridPoint& p) { return s.index(n, rational(p)); });
@@ -58,9 +63,9 @@ Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
         one_by_one([n](const GridPoint& p) { return spec::index::reference(rational(p), n); });
     return compare_on_cells(s, n, run, oracle, asked_in_rationals(s, n));
   }
-  const Answers oracle = [n](Batch batch, std::span<std::uint32_t> out) {
-    reference_batch(n, batch.points, out);
-  };
+  const Answers oracle{
+      [n](Batch batch, std::span<std::uint32_t> out) { reference_batch(n, batch.points, out); },
+      [n](std::span<const Row> rows, std::span<std::uint32_t> out) { reference_rows(n, n, rows, out); }};
   return compare_on_cells(s, n, run, oracle, asked(s, n));
 }
 
@@ -91,7 +96,7 @@ Tally nested(const IndexSubject& s, Level n, const Run& run) {
     s.index(n + 1, batch, out);
     for (std::uint32_t& index : out) index /= 4;
   };
-  return compare_on_cells(s, n + 1, run, asked(s, n), quarter);
+  return compare_on_cells(s, n + 1, run, asked(s, n, n + 1), quarter);
 }
 
 Replayed replay_nested(const IndexSubject& s, Level n, const std::string& at) {

@@ -5,6 +5,8 @@
 #include <bit>
 #include <vector>
 
+#include "proofs/index/reference_sweep.hpp"
+
 namespace mmverify::proofs::index {
 namespace {
 
@@ -28,7 +30,7 @@ Counterexample at_point(const GridPoint& p, Level grid, std::string expected, st
 
 namespace {
 
-/// Points of one row or, for a subject that likes many at once, of many; judged when full.
+/// Cells of one row or, for a subject that likes many at once, of many; judged when full.
 class Comparison {
  public:
   Comparison(const IndexSubject& subject, Level grid, const Answers& expected, const Answers& got,
@@ -38,57 +40,67 @@ class Comparison {
         expected_(expected),
         got_(got),
         say_expected_(say_expected),
-        tally_(tally) {
-    points_.reserve(subject.batch());
-  }
+        tally_(tally),
+        as_they_are_(subject.arithmetic() != Arithmetic::binary16) {}
 
   void add(const Row& whole_row) {
     for (std::uint64_t from = 0; from < whole_row.count;) {
-      const std::uint64_t room = subject_.batch() - points_.size();
+      const std::uint64_t room = std::min<std::uint64_t>(subject_.batch() - cells_, IndexSubject::row_batch);
       const Row row = Cells::cut(whole_row, from, std::min(room, whole_row.count - from));
       rows_.push_back(row);
-      for (std::uint64_t t = 0; t < row.count; ++t) points_.push_back(representative(row, t, grid_));
+      cells_ += row.count;
       from += row.count;
-      if (subject_.batch() == IndexSubject::row_batch || points_.size() == subject_.batch()) judge();
+      if (subject_.batch() == IndexSubject::row_batch || cells_ == subject_.batch()) judge();
     }
   }
 
   void judge() {
     if (rows_.empty()) return;
-    subject_.receive(points_);
-    want_.resize(points_.size());
-    have_.resize(points_.size());
-    // A rounding subject may have received points that are no longer evenly spaced.
-    const Batch batch{points_, rows_.size() == 1 && subject_.arithmetic() != Arithmetic::binary16};
-    got_(batch, have_);
-    expected_(batch, want_);
+    // Kept from chunk to chunk: fresh pages would cost more than the comparison.
+    thread_local std::vector<std::uint32_t> answers;
+    answers.resize(std::max<std::size_t>(answers.size(), cells_));
+    const std::span<std::uint32_t> have(answers.data(), cells_);
+    if (as_they_are_ && got_.on_rows)
+      got_.on_rows(rows_, have);
+    else
+      got_.on_points(received(rows_), have);
     std::size_t first = 0;
     for (const Row& row : rows_) {
-      judge(row, first);
+      want_.resize(row.count);
+      if (as_they_are_ && expected_.on_rows)
+        expected_.on_rows({&row, 1}, want_);
+      else
+        expected_.on_points(received({&row, 1}), want_);
+      judge(row, have.subspan(first, row.count));
       first += row.count;
     }
     rows_.clear();
-    points_.clear();
+    cells_ = 0;
   }
 
  private:
-  void judge(const Row& row, std::size_t first) {
+  /// The rows' points as the subject receives them.
+  Batch received(std::span<const Row> rows) {
+    points_.clear();
+    for (const Row& row : rows)
+      for (std::uint64_t t = 0; t < row.count; ++t) points_.push_back(representative(row, t, grid_));
+    subject_.receive(points_);
+    // A rounding subject may have received points that are no longer evenly spaced.
+    return {points_, rows.size() == 1 && as_they_are_};
+  }
+
+  void judge(const Row& row, std::span<const std::uint32_t> have) {
     for (const Kind kind : {Kind::vertex, Kind::edge, Kind::interior})
       if (kind == row.even || kind == row.odd) tally_.count(kind, row.count_of(kind));
-    const std::uint32_t *want = want_.data() + first, *have = have_.data() + first;
-    std::uint64_t digest = 0;
-    std::uint32_t different = 0;
+    const Agreement agreement = agreement_of(row.first, want_, have);
+    tally_.digest_sum(agreement.digest);
+    if (agreement.all) return;
     for (std::uint64_t t = 0; t < row.count; ++t) {
-      digest += Tally::digest_of(row.first + t, have[t]);
-      different |= want[t] ^ have[t];
-    }
-    tally_.digest_sum(digest);
-    if (different == 0) return;
-    for (std::uint64_t t = 0; t < row.count; ++t) {
-      if (want[t] == have[t]) continue;
-      const GridPoint& p = points_[first + t];
+      if (want_[t] == have[t]) continue;
+      GridPoint p = representative(row, t, grid_);
+      subject_.receive({&p, 1});
       tally_.mismatch(row.kind(t), simplicity(p),
-                      [&] { return at_point(p, grid_, say_expected_(want[t]), say_number(have[t])); });
+                      [&] { return at_point(p, grid_, say_expected_(want_[t]), say_number(have[t])); });
     }
   }
 
@@ -97,9 +109,11 @@ class Comparison {
   const Answers &expected_, &got_;
   const Say& say_expected_;
   Tally& tally_;
+  const bool as_they_are_;  ///< whether the subject receives the representatives themselves
   std::vector<Row> rows_;
+  std::uint64_t cells_ = 0;
   std::vector<GridPoint> points_;
-  std::vector<std::uint32_t> want_, have_;
+  std::vector<std::uint32_t> want_;
 };
 
 }  // namespace

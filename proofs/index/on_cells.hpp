@@ -1,14 +1,27 @@
 // Sweeping the cells of a grid in batches of points.
 #pragma once
 
+#include <concepts>
 #include <functional>
+#include <utility>
 
 #include "proofs/index/subject.hpp"
 
 namespace mmverify::proofs::index {
 
-/// Fills `out` with one answer a point of the batch.
-using Answers = std::function<void(Batch, std::span<std::uint32_t>)>;
+/// Who answers, one number a point: on points of any kind, and where it can, on rows of a grid as they are.
+struct Answers {
+  using OnPoints = std::function<void(Batch, std::span<std::uint32_t>)>;
+  using OnRows = std::function<void(std::span<const Row>, std::span<std::uint32_t>)>;
+
+  template <class F>
+  requires std::invocable<F, Batch, std::span<std::uint32_t>> Answers(
+      F points, OnRows rows = {})  // NOLINT: a function that answers on points is one that answers
+      : on_points(std::move(points)), on_rows(std::move(rows)) {}
+
+  OnPoints on_points;
+  OnRows on_rows;
+};
 
 /// The number as a counterexample prints it.
 using Say = std::function<std::string(std::uint32_t)>;

@@ -69,6 +69,28 @@ class PluginSubject : public IndexSubject {
   void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
     ask_points(point_call(), n, batch, out);
   }
+  void index_rows(Level n, Level grid, std::span<const Row> rows,
+                  std::span<std::uint32_t> out) const override {
+    std::vector<Row> command;
+    std::size_t count = 0;
+    const auto run = [&] {
+      ask(
+          n, point_call(), count, [&](Worker& w, Call call) { place_rows(w, call, count, grid, command); },
+          out.data());
+      out = out.subspan(count);
+      command.clear();
+      count = 0;
+    };
+    for (const Row& row : rows)
+      for (std::uint64_t from = 0; from < row.count;) {
+        const std::uint64_t piece = std::min<std::uint64_t>(row.count - from, isolation::capacity - count);
+        command.push_back(Cells::cut(row, from, piece));
+        count += piece;
+        from += piece;
+        if (count == isolation::capacity) run();
+      }
+    if (count != 0) run();
+  }
   void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
     ask_points(Call::row_index_f32, n, batch, out);
   }
@@ -127,6 +149,35 @@ class PluginSubject : public IndexSubject {
           v[t] = static_cast<T>(pv);
         }
       }
+    };
+    if (call == Call::index_f64)
+      fill(double{});
+    else
+      fill(float{});
+  }
+
+  /// The same for the representatives of rows, which floats hold exactly: k / (4 2^grid) has at most 19 bits.
+  static void place_rows(Worker& worker, Call call, std::size_t count, Level grid,
+                         std::span<const Row> rows) {
+    const auto fill = [&](auto number) {
+      using T = decltype(number);
+      const T scale = T(1) / static_cast<T>(std::uint32_t{4} << grid);
+      std::size_t done = 0;
+      for (const Row& row : rows)
+        for (std::uint64_t from = 0; from < row.count;) {
+          const std::uint64_t piece =
+              std::min<std::uint64_t>(row.count - from, isolation::batch_size - done % isolation::batch_size);
+          auto* u = reinterpret_cast<T*>(worker.input(call, 0, count, done));
+          auto* v = reinterpret_cast<T*>(worker.input(call, 1, count, done));
+          const T kv = static_cast<T>(row.kv) * scale;
+          auto k = static_cast<std::int32_t>(row.ku + static_cast<std::int64_t>(from) * row.stride);
+          for (std::uint64_t t = 0; t < piece; ++t, k += static_cast<std::int32_t>(row.stride)) {
+            u[t] = static_cast<T>(k) * scale;
+            v[t] = kv;
+          }
+          done += piece;
+          from += piece;
+        }
     };
     if (call == Call::index_f64)
       fill(double{});

@@ -1,4 +1,5 @@
-// The oracle on many points at once.
+// The inner loops of a sweep, compiled for several vector widths: the oracle on many points, and the
+// comparison.
 #pragma once
 
 #include <span>
@@ -7,8 +8,23 @@
 
 namespace mmverify::proofs::index {
 
-/// out[t] = spec::index::reference(points[t], n), the specification's own text, compiled for several vector
-/// widths. Domain: points of Fixed64; n in 0..16; out as long as points.
+/// out[t] = spec::index::reference(points[t], n), the specification's own text.
+/// Domain: points of Fixed64; n in 0..16; out as long as points.
 void reference_batch(Level n, std::span<const GridPoint> points, std::span<std::uint32_t> out);
+
+/// The same on the representatives of rows of `grid`, one row after the other, in 32-bit words where these
+/// hold every sum (docs/SOUNDNESS.md, "No sum overflows").
+/// Domain: n, grid in 0..16; out as long as the rows together.  Law: index.sweep_is_spec.
+void reference_rows(Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out);
+
+/// Whether two lists of answers are the same, and the digest of the second.
+struct Agreement {
+  bool all;
+  std::uint64_t digest;
+};
+
+/// Domain: as many wanted as got; the cases are numbered from `first` on.
+Agreement agreement_of(std::uint64_t first, std::span<const std::uint32_t> want,
+                       std::span<const std::uint32_t> got);
 
 }  // namespace mmverify::proofs::index

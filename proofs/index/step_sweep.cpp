@@ -109,9 +109,8 @@ void descend(Step a, Step b, Level depth, Level n, std::span<std::uint32_t> out)
 
 }  // namespace
 
-void step_row(Level n, std::span<const GridPoint> row, std::span<std::uint32_t> out) {
-  if (row.empty()) return;
-  descend(spec::index::first_step(row.front()), spec::index::first_step(row.back()), 0, n, out);
+void step_row(Level n, const GridPoint& first, const GridPoint& last, std::span<std::uint32_t> out) {
+  descend(spec::index::first_step(first), spec::index::first_step(last), 0, n, out);
 }
 
 }  // namespace mmverify::proofs::index

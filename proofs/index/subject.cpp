@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <vector>
 
 namespace mmverify::proofs::index {
 namespace {
@@ -27,6 +28,16 @@ std::string to_string(Arithmetic a) {
 
 void IndexSubject::index(Level, Batch, std::span<std::uint32_t>) const { absent(*this, "index"); }
 void IndexSubject::index(Level, FloatBatch, std::span<std::uint32_t>) const { absent(*this, "index"); }
+void IndexSubject::index_rows(Level n, Level grid, std::span<const Row> rows,
+                              std::span<std::uint32_t> out) const {
+  std::vector<GridPoint> points;
+  for (const Row& row : rows) {
+    points.resize(row.count);
+    for (std::uint64_t t = 0; t < row.count; ++t) points[t] = representative(row, t, grid);
+    index(n, {points, true}, out.first(row.count));
+    out = out.subspan(row.count);
+  }
+}
 std::uint32_t IndexSubject::index(Level, const RationalPoint&) const { absent(*this, "index"); }
 void IndexSubject::corners(Level, std::span<const std::uint32_t>, std::span<Corners>) const {
   absent(*this, "corners");

@@ -43,7 +43,7 @@ class IndexSubject : public Subject {
 
   virtual bool has(Entry e) const = 0;
 
-  /// Points that it likes to be asked at once. A small batch is one row; a larger one gathers many.
+  /// Points that it likes to be asked at once: one row, cut at row_batch, or more, gathered from many rows.
   virtual std::size_t batch() const { return row_batch; }
   static constexpr std::size_t row_batch = 4096;
 
@@ -55,6 +55,8 @@ class IndexSubject : public Subject {
   /// Barycentrics -> index.
   virtual void index(Level n, Batch batch, std::span<std::uint32_t> out) const;
   virtual void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const;
+  /// The representatives of rows of `grid`, one row after the other.  Domain: receive() leaves them alone.
+  virtual void index_rows(Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out) const;
   /// One point; an exact subject takes any rational, another one a point it can receive.
   virtual std::uint32_t index(Level n, const RationalPoint& p) const;
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sched.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -38,6 +39,9 @@ std::string worker_program() {
 
 /// How often a wait looks whether the process still lives.
 constexpr long slice_milliseconds = 20;
+
+/// Values of processor_ that are no processor.
+constexpr int anywhere = -1, not_asked = -2;
 
 }  // namespace
 
@@ -76,6 +80,7 @@ void Worker::start() {
     fail("cannot start mmverify-worker");
   }
   hung_ = false;
+  processor_ = not_asked;
   group_ = pid_;
   while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
     futex_wait(mailbox_->turn, 1, slice_milliseconds);
@@ -111,8 +116,23 @@ const std::byte* Worker::answer(Call call, std::uint64_t count, std::uint64_t t)
          t % batch_size * answer_size(call);
 }
 
+void Worker::bring_here() {
+  if (processor_ == not_asked) {
+    processor_ = anywhere;
+    return;
+  }
+  const int here = sched_getcpu();
+  if (here == processor_ || here < 0 || here >= CPU_SETSIZE) return;
+  cpu_set_t only;
+  CPU_ZERO(&only);
+  CPU_SET(static_cast<std::size_t>(here), &only);
+  // Where it may not, it runs as well elsewhere.
+  if (sched_setaffinity(pid_, sizeof only, &only) == 0) processor_ = here;
+}
+
 bool Worker::exchange() {
   using Clock = std::chrono::steady_clock;
+  bring_here();
   mailbox_->begun.store(0);
   mailbox_->turn.store(1, std::memory_order_release);
   futex_wake(mailbox_->turn);

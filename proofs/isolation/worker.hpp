@@ -52,6 +52,10 @@ class Worker {
   void start();
   void stop();
   void map();
+  /// Brings the process to the processor that this thread runs on: only one of the two has work at a time,
+  /// the numbers are in that processor's cache, and nobody has to be woken on an idle one.  Not before its
+  /// first command, so that threads which a subject starts for itself go where they like.
+  void bring_here();
   /// Hands the turn over and waits for it to come back.  False where the process ended or hung.
   bool exchange();
   /// "crashed (signal ...)" or "called exit(...)" of the ended process.
@@ -63,6 +67,7 @@ class Worker {
   Options options_;
   Layout layout_;
   int fd_ = -1, pid_ = -1, group_ = -1, status_ = 0;
+  int processor_ = -1;  ///< where bring_here() last brought it
   bool hung_ = false;
   std::byte* base_ = nullptr;
   Mailbox* mailbox_ = nullptr;
