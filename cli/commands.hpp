@@ -12,6 +12,7 @@ using Action = std::function<int()>;
 
 Action add_list(CLI::App& program);
 Action add_prove(CLI::App& program);
+Action add_merge(CLI::App& program);
 Action add_replay(CLI::App& program);
 Action add_bench(CLI::App& program);
 Action add_gen(CLI::App& program);

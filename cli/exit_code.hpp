@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "proofs/engine/runner.hpp"
+
 namespace mmverify::cli {
 
 enum ExitCode : int {
@@ -12,6 +14,9 @@ enum ExitCode : int {
   interrupted = 3,  ///< incomplete
   environment = 4,  ///< a file or machine that is not as it must be
 };
+
+/// How a run with this report ends.
+ExitCode exit_code(const proofs::Report& report);
 
 /// Ends a command with exit code 2; what() is the line printed.
 struct UsageError : std::runtime_error {

@@ -23,7 +23,7 @@ std::string cpu_name() {
 }
 
 Json counterexample(const Result& r, const Counterexample& c) {
-  Json j{{"case", c.at}, {"level", c.level}};
+  Json j{{"case", c.at}, {"level", c.level}, {"rank", c.simplicity}};
   if (!c.hex.empty()) j["hex"] = c.hex;
   j["expected"] = c.expected;
   j["got"] = c.got;
@@ -41,6 +41,8 @@ Json result(const Result& r) {
   if (!r.reason.empty()) j["reason"] = r.reason;
   j["cases_expected"] = r.cases_expected;
   j["cases_run"] = r.cases_run();
+  if (r.resumed != 0) j["cases_resumed"] = r.resumed;
+  if (r.share) j["share"] = {{"from", r.share->from}, {"to", r.share->to}, {"of", r.share->of}};
   j["mismatches"] = r.mismatches();
   j["by_kind"] = by_kind;
   j["counterexample"] =
@@ -56,7 +58,7 @@ Json result(const Result& r) {
 
 }  // namespace
 
-std::string to_json(const Report& report, std::uint64_t seed) {
+std::string to_json(const Report& report, std::uint64_t seed, const Shard& shard, const Identity& identity) {
   Json j{{"schema", "mmverify.result/1"},
          {"tool",
           {{"version", build::version},
@@ -65,9 +67,15 @@ std::string to_json(const Report& report, std::uint64_t seed) {
            {"cpu", cpu_name()},
            {"threads", report.threads},
            {"seed", seed},
-           {"spec_hash", build::spec_hash}}},
+           {"spec_hash", build::spec_hash},
+           {"source_hash", build::source_hash}}},
          {"results", Json::array()},
          {"mutants", Json::array()}};
+  if (!shard.whole()) {
+    Json run = Json::object();
+    for (const auto& [name, value] : identity) run[name] = value;
+    j["shard"] = {{"number", shard.number}, {"of", shard.of}, {"run", run}};
+  }
   for (const Result& r : report.results) j["results"].push_back(result(r));
   for (const Diagnosis& d : report.diagnoses)
     j["diagnoses"].push_back({{"law", d.law}, {"subject", d.subject}, {"lines", d.lines}});

@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <string>
 
+#include "proofs/engine/journal.hpp"
 #include "proofs/engine/runner.hpp"
 
 namespace mmverify::cli {
 
-std::string to_json(const proofs::Report& report, std::uint64_t seed);
+/// A shard's says which it is, and of what run.
+std::string to_json(const proofs::Report& report, std::uint64_t seed, const proofs::Shard& shard = {},
+                    const proofs::Identity& identity = {});
 
 }  // namespace mmverify::cli

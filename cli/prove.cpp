@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <regex>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -13,6 +14,7 @@
 #include "cli/json.hpp"
 #include "cli/junit.hpp"
 #include "cli/output_file.hpp"
+#include "cli/run_identity.hpp"
 #include "cli/text.hpp"
 #include "proofs/plan.hpp"
 
@@ -30,19 +32,8 @@ struct Options {
   std::uint64_t seed = 1;
   double timeout = 10;
   bool quiet = false;
+  std::string shard, journal;
 };
-
-int exit_code(const Report& report) {
-  const auto any = [&](Verdict v) {
-    return std::any_of(report.results.begin(), report.results.end(),
-                       [v](const Result& r) { return r.verdict == v; });
-  };
-  const bool survived =
-      std::any_of(report.mutants.begin(), report.mutants.end(), [](const auto& m) { return !m.killed; });
-  if (any(Verdict::refuted) || any(Verdict::broken) || survived) return ExitCode::failed;
-  if (report.interrupted || any(Verdict::incomplete)) return ExitCode::interrupted;
-  return ExitCode::complete;
-}
 
 Request request(const Options& options) {
   Request r;
@@ -56,6 +47,30 @@ Request request(const Options& options) {
   return r;
 }
 
+Shard parse_shard(const std::string& text) {
+  if (text.empty()) return {};
+  static const std::regex shape("([0-9]{1,6})/([0-9]{1,6})");
+  std::smatch m;
+  Shard shard{0, 0};
+  if (std::regex_match(text, m, shape))
+    shard = {static_cast<std::uint32_t>(std::stoul(m[1].str())),
+             static_cast<std::uint32_t>(std::stoul(m[2].str()))};
+  if (shard.number < 1 || shard.number > shard.of)
+    throw UsageError(fmt::format("--shard {}: write K/N with K from 1 to N, for example 2/7", text));
+  return shard;
+}
+
+/// The journal of this run and shard; null where none is asked for.
+std::unique_ptr<Journal> open_journal(const std::string& path, Identity identity, const Shard& shard) {
+  if (path.empty()) return nullptr;
+  identity.emplace_back("shard", fmt::format("{}/{}", shard.number, shard.of));
+  auto journal = std::make_unique<Journal>(path, std::move(identity));
+  if (journal->dropped() != 0)
+    fmt::print(stderr, "{}: its last {} bytes are no whole line; what they were about is done again\n", path,
+               journal->dropped());
+  return journal;
+}
+
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
   return !b.empty() &&
@@ -66,6 +81,9 @@ int prove(const Options& options) {
   if (options.junit == "-") throw UsageError("--junit -: standard output is for --json; name a file");
   if (!options.json.empty() && same_file(options.json, options.junit))
     throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
+  for (const std::string& other : {options.json, options.junit})
+    if (!options.journal.empty() && same_file(options.journal, other))
+      throw UsageError(fmt::format("--journal: {} is another output's file", options.journal));
   const std::vector<Job> jobs = plan(request(options));
   // A reader that goes away does not take the results in files along.
   std::signal(SIGPIPE, SIG_IGN);
@@ -75,19 +93,28 @@ int prove(const Options& options) {
 
   // With JSON on stdout, the lines for people go where the progress goes.
   TextReport text(options.json == "-" ? stderr : stdout, !options.laws.empty());
-  const Report report = run_jobs(
-      jobs,
-      {options.threads, options.errors, options.seed, options.tier == "long" ? Tier::long_run : Tier::fast,
-       options.cells == "interior", !options.quiet},
-      [&](const Result& r) { text.add(r); });
+  RunOptions run{options.threads,
+                 options.errors,
+                 options.seed,
+                 options.tier == "long" ? Tier::long_run : Tier::fast,
+                 options.cells == "interior",
+                 !options.quiet,
+                 parse_shard(options.shard)};
+  const Identity identity = identity_of(jobs, run);
+  const std::unique_ptr<Journal> journal = open_journal(options.journal, identity, run.shard);
+  run.journal = journal.get();
+  const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, !options.subjects.empty());
-  if (json) json->commit(to_json(report, options.seed));
-  if (options.json == "-") fmt::print("{}", to_json(report, options.seed));
+  if (report.interrupted && journal)
+    fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
+  const auto as_json = [&] { return to_json(report, options.seed, run.shard, identity); };
+  if (json) json->commit(as_json());
+  if (options.json == "-") fmt::print("{}", as_json());
   if (junit) junit->commit(to_junit(report));
 
   if (std::all_of(report.results.begin(), report.results.end(),
                   [](const Result& r) { return r.verdict == Verdict::not_applicable; }) &&
-      !report.interrupted)
+      !report.interrupted && run.shard.whole())
     throw UsageError("nothing was run: no law asked for applies to its subject");
   return exit_code(report);
 }
@@ -118,6 +145,12 @@ Action add_prove(CLI::App& program) {
       ->check(finite_within(0.01, 86400));
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--junit", options->junit, "write the results as JUnit XML")->type_name("FILE");
+  command->add_option("--shard", options->shard, "run part K of N of each law's domain; see merge")
+      ->type_name("K/N");
+  command
+      ->add_option("--journal", options->journal,
+                   "keep finished work in this file as it comes; the same run started again goes on from it")
+      ->type_name("FILE");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");
   return [options] { return prove(*options); };
 }

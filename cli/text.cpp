@@ -73,10 +73,11 @@ void TextReport::line(const std::vector<Result>& results) {
   if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
   const Result& first = results.front();
   const Verdict verdict = verdict_of(results);
-  std::uint64_t cases = 0;
+  std::uint64_t cases = 0, resumed = 0;
   double seconds = 0;
   for (const Result& r : results) {
     cases += r.cases_run();
+    resumed += r.resumed;
     seconds += r.seconds;
   }
   if (verdict == Verdict::not_applicable) {
@@ -84,11 +85,16 @@ void TextReport::line(const std::vector<Result>& results) {
     return;
   }
   const std::string rate =
-      seconds > 0.01 ? fmt::format("{:7.1f} M/s", static_cast<double>(cases) / seconds / 1e6) : "";
+      seconds > 0.01 ? fmt::format("{:7.1f} M/s", static_cast<double>(cases - resumed) / seconds / 1e6) : "";
   say(out_, "{:<10} {:<32} {:<20} {:<13} {:>15} cases {:>7.2f} s {}\n", to_string(verdict), first.law,
       first.subject, levels_text(results), grouped(cases), seconds, rate);
   if (by_level_)
     say(out_, "           domain: {}; {}; digest {:016x}\n", first.domain, first.method, first.digest);
+  if (resumed != 0) say(out_, "           resumed: {} of these cases by the journal\n", grouped(resumed));
+  for (const Result& r : results)
+    if (by_level_ && r.share)
+      say(out_, "           share: units {} to {} of {}\n", grouped(r.share->from), grouped(r.share->to),
+          grouped(r.share->of));
   for (const Result& r : results) {
     if (r.mismatches() == 0) continue;
     say(out_, "  level {}: {} of {} cases wrong ({})\n", r.level, grouped(r.mismatches()),

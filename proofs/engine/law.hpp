@@ -23,6 +23,10 @@ class Subject {
   const std::string& name() const { return name_; }
   const std::string& about() const { return about_; }
 
+  /// Tells another implementation of the same name apart.  Empty where the program itself is the
+  /// implementation.
+  virtual std::string fingerprint() const { return {}; }
+
   /// Whether its answers on the representatives decide all points of their cells.
   virtual bool exact() const = 0;
 
@@ -68,6 +72,9 @@ struct Law {
   std::function<std::string(const Subject&, Level)> how = {};  ///< "exhaustive, rational", ...
   std::function<std::optional<std::string>(const Subject&, Level)>
       unfit;  ///< why the law does not apply, if so
+  /// Whether its cases are judged one by one, in a single sweep, so that shards and resumed runs add up to
+  /// it.
+  bool divisible = false;
   std::function<Tally(const Subject&, Level, const Run&)> judge = {};
   std::function<Replayed(const Subject&, Level, const std::string&)> replay =
       {};  ///< throws BadCase; empty: none

@@ -38,9 +38,10 @@ void Progress::watch() {
 void Progress::show() {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const double done = static_cast<double>(done_.load(std::memory_order_relaxed));
-  const double share = total_ == 0 ? 1.0 : std::min(1.0, done / static_cast<double>(total_));
+  const double total = static_cast<double>(total_), resumed = static_cast<double>(resumed_.load());
+  const double share = total_ == 0 ? 1.0 : std::min(1.0, (done + resumed) / total);
   const double rate = done / seconds;
-  const std::string eta = rate > 0 ? fmt::format("{:.0f} s", (static_cast<double>(total_) - done) / rate)
+  const std::string eta = rate > 0 ? fmt::format("{:.0f} s", std::max(0.0, total - resumed - done) / rate)
                                    : std::string("unknown");
   const std::string numbers =
       fmt::format("{:3.0f} %  {:.1f} M cases/s  ETA {}  {}", 100 * share, rate / 1e6, eta, what_);

@@ -20,6 +20,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void now(const std::string& what);
+  /// Cases that an earlier run has done: they count as done, not as fast.
+  void resume(std::uint64_t cases) { resumed_.fetch_add(cases, std::memory_order_relaxed); }
   void add(std::uint64_t cases) { done_.fetch_add(cases, std::memory_order_relaxed); }
 
  private:
@@ -29,7 +31,7 @@ class Progress {
   const std::uint64_t total_;
   const bool terminal_;
   const std::chrono::steady_clock::time_point start_;
-  std::atomic<std::uint64_t> done_ = 0;
+  std::atomic<std::uint64_t> done_ = 0, resumed_ = 0;
   std::mutex lock_;
   std::condition_variable wake_;
   std::string what_;

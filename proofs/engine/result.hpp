@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "proofs/engine/share.hpp"
+
 namespace mmverify::proofs {
 
 using Level = std::uint32_t;
@@ -50,7 +52,9 @@ struct Result {
   CountByKind by_kind{};
   std::vector<Counterexample> counterexamples;  ///< the simplest first, at most --errors of them
   std::uint64_t digest = 0;
-  double seconds = 0;
+  double seconds = 0;            ///< of this run
+  std::uint64_t resumed = 0;     ///< cases that an earlier run had done, by the journal
+  std::optional<Share> share{};  ///< what a shard did of the domain; none: all of it
 
   std::uint64_t cases_run() const;
   std::uint64_t mismatches() const;

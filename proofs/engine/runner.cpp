@@ -8,12 +8,15 @@
 #include <thread>
 
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/journal.hpp"
 
 namespace mmverify::proofs {
 namespace {
 
-Verdict judged(const Law& law, const Result& r) {
+Verdict judged(const Law& law, const Result& r, bool finished) {
   if (r.mismatches() != 0) return Verdict::refuted;
+  // A part of a domain is never more than checked; the parts together may be (shards.hpp).
+  if (r.share && !r.share->whole()) return finished ? Verdict::checked : Verdict::incomplete;
   if (r.cases_run() != r.cases_expected) {
     if (interrupted()) return Verdict::incomplete;
     throw std::logic_error(fmt::format("{} level {}: {} cases run, {} expected", law.id, r.level,
@@ -34,12 +37,42 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   return r;
 }
 
+/// Judges all of a law that cannot be divided, or takes it from the journal.
+Tally judge_whole(const Law& law, const Subject& subject, Level level, const Run& asked) {
+  Run run = asked;
+  run.division = nullptr;
+  Division* division = asked.division;
+  if (division == nullptr || division->journal == nullptr) return law.judge(subject, level, run);
+  const auto finished = division->journal->finished(division->about, 1);
+  if (!finished.empty()) {
+    division->resumed = finished.front().tally.cases();
+    return finished.front().tally;
+  }
+  Tally tally = law.judge(subject, level, run);
+  if (!interrupted()) division->journal->append({division->about, {0, 1}, 1, tally});
+  return tally;
+}
+
 Result not_applicable(const Law& law, const Subject& subject, Level level, const Run& run,
                       const std::string& why) {
   Result r = named(law, subject, level, run);
   r.verdict = Verdict::not_applicable;
   r.reason = why;
   return r;
+}
+
+/// A law that is not divided is one shard's business; the others say so.
+Result of_another_shard(const Law& law, const Subject& subject, Level level, const Run& run) {
+  if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
+  Result r = not_applicable(law, subject, level, run, "run whole by another shard");
+  r.cases_expected = law.cases(level, run);
+  r.share = Share{0, 0, 1};
+  return r;
+}
+
+/// What the journal calls a job's level.
+std::string about(const Job& job, Level level) {
+  return fmt::format("{} {} level {}", job.law->id, job.subject->name(), level);
 }
 
 /// Why the job has no level to run, or nothing.
@@ -71,12 +104,23 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
   if (run.progress != nullptr)
     run.progress->now(fmt::format("{} {} level {}", law.id, subject.name(), level));
   try {
-    const Tally tally = law.judge(subject, level, run);
+    const Tally tally =
+        law.divisible ? law.judge(subject, level, run) : judge_whole(law, subject, level, run);
+    bool finished = true;
+    if (const Division* division = run.division) {
+      r.resumed = division->resumed;
+      if (law.divisible) {
+        if (!division->shard.whole()) r.share = division->share;
+        finished = division->finished;
+      } else if (!division->shard.whole()) {
+        r.share = Share{0, 1, 1};
+      }
+    }
     r.by_kind = tally.by_kind();
     r.counterexamples = tally.found();
     for (Counterexample& c : r.counterexamples) c.level = level;
     r.digest = tally.digest();
-    r.verdict = judged(law, r);
+    r.verdict = judged(law, r, finished);
     if (r.verdict == Verdict::incomplete) r.reason = "interrupted";
   } catch (const Interrupted&) {
     r.verdict = Verdict::incomplete;
@@ -126,7 +170,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   std::uint64_t total = 0;
   for (const Job& job : jobs)
     for (Level n = job.levels.first; job.unfit.empty() && n <= job.levels.last; ++n)
-      if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, run);
+      if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, run) / options.shard.of;
 
   Progress progress(total, options.show_progress);
   const InterruptGuard guard;
@@ -135,19 +179,27 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
     report.results.push_back(r);
     on_result(r);
   };
+  std::uint64_t whole_laws = 0;  // dealt to the shards in turn
   for (const Job& job : jobs) {
     if (const std::string why = unfit_throughout(job); !why.empty()) {
       add(not_applicable(*job.law, *job.subject, job.levels.first, run, why));
       continue;
     }
     for (Level n = job.levels.first; n <= job.levels.last; ++n) {
-      add(run_level(*job.law, *job.subject, n, run));
+      Division division{options.shard, options.journal, about(job, n), {}, 0, false};
+      if (options.journal != nullptr || !options.shard.whole()) run.division = &division;
+      const bool elsewhere =
+          !job.law->divisible && whole_laws++ % options.shard.of != options.shard.number - 1;
+      add(elsewhere ? of_another_shard(*job.law, *job.subject, n, run)
+                    : run_level(*job.law, *job.subject, n, run));
+      run.division = nullptr;
       // A subject that breaks at one level would at the next; the run goes on with the next law.
       if (report.results.back().verdict == Verdict::broken) break;
     }
   }
 
   run.progress = nullptr;
+  run.division = nullptr;
   for (const Job& job : jobs)
     if (const auto refuted = first_refuted(report, job); job.law->diagnose && refuted && !interrupted()) {
       try {
@@ -164,7 +216,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
     if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
       laws.push_back(job.law);
   for (const Law* law : laws) {
-    if (interrupted()) break;
+    if (interrupted() || options.shard.number != 1) break;
     const auto mutants = run_mutants(*law, run);
     report.mutants.insert(report.mutants.end(), mutants.begin(), mutants.end());
   }

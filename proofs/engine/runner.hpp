@@ -23,6 +23,8 @@ struct RunOptions {
   Tier tier = Tier::fast;
   bool interiors_only = false;
   bool show_progress = true;
+  Shard shard = {};
+  Journal* journal = nullptr;
 };
 
 /// What a law has to say about a subject that it refuted.
@@ -42,7 +44,9 @@ struct Report {
 /// Called as each result comes in.
 using OnResult = std::function<void(const Result&)>;
 
-/// Runs the jobs in order, then the mutants of every law among them.
+/// Runs the jobs in order, then the mutants of every law among them.  A shard runs its part of each law that
+/// is divisible, every so many of the others whole, and the mutants where it is the first.  Throws
+/// BadJournal.
 Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result);
 
 /// One law on one subject at one level; verdict, counts and reason filled in.

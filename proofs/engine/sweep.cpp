@@ -4,21 +4,45 @@
 #include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/journal.hpp"
 
 namespace mmverify::proofs {
+namespace {
 
-Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk,
-            const std::function<void(Chunk, Tally&)>& judge) {
-  using Chunks = oneapi::tbb::blocked_range<std::uint64_t>;
-  const std::uint64_t chunks = units / units_per_chunk + (units % units_per_chunk != 0 ? 1 : 0);
-  const auto run_chunks = [&](const Chunks& range, Tally tally) {
-    for (std::uint64_t c = range.begin(); c != range.end() && !interrupted(); ++c) {
-      const std::uint64_t begin = c * units_per_chunk, before = tally.cases();
-      judge({begin, std::min(begin + units_per_chunk, units)}, tally);
-      if (run.progress != nullptr) run.progress->add(tally.cases() - before);
-    }
+using Judge = std::function<void(Chunk, Tally&)>;
+using Range = oneapi::tbb::blocked_range<std::uint64_t>;
+
+// A journal has about this many lines a sweep, but not one for every chunk of a short one.
+constexpr std::uint64_t pieces_per_sweep = 1024, least_chunks_per_piece = 4;
+
+struct Domain {
+  std::uint64_t units, units_per_chunk;
+  std::uint64_t chunks() const { return units / units_per_chunk + (units % units_per_chunk != 0 ? 1 : 0); }
+  /// The units of a range of chunks.
+  Chunk units_of(Chunk c) const {
+    return {c.begin * units_per_chunk, std::min(c.end * units_per_chunk, units)};
+  }
+};
+
+/// Judges a range of chunks one by one.  False where the run was interrupted before the last.
+bool judge_chunks(const Run& run, const Domain& domain, Chunk chunks, const Judge& judge, Tally& tally) {
+  for (std::uint64_t c = chunks.begin; c != chunks.end; ++c) {
+    if (interrupted()) return false;
+    const std::uint64_t before = tally.cases();
+    judge(domain.units_of({c, c + 1}), tally);
+    if (run.progress != nullptr) run.progress->add(tally.cases() - before);
+  }
+  return true;
+}
+
+/// The sum of part(k, tally) over [0, parts), on all threads of the run.
+template <class Part>
+Tally sum(const Run& run, std::uint64_t parts, const Part& part) {
+  const auto several = [&](const Range& range, Tally tally) {
+    for (std::uint64_t k = range.begin(); k != range.end() && !interrupted(); ++k) part(k, tally);
     return tally;
   };
   const auto merge = [](Tally a, const Tally& b) {
@@ -26,9 +50,74 @@ Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk,
     return a;
   };
   const auto all = [&] {
-    return oneapi::tbb::parallel_reduce(Chunks(0, chunks), Tally(run.errors), run_chunks, merge);
+    return oneapi::tbb::parallel_reduce(Range(0, parts), Tally(run.errors), several, merge);
   };
-  return run.arena != nullptr ? run.arena->execute(all) : run_chunks(Chunks(0, chunks), Tally(run.errors));
+  return run.arena != nullptr ? run.arena->execute(all) : several(Range(0, parts), Tally(run.errors));
+}
+
+/// What is left of `chunks` beside the finished pieces, in pieces.
+std::vector<Chunk> unfinished(Chunk chunks, const std::vector<Journal::Piece>& finished,
+                              const Domain& domain) {
+  const std::uint64_t size = std::max(least_chunks_per_piece, domain.chunks() / pieces_per_sweep);
+  std::vector<Chunk> left;
+  const auto leave = [&](std::uint64_t begin, std::uint64_t end) {
+    for (; begin < end; begin += size) left.push_back({begin, std::min(begin + size, end)});
+  };
+  for (const Journal::Piece& piece : finished) {
+    leave(chunks.begin, piece.units.begin / domain.units_per_chunk);
+    chunks.begin = (piece.units.end + domain.units_per_chunk - 1) / domain.units_per_chunk;
+  }
+  leave(chunks.begin, chunks.end);
+  return left;
+}
+
+/// The pieces of the journal that are whole chunks of the range.
+std::vector<Journal::Piece> usable(const Division& division, Chunk chunks, const Domain& domain) {
+  std::vector<Journal::Piece> pieces = division.journal->finished(division.about, domain.units);
+  const Chunk range = domain.units_of(chunks);
+  std::erase_if(pieces, [&](const Journal::Piece& p) {
+    const bool starts = p.units.begin % domain.units_per_chunk == 0;
+    const bool ends = p.units.end % domain.units_per_chunk == 0 || p.units.end == domain.units;
+    return !starts || !ends || p.units.begin < range.begin || p.units.end > range.end;
+  });
+  return pieces;
+}
+
+Tally journaled(const Run& run, const Domain& domain, Chunk chunks, const Judge& judge) {
+  Division& division = *run.division;
+  const std::vector<Journal::Piece> finished = usable(division, chunks, domain);
+  const std::vector<Chunk> left = unfinished(chunks, finished, domain);
+  Tally tally(run.errors);
+  for (const Journal::Piece& piece : finished) tally.merge(piece.tally);
+  division.resumed = tally.cases();
+  if (run.progress != nullptr) run.progress->resume(division.resumed);
+  tally.merge(sum(run, left.size(), [&](std::uint64_t k, Tally& part) {
+    Tally piece(run.errors);
+    if (judge_chunks(run, domain, left[k], judge, piece))
+      division.journal->append({division.about, domain.units_of(left[k]), domain.units, piece});
+    part.merge(piece);
+  }));
+  division.journal->flush();
+  return tally;
+}
+
+}  // namespace
+
+Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk, const Judge& judge) {
+  const Domain domain{units, units_per_chunk};
+  const Chunk chunks =
+      run.division == nullptr ? Chunk{0, domain.chunks()} : run.division->shard.chunks(domain.chunks());
+  Tally tally = run.division != nullptr && run.division->journal != nullptr
+                    ? journaled(run, domain, chunks, judge)
+                    : sum(run, chunks.end - chunks.begin, [&](std::uint64_t k, Tally& part) {
+                        judge_chunks(run, domain, {chunks.begin + k, chunks.begin + k + 1}, judge, part);
+                      });
+  if (run.division != nullptr) {
+    const Chunk share = domain.units_of(chunks);
+    run.division->share = {std::min(share.begin, units), share.end, units};
+    run.division->finished = !interrupted();
+  }
+  return tally;
 }
 
 }  // namespace mmverify::proofs

@@ -5,7 +5,9 @@
 
 #include <functional>
 
+#include "proofs/engine/chunk.hpp"
 #include "proofs/engine/progress.hpp"
+#include "proofs/engine/share.hpp"
 #include "proofs/engine/tally.hpp"
 
 namespace mmverify::proofs {
@@ -22,17 +24,15 @@ struct Run {
   Tier tier = Tier::fast;  ///< decides the size of samples
   bool rationals =
       true;  ///< the slow, exact numbers where a law has a choice; its mutants are as wrong in fast ones
-  bool interiors_only = false;  ///< leave out the cells on lines: for who promises nothing there
-};
-
-/// A half-open range of a domain's units (cells, rows, indices, samples).
-struct Chunk {
-  std::uint64_t begin, end;
+  bool interiors_only = false;   ///< leave out the cells on lines: for who promises nothing there
+  Division* division = nullptr;  ///< null: the whole domain, and no journal
 };
 
 /// Judges [0, units) in chunks of `units_per_chunk`; the judge counts its cases in the tally.
-/// Chunks are skipped once the run is interrupted; the missing cases show in the tally.  Domain:
-/// units_per_chunk > 0.
+/// Chunks are skipped once the run is interrupted; the missing cases show in the tally.  Under a Division
+/// only its shard's chunks are judged, those that its journal has are added from there, and finished runs of
+/// chunks are appended to it. Domain: units_per_chunk > 0; a judge that is divided calls sweep once.  Throws
+/// BadJournal.
 Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk,
             const std::function<void(Chunk, Tally&)>& judge);
 

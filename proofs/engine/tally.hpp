@@ -14,6 +14,15 @@ class Tally {
  public:
   explicit Tally(std::size_t keep = 1) : keep_(keep) {}
 
+  /// The sum that was taken apart: counts, digest, counterexamples in their order.
+  static Tally restored(const CountByKind& by_kind, std::uint64_t digest, std::vector<Counterexample> found) {
+    Tally tally(found.size());
+    tally.by_kind_ = by_kind;
+    tally.digest_ = digest;
+    tally.found_ = std::move(found);
+    return tally;
+  }
+
   void count(Kind kind, std::uint64_t cases) { by_kind_[static_cast<std::size_t>(kind)].cases += cases; }
 
   /// Adds one answer to the digest:  sum over cases of (answer+1) * weight(case)  modulo 2^64.

@@ -67,6 +67,7 @@ Law row_holds_point_law() {
           .domain = points,
           .how = in_fixed_point,
           .unfit = needing({Entry::row_index}),
+          .divisible = true,
           .judge = judged_by(row_holds_point),
           .replay = replayed_by(replay_row_holds_point),
           .mutants = {

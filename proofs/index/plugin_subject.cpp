@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <boost/crc.hpp>
 #include <cstring>
+#include <fstream>
 
 #include "proofs/index/rounded_subject.hpp"
 
@@ -36,6 +38,18 @@ void put(const Worker& worker, Call call, std::size_t array, std::uint64_t count
 
 std::string point_text(double u, double v) { return fmt::format("u={:a},v={:a}", u, v); }
 
+/// The library's contents, in a word: its size and a checksum.
+std::string fingerprint_of(const std::string& library) {
+  std::ifstream in(library, std::ios::binary);
+  boost::crc_32_type crc;
+  std::uint64_t size = 0;
+  for (char block[1 << 16]; in.read(block, sizeof block), in.gcount() > 0;) {
+    crc.process_bytes(block, static_cast<std::size_t>(in.gcount()));
+    size += static_cast<std::uint64_t>(in.gcount());
+  }
+  return fmt::format("({} bytes, crc {:08x})", size, crc.checksum());
+}
+
 class PluginSubject : public IndexSubject {
  public:
   PluginSubject(std::string name, std::shared_ptr<Pool> pool, const isolation::Mailbox& description,
@@ -43,7 +57,10 @@ class PluginSubject : public IndexSubject {
       : IndexSubject(std::move(name), description.name[0] != 0 ? description.name : "a shared library",
                      arithmetic, description.max_level),
         pool_(std::move(pool)),
-        has_(description.has) {}
+        has_(description.has),
+        fingerprint_(fingerprint_of(pool_->library())) {}
+
+  std::string fingerprint() const override { return fingerprint_; }
 
   bool has(Entry e) const override {
     switch (e) {
@@ -254,6 +271,7 @@ class PluginSubject : public IndexSubject {
 
   std::shared_ptr<Pool> pool_;
   std::uint32_t has_;
+  std::string fingerprint_;
 };
 
 }  // namespace

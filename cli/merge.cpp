@@ -1,0 +1,66 @@
+// mmverify merge: the shards of one run, put together.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/json.hpp"
+#include "cli/output_file.hpp"
+#include "cli/read_json.hpp"
+#include "cli/text.hpp"
+#include "proofs/registry.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace proofs;
+
+struct Options {
+  std::vector<std::string> shards;
+  std::string out;
+};
+
+std::uint64_t seed_of(const Identity& identity) {
+  for (const auto& [name, value] : identity)
+    if (name == "seed") return std::stoull(value);
+  return 1;
+}
+
+int merge(const Options& options) {
+  std::vector<ShardRun> shards;
+  for (const std::string& path : options.shards) shards.push_back(read_shard(path));
+  const std::uint64_t seed = seed_of(shards.front().identity);
+  Report report;
+  try {
+    report = merge_shards(std::move(shards), [](const std::string& id) {
+      const Law* law = find_law(id);
+      if (law == nullptr) throw ShardsDoNotAddUp(fmt::format("no law is called '{}'", id));
+      return law->method;
+    });
+  } catch (const ShardsDoNotAddUp& why) {
+    throw EnvironmentError(why.what());
+  }
+  OutputFile out(options.out);
+  TextReport text(stdout, true);
+  for (const Result& r : report.results) text.add(r);
+  text.finish(report, false);
+  out.commit(to_json(report, seed));
+  return exit_code(report);
+}
+
+}  // namespace
+
+Action add_merge(CLI::App& program) {
+  auto* command = program.add_subcommand("merge", "put the results of all shards of a run together");
+  auto options = std::make_shared<Options>();
+  command->add_option("shard", options->shards, "what prove --shard K/N --json wrote, for each K from 1 to N")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("-o,--output", options->out, "where the result of the whole run goes")
+      ->type_name("FILE")
+      ->required();
+  return [options] { return merge(*options); };
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,121 @@
+#include "cli/read_json.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "cli/exit_code.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace proofs;
+using Json = nlohmann::ordered_json;
+
+Verdict verdict(const std::string& name) {
+  for (const Verdict v : {Verdict::proved, Verdict::refuted, Verdict::checked, Verdict::broken,
+                          Verdict::not_applicable, Verdict::incomplete})
+    if (to_string(v) == name) return v;
+  throw std::runtime_error(fmt::format("no verdict is called '{}'", name));
+}
+
+Counterexample counterexample(const Json& j) {
+  Counterexample c;
+  j.at("rank").get_to(c.simplicity);
+  j.at("level").get_to(c.level);
+  j.at("case").get_to(c.at);
+  c.hex = j.value("hex", "");
+  j.at("expected").get_to(c.expected);
+  j.at("got").get_to(c.got);
+  return c;
+}
+
+Result result(const Json& j) {
+  Result r;
+  j.at("law").get_to(r.law);
+  j.at("topic").get_to(r.topic);
+  j.at("subject").get_to(r.subject);
+  j.at("level").get_to(r.level);
+  j.at("method").get_to(r.method);
+  j.at("domain").get_to(r.domain);
+  r.verdict = verdict(j.at("verdict").get<std::string>());
+  r.reason = j.value("reason", "");
+  j.at("cases_expected").get_to(r.cases_expected);
+  constexpr std::array names{"vertex", "edge", "interior"};
+  for (std::size_t k = 0; k < kinds; ++k) {
+    const Json& kind = j.at("by_kind").at(names[k]);
+    kind.at("cases").get_to(r.by_kind[k].cases);
+    kind.at("mismatches").get_to(r.by_kind[k].mismatches);
+  }
+  if (!j.at("counterexample").is_null()) r.counterexamples.push_back(counterexample(j.at("counterexample")));
+  if (j.contains("more_counterexamples"))
+    for (const Json& c : j.at("more_counterexamples")) r.counterexamples.push_back(counterexample(c));
+  r.digest = std::stoull(j.at("digest").get<std::string>(), nullptr, 16);
+  j.at("seconds").get_to(r.seconds);
+  if (j.contains("share")) {
+    const Json& s = j.at("share");
+    r.share = Share{s.at("from").get<std::uint64_t>(), s.at("to").get<std::uint64_t>(),
+                    s.at("of").get<std::uint64_t>()};
+    if (r.share->from > r.share->to || r.share->to > r.share->of)
+      throw std::runtime_error(fmt::format("{} level {}: its share is no range", r.law, r.level));
+  }
+  return r;
+}
+
+MutantResult mutant(const Json& j) {
+  MutantResult m;
+  j.at("law").get_to(m.law);
+  j.at("mutant").get_to(m.mutant);
+  j.at("killed").get_to(m.killed);
+  if (m.killed) {
+    j.at("level").get_to(m.level);
+    j.at("case").get_to(m.at);
+  }
+  return m;
+}
+
+ShardRun shard_run(const Json& j) {
+  if (j.value("schema", "") != "mmverify.result/1")
+    throw std::runtime_error("not a result of mmverify prove");
+  if (!j.contains("shard")) throw std::runtime_error("no shard: written without --shard");
+  ShardRun run;
+  const Json& shard = j.at("shard");
+  shard.at("number").get_to(run.shard.number);
+  shard.at("of").get_to(run.shard.of);
+  if (run.shard.number < 1 || run.shard.number > run.shard.of)
+    throw std::runtime_error(fmt::format("no shard {} of {}", run.shard.number, run.shard.of));
+  for (const auto& [name, value] : shard.at("run").items())
+    run.identity.emplace_back(name, value.get<std::string>());
+  j.at("tool").at("threads").get_to(run.report.threads);
+  for (const Json& r : j.at("results")) run.report.results.push_back(result(r));
+  if (j.contains("mutants"))
+    for (const Json& m : j.at("mutants")) run.report.mutants.push_back(mutant(m));
+  if (j.contains("diagnoses"))
+    for (const Json& d : j.at("diagnoses"))
+      run.report.diagnoses.push_back({d.at("law").get<std::string>(), d.at("subject").get<std::string>(),
+                                      d.at("lines").get<std::vector<std::string>>()});
+  return run;
+}
+
+}  // namespace
+
+ShardRun read_shard(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw EnvironmentError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw EnvironmentError(fmt::format("{}: cannot be read to its end", path));
+  try {
+    ShardRun run = shard_run(Json::parse(text));
+    run.file = path;
+    return run;
+  } catch (const std::exception& error) {
+    throw EnvironmentError(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+}  // namespace mmverify::cli

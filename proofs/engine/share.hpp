@@ -1,0 +1,47 @@
+// Which part of a domain a run does itself: a shard of it, less what a journal has done already.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "proofs/engine/chunk.hpp"
+
+namespace mmverify::proofs {
+
+class Journal;
+
+/// Part `number` of `of`, counted from 1.
+struct Shard {
+  std::uint32_t number = 1, of = 1;
+  bool whole() const { return of == 1; }
+  friend bool operator==(const Shard&, const Shard&) = default;
+
+  /// Its chunks of `chunks`: [chunks (number-1) / of, chunks number / of).  The shards of one `of` tile them.
+  Chunk chunks(std::uint64_t chunks) const {
+    // chunks = q of + r, so that nothing overflows.
+    const std::uint64_t q = chunks / of, r = chunks % of;
+    const auto bound = [&](std::uint64_t k) { return q * k + r * k / of; };
+    return {bound(number - 1), bound(number)};
+  }
+};
+
+/// Units of a domain that one result speaks of.
+struct Share {
+  std::uint64_t from = 0, to = 0, of = 0;
+  bool whole() const { return from == 0 && to == of; }
+  friend bool operator==(const Share&, const Share&) = default;
+};
+
+/// What the runner and `sweep` agree on for one law, subject and level.
+struct Division {
+  Shard shard;
+  Journal* journal = nullptr;  ///< null: none is kept
+  std::string about;           ///< the journal's name for this law, subject and level
+  // Filled in by sweep.
+  Share share;
+  std::uint64_t resumed = 0;  ///< cases that the journal had
+  bool finished = false;      ///< no chunk of the share is missing
+};
+
+}  // namespace mmverify::proofs
