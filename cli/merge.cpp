@@ -21,19 +21,21 @@ struct Options {
   std::string out;
 };
 
-std::uint64_t seed_of(const Identity& identity) {
-  for (const auto& [name, value] : identity)
-    if (name == "seed") return std::stoull(value);
-  return 1;
+std::uint64_t number_in(const ShardRun& shard, const std::string& item) {
+  for (const auto& [name, value] : shard.identity)
+    if (name == item && !value.empty() && value.size() < 20 &&
+        value.find_first_not_of("0123456789") == std::string::npos)
+      return std::stoull(value);
+  throw EnvironmentError(fmt::format("{}: its run names no {}", shard.file, item));
 }
 
 int merge(const Options& options) {
   std::vector<ShardRun> shards;
   for (const std::string& path : options.shards) shards.push_back(read_shard(path));
-  const std::uint64_t seed = seed_of(shards.front().identity);
+  const std::uint64_t seed = number_in(shards.front(), "seed"), errors = number_in(shards.front(), "errors");
   Report report;
   try {
-    report = merge_shards(std::move(shards), [](const std::string& id) {
+    report = merge_shards(std::move(shards), errors, [](const std::string& id) {
       const Law* law = find_law(id);
       if (law == nullptr) throw ShardsDoNotAddUp(fmt::format("no law is called '{}'", id));
       return law->method;

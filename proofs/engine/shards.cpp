@@ -89,14 +89,12 @@ void check_cover(std::vector<std::pair<const ShardRun*, const Result*>> parts, c
         fmt::format("{}: units {} to {} are left out", text(like), done, parts.front().second->share->of));
 }
 
-Result merged(const Parts& parts, const Result& like, Method method) {
+Result merged(const Parts& parts, const Result& like, std::size_t errors, Method method) {
   Result sum = like;
   sum.share.reset();
   sum.seconds = 0;
-  std::size_t keep = 1;
   for (const auto& [shard, r] : parts.found) {
     sum.seconds += r->seconds;
-    keep = std::max(keep, r->counterexamples.size());
     if (r->verdict != Verdict::not_applicable) {
       sum.method = r->method;
       sum.domain = r->domain;
@@ -118,7 +116,7 @@ Result merged(const Parts& parts, const Result& like, Method method) {
                                 [](const auto& part) { return part.second->share.has_value(); });
   if (!fits) return sum;
   check_cover(parts.found, like);
-  Tally tally(keep);
+  Tally tally(errors);
   for (const auto& [shard, r] : parts.found)
     tally.merge(Tally::restored(r->by_kind, r->digest, r->counterexamples));
   sum.by_kind = tally.by_kind();
@@ -137,7 +135,7 @@ Result merged(const Parts& parts, const Result& like, Method method) {
 
 }  // namespace
 
-Report merge_shards(std::vector<ShardRun> shards,
+Report merge_shards(std::vector<ShardRun> shards, std::size_t errors,
                     const std::function<Method(const std::string&)>& method_of) {
   check_numbers(shards);
   std::vector<const Result*> jobs;
@@ -149,7 +147,7 @@ Report merge_shards(std::vector<ShardRun> shards,
   Report whole;
   whole.threads = 0;
   for (const Result* job : jobs)
-    whole.results.push_back(merged(parts_of(shards, *job), *job, method_of(job->law)));
+    whole.results.push_back(merged(parts_of(shards, *job), *job, errors, method_of(job->law)));
   for (const ShardRun& s : shards) {
     whole.threads += s.report.threads;
     whole.mutants.insert(whole.mutants.end(), s.report.mutants.begin(), s.report.mutants.end());

@@ -1,0 +1,148 @@
+// The command line, killed and divided: --journal, --shard and merge.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/command.hpp"
+
+namespace {
+
+using namespace mmverify::tests;
+using nlohmann::json;
+using testing::HasSubstr;
+
+using Arguments = std::vector<std::string>;
+
+Arguments with(Arguments arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+Arguments sweep_of(const std::string& level) {
+  return {"prove", "index.equals_reference", "--subject", "step", "--levels", level, "--quiet"};
+}
+
+json results_in(const fs::path& file) { return json::parse(text_of(file))["results"]; }
+
+std::uintmax_t size_of(const fs::path& file) {
+  std::error_code none;
+  const auto size = fs::file_size(file, none);
+  return none ? 0 : size;
+}
+
+class Resume : public testing::Test {
+ protected:
+  void expect_success(const Arguments& arguments) {
+    const Outcome o = program(arguments);
+    EXPECT_EQ(o.exit_code, 0) << o.err << o.out;
+  }
+  std::string at(const std::string& name) const { return folder / name; }
+  Folder folder;
+};
+
+TEST_F(Resume, KilledThreeTimesAndDividedBySevenItIsTheSame) {
+  const Arguments run = sweep_of("12");
+  expect_success(with(run, {"--threads", "1", "--json", at("whole")}));
+
+  const Arguments again = with(run, {"--journal", at("journal"), "--json", at("killed")});
+  std::mt19937 random(std::random_device{}());
+  int killed = 0;
+  for (int kill = 1; kill <= 3; ++kill) {
+    const std::uintmax_t enough = size_of(at("journal")) + 400 + random() % 3000;
+    Process process(program_with(again));
+    while (size_of(at("journal")) < enough && !fs::exists(at("killed")))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    process.send(SIGKILL);
+    killed += process.wait().exit_code == 128 + SIGKILL ? 1 : 0;
+  }
+  EXPECT_GE(killed, 2);
+  expect_success(again);
+
+  Arguments merge{"merge"};
+  for (int k = 1; k <= 7; ++k) {
+    const std::string file = at("shard" + std::to_string(k));
+    expect_success(with(run, {"--shard", std::to_string(k) + "/7", "--json", file}));
+    EXPECT_EQ(results_in(file)[0]["verdict"], "checked");
+    merge.push_back(file);
+  }
+  expect_success(with(merge, {"-o", at("merged")}));
+
+  const json whole = results_in(at("whole"))[0], resumed = results_in(at("killed"))[0],
+             merged = results_in(at("merged"))[0];
+  EXPECT_EQ(whole["verdict"], "proved");
+  EXPECT_GT(resumed["cases_resumed"], 0);
+  for (const char* key : {"verdict", "digest", "cases_run", "by_kind"}) {
+    EXPECT_EQ(resumed[key], whole[key]) << key;
+    EXPECT_EQ(merged[key], whole[key]) << key;
+  }
+}
+
+TEST_F(Resume, AShardKeepsAJournalOfItsOwn) {
+  const Arguments run = with(sweep_of("9"), {"--journal", at("journal")});
+  expect_success(with(run, {"--shard", "1/2"}));
+  expect_complaint(program(with(run, {"--shard", "2/2"})), 4, "(shard: 1/2 there, 2/2 here)");
+}
+
+TEST_F(Resume, AJournalOfAnotherSubjectIsRefused) {
+  expect_success(with(sweep_of("5"), {"--journal", at("journal")}));
+  expect_complaint(program({"prove", "index.equals_reference", "--subject", "impl", "--levels", "5",
+                            "--quiet", "--journal", at("journal")}),
+                   4, "journal of another run (work: index.equals_reference step 5..5 there, ");
+  expect_complaint(program(with(sweep_of("5"), {"--journal", at("journal"), "--cells", "interior"})), 4,
+                   "(cells: all there, interior here)");
+}
+
+TEST_F(Resume, MergeSaysWhatIsWrong) {
+  const Arguments run = sweep_of("4");
+  for (const std::string k : {"1", "2", "3"})
+    expect_success(with(run, {"--shard", k + "/3", "--json", at(k)}));
+  expect_success(with(run, {"--json", at("whole")}));
+  const auto merge = [&](const Arguments& files) {
+    Arguments all{"merge"};
+    for (const std::string& file : files) all.push_back(at(file));
+    return program(with(all, {"-o", at("merged")}));
+  };
+  expect_complaint(merge({"1", "2"}), 4, "shard 3/3 is missing");
+  expect_complaint(merge({"1", "2", "2"}), 4, "both are shard 2/3");
+  expect_complaint(merge({"1", "2", "whole"}), 4, "written without --shard");
+  expect_complaint(merge({"1", "2", "none"}), 4, "none: cannot be read");
+  std::ofstream(at("cut")) << text_of(at("3")).substr(0, 500);
+  expect_complaint(merge({"1", "2", "cut"}), 4, "cut: ");
+  std::ofstream(at("array")) << "[1]";
+  expect_complaint(merge({"array"}), 4, "array: ");
+  EXPECT_FALSE(fs::exists(at("merged")));
+  EXPECT_EQ(merge({"3", "1", "2"}).exit_code, 0);
+}
+
+TEST_F(Resume, AWrongShardMakesAWrongRun) {
+  const Arguments run{"prove",     "index.equals_reference",
+                      "--subject", "step-appendix-ties",
+                      "--levels",  "5",
+                      "--quiet",   "--errors",
+                      "3"};
+  const Outcome whole = program(with(run, {"--json", at("whole")}));
+  Arguments merge{"merge"};
+  for (const std::string k : {"1", "2", "3"}) {
+    program(with(run, {"--shard", k + "/3", "--json", at(k)}));
+    merge.push_back(at(k));
+  }
+  const Outcome merged = program(with(merge, {"-o", at("merged")}));
+  EXPECT_EQ(whole.exit_code, 1);
+  EXPECT_EQ(merged.exit_code, 1);
+  json one = results_in(at("whole"))[0], other = results_in(at("merged"))[0];
+  one.erase("seconds");
+  other.erase("seconds");
+  EXPECT_EQ(one, other);
+}
+
+TEST_F(Resume, ArgumentsAreLookedAt) {
+  for (const std::string bad : {"0/3", "4/3", "1", "1/0", "a/b", "1/3/5", "-1/3", "1/9999999"})
+    expect_complaint(program(with(sweep_of("3"), {"--shard=" + bad})), 2, "--shard " + bad);
+  expect_complaint(program(with(sweep_of("3"), {"--journal", at("x"), "--json", at("x")})), 2,
+                   "another output's file");
+  expect_complaint(program(with(sweep_of("3"), {"--journal", folder.path()})), 4, "cannot be opened");
+}
+
+}  // namespace
