@@ -9,6 +9,7 @@
 #include <string>
 
 #include "proofs/engine/runner.hpp"
+#include "proofs/index/induction/lemmas.hpp"
 #include "proofs/index/induction/mutants.hpp"
 #include "proofs/induction/paths.hpp"
 #include "proofs/induction/prover.hpp"
@@ -180,6 +181,20 @@ TEST(Mutants, FailInTheStatementsThatTheirMistakeIsIn) {
         ++met;
       }
   EXPECT_EQ(met, expected.size());
+}
+
+TEST(Mutants, TheAppendixsReadingsFailInTheTransitionsThatTheyChange) {
+  using index::induction::all_levels_statements;
+  using index::induction::Specified;
+  using mmverify::spec::index::Reading;
+  using Names = std::set<std::string>;
+  EXPECT_EQ(failing(all_levels_statements<Specified, Reading::printed>()), Names());
+  EXPECT_EQ(failing(all_levels_statements<Specified, Reading::appendix_middle>()),
+            Names({"transition_middle", "transition_upright"}));
+  EXPECT_EQ(failing(all_levels_statements<Specified, Reading::appendix_ties>()),
+            Names({"transition_middle"}));
+  EXPECT_EQ(failing(all_levels_statements<Specified, Reading::appendix_names>()),
+            Names({"transition_hypotenuse", "transition_middle", "transition_upright"}));
 }
 
 TEST(Mutants, TheAppendixsReadingsAreRefutedWithTheSimplestPoint) {
