@@ -38,6 +38,7 @@ Json result(const Result& r) {
     by_kind[names[k]] = {{"cases", r.by_kind[k].cases}, {"mismatches", r.by_kind[k].mismatches}};
   Json j{{"law", r.law},       {"topic", r.topic},   {"subject", r.subject},           {"level", r.level},
          {"method", r.method}, {"domain", r.domain}, {"verdict", to_string(r.verdict)}};
+  if (!r.at_once.empty()) j["level"] = nullptr;
   if (!r.reason.empty()) j["reason"] = r.reason;
   j["cases_expected"] = r.cases_expected;
   j["cases_run"] = r.cases_run();

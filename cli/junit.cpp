@@ -28,7 +28,9 @@ struct Sums {
 void add_test(pugi::xml_node suite, const Result& r, Sums& sums) {
   pugi::xml_node test = suite.append_child("testcase");
   set(test, "classname", r.law);
-  set(test, "name", fmt::format("{} level {}", r.subject, r.level));
+  set(test, "name",
+      r.at_once.empty() ? fmt::format("{} level {}", r.subject, r.level)
+                        : fmt::format("{} {}", r.subject, r.at_once));
   set(test, "time", fmt::format("{:.6f}", r.seconds));
   ++sums.tests;
   sums.seconds += r.seconds;

@@ -14,19 +14,9 @@ namespace {
 
 using namespace proofs;
 
-std::string method_text(Method method) {
-  switch (method) {
-    case Method::exhaustive:
-      return "exhaustive";
-    case Method::sample:
-      return "sample";
-    case Method::witness:
-      return "witness";
-  }
-  return "?";
+std::string levels_text(const Law& law, const Levels& levels) {
+  return law.at_once.empty() ? fmt::format("{}..{}", levels.first, levels.last) : law.at_once;
 }
-
-std::string levels_text(const Levels& levels) { return fmt::format("{}..{}", levels.first, levels.last); }
 
 nlohmann::ordered_json as_json(const Law& law) {
   const SubjectPtr first = find_subject(law.subjects.front());
@@ -37,13 +27,13 @@ nlohmann::ordered_json as_json(const Law& law) {
           {"statement", law.says},
           {"source", law.source},
           {"domain", law.domain(*first, law.fast.last)},
-          {"method", method_text(law.method)},
+          {"method", to_string(law.method)},
           {"subjects", law.subjects},
           {"tiers",
            {{"fast", law.long_only ? nlohmann::ordered_json(nullptr)
-                                   : nlohmann::ordered_json{{"levels", levels_text(law.fast)},
+                                   : nlohmann::ordered_json{{"levels", levels_text(law, law.fast)},
                                                             {"expected_seconds", law.fast_seconds}}},
-            {"long", {{"levels", levels_text(law.long_run)}}}}},
+            {"long", {{"levels", levels_text(law, law.long_run)}}}}},
           {"mutants", mutants}};
 }
 
@@ -52,11 +42,12 @@ void print_law(const Law& law) {
   fmt::print("{}\n  {}\n", law.id, law.says);
   fmt::print("  source: {}\n", law.source);
   fmt::print("  domain: {}\n", law.domain(*first, law.fast.last));
+  const char* levels = law.at_once.empty() ? "levels " : "";
   const std::string fast =
       law.long_only ? "not in it"
-                    : fmt::format("levels {}, about {} s", levels_text(law.fast), law.fast_seconds);
-  fmt::print("  method: {}; fast tier: {}; long tier: levels {}\n", method_text(law.method), fast,
-             levels_text(law.long_run));
+                    : fmt::format("{}{}, about {} s", levels, levels_text(law, law.fast), law.fast_seconds);
+  fmt::print("  method: {}; fast tier: {}; long tier: {}{}\n", to_string(law.method), fast, levels,
+             levels_text(law, law.long_run));
   fmt::print("  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }
 

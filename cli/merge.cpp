@@ -35,10 +35,10 @@ int merge(const Options& options) {
   const std::uint64_t seed = number_in(shards.front(), "seed"), errors = number_in(shards.front(), "errors");
   Report report;
   try {
-    report = merge_shards(std::move(shards), errors, [](const std::string& id) {
+    report = merge_shards(std::move(shards), errors, [](const std::string& id) -> const Law& {
       const Law* law = find_law(id);
       if (law == nullptr) throw ShardsDoNotAddUp(fmt::format("no law is called '{}'", id));
-      return law->method;
+      return *law;
     });
   } catch (const ShardsDoNotAddUp& why) {
     throw EnvironmentError(why.what());

@@ -40,7 +40,7 @@ Result result(const Json& j) {
   j.at("law").get_to(r.law);
   j.at("topic").get_to(r.topic);
   j.at("subject").get_to(r.subject);
-  j.at("level").get_to(r.level);
+  if (!j.at("level").is_null()) j.at("level").get_to(r.level);
   j.at("method").get_to(r.method);
   j.at("domain").get_to(r.domain);
   r.verdict = verdict(j.at("verdict").get<std::string>());

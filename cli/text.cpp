@@ -14,21 +14,28 @@ namespace mmverify::cli {
 
 using namespace proofs;
 
+namespace {
+/// A result about many levels has counterexamples on levels of their own.
+Level level_of(const Result& result, const Counterexample& c) {
+  return result.at_once.empty() ? result.level : c.level;
+}
+}  // namespace
+
 std::string replay_command(const Result& result, const Counterexample& c) {
   const Law* law = find_law(result.law);
+  const Level level = level_of(result, c);
   if (result.subject == "standard input")
-    return fmt::format("mmverify replay {} --level {} --case {} --answer {}", result.law, result.level, c.at,
-                       c.got);
+    return fmt::format("mmverify replay {} --level {} --case {} --answer {}", result.law, level, c.at, c.got);
   if (law == nullptr || !law->replay)
-    return fmt::format("mmverify prove {} --levels {} --subject {}", result.law, result.level,
+    return fmt::format("mmverify prove {} --levels {} --subject {}", result.law, level,
                        shell_quoted(result.subject));
-  return fmt::format("mmverify replay {} --level {} --case {} --subject {}", result.law, result.level, c.at,
+  return fmt::format("mmverify replay {} --level {} --case {} --subject {}", result.law, level, c.at,
                      shell_quoted(result.subject));
 }
 
 std::string counterexample_line(const Result& result, const Counterexample& c) {
   return fmt::format("refuted {} level {} case {}{} expected {} got {}   replay: {}", result.law,
-                     result.level, c.at, c.hex.empty() ? "" : " " + c.hex, c.expected, c.got,
+                     level_of(result, c), c.at, c.hex.empty() ? "" : " " + c.hex, c.expected, c.got,
                      replay_command(result, c));
 }
 
@@ -43,6 +50,7 @@ void say(std::FILE* out, fmt::format_string<Args...> format, Args&&... args) {
 }
 
 std::string levels_text(const std::vector<Result>& results) {
+  if (!results.front().at_once.empty()) return results.front().at_once;
   const Level first = results.front().level, last = results.back().level;
   return first == last ? fmt::format("level {}", first) : fmt::format("levels {}..{}", first, last);
 }
@@ -86,8 +94,11 @@ void TextReport::line(const std::vector<Result>& results) {
   }
   const std::string rate =
       seconds > 0.01 ? fmt::format("{:7.1f} M/s", static_cast<double>(cases - resumed) / seconds / 1e6) : "";
-  say(out_, "{:<10} {:<32} {:<20} {:<13} {:>15} cases {:>7.2f} s {}\n", to_string(verdict), first.law,
-      first.subject, levels_text(results), grouped(cases), seconds, rate);
+  std::string said = fmt::format("{:<10}", to_string(verdict));
+  if (verdict == Verdict::proved && !first.proof.empty())
+    said = fmt::format("{} ({})", to_string(verdict), first.proof);
+  say(out_, "{:<43} {:<20} {:<13} {:>15} cases {:>7.2f} s {}\n", said + " " + first.law, first.subject,
+      levels_text(results), grouped(cases), seconds, first.at_once.empty() ? rate : "");
   if (by_level_)
     say(out_, "           domain: {}; {}; digest {:016x}\n", first.domain, first.method, first.digest);
   if (resumed != 0) say(out_, "           resumed: {} of these cases by the journal\n", grouped(resumed));
@@ -97,8 +108,11 @@ void TextReport::line(const std::vector<Result>& results) {
           grouped(r.share->of));
   for (const Result& r : results) {
     if (r.mismatches() == 0) continue;
-    say(out_, "  level {}: {} of {} cases wrong ({})\n", r.level, grouped(r.mismatches()),
-        grouped(r.cases_run()), by_kind(r));
+    if (r.at_once.empty())
+      say(out_, "  level {}: {} of {} cases wrong ({})\n", r.level, grouped(r.mismatches()),
+          grouped(r.cases_run()), by_kind(r));
+    else
+      say(out_, "  {}: {} of {} statements not proved\n", r.at_once, r.mismatches(), r.cases_run());
     for (const Counterexample& c : r.counterexamples) say(out_, "{}\n", counterexample_line(r, c));
     if (!by_level_) break;
   }

@@ -2,6 +2,7 @@
 #include "proofs/index.hpp"
 
 #include "proofs/index/diagnosis.hpp"
+#include "proofs/index/induction/provable.hpp"
 #include "proofs/index/law_groups.hpp"
 #include "proofs/index/law_parts.hpp"
 #include "proofs/index/mutants.hpp"
@@ -286,8 +287,9 @@ Law row_corners_law() {
 std::vector<Law> laws() {
   std::vector<Law> all{equals_reference_law(), in_range_law(), bijective_law(), nested_law(),
                        contiguous_law(),       inverse_law(),  corners_law(),   rounding_law()};
-  for (const auto& group : {arithmetic_laws(), std::vector{row_order_law(), row_corners_law()},
-                            paper_laws(equals_reference_law())})
+  for (const auto& group :
+       {induction::laws(), arithmetic_laws(), std::vector{row_order_law(), row_corners_law()},
+        paper_laws(equals_reference_law())})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

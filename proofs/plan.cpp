@@ -31,7 +31,8 @@ std::vector<Job> plan(const Request& request) {
   std::vector<Job> jobs;
   const auto add = [&](const Law& law, const SubjectPtr& subject) {
     if (planned(jobs, law, *subject)) return;
-    Job job{&law, subject, request.levels.value_or(request.tier == Tier::fast ? law.fast : law.long_run), {}};
+    Job job{&law, subject, request.tier == Tier::fast ? law.fast : law.long_run, {}};
+    if (request.levels && law.at_once.empty()) job.levels = *request.levels;
     if (!about(law, *subject))
       job.unfit = fmt::format("{} is about {}", law.id, fmt::join(law.subjects, ", "));
     jobs.push_back(std::move(job));

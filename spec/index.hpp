@@ -26,32 +26,45 @@ struct Quantised {
   Word iu, iv, iw;
 };
 
-/// Grid square of a point: iu = floor(uN), iv = floor(vN), both kept below N, and iu lowered until iu+iv < N;
-/// iw = NOT(iu+iv), one less where the point lies in the upper half of the square (uf+vf >= 1).
-/// Domain: every point (u and v are clamped to [0,1]); n in 0..31. Words wrap.
-/// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
-template <class Word, Number Q>
-constexpr Quantised<Word> quantise(const Point<Q>& p, Level n) {
+/// The lesser of 1 and the greater of 0 and q.  Domain: every number.
+template <Coordinate Q>
+constexpr Q within_unit(Q q) {
   const Q zero(0), one(1);
-  Q u = p.u, v = p.v;
-  u = u < zero ? zero : u;
-  u = one < u ? one : u;
-  v = v < zero ? zero : v;
-  v = one < v ? one : v;
+  q = q < zero ? zero : q;
+  return one < q ? one : q;
+}
 
-  const std::uint32_t N = side(n);
-  const Q un = times(N, u), vn = times(N, v);
-  Word iu = whole(un), iv = whole(vn);
-  const Q uf = un - Q(whole(un)), vf = vn - Q(whole(vn));
-
+/// Grid square from the whole parts iu = floor(uN), iv = floor(vN): both kept below N, and iu lowered until
+/// iu+iv < N; iw = NOT(iu+iv), one less where the point lies in the upper half of the square, which the
+/// hypotenuse's squares do not have.  Domain: iu, iv in [0, N].  Words wrap.
+/// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+template <class Word>
+constexpr Quantised<Word> grid_square(Word iu, Word iv, bool upper_half, const Word& N) {
   iu = iu < N ? iu : N - 1;
   iv = iv < N ? iv : N - 1;
   const Word s = iu + iv;
   iu = s < N ? iu : iu - (s - N + 1);
 
   Word iw = ~(iu + iv);
-  iw = !(uf + vf < one) && s < N - 1 ? iw - 1 : iw;
+  iw = upper_half && s < N - 1 ? iw - 1 : iw;
   return {iu, iv, iw};
+}
+
+/// Grid square of a point given by uN and vN, each in [0, N]; its upper half is uf+vf >= 1.
+/// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+template <class Word, Coordinate Q>
+constexpr Quantised<Word> quantise_scaled(const Q& un, const Q& vn, const Word& N) {
+  const Q one(1), uf = un - Q(whole(un)), vf = vn - Q(whole(vn));
+  return grid_square<Word>(whole(un), whole(vn), !(uf + vf < one), N);
+}
+
+/// Grid square of a point at level n.
+/// Domain: every point (u and v are clamped to [0,1]); n in 0..31. Words wrap.
+/// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+template <class Word, Number Q>
+constexpr Quantised<Word> quantise(const Point<Q>& p, Level n) {
+  const std::uint32_t N = side(n);
+  return quantise_scaled<Word>(times(N, within_unit(p.u)), times(N, within_unit(p.v)), Word{N});
 }
 
 /// XOR of a word's bits at and above each bit: f_i = XOR of t_j for all j >= i, over the low `bits` bits.
@@ -62,33 +75,54 @@ constexpr Word xor_from_above(Word t) {
   return t;
 }
 
+/// The number of bits of a Word.
+template <class Word>
+inline constexpr unsigned word_bits = 8 * sizeof(Word);
+
 /// Every other bit of the result, from bit 0 up, is a bit of x; the rest are zero: the halves of each group
 /// of bits move apart, group by group; ones / (2^shift + 1) masks the lower half of each.  Domain: x below
 /// 2^(bits of Word / 2).
 template <unsigned shift, class Word>
 constexpr Word spread(Word x) {
-  constexpr Word halves = static_cast<Word>(~Word{0} / ((Word{1} << shift) + 1));
+  const Word halves = ~Word{0} / ((Word{1} << shift) + 1);
   const Word apart = (x | x << shift) & halves;
   if constexpr (shift > 1) return spread<shift / 2>(apart);
   return apart;
 }
 template <class Word>
 constexpr Word spread(Word x) {
-  return spread<2 * sizeof(Word)>(x);
+  return spread<word_bits<Word> / 4>(x);
 }
 
-/// The curve's index from the grid square: b0 = NOT(iu XOR iw), t = (iu XOR iv) AND b0, f =
-/// xor_from_above(t), b1 = ((f XOR iu) AND NOT b0) OR t; b0 goes to the even bits and b1 to the odd bits.
-/// Domain: a Quantised of the same level.  Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+/// The curve's two bits of each digit, digit = b0 + 2 b1.
 template <class Word>
-constexpr Word curve(const Quantised<Word>& q, Level n) {
-  constexpr unsigned half_word = 4 * sizeof(Word);
-  const Word low = side(n) - Word{1};
+struct CurveBits {
+  Word b0, b1;
+};
+
+/// b0 = NOT(iu XOR iw), t = (iu XOR iv) AND b0, f = prefix_xor(t), b1 = ((f XOR iu) AND NOT b0) OR t, on the
+/// bits that `low` has; but for prefix_xor, each bit by itself.  Domain: a Quantised of the level of `low`.
+/// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+template <class Word, class PrefixXor>
+constexpr CurveBits<Word> curve_bits(const Quantised<Word>& q, const Word& low, PrefixXor prefix_xor) {
   const Word b0 = ~(q.iu ^ q.iw) & low;
   const Word t = (q.iu ^ q.iv) & b0;
-  const Word f = xor_from_above<half_word>(t);
+  const Word f = prefix_xor(t);
   const Word b1 = ((f ^ q.iu) & ~b0) | t;
-  return spread(b0) | spread(b1) << 1;
+  return {b0, b1};
+}
+
+/// b0 in the even bits, b1 in the odd ones.  Domain: words below 2^(bits of Word / 2).
+template <class Word>
+constexpr Word interleave(const CurveBits<Word>& bits) {
+  return spread(bits.b0) | spread(bits.b1) << 1;
+}
+
+/// The curve's index from the grid square; low = N-1.
+/// Domain: a Quantised of the same level.  Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+template <class Word>
+constexpr Word curve(const Quantised<Word>& q, const Word& low) {
+  return interleave(curve_bits(q, low, [](const Word& t) { return xor_from_above<word_bits<Word> / 2>(t); }));
 }
 
 /// Index of the micro-triangle that holds the point, by the Vulkan formula in 32-bit words.
@@ -96,13 +130,13 @@ constexpr Word curve(const Quantised<Word>& q, Level n) {
 /// "Reference Code".
 template <Number Q>
 constexpr std::uint32_t reference(const Point<Q>& p, Level n) {
-  return curve(quantise<std::uint32_t>(p, n), n);
+  return curve(quantise<std::uint32_t>(p, n), side(n) - 1);
 }
 
 /// The same formula in 64-bit words, its prefix XOR over all n bits.  Domain: every point; n in 0..31.
 template <Number Q>
 constexpr std::uint64_t reference_wide(const Point<Q>& p, Level n) {
-  return curve(quantise<std::uint64_t>(p, n), n);
+  return curve(quantise<std::uint64_t>(p, n), std::uint64_t{side(n)} - 1);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -120,24 +154,24 @@ enum class Reading {
 };
 
 /// The recursion's arguments: barycentrics on the current triangle, the digits so far, the two flips.
-template <Number Q>
+template <Coordinate Q, class Index = std::uint32_t>
 struct Step {
   Q u, v, w;
-  std::uint32_t index = 0;
+  Index index = 0;
   bool mid_flip = false, top_flip = false;
 };
 
 /// uv2index's opening: w = 1-u-v, no digit yet, nothing flipped.
-template <Number Q>
-constexpr Step<Q> first_step(const Point<Q>& p) {
+template <Coordinate Q, class Index = std::uint32_t>
+constexpr Step<Q, Index> first_step(const Point<Q>& p) {
   return {p.u, p.v, Q(1) - p.u - p.v};
 }
 
 /// One call of `step`: which of L, M, R, T holds the point, its digit, and the point's barycentrics on it.
 /// Comparisons with 1/2 are made on doubled coordinates, which is exact in every binary number type.
 /// Source: Succinct Opacity Micromaps, Algorithm 4; the readings, Appendix A.
-template <Reading reading, Number Q>
-constexpr Step<Q> next_step(const Step<Q>& s) {
+template <Reading reading, Coordinate Q, class Index>
+constexpr Step<Q, Index> next_step(const Step<Q, Index>& s) {
   const Q &u = s.u, &v = s.v, &w = s.w;
   const bool mid_flip = s.mid_flip, top_flip = s.top_flip;
   const std::uint32_t L = top_flip ? 2 : 0, M = 1, R = top_flip ? 0 : 2, T = 3;
@@ -145,13 +179,13 @@ constexpr Step<Q> next_step(const Step<Q>& s) {
   const bool u_tie = u2 == one, v_tie = v2 == one;
 
   const auto w_corner = [&](std::uint32_t digit, bool top) {
-    return Step<Q>{u2, v2, w - u - v, 4 * s.index + digit, mid_flip, top};
+    return Step<Q, Index>{u2, v2, w - u - v, 4 * s.index + digit, mid_flip, top};
   };
   const auto v_corner = [&](std::uint32_t digit, bool top) {
-    return Step<Q>{u2, v - u - w, w2, 4 * s.index + digit, mid_flip, top};
+    return Step<Q, Index>{u2, v - u - w, w2, 4 * s.index + digit, mid_flip, top};
   };
   const auto u_corner = [&](std::uint32_t digit, bool top) {
-    return Step<Q>{u - v - w, v2, w2, 4 * s.index + digit, mid_flip, top};
+    return Step<Q, Index>{u - v - w, v2, w2, 4 * s.index + digit, mid_flip, top};
   };
   constexpr bool renamed = reading == Reading::appendix_names;
 

@@ -26,17 +26,22 @@ constexpr Q times(std::uint32_t k, const Q& q) {
   return Q(k) * q;
 }
 
-/// A number type that a specification can be run on: ordered, with + and -, made from whole numbers,
-/// multiplied by whole numbers, and with whole(q) = floor(q) for q >= 0. Exact types (Rational, Fixed) make
-/// the specification exact; a rounded type makes it an instance under test and never an oracle.
+/// What the recursion asks of a coordinate: order, + and -, whole numbers and multiplication by them.
 template <class Q>
-concept Number = std::copyable<Q> && requires(const Q a, const Q b, const std::uint32_t k) {
+concept Coordinate = std::copyable<Q> && requires(const Q a, const Q b, const std::uint32_t k) {
   {Q(k)};
   { a + b } -> std::convertible_to<Q>;
   { a - b } -> std::convertible_to<Q>;
   { times(k, a) } -> std::convertible_to<Q>;
   { a < b } -> std::convertible_to<bool>;
   { a == b } -> std::convertible_to<bool>;
+};
+
+/// A number type that a specification can be run on: a coordinate with whole(q) = floor(q) for q >= 0. Exact
+/// types (Rational, Fixed) make the specification exact; a rounded type makes it an instance under test and
+/// never an oracle.
+template <class Q>
+concept Number = Coordinate<Q> && requires(const Q a) {
   { whole(a) } -> std::convertible_to<std::uint32_t>;
 };
 

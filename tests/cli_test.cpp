@@ -219,6 +219,41 @@ TEST(Prove, ErrorsKeepsAsManyCounterexamplesAndEachReplays) {
   }
 }
 
+// One run settles every level: it says so, has no level, and takes no heed of --levels.
+TEST(Prove, AnInductionIsProvedForAllLevelsAtOnce) {
+  Folder folder;
+  const Outcome r = program({"prove", "index.all_levels", "index.wide_is_vulkan", "--levels", "3..5",
+                             "--quiet", "--json", folder / "r.json"});
+  EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
+  EXPECT_EQ(lines_with(r.out, "proved (induction) index.all_levels").size(), 1u);
+  EXPECT_EQ(lines_with(r.out, "proved (bit vectors) index.wide_is_vulkan").size(), 1u);
+  EXPECT_TRUE(says(r.out, "all levels"));
+  const json results = parsed(text_of(folder / "r.json"))["results"];
+  ASSERT_EQ(results.size(), 2u);
+  for (const json& result : results) {
+    EXPECT_EQ(result["verdict"], "proved");
+    EXPECT_TRUE(result["level"].is_null());
+    EXPECT_EQ(result["cases_run"], result["cases_expected"]);
+  }
+  EXPECT_TRUE(says(results[0]["method"], "induction, z3"));
+}
+
+TEST(Prove, WhereAnInductionFailsAPointShowsWhy) {
+  const Outcome r =
+      program({"prove", "index.all_levels", "--subject", "step-appendix-ties", "--errors", "2", "--quiet"});
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_TRUE(says(r.out, "1 of 14 statements not proved")) << r.out;
+  const auto lines = lines_with(r.out, "replay: ");
+  ASSERT_EQ(lines.size(), 1u);  // the lowest level has one wrong cell
+  EXPECT_TRUE(lines[0].starts_with("refuted index.all_levels level 2 case e:u=3/8,v=3/8 "));
+  const Outcome again = shell(lines[0].substr(lines[0].find("replay: ") + 8));
+  EXPECT_EQ(again.exit_code, 1) << again.err;
+  EXPECT_TRUE(says(again.out, "expected 6 got 5")) << again.out;
+  const Outcome other = program({"prove", "index.all_levels", "--subject", "impl", "--quiet"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(says(other.out, "no statements about impl")) << other.out;
+}
+
 // The cells decide nothing about a float instance but themselves: the domain says so, and floats are tried
 // too.
 TEST(Prove, AFloatSubjectIsJudgedOnFloatsToo) {

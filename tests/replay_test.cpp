@@ -22,11 +22,13 @@ INSTANTIATE_TEST_SUITE_P(All, Replay, testing::ValuesIn(ids_of_laws([](const Law
 void expect_replayed(const Law& law, const Subject& subject, const Result& r) {
   for (const Counterexample& c : r.counterexamples) {
     const std::string where =
-        law.id + " " + subject.name() + " level " + std::to_string(r.level) + " " + c.at;
-    EXPECT_EQ(c.level, r.level) << where;
+        law.id + " " + subject.name() + " level " + std::to_string(c.level) + " " + c.at;
+    if (law.at_once.empty()) {
+      EXPECT_EQ(c.level, r.level) << where;
+    }
     EXPECT_FALSE(c.at.empty()) << where;
     try {
-      const Replayed again = law.replay(subject, r.level, c.at);
+      const Replayed again = law.replay(subject, c.level, c.at);
       EXPECT_FALSE(again.holds) << where;
       EXPECT_EQ(again.expected, c.expected) << where;
       EXPECT_EQ(again.got, c.got) << where;
@@ -44,7 +46,7 @@ TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
       ASSERT_FALSE(r.counterexamples.empty());
       expect_replayed(law, *mutant.subject, r);
       for (const Counterexample& c : r.counterexamples) {
-        const Replayed right = law.replay(*find_subject(law.subjects.front()), n, c.at);
+        const Replayed right = law.replay(*find_subject(law.subjects.front()), c.level, c.at);
         EXPECT_TRUE(right.holds) << mutant.name << " " << c.at;
         EXPECT_TRUE(right.picture.starts_with("<?xml")) << mutant.name << " " << c.at;
       }

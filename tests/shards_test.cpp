@@ -40,7 +40,10 @@ std::vector<ShardRun> shards_of(const Law& law, const SubjectPtr& subject, std::
 }
 
 Report merged(std::vector<ShardRun> shards, Method method = Method::exhaustive) {
-  return merge_shards(std::move(shards), silent().errors, [=](const std::string&) { return method; });
+  Law law = counting_law();
+  law.method = method;
+  return merge_shards(std::move(shards), silent().errors,
+                      [&](const std::string&) -> const Law& { return law; });
 }
 
 std::string complaint(std::vector<ShardRun> shards) {

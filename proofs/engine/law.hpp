@@ -41,8 +41,25 @@ struct Levels {
   friend bool operator==(const Levels&, const Levels&) = default;
 };
 
-/// How a passing run may be called: exhaustive and witness runs prove, a sample only checks.
-enum class Method { exhaustive, sample, witness };
+/// How a passing run may be called: exhaustive and witness runs prove, a sample only checks; an induction and
+/// bit vectors prove if a prover has discharged every statement.
+enum class Method { exhaustive, sample, witness, induction, bit_vectors };
+
+constexpr const char* to_string(Method method) {
+  switch (method) {
+    case Method::exhaustive:
+      return "exhaustive";
+    case Method::sample:
+      return "sample";
+    case Method::witness:
+      return "witness";
+    case Method::induction:
+      return "induction";
+    case Method::bit_vectors:
+      return "bit vectors";
+  }
+  return "?";
+}
 
 /// A wrong subject that the law must refute within these levels.
 struct Mutant {
@@ -65,6 +82,10 @@ struct Law {
   std::vector<std::string>
       subjects;  ///< built-in subjects of a run that names none: those that the law is true of
   Levels fast = {}, long_run = {};
+  /// Where one run settles many levels: which, in words.  It is then run once, as level 0, whatever levels
+  /// are asked for, and its counterexamples and mutants name levels of their own.  Empty: a run settles its
+  /// level.
+  std::string at_once = {};
   double fast_seconds = 0;  ///< on two cores of the machine the README names, mutants included
 
   std::function<std::uint64_t(Level, const Run&)> cases = {};  ///< closed form
@@ -92,6 +113,12 @@ struct Law {
 /// A subject that did something else than answer; what() says what, and on which input.  Ends the law with
 /// `broken`.
 struct SubjectBroken : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A statement that no prover discharged and no counterexample denies; what() names it.  Ends the law with
+/// `incomplete`.
+struct NotProved : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

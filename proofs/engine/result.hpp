@@ -13,8 +13,8 @@ namespace mmverify::proofs {
 
 using Level = std::uint32_t;
 
-/// proved: every case of the named domain was run, or a witness settles the statement.  checked: a sample
-/// passed.
+/// proved: every case of the named domain was run, a witness settles the statement, or a prover discharged
+/// every statement that it follows from.  checked: a sample passed.
 enum class Verdict { proved, refuted, checked, broken, not_applicable, incomplete };
 
 std::string to_string(Verdict v);
@@ -41,10 +41,12 @@ struct Counterexample {
   std::string expected, got;
 };
 
-/// One law on one subject at one level.
+/// One law on one subject at one level, or on all those that at_once names.
 struct Result {
   std::string law, topic, subject;
   Level level = 0;
+  std::string at_once;  ///< "all levels": what the result is about in the place of a level; mostly empty
+  std::string proof;    ///< "induction": how, beside the verdict `proved`; empty where every case was run
   std::string method, domain;
   Verdict verdict = Verdict::incomplete;
   std::string reason;  ///< why broken, not applicable or incomplete

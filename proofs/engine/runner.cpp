@@ -31,6 +31,7 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   r.topic = law.topic;
   r.subject = subject.name();
   r.level = level;
+  name_proof(r, law);
   r.method = law.how(subject, level);
   r.domain = law.domain(subject, level);
   if (run.interiors_only && law.on_lines) r.domain += ", those inside micro-triangles only";
@@ -93,6 +94,11 @@ std::optional<Level> first_refuted(const Report& report, const Job& job) {
 
 }  // namespace
 
+void name_proof(Result& r, const Law& law) {
+  r.at_once = law.at_once;
+  if (law.method == Method::induction || law.method == Method::bit_vectors) r.proof = to_string(law.method);
+}
+
 Result run_level(const Law& law, const Subject& subject, Level level, const Run& asked) {
   Run run = asked;
   // What a law says of named subjects it says of all cells.
@@ -118,13 +124,16 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
     }
     r.by_kind = tally.by_kind();
     r.counterexamples = tally.found();
-    for (Counterexample& c : r.counterexamples) c.level = level;
+    for (Counterexample& c : r.counterexamples) c.level = law.at_once.empty() ? level : c.level;
     r.digest = tally.digest();
     r.verdict = judged(law, r, finished);
     if (r.verdict == Verdict::incomplete) r.reason = "interrupted";
   } catch (const Interrupted&) {
     r.verdict = Verdict::incomplete;
     r.reason = "interrupted";
+  } catch (const NotProved& gap) {
+    r.verdict = Verdict::incomplete;
+    r.reason = gap.what();
   } catch (const SubjectBroken& broken) {
     r.verdict = Verdict::broken;
     r.reason = broken.what();
@@ -143,11 +152,12 @@ std::vector<MutantResult> run_mutants(const Law& law, const Run& asked) {
   std::vector<MutantResult> results;
   for (const Mutant& mutant : law.mutants) {
     MutantResult m{law.id, mutant.name, false, 0, {}};
-    for (Level n = mutant.levels.first; n <= mutant.levels.last && !m.killed && !interrupted(); ++n) {
+    const Level last = law.at_once.empty() ? mutant.levels.last : mutant.levels.first;
+    for (Level n = mutant.levels.first; n <= last && !m.killed && !interrupted(); ++n) {
       const Result r = run_level(law, *mutant.subject, n, run);
       if (r.verdict != Verdict::refuted) continue;
       m.killed = true;
-      m.level = n;
+      m.level = law.at_once.empty() || r.counterexamples.empty() ? n : r.counterexamples.front().level;
       m.at = r.counterexamples.empty() ? std::string() : r.counterexamples.front().at;
     }
     if (m.killed || !interrupted()) results.push_back(m);

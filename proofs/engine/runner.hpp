@@ -53,6 +53,9 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
 /// A proof whose cases do not add up to the closed form is an error of this program: std::logic_error.
 Result run_level(const Law& law, const Subject& subject, Level level, const Run& run);
 
+/// Says in a result what its law is about in the place of a level, and how it is proved.
+void name_proof(Result& result, const Law& law);
+
 /// Runs every mutant of a law, lowest level first, until the law refutes it.  Samples are those of the
 /// default seed and the fast tier.
 std::vector<MutantResult> run_mutants(const Law& law, const Run& run);

@@ -89,9 +89,10 @@ void check_cover(std::vector<std::pair<const ShardRun*, const Result*>> parts, c
         fmt::format("{}: units {} to {} are left out", text(like), done, parts.front().second->share->of));
 }
 
-Result merged(const Parts& parts, const Result& like, std::size_t errors, Method method) {
+Result merged(const Parts& parts, const Result& like, std::size_t errors, const Law& law) {
   Result sum = like;
   sum.share.reset();
+  name_proof(sum, law);
   sum.seconds = 0;
   for (const auto& [shard, r] : parts.found) {
     sum.seconds += r->seconds;
@@ -127,16 +128,16 @@ Result merged(const Parts& parts, const Result& like, std::size_t errors, Method
   if (sum.mismatches() == 0 && sum.cases_run() != sum.cases_expected)
     throw ShardsDoNotAddUp(
         fmt::format("{}: {} cases in all, {} expected", text(like), sum.cases_run(), sum.cases_expected));
-  sum.verdict = sum.mismatches() != 0      ? Verdict::refuted
-                : method == Method::sample ? Verdict::checked
-                                           : Verdict::proved;
+  sum.verdict = sum.mismatches() != 0          ? Verdict::refuted
+                : law.method == Method::sample ? Verdict::checked
+                                               : Verdict::proved;
   return sum;
 }
 
 }  // namespace
 
 Report merge_shards(std::vector<ShardRun> shards, std::size_t errors,
-                    const std::function<Method(const std::string&)>& method_of) {
+                    const std::function<const Law&(const std::string&)>& law_of) {
   check_numbers(shards);
   std::vector<const Result*> jobs;
   for (const ShardRun& s : shards)
@@ -147,7 +148,7 @@ Report merge_shards(std::vector<ShardRun> shards, std::size_t errors,
   Report whole;
   whole.threads = 0;
   for (const Result* job : jobs)
-    whole.results.push_back(merged(parts_of(shards, *job), *job, errors, method_of(job->law)));
+    whole.results.push_back(merged(parts_of(shards, *job), *job, errors, law_of(job->law)));
   for (const ShardRun& s : shards) {
     whole.threads += s.report.threads;
     whole.mutants.insert(whole.mutants.end(), s.report.mutants.begin(), s.report.mutants.end());

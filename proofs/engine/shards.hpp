@@ -28,6 +28,6 @@ struct ShardsDoNotAddUp : std::runtime_error {
 /// of the first shard.  `method_of` names a law's method, by its id. Domain: at least one shard.  Throws
 /// ShardsDoNotAddUp.
 Report merge_shards(std::vector<ShardRun> shards, std::size_t errors,
-                    const std::function<Method(const std::string&)>& method_of);
+                    const std::function<const Law&(const std::string&)>& law_of);
 
 }  // namespace mmverify::proofs

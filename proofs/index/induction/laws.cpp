@@ -1,0 +1,112 @@
+// index.all_levels and index.wide_is_vulkan.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "proofs/index/induction/lemmas.hpp"
+#include "proofs/index/induction/mutants.hpp"
+#include "proofs/index/induction/provable.hpp"
+#include "proofs/index/induction/word_lemmas.hpp"
+#include "proofs/index/law_parts.hpp"
+
+namespace mmverify::proofs::index::induction {
+namespace {
+
+using spec::index::Reading;
+
+/// The built-in subjects that a law has statements about.
+struct About {
+  const char* subject;
+  std::vector<Statement> (*statements)();
+};
+using Subjects = std::vector<About>;
+
+const Subjects& recursions() {
+  static const Subjects all{
+      {"step", all_levels_statements<Specified, Reading::printed>},
+      {"step-appendix-middle", all_levels_statements<Specified, Reading::appendix_middle>},
+      {"step-appendix-ties", all_levels_statements<Specified, Reading::appendix_ties>},
+      {"step-appendix-names", all_levels_statements<Specified, Reading::appendix_names>}};
+  return all;
+}
+const Subjects& wide_formulas() {
+  static const Subjects all{{"reference-wide", wide_statements<Specified>}};
+  return all;
+}
+
+std::optional<std::vector<Statement>> statements_about(const Subjects& known, const Subject& subject) {
+  if (const auto* own = dynamic_cast<const Provable*>(&subject)) return own->statements();
+  for (const About& a : known)
+    if (subject.name() == a.subject) return a.statements();
+  return std::nullopt;
+}
+
+/// What the two laws have in common.
+Law settled(const Subjects& (*known)(), Level search, std::uint64_t statements) {
+  return {.id = {},
+          .topic = "index",
+          .subjects = {},
+          .cases = [statements](Level, const Run&) { return statements; },
+          .unfit = [known](const Subject& s, Level) -> std::optional<std::string> {
+            if (dynamic_cast<const Provable*>(&s) != nullptr) return std::nullopt;
+            std::string names;
+            for (const About& a : known()) {
+              if (s.name() == a.subject) return std::nullopt;
+              names += (names.empty() ? "" : ", ") + std::string(a.subject);
+            }
+            return fmt::format("no statements about {}: there are some about {}", s.name(), names);
+          },
+          .judge =
+              [known, search](const Subject& s, Level, const Run& run) {
+                return discharge(statements_about(known(), s).value(), of_index(s), search, run);
+              },
+          .replay = replayed_by(replay_equals_reference),
+          .on_lines = false};
+}
+
+Law all_levels_law() {
+  constexpr Level search = 6;
+  Law law = settled(recursions, search, shipped_all_levels().size());
+  law.id = "index.all_levels";
+  law.says =
+      "at every level n >= 0, for every rational point of the closed triangle, the recursion's index is that "
+      "of the reference in words without bounds";
+  law.source = succinct_4_3;
+  law.method = Method::induction;
+  law.at_once = "all levels";
+  law.subjects = {"step"};
+  law.fast_seconds = 1;
+  law.domain = [](const Subject&, Level) {
+    return "every rational point of the triangle, every level n >= 0";
+  };
+  law.how = [](const Subject&, Level) { return "induction, " + proofs::induction::prover_name(); };
+  law.mutants = mutants_of_all_levels(search);
+  return law;
+}
+
+Law wide_is_vulkan_law() {
+  constexpr Level search = 10;  // above the 8 levels that half of a prefix XOR is right on
+  Law law = settled(wide_formulas, search, shipped_wide_is_vulkan().size());
+  law.id = "index.wide_is_vulkan";
+  law.says =
+      "at levels 0..16 the reference in 64-bit words is that in 32-bit words; up to level 31 it is that in "
+      "words without bounds";
+  law.source = vulkan;
+  law.method = Method::bit_vectors;
+  law.at_once = "levels 0..16";
+  law.subjects = {"reference-wide"};
+  law.fast_seconds = 3;
+  law.domain = [](const Subject&, Level) { return "every rational point, levels 0..16 together"; };
+  law.how = [](const Subject&, Level) { return "bit vectors, " + proofs::induction::prover_name(); };
+  law.mutants = mutants_of_wide_is_vulkan(search);
+  return law;
+}
+
+}  // namespace
+
+std::vector<Statement> shipped_all_levels() { return all_levels_statements<Specified, Reading::printed>(); }
+std::vector<Statement> shipped_wide_is_vulkan() { return wide_statements<Specified>(); }
+
+std::vector<Law> laws() { return {all_levels_law(), wide_is_vulkan_law()}; }
+
+}  // namespace mmverify::proofs::index::induction

@@ -1,0 +1,32 @@
+// Laws that a prover settles for all levels at once: how their statements are discharged.
+#pragma once
+
+#include "proofs/index/subject.hpp"
+#include "proofs/induction/prover.hpp"
+
+namespace mmverify::proofs::index::induction {
+
+using proofs::induction::Effort;
+using proofs::induction::Statement;
+
+/// A subject that brings the statements about it along: those of the one law that it is a mutant of.
+class Provable {
+ public:
+  virtual ~Provable() = default;
+  virtual std::vector<Statement> statements() const = 0;
+};
+
+/// Judges a subject by the statements about it, one case each. Where one fails, looks for a point on which
+/// the subject is not the reference, on the cells of levels 0..search: the counterexample. Where there is
+/// none, throws NotProved with the statement's name and the prover's answer. `unknown` is a failure.
+Tally discharge(const std::vector<Statement>& statements, const IndexSubject& subject, Level search,
+                const Run& run, const Effort& effort = {});
+
+/// The statements of index.all_levels and index.wide_is_vulkan as they ship.
+std::vector<Statement> shipped_all_levels();
+std::vector<Statement> shipped_wide_is_vulkan();
+
+/// index.all_levels and index.wide_is_vulkan.
+std::vector<Law> laws();
+
+}  // namespace mmverify::proofs::index::induction

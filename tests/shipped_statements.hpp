@@ -1,0 +1,37 @@
+// Every statement that ships, under its path in proofs/statements.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "proofs/index/induction/provable.hpp"
+
+namespace mmverify::tests {
+
+inline std::map<std::string, proofs::induction::Statement> shipped_statements() {
+  std::map<std::string, proofs::induction::Statement> all;
+  const auto add = [&](const std::string& folder, const auto& statements) {
+    for (const auto& s : statements) all.emplace(folder + "/" + s.name + ".smt2", s);
+  };
+  add("index/all_levels", proofs::index::induction::shipped_all_levels());
+  add("index/wide_is_vulkan", proofs::index::induction::shipped_wide_is_vulkan());
+  return all;
+}
+
+inline std::string read(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline void write(const std::filesystem::path& path, const std::string& text) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream out(path);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+}  // namespace mmverify::tests
