@@ -25,7 +25,14 @@ struct Options {
   bool interiors_only() const { return cells == "interior"; }
 };
 
-Level one_level(const Options& options) { return parse_level(options.level); }
+/// The pipe's indices have 32 bits.
+Level one_level(const Options& options) {
+  constexpr Level highest = 16;
+  const Level level = parse_level(options.level);
+  if (level > highest)
+    throw UsageError(fmt::format("--level {}: the pipe's highest level is {}", options.level, highest));
+  return level;
+}
 
 void add_common(CLI::App& command, Options& options) {
   command.add_option("topic", options.topic, "index")->required()->check(CLI::IsMember({"index"}));

@@ -288,7 +288,7 @@ std::vector<Law> laws() {
   std::vector<Law> all{equals_reference_law(), in_range_law(), bijective_law(), nested_law(),
                        contiguous_law(),       inverse_law(),  corners_law(),   rounding_law()};
   for (const auto& group :
-       {induction::laws(), arithmetic_laws(), std::vector{row_order_law(), row_corners_law()},
+       {induction::laws(), wide_laws(), arithmetic_laws(), std::vector{row_order_law(), row_corners_law()},
         paper_laws(equals_reference_law())})
     all.insert(all.end(), group.begin(), group.end());
   return all;

@@ -9,6 +9,6 @@ namespace mmverify::proofs::index {
 std::vector<Law> laws();
 
 /// The highest level that any law of the topic is defined at.
-constexpr Level max_level = 16;
+constexpr Level max_level = 30;
 
 }  // namespace mmverify::proofs::index

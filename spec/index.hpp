@@ -200,10 +200,10 @@ constexpr Step<Q, Index> next_step(const Step<Q, Index>& s) {
 }
 
 /// Index of the micro-triangle that holds the point, by Algorithm 4.
-/// Domain: u, v >= 0, u+v <= 1; n in 0..16.  Result in [0, 4^n).
-template <Reading reading, Number Q>
-constexpr std::uint32_t step(const Point<Q>& p, Level n) {
-  Step<Q> s = first_step(p);
+/// Domain: u, v >= 0, u+v <= 1; n in 0..16, in 64-bit words 0..31.  Result in [0, 4^n).
+template <Reading reading, class Index = std::uint32_t, Number Q>
+constexpr Index step(const Point<Q>& p, Level n) {
+  Step<Q, Index> s = first_step<Q, Index>(p);
   for (Level depth = 0; depth < n; ++depth) s = next_step<reading>(s);
   return s.index;
 }

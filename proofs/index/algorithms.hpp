@@ -10,12 +10,21 @@ struct ReferenceAlgorithm {
   static std::uint32_t at(const spec::Point<Q>& p, spec::Level n) {
     return spec::index::reference(p, n);
   }
+  /// 32-bit words still: what is beyond them is lost.
+  template <spec::Number Q>
+  static std::uint64_t wide_at(const spec::Point<Q>& p, spec::Level n) {
+    return spec::index::reference(p, n);
+  }
 };
 
 struct WideAlgorithm {
   template <spec::Number Q>
   static std::uint32_t at(const spec::Point<Q>& p, spec::Level n) {
     return static_cast<std::uint32_t>(spec::index::reference_wide(p, n));
+  }
+  template <spec::Number Q>
+  static std::uint64_t wide_at(const spec::Point<Q>& p, spec::Level n) {
+    return spec::index::reference_wide(p, n);
   }
 };
 
@@ -24,6 +33,10 @@ struct StepAlgorithm {
   template <spec::Number Q>
   static std::uint32_t at(const spec::Point<Q>& p, spec::Level n) {
     return spec::index::step<reading>(p, n);
+  }
+  template <spec::Number Q>
+  static std::uint64_t wide_at(const spec::Point<Q>& p, spec::Level n) {
+    return spec::index::step<reading, std::uint64_t>(p, n);
   }
 };
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "impl/index.hpp"
+#include "impl/index_wide.hpp"
 #include "proofs/index/built_in.hpp"
 #include "proofs/index/rounded_subject.hpp"
 
@@ -64,6 +64,18 @@ class ImplSubject : public IndexSubject {
     v.fill(static_cast<float>(nearest(p.v)));
     fast::from_barycentrics(u, v, n, out);
     return out.front();
+  }
+  Level max_wide_level() const override { return 21; }  // whose representatives have 24 bits
+  void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const override {
+    const float scale = 1.0f / static_cast<float>(std::uint32_t{4} << n),
+                v = static_cast<float>(row.kv) * scale;
+    auto k = static_cast<std::int32_t>(row.ku);
+    for (std::uint64_t t = 0; t < row.count; ++t, k += static_cast<std::int32_t>(row.stride))
+      out[t] = fast::from_barycentrics_wide(static_cast<float>(k) * scale, v, n);
+  }
+  std::uint64_t wide_index(Level n, const RationalPoint& p) const override {
+    return fast::from_barycentrics_wide(static_cast<float>(nearest(p.u)), static_cast<float>(nearest(p.v)),
+                                        n);
   }
   void corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
     to_corners(indices, out, [n](auto k, const auto& to) { fast::corners(k, n, to); });

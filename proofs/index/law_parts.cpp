@@ -48,7 +48,7 @@ Unfit needing(std::vector<Entry> entries, Level above) {
     const auto* s = dynamic_cast<const IndexSubject*>(&subject);
     if (s == nullptr) return "not a subject of topic index";
     constexpr const char* names[] = {"barycentrics -> index", "index -> corners", "barycentrics -> row order",
-                                     "row order -> corners"};
+                                     "row order -> corners", "barycentrics -> 64-bit index"};
     for (const Entry e : entries)
       if (!s->has(e))
         return fmt::format("{} has no entry point {}", s->name(), names[static_cast<std::size_t>(e)]);

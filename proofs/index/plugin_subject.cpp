@@ -72,6 +72,8 @@ class PluginSubject : public IndexSubject {
         return offers(Call::row_index_f32) && arithmetic() == Arithmetic::binary32;
       case Entry::row_corners:
         return offers(Call::row_corners);
+      case Entry::wide_index:
+        return false;
     }
     return false;
   }

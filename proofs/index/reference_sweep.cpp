@@ -48,17 +48,38 @@ void reference_rows(Level n, Level grid, std::span<const Row> rows, std::span<st
   }
 }
 
-MMVERIFY_FOR_EACH_MACHINE Agreement agreement_of(std::uint64_t first, std::span<const std::uint32_t> want,
-                                                 std::span<const std::uint32_t> got) {
-  const std::uint32_t *w = want.data(), *g = got.data();
+MMVERIFY_FOR_EACH_MACHINE void reference_wide_row(Level n, const Row& row, std::span<std::uint64_t> out) {
+  const std::int64_t raw = std::int64_t{1} << (Fixed64::fraction_bits - (n + 2));
+  const std::int64_t u = row.ku * raw, du = row.stride * raw, v = row.kv * raw;
+  const auto count = static_cast<std::int64_t>(row.count);
+  std::uint64_t* index = out.data();
+  for (std::int64_t t = 0; t < count; ++t)
+    index[t] = spec::index::reference_wide(GridPoint{Fixed64::from_raw(u + t * du), Fixed64::from_raw(v)}, n);
+}
+
+namespace {
+template <class Word>
+[[gnu::always_inline]] inline Agreement agreement(std::uint64_t first, std::span<const Word> want,
+                                                  std::span<const Word> got) {
+  const Word *w = want.data(), *g = got.data();
   const std::size_t count = got.size();
   std::uint64_t digest = 0;
-  std::uint32_t different = 0;
+  Word different = 0;
   for (std::size_t t = 0; t < count; ++t) {
     digest += Tally::digest_of(first + t, g[t]);
     different |= w[t] ^ g[t];
   }
   return {different == 0, digest};
+}
+}  // namespace
+
+MMVERIFY_FOR_EACH_MACHINE Agreement agreement_of(std::uint64_t first, std::span<const std::uint32_t> want,
+                                                 std::span<const std::uint32_t> got) {
+  return agreement(first, want, got);
+}
+MMVERIFY_FOR_EACH_MACHINE Agreement agreement_of(std::uint64_t first, std::span<const std::uint64_t> want,
+                                                 std::span<const std::uint64_t> got) {
+  return agreement(first, want, got);
 }
 
 }  // namespace mmverify::proofs::index

@@ -17,6 +17,10 @@ void reference_batch(Level n, std::span<const GridPoint> points, std::span<std::
 /// Domain: n, grid in 0..16; out as long as the rows together.  Law: index.sweep_is_spec.
 void reference_rows(Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out);
 
+/// spec::index::reference_wide on the representatives of a row of level n.
+/// Domain: n in 0..28; out as long as the row.
+void reference_wide_row(Level n, const Row& row, std::span<std::uint64_t> out);
+
 /// Whether two lists of answers are the same, and the digest of the second.
 struct Agreement {
   bool all;
@@ -26,5 +30,7 @@ struct Agreement {
 /// Domain: as many wanted as got; the cases are numbered from `first` on.
 Agreement agreement_of(std::uint64_t first, std::span<const std::uint32_t> want,
                        std::span<const std::uint32_t> got);
+Agreement agreement_of(std::uint64_t first, std::span<const std::uint64_t> want,
+                       std::span<const std::uint64_t> got);
 
 }  // namespace mmverify::proofs::index

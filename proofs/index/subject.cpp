@@ -46,5 +46,9 @@ void IndexSubject::row_index(Level, Batch, std::span<std::uint32_t>) const { abs
 void IndexSubject::row_corners(Level, std::span<const std::uint32_t>, std::span<Corners>) const {
   absent(*this, "row_corners");
 }
+void IndexSubject::wide_index(Level, const Row&, std::span<std::uint64_t>) const {
+  absent(*this, "wide index");
+}
+std::uint64_t IndexSubject::wide_index(Level, const RationalPoint&) const { absent(*this, "wide index"); }
 
 }  // namespace mmverify::proofs::index

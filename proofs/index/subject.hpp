@@ -18,7 +18,7 @@ enum class Arithmetic { exact, binary16, binary32, binary64 };
 std::string to_string(Arithmetic a);
 
 /// Entry points that a subject may have.
-enum class Entry { index, corners, row_index, row_corners };
+enum class Entry { index, corners, row_index, row_corners, wide_index };
 
 /// Points on one level's grid.  `row`: equally spaced in u, all with the same v.
 struct Batch {
@@ -66,6 +66,12 @@ class IndexSubject : public Subject {
   /// The same two in row order.
   virtual void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const;
   virtual void row_corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const;
+
+  /// Barycentrics -> index in 64-bit words, for levels beyond 16: on the representatives of a row of level n,
+  /// and on one point that the subject can receive.
+  virtual Level max_wide_level() const { return 0; }
+  virtual void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const;
+  virtual std::uint64_t wide_index(Level n, const RationalPoint& p) const;
 
  private:
   Arithmetic arithmetic_;
