@@ -53,9 +53,9 @@ PartitionName=all Nodes=$host Default=YES MaxTime=INFINITE
 TEXT
 }
 
-# start_cluster FOLDER: sets SLURM_CONF; fails where the node is not idle within 15 s, the daemons' words in FOLDER/*.out.
+# start_cluster FOLDER: sets SLURM_CONF; fails where the node is not idle within 30 s, the daemons' words in FOLDER/*.out.
 start_cluster() {
-  local folder=$1 host try end=$((SECONDS + 15))
+  local folder=$1 host try end=$((SECONDS + 30))
   local -a ports
   host=$(uname -n)
   host=${host%%.*}
