@@ -153,13 +153,13 @@ ended=$(await "$(job_of merge)")
 [[ $ended == "FAILED 1:0" ]] || fail "the merge of a refuted law ended $ended"
 say "a refuted law: the merge ends $ended"
 
-"$slurm/submit" 1 "$folder/cancelled" -- "${law[@]}" >"$folder/submitted"
+"$slurm/submit" 2 "$folder/cancelled" -- "${law[@]}" >"$folder/submitted"
 until (($(size "$folder/cancelled/shard-1.journal"))); do
   ((SECONDS < 240)) || fail "the task to be cancelled does not start"
   sleep 0.1
 done
-scancel "$(job_of shards)"
-ended=$(await "$(job_of shards)")
+scancel "$(job_of shards)_1"
+ended=$(await "$(job_of shards)_1")
 [[ $ended == CANCELLED* ]] || fail "a cancelled task ended $ended"
 ! grep "queued again" "$folder/cancelled/shard-1.log" || fail "a cancelled task was queued again"
 say "a cancelled task stays so"
