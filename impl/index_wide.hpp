@@ -33,19 +33,30 @@ constexpr Word wide_spread(Word x) noexcept {
   return (x | x << 1) & Word{0x5555555555555555};
 }
 
-/// The index from iu = floor(uN), iv = floor(vN), both up to N, and whether uf+vf >= 1.
-///   row = min(N-1, iu+iv+carry); iv below N, iu below N-iv; then the bit formula, with row for NOT iw.
-/// Domain: N a power of two up to 2^31.  Words of 64 bits.  Law: index.impl_wide_is_wide, for all of it.
+/// A grid square below the diagonal, and its row: what `locate` finds, limited to the triangle.
 template <class Word>
-constexpr Word wide_curve(Word iu, Word iv, bool carry, Word N) noexcept {
+struct WideSquare {
+  Word iu, iv, row;
+};
+
+/// From iu = floor(uN), iv = floor(vN), both up to N, and whether uf+vf >= 1:
+///   row = min(N-1, iu+iv+carry); iv at most N-1, iu at most N-1-iv.
+template <class Word>
+constexpr WideSquare<Word> wide_square(Word iu, Word iv, bool carry, Word N) noexcept {
   const Word last = N - Word{1};
   const Word diagonal = iu + iv + (carry ? Word{1} : Word{0});
   const Word row = diagonal < last ? diagonal : last;
   iv = iv < last ? iv : last;
   iu = iu < last - iv ? iu : last - iv;
-  const Word b0 = iu ^ row;
-  const Word t = (iu ^ iv) & b0;
-  const Word b1 = ((wide_xor_from_above(t) ^ iu) & ~b0) | t;
+  return {iu, iv, row};
+}
+
+/// The bit formula, with row for NOT iw.
+template <class Word>
+constexpr Word wide_curve(const WideSquare<Word>& q) noexcept {
+  const Word b0 = q.iu ^ q.row;
+  const Word t = (q.iu ^ q.iv) & b0;
+  const Word b1 = ((wide_xor_from_above(t) ^ q.iu) & ~b0) | t;
   return wide_spread(b0) | wide_spread(b1) << 1;
 }
 
@@ -64,8 +75,8 @@ inline std::uint64_t from_barycentrics_wide(float u, float v, Level level) noexc
   const std::int32_t iu = static_cast<std::int32_t>(un), iv = static_cast<std::int32_t>(vn);
   const float uf = un - static_cast<float>(iu), vf = vn - static_cast<float>(iv);
   const bool carry = std::min(uf, vf) >= 1.0f - std::max(uf, vf);
-  return detail::wide_curve(static_cast<std::uint64_t>(iu), static_cast<std::uint64_t>(iv), carry,
-                            std::uint64_t{1} << n);
+  return detail::wide_curve(detail::wide_square(
+      static_cast<std::uint64_t>(iu), static_cast<std::uint64_t>(iv), carry, std::uint64_t{1} << n));
 }
 
 }  // namespace mmverify::impl::index

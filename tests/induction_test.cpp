@@ -80,7 +80,8 @@ TEST(Statements, EachHypothesisHasAWitness) {
   for (const auto& [path, statement] : shipped_statements())
     names.insert((statement.expected == Answer::sat ? "sat " : "unsat ") + statement.name);
   for (const char* name :
-       {"opening", "transition_hypotenuse", "transition_upright", "transition_middle", "agreement"})
+       {"opening", "transition_hypotenuse", "transition_upright", "transition_middle", "agreement",
+                           "square"})
     EXPECT_TRUE(names.contains(std::string("unsat ") + name) &&
                 names.contains(std::string("sat witness_") + name))
         << name;
@@ -172,9 +173,12 @@ TEST(Mutants, FailInTheStatementsThatTheirMistakeIsIn) {
       {"the prefix XOR reaches 8 bits only", {"agreement", "prefix_xor_64"}},
       {"one bit of a mask of spread is missing", {"agreement", "spread_64"}},
       {"iv is not kept below N", {"agreement"}},
+      {"the upper half of a square is not told from the lower", {"square"}},
+      {"u and v exchanged", {"square"}},
+      {"bit 10 of the index is lost", {"bits"}},
   };
   std::size_t met = 0;
-  for (const char* id : {"index.all_levels", "index.wide_is_vulkan"})
+  for (const char* id : {"index.all_levels", "index.wide_is_vulkan", "index.impl_wide_is_wide"})
     for (const Mutant& m : find_law(id)->mutants)
       if (const auto* own = dynamic_cast<const Provable*>(m.subject.get())) {
         EXPECT_EQ(failing(own->statements()), expected.at(m.name)) << m.name;

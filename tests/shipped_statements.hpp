@@ -19,6 +19,7 @@ inline std::map<std::string, proofs::induction::Statement> shipped_statements() 
   };
   add("index/all_levels", proofs::index::induction::shipped_all_levels());
   add("index/wide_is_vulkan", proofs::index::induction::shipped_wide_is_vulkan());
+  add("index/impl_wide_is_wide", proofs::index::induction::shipped_impl_wide());
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include "proofs/index/law_parts.hpp"
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/on_cells.hpp"
+#include "proofs/index/picture.hpp"
 #include "proofs/index/reference_sweep.hpp"
 
 namespace mmverify::proofs::index {
@@ -46,7 +47,13 @@ Tally wide_equals_reference(const IndexSubject& s, Level n, const Run& run) {
 Replayed replay_wide(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
   const std::uint64_t want = spec::index::reference_wide(p, n), got = s.wide_index(n, p);
-  return {want == got, number(want), number(got), {}};
+  // Beyond level 16 the picture is of the ancestors there: indices nest.
+  const Level drawn = std::min(n, first_beyond - 1);
+  const auto ancestor = [&](std::uint64_t index) {
+    return static_cast<std::uint32_t>(index >> 2 * (n - drawn));
+  };
+  return {want == got, number(want), number(got),
+          picture(drawn, p, ancestor(want), ancestor(got), Order::curve)};
 }
 
 /// The exact reference at a pair of floats.  uN has up to 2^30 beside 100 fraction bits, which 128 do not
@@ -233,6 +240,11 @@ Law ends_at_16_law() {
           },
           .judge = judged_by(ends_at_16),
           .mutants = {{"64-bit words", the("reference-wide"), {first_beyond, first_beyond}},
+                      wide_mutant("right at the v-corner", "reference", {first_beyond, first_beyond},
+                                  [](Level n, const RationalPoint& p, std::uint64_t index) {
+                                    return p.v == at(0, corner(n), n).v ? spec::index::reference_wide(p, n)
+                                                                        : index;
+                                  }),
                       wide_mutant("a prefix XOR that reaches, in 32-bit words", "reference-wide",
                                   {first_beyond, first_beyond},
                                   [](Level, const RationalPoint&, std::uint64_t index) {

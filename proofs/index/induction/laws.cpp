@@ -1,8 +1,9 @@
-// index.all_levels and index.wide_is_vulkan.
+// index.all_levels, index.wide_is_vulkan and index.impl_wide_is_wide.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "proofs/index/induction/impl_lemmas.hpp"
 #include "proofs/index/induction/lemmas.hpp"
 #include "proofs/index/induction/mutants.hpp"
 #include "proofs/index/induction/provable.hpp"
@@ -31,6 +32,11 @@ const Subjects& recursions() {
 }
 const Subjects& wide_formulas() {
   static const Subjects all{{"reference-wide", wide_statements<Specified>}};
+  return all;
+}
+
+const Subjects& libraries() {
+  static const Subjects all{{"impl", impl_statements<Implemented>}};
   return all;
 }
 
@@ -102,11 +108,33 @@ Law wide_is_vulkan_law() {
   return law;
 }
 
+Law impl_wide_law() {
+  constexpr Level search = 6;
+  Law law = settled(libraries, search, shipped_impl_wide().size());
+  law.id = "index.impl_wide_is_wide";
+  law.says =
+      "from floor(uN), floor(vN) and uf+vf >= 1 on, impl's index in 64-bit words is that of the reference in "
+      "64-bit words";
+  law.source = vulkan;
+  law.method = Method::bit_vectors;
+  law.at_once = "levels 0..30";
+  law.subjects = {"impl"};
+  law.fast_seconds = 2;
+  law.domain = [](const Subject&, Level) {
+    return "every grid square and both its halves, levels 0..30 together";
+  };
+  law.how = [](const Subject&, Level) { return "bit vectors, " + proofs::induction::prover_name(); };
+  law.mutants = mutants_of_impl_wide(search);
+  return law;
+}
+
 }  // namespace
 
 std::vector<Statement> shipped_all_levels() { return all_levels_statements<Specified, Reading::printed>(); }
 std::vector<Statement> shipped_wide_is_vulkan() { return wide_statements<Specified>(); }
 
-std::vector<Law> laws() { return {all_levels_law(), wide_is_vulkan_law()}; }
+std::vector<Statement> shipped_impl_wide() { return impl_statements<Implemented>(); }
+
+std::vector<Law> laws() { return {all_levels_law(), wide_is_vulkan_law(), impl_wide_law()}; }
 
 }  // namespace mmverify::proofs::index::induction

@@ -1,6 +1,7 @@
 #include "proofs/index/induction/mutants.hpp"
 
 #include "proofs/index/exact_subject.hpp"
+#include "proofs/index/induction/impl_lemmas.hpp"
 #include "proofs/index/induction/lemmas.hpp"
 #include "proofs/index/induction/provable.hpp"
 #include "proofs/index/induction/word_lemmas.hpp"
@@ -11,11 +12,11 @@ namespace {
 
 /// An altered formula, on points and with the statements in which it takes the right one's place.
 template <class Formula>
-class WrongFormula : public ExactSubject<ByFormula<Formula>>, public Provable {
+class Wrong : public ExactSubject<Formula>, public Provable {
  public:
   using Statements = std::vector<Statement> (*)();
-  WrongFormula(const std::string& name, Statements statements)
-      : ExactSubject<ByFormula<Formula>>(name, "broken on purpose"), statements_(statements) {}
+  Wrong(const std::string& name, Statements statements)
+      : ExactSubject<Formula>(name, "broken on purpose"), statements_(statements) {}
   std::vector<Statement> statements() const override { return statements_(); }
 
  private:
@@ -25,13 +26,18 @@ class WrongFormula : public ExactSubject<ByFormula<Formula>>, public Provable {
 template <class Formula>
 Mutant in_all_levels(const char* name, Level search) {
   return {name,
-          std::make_shared<WrongFormula<Formula>>(
+          std::make_shared<Wrong<ByFormula<Formula>>>(
               name, all_levels_statements<Formula, spec::index::Reading::printed>),
           {0, search}};
 }
 template <class Formula>
 Mutant in_wide(const char* name, Level search) {
-  return {name, std::make_shared<WrongFormula<Formula>>(name, wide_statements<Formula>), {0, search}};
+  return {name, std::make_shared<Wrong<ByFormula<Formula>>>(name, wide_statements<Formula>), {0, search}};
+}
+
+template <class Formula>
+Mutant in_impl(const char* name, Level search) {
+  return {name, std::make_shared<Wrong<ByImplFormula<Formula>>>(name, impl_statements<Formula>), {0, search}};
 }
 
 struct HypotenuseNotApart : Specified {
@@ -101,6 +107,27 @@ struct VNotKeptBelowN : Specified {
   }
 };
 
+struct NeverCarries : Implemented {
+  template <class Word>
+  static WideSquare<Word> square(const Word& iu, const Word& iv, bool, const Word& N) {
+    return Implemented::square<Word>(iu, iv, false, N);
+  }
+};
+
+struct ExchangesUAndV : Implemented {
+  template <class Word>
+  static WideSquare<Word> square(const Word& iu, const Word& iv, bool carry, const Word& N) {
+    return Implemented::square<Word>(iv, iu, carry, N);
+  }
+};
+
+struct LosesBit10 : Implemented {
+  template <class Word>
+  static Word curve(const WideSquare<Word>& q) {
+    return Implemented::curve<Word>(q) & ~(Word{1} << 10);
+  }
+};
+
 }  // namespace
 
 std::vector<Mutant> mutants_of_all_levels(Level search) {
@@ -112,6 +139,12 @@ std::vector<Mutant> mutants_of_all_levels(Level search) {
       in_all_levels<LowersIwAboveOneOnly>("iw is lowered where uf+vf > 1, not at 1", search),
       in_all_levels<WithoutT>("b1 without t", search),
       in_all_levels<PrefixOfOneBit>("the prefix XOR is of a bit by itself", search)};
+}
+
+std::vector<Mutant> mutants_of_impl_wide(Level search) {
+  return {in_impl<NeverCarries>("the upper half of a square is not told from the lower", search),
+          in_impl<ExchangesUAndV>("u and v exchanged", search),
+          in_impl<LosesBit10>("bit 10 of the index is lost", search)};
 }
 
 std::vector<Mutant> mutants_of_wide_is_vulkan(Level search) {

@@ -7,5 +7,6 @@ namespace mmverify::proofs::index::induction {
 
 std::vector<Mutant> mutants_of_all_levels(Level search);
 std::vector<Mutant> mutants_of_wide_is_vulkan(Level search);
+std::vector<Mutant> mutants_of_impl_wide(Level search);
 
 }  // namespace mmverify::proofs::index::induction

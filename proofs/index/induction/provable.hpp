@@ -22,11 +22,12 @@ class Provable {
 Tally discharge(const std::vector<Statement>& statements, const IndexSubject& subject, Level search,
                 const Run& run, const Effort& effort = {});
 
-/// The statements of index.all_levels and index.wide_is_vulkan as they ship.
+/// The statements of each of the laws below as they ship.
 std::vector<Statement> shipped_all_levels();
 std::vector<Statement> shipped_wide_is_vulkan();
+std::vector<Statement> shipped_impl_wide();
 
-/// index.all_levels and index.wide_is_vulkan.
+/// index.all_levels, index.wide_is_vulkan and index.impl_wide_is_wide.
 std::vector<Law> laws();
 
 }  // namespace mmverify::proofs::index::induction
