@@ -11,6 +11,7 @@
 #include "cli/arguments.hpp"
 #include "cli/bench_plot.hpp"
 #include "cli/bench_subject.hpp"
+#include "cli/bench_sweep.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -31,7 +32,8 @@ struct Options {
   std::vector<std::string> topics;
   std::string json, plot, levels, subject;
   bench::IndexBenchOptions index;
-  bool quiet = false;
+  bool quiet = false, sweep = false;
+  unsigned threads = 0;
 };
 
 std::string rate(const IndexErrors& e) {
@@ -170,30 +172,49 @@ std::vector<IndexFigures> measured(bench::IndexBenchOptions options, bool quiet)
   return figures;
 }
 
-/// What judging a library costs, beside calling it.
-int run_subject_bench(const Options& options) {
-  if (!options.plot.empty()) throw UsageError("--plot: a library's costs are not drawn");
-  const proofs::Levels levels =
-      options.levels.empty() ? proofs::Levels{10, 10} : parse_levels(options.levels);
-  if (levels.first != levels.last) throw UsageError(fmt::format("--levels {}: one level", options.levels));
+/// One of the benches that print a table of their own and give JSON back.
+template <class Bench>
+int run_table(const Options& options, Bench bench) {
+  if (!options.plot.empty()) throw UsageError("--plot: these figures are not drawn");
   std::optional<OutputFile> file;
   if (!options.json.empty() && options.json != "-") file.emplace(options.json);
-  const std::string json =
-      bench_subject(options.subject, levels.first, options.json == "-" ? stderr : stdout);
+  const std::string json = bench(options.json == "-" ? stderr : stdout);
   if (file) file->commit(json);
   if (options.json == "-") fmt::print("{}", json);
   return ExitCode::complete;
+}
+
+proofs::Levels levels_or(const Options& options, const proofs::Levels& otherwise) {
+  constexpr proofs::Level highest = 16;
+  if (options.levels.empty()) return otherwise;
+  const proofs::Levels levels = parse_levels(options.levels);
+  if (levels.last > highest)
+    throw UsageError(fmt::format("--levels {}: the highest level here is {}", options.levels, highest));
+  return levels;
+}
+
+/// What judging a library costs, beside calling it.
+int run_subject_bench(const Options& options) {
+  const proofs::Levels levels = levels_or(options, {10, 10});
+  if (levels.first != levels.last) throw UsageError(fmt::format("--levels {}: one level", options.levels));
+  return run_table(options,
+                   [&](std::FILE* out) { return bench_subject(options.subject, levels.first, out); });
+}
+
+/// What a sweep costs from level to level, beside the obvious loop.
+int run_sweep_bench(const Options& options) {
+  const proofs::Levels levels = levels_or(options, {8, 13});
+  return run_table(options, [&](std::FILE* out) { return bench_sweep(levels, options.threads, out); });
 }
 
 int run_bench(Options options) {
   for (const std::string& topic : options.topics)
     if (topic != "index") throw UsageError(fmt::format("no topic is called '{}'; there is index", topic));
   if (!options.subject.empty()) return run_subject_bench(options);
-  if (!options.levels.empty()) {
-    const proofs::Levels levels = parse_levels(options.levels);
-    options.index.first = levels.first;
-    options.index.last = levels.last;
-  }
+  if (options.sweep) return run_sweep_bench(options);
+  const proofs::Levels levels = levels_or(options, {options.index.first, options.index.last});
+  options.index.first = levels.first;
+  options.index.last = levels.last;
   std::optional<OutputFile> file, picture;
   if (!options.json.empty() && options.json != "-") file.emplace(options.json);
   if (!options.plot.empty()) picture.emplace(options.plot);
@@ -237,6 +258,10 @@ Action add_bench(CLI::App& program) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   command->add_option("--subject", options->subject, "measure what judging this library costs instead")
       ->type_name("FILE.so");
+  command->add_flag("--sweep", options->sweep,
+                    "measure sweeps of index.equals_reference instead, level by level");
+  command->add_option("--threads", options->threads, "of a sweep; as many as the machine has where not given")
+      ->check(CLI::Range(1u, 1024u));
   command->add_option("--seed", options->index.seed, "of the points");
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg");

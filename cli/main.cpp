@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,21 @@ int closed(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   fmt::print(stderr, "mmverify: standard output cannot be written\n");
   return code == mmverify::cli::complete ? mmverify::cli::environment : code;
+}
+
+/// The text with what a terminal would obey written out: it may quote a file or an argument.
+std::string printable(const std::string& text) {
+  std::string plain;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    plain += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return plain;
+}
+
+int complain(int code, const std::string& what, const char* more = "") {
+  fmt::print(stderr, "mmverify: {}{}\n", printable(what), more);
+  return code;
 }
 
 }  // namespace
@@ -35,19 +51,16 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& asked_for) {
     return program.exit(asked_for);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "mmverify: {}; see `mmverify --help`\n", error.what());
-    return ExitCode::usage;
+    return complain(ExitCode::usage, error.what(), "; see `mmverify --help`");
   }
   try {
     const auto commands = program.get_subcommands({});
     for (std::size_t k = 0; k < actions.size(); ++k)
       if (commands[k]->parsed()) return closed(actions[k]());
   } catch (const UsageError& error) {
-    fmt::print(stderr, "mmverify: {}\n", error.what());
-    return ExitCode::usage;
+    return complain(ExitCode::usage, error.what());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "mmverify: {}\n", error.what());
-    return ExitCode::environment;
+    return complain(ExitCode::environment, error.what());
   }
   return ExitCode::usage;
 }

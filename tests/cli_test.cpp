@@ -147,6 +147,12 @@ TEST(Help, IsExitCode0OnStdout) {
     EXPECT_TRUE(says(program({"--help"}).out, command));
 }
 
+TEST(Complaints, ObeyNoControlCharacters) {
+  const Outcome r =
+      program({"replay", "index.in_range", "--level", "3", "--case", "\x1b[2Jred\r\n", "--subject", "step"});
+  expect_complaint(r, 2, "'\\x1b[2Jred\\x0d\\x0a'");
+}
+
 TEST(List, NamesTheSameLawsAndSubjectsInTextAndJson) {
   const Outcome text = program({"list"}), as_json = program({"list", "--json"});
   EXPECT_EQ(text.exit_code, 0);
