@@ -11,7 +11,7 @@ namespace mmverify::tests {
 
 using namespace mmverify::proofs;
 
-constexpr std::uint64_t numbers = 1000, numbers_per_chunk = 10;
+constexpr std::uint64_t numbers = 1000, numbers_per_chunk = 50;
 
 /// Answers k with k*k, but for those that `wrong` divides; counts how often it is asked.
 class Squares : public Subject {
