@@ -80,8 +80,7 @@ TEST(Statements, EachHypothesisHasAWitness) {
   for (const auto& [path, statement] : shipped_statements())
     names.insert((statement.expected == Answer::sat ? "sat " : "unsat ") + statement.name);
   for (const char* name :
-       {"opening", "transition_hypotenuse", "transition_upright", "transition_middle", "agreement",
-                           "square"})
+       {"opening", "transition_hypotenuse", "transition_upright", "transition_middle", "agreement", "square"})
     EXPECT_TRUE(names.contains(std::string("unsat ") + name) &&
                 names.contains(std::string("sat witness_") + name))
         << name;
