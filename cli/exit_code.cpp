@@ -18,4 +18,10 @@ ExitCode exit_code(const Report& report) {
   return ExitCode::complete;
 }
 
+bool nothing_applied(const Report& report) {
+  return !report.interrupted &&
+         std::all_of(report.results.begin(), report.results.end(),
+                     [](const Result& r) { return r.verdict == Verdict::not_applicable && !r.share; });
+}
+
 }  // namespace mmverify::cli

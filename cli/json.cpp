@@ -59,7 +59,8 @@ Json result(const Result& r) {
 
 }  // namespace
 
-std::string to_json(const Report& report, std::uint64_t seed, const Shard& shard, const Identity& identity) {
+std::string to_json(const Report& report, std::uint64_t seed, const std::optional<Shard>& shard,
+                    const Identity& identity) {
   Json j{{"schema", "mmverify.result/1"},
          {"tool",
           {{"version", build::version},
@@ -72,10 +73,11 @@ std::string to_json(const Report& report, std::uint64_t seed, const Shard& shard
            {"source_hash", build::source_hash}}},
          {"results", Json::array()},
          {"mutants", Json::array()}};
-  if (!shard.whole()) {
+  if (shard) {
     Json run = Json::object();
     for (const auto& [name, value] : identity) run[name] = value;
-    j["shard"] = {{"number", shard.number}, {"of", shard.of}, {"run", run}};
+    j["shard"] = {
+        {"number", shard->number}, {"of", shard->of}, {"finished", !report.interrupted}, {"run", run}};
   }
   for (const Result& r : report.results) j["results"].push_back(result(r));
   for (const Diagnosis& d : report.diagnoses)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "proofs/engine/journal.hpp"
@@ -10,7 +11,7 @@
 namespace mmverify::cli {
 
 /// A shard's says which it is, and of what run.
-std::string to_json(const proofs::Report& report, std::uint64_t seed, const proofs::Shard& shard = {},
-                    const proofs::Identity& identity = {});
+std::string to_json(const proofs::Report& report, std::uint64_t seed,
+                    const std::optional<proofs::Shard>& shard = {}, const proofs::Identity& identity = {});
 
 }  // namespace mmverify::cli

@@ -1,6 +1,7 @@
 // mmverify: an exact referee for opacity micromaps.
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -39,6 +40,8 @@ int complain(int code, const std::string& what, const char* more = "") {
 
 int main(int argc, char** argv) {
   using namespace mmverify::cli;
+  // A file that may not grow is an error of its own, said where it happens.
+  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App program("mmverify: an exact referee for opacity micromaps", "mmverify");
   program.require_subcommand(1);
   program.set_version_flag("--version", fmt::format("mmverify {} ({}, spec {:.12})", build::version,

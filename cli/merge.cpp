@@ -1,6 +1,8 @@
 // mmverify merge: the shards of one run, put together.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -8,6 +10,7 @@
 #include "cli/json.hpp"
 #include "cli/output_file.hpp"
 #include "cli/read_json.hpp"
+#include "cli/run_identity.hpp"
 #include "cli/text.hpp"
 #include "proofs/registry.hpp"
 
@@ -29,9 +32,24 @@ std::uint64_t number_in(const ShardRun& shard, const std::string& item) {
   throw EnvironmentError(fmt::format("{}: its run names no {}", shard.file, item));
 }
 
+/// The result says that this program made it, so it did.
+void check_program(const ShardRun& shard) {
+  for (const auto& [name, value] : program_identity())
+    if (std::find(shard.identity.begin(), shard.identity.end(), std::pair(name, value)) ==
+        shard.identity.end())
+      throw EnvironmentError(
+          fmt::format("{}: made by a program of another {}; merge with that one", shard.file, name));
+}
+
 int merge(const Options& options) {
   std::vector<ShardRun> shards;
-  for (const std::string& path : options.shards) shards.push_back(read_shard(path));
+  std::error_code none;
+  for (const std::string& path : options.shards) {
+    if (std::filesystem::equivalent(path, options.out, none))
+      throw UsageError(fmt::format("-o {}: one of the shards", options.out));
+    shards.push_back(read_shard(path));
+    check_program(shards.back());
+  }
   const std::uint64_t seed = number_in(shards.front(), "seed"), errors = number_in(shards.front(), "errors");
   Report report;
   try {
@@ -47,6 +65,7 @@ int merge(const Options& options) {
   TextReport text(stdout, true);
   for (const Result& r : report.results) text.add(r);
   text.finish(report, false);
+  if (nothing_applied(report)) throw UsageError(nothing_was_run);
   out.commit(to_json(report, seed));
   return exit_code(report);
 }

@@ -47,8 +47,8 @@ Request request(const Options& options) {
   return r;
 }
 
-Shard parse_shard(const std::string& text) {
-  if (text.empty()) return {};
+std::optional<Shard> parse_shard(const std::string& text) {
+  if (text.empty()) return std::nullopt;
   static const std::regex shape("([0-9]{1,6})/([0-9]{1,6})");
   std::smatch m;
   Shard shard{0, 0};
@@ -61,12 +61,13 @@ Shard parse_shard(const std::string& text) {
 }
 
 /// The journal of this run and shard; null where none is asked for.
-std::unique_ptr<Journal> open_journal(const std::string& path, Identity identity, const Shard& shard) {
+std::unique_ptr<Journal> open_journal(const std::string& path, Identity identity,
+                                      const std::optional<Shard>& shard) {
   if (path.empty()) return nullptr;
-  identity.emplace_back("shard", fmt::format("{}/{}", shard.number, shard.of));
+  identity.emplace_back("shard", shard ? fmt::format("{}/{}", shard->number, shard->of) : "none");
   auto journal = std::make_unique<Journal>(path, std::move(identity));
   if (journal->dropped() != 0)
-    fmt::print(stderr, "{}: its last {} bytes are no whole line; what they were about is done again\n", path,
+    fmt::print(stderr, "{}: {} of its bytes are no whole line; what they were about is done again\n", path,
                journal->dropped());
   return journal;
 }
@@ -88,6 +89,9 @@ int prove(const Options& options) {
   // A reader that goes away does not take the results in files along.
   std::signal(SIGPIPE, SIG_IGN);
   std::optional<OutputFile> json, junit;
+  // An old shard must not be merged in the place of this one, should this one fail.
+  if (std::error_code none; !options.shard.empty() && std::filesystem::is_regular_file(options.json, none))
+    std::filesystem::remove(options.json, none);
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
   if (!options.junit.empty()) junit.emplace(options.junit);
 
@@ -112,10 +116,7 @@ int prove(const Options& options) {
   if (options.json == "-") fmt::print("{}", as_json());
   if (junit) junit->commit(to_junit(report));
 
-  if (std::all_of(report.results.begin(), report.results.end(),
-                  [](const Result& r) { return r.verdict == Verdict::not_applicable; }) &&
-      !report.interrupted && run.shard.whole())
-    throw UsageError("nothing was run: no law asked for applies to its subject");
+  if (nothing_applied(report)) throw UsageError(nothing_was_run);
   return exit_code(report);
 }
 

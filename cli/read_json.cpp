@@ -87,6 +87,7 @@ ShardRun shard_run(const Json& j) {
   const Json& shard = j.at("shard");
   shard.at("number").get_to(run.shard.number);
   shard.at("of").get_to(run.shard.of);
+  shard.at("finished").get_to(run.finished);
   if (run.shard.number < 1 || run.shard.number > run.shard.of)
     throw std::runtime_error(fmt::format("no shard {} of {}", run.shard.number, run.shard.of));
   for (const auto& [name, value] : shard.at("run").items())

@@ -8,6 +8,10 @@ namespace mmverify::cli {
 
 using namespace proofs;
 
+Identity program_identity() {
+  return {{"program", fmt::format("{} {}", build::version, build::source_hash)}, {"spec", build::spec_hash}};
+}
+
 Identity identity_of(const std::vector<Job>& jobs, const RunOptions& options) {
   std::vector<std::string> work;
   for (const Job& job : jobs) {
@@ -16,13 +20,13 @@ Identity identity_of(const std::vector<Job>& jobs, const RunOptions& options) {
                                fingerprint.empty() ? "" : " " + fingerprint, job.levels.first,
                                job.levels.last));
   }
-  return {{"program", fmt::format("{} {}", build::version, build::source_hash)},
-          {"spec", build::spec_hash},
-          {"work", fmt::format("{}", fmt::join(work, "; "))},
-          {"tier", options.tier == Tier::fast ? "fast" : "long"},
-          {"cells", options.interiors_only ? "interior" : "all"},
-          {"errors", fmt::format("{}", options.errors)},
-          {"seed", fmt::format("{}", options.seed)}};
+  Identity identity = program_identity();
+  identity.emplace_back("work", fmt::format("{}", fmt::join(work, "; ")));
+  identity.emplace_back("tier", options.tier == Tier::fast ? "fast" : "long");
+  identity.emplace_back("cells", options.interiors_only ? "interior" : "all");
+  identity.emplace_back("errors", fmt::format("{}", options.errors));
+  identity.emplace_back("seed", fmt::format("{}", options.seed));
+  return identity;
 }
 
 }  // namespace mmverify::cli

@@ -10,6 +10,9 @@
 
 namespace mmverify::cli {
 
+/// This program and its specification.
+proofs::Identity program_identity();
+
 /// Program, specification, laws, subjects (a library by its contents), levels and options that change
 /// results.
 proofs::Identity identity_of(const std::vector<proofs::Job>& jobs, const proofs::RunOptions& options);

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <set>
 #include <string>
 
+#include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/induction/lemmas.hpp"
 #include "proofs/index/induction/mutants.hpp"
@@ -141,6 +143,12 @@ TEST(Discharge, AVacuousStatementAndAModelWithoutACounterexampleAreNotProved) {
     } catch (const NotProved& gap) {
       EXPECT_NE(std::string(gap.what()).find("statement " + s.name), std::string::npos) << gap.what();
     }
+}
+
+TEST(Discharge, CutShortItHasProvedNothing) {
+  const InterruptGuard guard;
+  std::raise(SIGINT);
+  EXPECT_THROW(discharge(index::induction::shipped_all_levels(), subject("step"), 2, Asked{}), Interrupted);
 }
 
 TEST(Discharge, NotProvedIsIncompleteInARun) {

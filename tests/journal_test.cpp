@@ -72,7 +72,7 @@ TEST_F(Journals, MayBeCutAtEveryByte) {
   }
 }
 
-TEST_F(Journals, DoTheWorkOfADamagedLineAndTheLaterOnesAgain) {
+TEST_F(Journals, DoTheWorkOfADamagedLineAgain) {
   journaled(law, subject, file);
   std::string text = text_of(file);
   const std::size_t third = text.find('\n', text.find('\n') + 1) + 1;
@@ -80,8 +80,8 @@ TEST_F(Journals, DoTheWorkOfADamagedLineAndTheLaterOnesAgain) {
   write(file, text);
   subject->asked = 0;
   EXPECT_EQ(essence(journaled(law, subject, file)), plain);
-  EXPECT_GT(subject->asked, numbers);
-  EXPECT_LT(subject->asked, 2 * numbers);  // the piece before it counts
+  EXPECT_GT(subject->asked, 0u);
+  EXPECT_LT(subject->asked, numbers / 2);  // the pieces before and behind it count
 }
 
 TEST_F(Journals, AreTakenUpAfterCtrlC) {

@@ -116,6 +116,60 @@ TEST_F(Resume, MergeSaysWhatIsWrong) {
   EXPECT_EQ(merge({"3", "1", "2"}).exit_code, 0);
 }
 
+TEST_F(Resume, MergeTrustsOnlyWhatItCanStandFor) {
+  const Arguments run = sweep_of("4");
+  expect_success(with(run, {"--shard", "1/1", "--json", at("one")}));
+  const auto merge_one_with = [&](const std::string& from, const std::string& to) {
+    std::string text = text_of(at("one"));
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    std::ofstream(at("changed")) << text.replace(place, from.size(), to);
+    return program({"merge", at("changed"), "-o", at("merged")});
+  };
+  expect_complaint(merge_one_with("\"finished\": true", "\"finished\": false"), 4,
+                   "shard 1/1 was interrupted");
+  expect_complaint(merge_one_with("\"program\": \"", "\"program\": \"0"), 4,
+                   "made by a program of another program");
+  expect_complaint(merge_one_with("\"spec\": \"", "\"spec\": \"0"), 4, "made by a program of another spec");
+  expect_complaint(program({"merge", at("one"), "-o", at("one")}), 2, "one of the shards");
+  EXPECT_FALSE(fs::exists(at("merged")));
+  const Outcome alone = program({"merge", at("one"), "-o", at("merged")});
+  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  EXPECT_EQ(results_in(at("merged"))[0]["verdict"], "proved");
+}
+
+TEST_F(Resume, AShardThatFailsLeavesNoOldResultToMerge) {
+  const Arguments run = with(sweep_of("4"), {"--shard", "1/2", "--json", at("shard")});
+  expect_success(run);
+  std::ofstream(at("bad")) << "no journal";
+  EXPECT_EQ(program(with(run, {"--journal", at("bad")})).exit_code, 4);
+  EXPECT_FALSE(fs::exists(at("shard")));
+}
+
+TEST_F(Resume, WhereNothingAppliesAShardAndAMergeSaySo) {
+  const Arguments run{"prove", "index.vulkan_ends_at_16", "--levels", "3", "--quiet"};
+  Arguments merge{"merge"};
+  for (const std::string k : {"1", "2"}) {
+    const Outcome o = program(with(run, {"--shard", k + "/2", "--json", at(k)}));
+    EXPECT_EQ(o.exit_code, 2) << o.err;
+    EXPECT_NE(o.err.find("nothing was run"), std::string::npos) << o.err;
+    merge.push_back(at(k));
+  }
+  const Outcome o = program(with(merge, {"-o", at("merged")}));
+  EXPECT_EQ(o.exit_code, 2) << o.err;
+  EXPECT_FALSE(fs::exists(at("merged")));
+}
+
+TEST_F(Resume, AFileThatMayNotGrowIsReported) {
+  std::string line = "ulimit -f 1; mmverify prove index.equals_reference --subject step --levels 10 --quiet";
+  const Outcome o = shell(line + " --journal " + at("journal") + " 2>&1 >/dev/null");
+  EXPECT_EQ(o.exit_code, 4) << o.out;
+  EXPECT_NE(o.out.find("journal: "), std::string::npos) << o.out;
+  // What was written before is not lost.
+  expect_success(with(sweep_of("10"), {"--journal", at("journal"), "--json", at("json")}));
+  EXPECT_GT(results_in(at("json"))[0]["cases_resumed"], 0);
+}
+
 TEST_F(Resume, AWrongShardMakesAWrongRun) {
   const Arguments run{"prove",     "index.equals_reference",
                       "--subject", "step-appendix-ties",

@@ -126,7 +126,10 @@ Journal::Journal(std::string path, Identity identity)
     if (ftruncate(file_, static_cast<off_t>(size_)) != 0)
       throw BadJournal(
           fmt::format("{}: cannot be cut to its last whole line: {}", path_, std::strerror(errno)));
-    if (size_ == 0) write_line(to_json(identity_).dump());
+    if (size_ == 0) {
+      write_line(to_json(identity_).dump());
+      flush();
+    }
   } catch (...) {
     close(file_);
     throw;
@@ -148,11 +151,11 @@ void Journal::read(const std::string& text) {
       if (const std::string what = difference(identity_of(*json), identity_); !what.empty())
         throw BadJournal(fmt::format("{}: the journal of another run ({})", path_, what));
     } else {
-      if (!json) break;
       try {
+        if (!json) throw BadJournal("a damaged line");
         pieces_.push_back(piece(*json));
       } catch (const std::exception&) {
-        break;
+        dropped_ += end + 1 - at;  // each line stands for itself: the others count
       }
     }
   }
@@ -160,7 +163,7 @@ void Journal::read(const std::string& text) {
   if (at == 0 && !line_of(to_json(identity_).dump()).starts_with(text))
     throw BadJournal(fmt::format("{}: not a journal, or the journal of another run", path_));
   size_ = at;
-  dropped_ = text.size() - at;
+  dropped_ += text.size() - at;
 }
 
 std::vector<Journal::Piece> Journal::finished(const std::string& about, std::uint64_t of) const {

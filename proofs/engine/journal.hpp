@@ -26,7 +26,7 @@ using Identity = std::vector<std::pair<std::string, std::string>>;
 std::string difference(const Identity& theirs, const Identity& ours);
 
 /// Lines of text: a checksum and a JSON object each.  The first names the run, the others are finished pieces
-/// of work. A line that was cut short, and what follows it, is done again.
+/// of work. What a damaged line was about is done again.
 class Journal {
  public:
   /// Opens or makes the file, and reads what is finished.  Throws BadJournal.
@@ -47,15 +47,15 @@ class Journal {
   /// disjoint.
   std::vector<Piece> finished(const std::string& about, std::uint64_t of) const;
 
-  /// Appends a piece. It survives the death of this process at once, and that of the machine a quarter of a
-  /// second later. May be called from several threads.  Throws BadJournal where it cannot be written; the
-  /// file then ends with the last whole line.
+  /// Appends a piece. It survives the death of this process at once, and that of the machine from the first
+  /// append or flush on that comes a quarter of a second after the last. May be called from several threads.
+  /// Throws BadJournal where it cannot be written; the file then ends with the last whole line.
   void append(const Piece& piece);
 
   /// Writes through to the disk what has been appended.
   void flush();
 
-  /// Bytes at the end of the file that made no whole line when it was opened.
+  /// Bytes of the file that were in no whole line when it was opened.
   std::uint64_t dropped() const { return dropped_; }
 
  private:

@@ -51,6 +51,7 @@ Tally judge_whole(const Law& law, const Subject& subject, Level level, const Run
   }
   Tally tally = law.judge(subject, level, run);
   if (!interrupted()) division->journal->append({division->about, {0, 1}, 1, tally});
+  division->journal->flush();
   return tally;
 }
 
@@ -116,9 +117,9 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
     if (const Division* division = run.division) {
       r.resumed = division->resumed;
       if (law.divisible) {
-        if (!division->shard.whole()) r.share = division->share;
+        if (division->shard) r.share = division->share;
         finished = division->finished;
-      } else if (!division->shard.whole()) {
+      } else if (division->shard) {
         r.share = Share{0, 1, 1};
       }
     }
@@ -177,10 +178,11 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   run.tier = options.tier;
   run.interiors_only = options.interiors_only;
 
+  const Shard shard = options.shard.value_or(Shard{});
   std::uint64_t total = 0;
   for (const Job& job : jobs)
     for (Level n = job.levels.first; job.unfit.empty() && n <= job.levels.last; ++n)
-      if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, run) / options.shard.of;
+      if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, run) / shard.of;
 
   Progress progress(total, options.show_progress);
   const InterruptGuard guard;
@@ -197,9 +199,8 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
     }
     for (Level n = job.levels.first; n <= job.levels.last; ++n) {
       Division division{options.shard, options.journal, about(job, n), {}, 0, false};
-      if (options.journal != nullptr || !options.shard.whole()) run.division = &division;
-      const bool elsewhere =
-          !job.law->divisible && whole_laws++ % options.shard.of != options.shard.number - 1;
+      if (options.journal != nullptr || options.shard) run.division = &division;
+      const bool elsewhere = !job.law->divisible && whole_laws++ % shard.of != shard.number - 1;
       add(elsewhere ? of_another_shard(*job.law, *job.subject, n, run)
                     : run_level(*job.law, *job.subject, n, run));
       run.division = nullptr;
@@ -226,7 +227,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
     if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
       laws.push_back(job.law);
   for (const Law* law : laws) {
-    if (interrupted() || options.shard.number != 1) break;
+    if (interrupted() || shard.number != 1) break;
     const auto mutants = run_mutants(*law, run);
     report.mutants.insert(report.mutants.end(), mutants.begin(), mutants.end());
   }

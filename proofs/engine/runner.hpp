@@ -23,7 +23,7 @@ struct RunOptions {
   Tier tier = Tier::fast;
   bool interiors_only = false;
   bool show_progress = true;
-  Shard shard = {};
+  std::optional<Shard> shard = {};  ///< none: the whole domain, not called a shard
   Journal* journal = nullptr;
 };
 

@@ -19,6 +19,7 @@ void check_numbers(std::vector<ShardRun>& shards) {
                    [](const ShardRun& a, const ShardRun& b) { return a.shard.number < b.shard.number; });
   const ShardRun& first = shards.front();
   for (const ShardRun& s : shards) {
+    if (!s.finished) throw ShardsDoNotAddUp(fmt::format("{}: {} was interrupted", s.file, text(s.shard)));
     if (s.shard.of != first.shard.of)
       throw ShardsDoNotAddUp(
           fmt::format("{} is {}, {} is {}", first.file, text(first.shard), s.file, text(s.shard)));
@@ -39,7 +40,7 @@ void check_numbers(std::vector<ShardRun>& shards) {
 /// far.
 struct Parts {
   std::vector<std::pair<const ShardRun*, const Result*>> found;
-  const ShardRun* broke_before = nullptr;
+  bool broke_before = false;
 };
 
 Parts parts_of(const std::vector<ShardRun>& shards, const Result& like) {
@@ -54,7 +55,7 @@ Parts parts_of(const std::vector<ShardRun>& shards, const Result& like) {
     if (at != results.end())
       parts.found.emplace_back(&s, &*at);
     else if (broke)
-      parts.broke_before = &s;
+      parts.broke_before = true;
     else
       throw ShardsDoNotAddUp(fmt::format("{}: {} is missing", s.file, text(like)));
   }
@@ -108,11 +109,6 @@ Result merged(const Parts& parts, const Result& like, std::size_t errors, const 
     sum.reason = broken->second->reason;
     return sum;
   }
-  if (parts.broke_before != nullptr) {
-    sum.verdict = Verdict::incomplete;
-    sum.reason = fmt::format("the subject broke earlier in {}", text(parts.broke_before->shard));
-    return sum;
-  }
   const bool fits = std::any_of(parts.found.begin(), parts.found.end(),
                                 [](const auto& part) { return part.second->share.has_value(); });
   if (!fits) return sum;
@@ -125,7 +121,7 @@ Result merged(const Parts& parts, const Result& like, std::size_t errors, const 
   sum.counterexamples = tally.found();
   sum.reason.clear();
   sum.resumed = 0;
-  if (sum.mismatches() == 0 && sum.cases_run() != sum.cases_expected)
+  if (sum.cases_run() != sum.cases_expected)
     throw ShardsDoNotAddUp(
         fmt::format("{}: {} cases in all, {} expected", text(like), sum.cases_run(), sum.cases_expected));
   sum.verdict = sum.mismatches() != 0          ? Verdict::refuted
@@ -139,7 +135,6 @@ Result merged(const Parts& parts, const Result& like, std::size_t errors, const 
 Report merge_shards(std::vector<ShardRun> shards, std::size_t errors,
                     const std::function<const Law&(const std::string&)>& law_of) {
   check_numbers(shards);
-  if (shards.front().shard.whole()) return std::move(shards.front().report);
   std::vector<const Result*> jobs;
   for (const ShardRun& s : shards)
     for (const Result& r : s.report.results)
@@ -148,8 +143,11 @@ Report merge_shards(std::vector<ShardRun> shards, std::size_t errors,
         jobs.push_back(&r);
   Report whole;
   whole.threads = 0;
-  for (const Result* job : jobs)
-    whole.results.push_back(merged(parts_of(shards, *job), *job, errors, law_of(job->law)));
+  for (const Result* job : jobs) {
+    const Parts parts = parts_of(shards, *job);
+    // The whole run would not have come so far.
+    if (!parts.broke_before) whole.results.push_back(merged(parts, *job, errors, law_of(job->law)));
+  }
   for (const ShardRun& s : shards) {
     whole.threads += s.report.threads;
     whole.mutants.insert(whole.mutants.end(), s.report.mutants.begin(), s.report.mutants.end());

@@ -17,6 +17,7 @@ struct ShardRun {
   Shard shard;
   Identity identity;
   Report report;
+  bool finished = true;  ///< not interrupted, its mutants included
 };
 
 /// Shards that are not those of one run, or not all of them, or leave a part of a domain out or do it twice.

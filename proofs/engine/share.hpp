@@ -35,7 +35,7 @@ struct Share {
 
 /// What the runner and `sweep` agree on for one law, subject and level.
 struct Division {
-  Shard shard;
+  std::optional<Shard> shard;
   Journal* journal = nullptr;  ///< null: none is kept
   std::string about;           ///< the journal's name for this law, subject and level
   // Filled in by sweep.

@@ -105,8 +105,8 @@ Tally journaled(const Run& run, const Domain& domain, Chunk chunks, const Judge&
 
 Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk, const Judge& judge) {
   const Domain domain{units, units_per_chunk};
-  const Chunk chunks =
-      run.division == nullptr ? Chunk{0, domain.chunks()} : run.division->shard.chunks(domain.chunks());
+  const Shard shard = run.division != nullptr ? run.division->shard.value_or(Shard{}) : Shard{};
+  const Chunk chunks = shard.chunks(domain.chunks());
   Tally tally = run.division != nullptr && run.division->journal != nullptr
                     ? journaled(run, domain, chunks, judge)
                     : sum(run, chunks.end - chunks.begin, [&](std::uint64_t k, Tally& part) {

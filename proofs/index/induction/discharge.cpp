@@ -50,7 +50,8 @@ Tally discharge(const std::vector<Statement>& statements, const IndexSubject& su
       part.digest(k, hash_of(statements[k].text) ^ static_cast<std::uint64_t>(answers[k].answer));
     }
   });
-  if (interrupted()) return tally;
+  // Every statement is a case, answered or not: a run that was cut short has proved nothing.
+  if (interrupted()) throw Interrupted();
 
   std::string failed;
   std::uint64_t failures = 0;
