@@ -8,7 +8,6 @@
 #include <regex>
 
 #include "cli/exit_code.hpp"
-#include "proofs/index.hpp"
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/registry.hpp"
 
@@ -24,8 +23,8 @@ Levels parse_levels(const std::string& text) {
   const auto first = static_cast<Level>(std::stoul(m[1].str()));
   const auto last = m[2].matched ? static_cast<Level>(std::stoul(m[2].str())) : first;
   if (first > last) throw UsageError(fmt::format("--levels {}: {} comes after {}", text, first, last));
-  if (last > index::max_level)
-    throw UsageError(fmt::format("--levels {}: the highest level is {}", text, index::max_level));
+  if (last > max_level())
+    throw UsageError(fmt::format("--levels {}: the highest level is {}", text, max_level()));
   return {first, last};
 }
 
@@ -34,8 +33,8 @@ Level parse_level(const std::string& text) {
   if (!std::regex_match(text, shape))
     throw UsageError(fmt::format("--level {}: write one level, for example 5", text));
   const auto level = static_cast<Level>(std::stoul(text));
-  if (level > index::max_level)
-    throw UsageError(fmt::format("--level {}: the highest level is {}", text, index::max_level));
+  if (level > max_level())
+    throw UsageError(fmt::format("--level {}: the highest level is {}", text, max_level()));
   return level;
 }
 

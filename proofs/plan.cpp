@@ -33,7 +33,9 @@ std::vector<Job> plan(const Request& request) {
     if (planned(jobs, law, *subject)) return;
     Job job{&law, subject, request.tier == Tier::fast ? law.fast : law.long_run, {}};
     if (request.levels && law.at_once.empty()) job.levels = *request.levels;
-    if (!about(law, *subject))
+    if (subject->topic() != law.topic)
+      job.unfit = fmt::format("{} is a subject of topic {}", subject->name(), subject->topic());
+    else if (!about(law, *subject))
       job.unfit = fmt::format("{} is about {}", law.id, fmt::join(law.subjects, ", "));
     jobs.push_back(std::move(job));
   };
@@ -41,9 +43,14 @@ std::vector<Job> plan(const Request& request) {
     std::vector<SubjectPtr> on = request.subjects;
     if (on.empty())
       for (const std::string& name : law->subjects) on.push_back(find_subject(name));
+    const bool of_its_topic =
+        std::any_of(on.begin(), on.end(), [&](const SubjectPtr& s) { return s->topic() == law->topic; });
     for (const SubjectPtr& subject : on) {
-      // A run of every law on one subject leaves out those that are about others.
-      if (request.laws.empty() && !about(*law, *subject)) continue;
+      // A run of every law on one subject leaves out those that are about others; a library may hold
+      // subjects of several topics.
+      const bool other_topic = subject->topic() != law->topic;
+      if (request.laws.empty() ? !about(*law, *subject) || other_topic : other_topic && of_its_topic)
+        continue;
       add(*law, subject);
       if (!subject->exact() && !law->float_companion.empty()) add(*find_law(law->float_companion), subject);
     }

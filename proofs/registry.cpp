@@ -4,9 +4,21 @@
 #include "proofs/index/built_in.hpp"
 
 namespace mmverify::proofs {
+namespace {
+
+template <class T>
+void append(std::vector<T>& all, const auto& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
 
 const std::vector<Law>& laws() {
-  static const std::vector<Law> all = index::laws();
+  static const std::vector<Law> all = [] {
+    std::vector<Law> of_all_topics;
+    append(of_all_topics, index::laws());
+    return of_all_topics;
+  }();
   return all;
 }
 
@@ -24,13 +36,20 @@ std::vector<const Law*> laws_named(const std::string& name) {
   return found;
 }
 
+Level max_level() { return index::max_level; }
+
 std::vector<SubjectPtr> subjects() {
-  const auto& of_index = index::built_in_subjects();
-  return {of_index.begin(), of_index.end()};
+  std::vector<SubjectPtr> of_all_topics;
+  append(of_all_topics, index::built_in_subjects());
+  return of_all_topics;
 }
 
 SubjectPtr subject_that_answers(std::uint32_t index) { return index::given_answer(index); }
 
-SubjectPtr find_subject(const std::string& name) { return index::built_in_subject(name); }
+SubjectPtr find_subject(const std::string& name) {
+  for (const SubjectPtr& subject : subjects())
+    if (subject->name() == name) return subject;
+  return nullptr;
+}
 
 }  // namespace mmverify::proofs

@@ -14,10 +14,13 @@ const Law* find_law(const std::string& id);
 /// none.
 std::vector<const Law*> laws_named(const std::string& name);
 
+/// The highest level that any law is defined at.
+Level max_level();
+
 /// The built-in subjects.
 std::vector<SubjectPtr> subjects();
 
-/// A subject that gives this answer to every point.
+/// A subject of topic index that gives this answer to every point.
 SubjectPtr subject_that_answers(std::uint32_t index);
 
 /// Null where there is no built-in subject of that name.

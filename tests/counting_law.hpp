@@ -16,7 +16,7 @@ constexpr std::uint64_t numbers = 1000, numbers_per_chunk = 50;
 /// Answers k with k*k, but for those that `wrong` divides; counts how often it is asked.
 class Squares : public Subject {
  public:
-  explicit Squares(std::uint64_t wrong = 0) : Subject("squares", "for a test"), wrong_(wrong) {}
+  explicit Squares(std::uint64_t wrong = 0) : Subject("test", "squares", "for a test"), wrong_(wrong) {}
   bool exact() const override { return true; }
   bool right(std::uint64_t k) const {
     ++asked;

@@ -190,7 +190,7 @@ TEST_F(Sweep, SameTallyForAnyNumberOfThreads) {
 
 class Named : public Subject {
  public:
-  explicit Named(const std::string& name) : Subject(name, "for a test") {}
+  explicit Named(const std::string& name) : Subject("test", name, "for a test") {}
   bool exact() const override { return true; }
 };
 

@@ -16,10 +16,12 @@ namespace mmverify::proofs {
 /// An implementation under test.  Topics derive from it.
 class Subject {
  public:
-  Subject(std::string name, std::string about) : name_(std::move(name)), about_(std::move(about)) {}
+  Subject(std::string topic, std::string name, std::string about)
+      : topic_(std::move(topic)), name_(std::move(name)), about_(std::move(about)) {}
   virtual ~Subject() = default;
   Subject(const Subject&) = delete;
   Subject& operator=(const Subject&) = delete;
+  const std::string& topic() const { return topic_; }
   const std::string& name() const { return name_; }
   const std::string& about() const { return about_; }
 
@@ -31,7 +33,7 @@ class Subject {
   virtual bool exact() const = 0;
 
  private:
-  std::string name_, about_;
+  std::string topic_, name_, about_;
 };
 using SubjectPtr = std::shared_ptr<const Subject>;
 

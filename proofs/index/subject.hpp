@@ -35,7 +35,7 @@ struct FloatBatch {
 class IndexSubject : public Subject {
  public:
   IndexSubject(std::string name, std::string about, Arithmetic arithmetic, Level max_level)
-      : Subject(std::move(name), std::move(about)), arithmetic_(arithmetic), max_level_(max_level) {}
+      : Subject("index", std::move(name), std::move(about)), arithmetic_(arithmetic), max_level_(max_level) {}
 
   Arithmetic arithmetic() const { return arithmetic_; }
   bool exact() const override { return arithmetic_ == Arithmetic::exact; }
