@@ -93,8 +93,8 @@ struct Law {
   std::function<std::uint64_t(Level, const Run&)> cases = {};  ///< closed form
   std::function<std::string(const Subject&, Level)> domain = {};
   std::function<std::string(const Subject&, Level)> how = {};  ///< "exhaustive, rational", ...
-  std::function<std::optional<std::string>(const Subject&, Level)>
-      unfit;  ///< why the law does not apply, if so
+  /// Why the law does not apply, if so.
+  std::function<std::optional<std::string>(const Subject&, Level)> unfit = {};
   /// Whether its cases are judged one by one, in a single sweep, so that shards and resumed runs add up to
   /// it.
   bool divisible = false;

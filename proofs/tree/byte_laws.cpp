@@ -1,0 +1,229 @@
+#include "proofs/tree/byte_laws.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <regex>
+
+#include "proofs/tree/altered.hpp"
+#include "proofs/tree/checks.hpp"
+
+namespace mmverify::proofs::tree {
+namespace {
+
+using spec::micromap::micro_triangles;
+
+const TreeSubject& of_tree(const Subject& s) { return dynamic_cast<const TreeSubject&>(s); }
+
+std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
+
+constexpr std::uint64_t strings = 1 + 256 + 65536;
+
+/// String k: the empty one, those of one byte, those of two.
+Bytes string_number(std::uint64_t k) {
+  if (k == 0) return {};
+  if (k <= 256) return {static_cast<std::uint8_t>(k - 1)};
+  const std::uint64_t word = k - 257;
+  return {static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(word >> 8)};
+}
+
+std::string text_of(Format f, const Bytes& bytes) {
+  return fmt::format("{}-state:{:02x}", f == Format::two_state ? 2 : 4, fmt::join(bytes, ""));
+}
+
+std::pair<Format, Bytes> string_from(const std::string& text) {
+  static const std::regex shape("([24])-state:((?:[0-9a-f]{2})*)");
+  std::smatch m;
+  if (!std::regex_match(text, m, shape))
+    throw BadCase(fmt::format("'{}': write 2-state: or 4-state: and bytes in hexadecimal", text));
+  Bytes bytes;
+  const std::string digits = m[2].str();
+  for (std::size_t k = 0; k < digits.size(); k += 2) {
+    unsigned byte = 0;
+    std::from_chars(digits.data() + k, digits.data() + k + 2, byte, 16);
+    bytes.push_back(static_cast<std::uint8_t>(byte));
+  }
+  return {m[1].str() == "2" ? Format::two_state : Format::four_state, bytes};
+}
+
+/// A case of one index or none, judged alike on its own and in the sweep.
+Replayed replayed(const Finding& found) {
+  return found.holds ? Replayed{true, "ok", "ok", {}}
+                     : Replayed{false, found.where + " " + found.expected, found.got, {}};
+}
+
+void add(Tally& tally, Level n, std::uint64_t k, const std::string& at, const Finding& found) {
+  tally.count(Kind::interior, 1);
+  tally.digest(k, found.answer);
+  if (!found.holds)
+    tally.mismatch(Kind::interior, {n, k, 0}, [&] {
+      return Counterexample{{n, k, 0}, n, at, {}, found.where + " " + found.expected, found.got};
+    });
+}
+
+/// The number after "k=".
+std::uint64_t number_from(const std::string& text, std::uint64_t limit) {
+  static const std::regex shape("k=([0-9]{1,10})");
+  std::smatch m;
+  if (!std::regex_match(text, m, shape) || std::stoull(m[1].str()) >= limit)
+    throw BadCase(fmt::format("'{}': write k= and a number below {}", text, limit));
+  return std::stoull(m[1].str());
+}
+
+Finding reads(const TreeSubject& s, Level n, std::uint64_t k) {
+  const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
+                      got = s.encode(alternating_map(n, Format::two_state))->tree_bits_read(k);
+  if (got != expected) return wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
+  return {got, true, {}, {}, {}};
+}
+
+Finding worst_size(const TreeSubject& s, Level n, Format f) {
+  const Bytes bytes = s.encode(alternating_map(n, f))->bytes();
+  const std::uint64_t nodes = spec::tree::most_nodes(n),
+                      expected = (nodes + 7) / 8 + spec::micromap::packed_bytes(micro_triangles(n), f);
+  if (bytes.size() != expected)
+    return wrong(fmt::format("bytes, {} bits,", spec::tree::most_bits(n, f)), fmt::format("{}", expected),
+                 fmt::format("{}", bytes.size()));
+  return {hash_of(bytes), true, {}, {}, {}};
+}
+
+constexpr Format formats[] = {Format::two_state, Format::four_state};
+
+}  // namespace
+
+Law canonical_law() {
+  Law law{.id = "tree.canonical",
+          .topic = "tree",
+          .says = "of all byte strings, a decoder takes the codes of maps and no others, each as its own map",
+          .source = succinct_4_1,
+          .subjects = {"tree-spec", "tree-stream"},
+          .fast = {0, 1},
+          .long_run = {0, 1}};
+  law.fast_seconds = 0.3;
+  law.cases = [](Level, const Run&) { return 2 * strings; };
+  law.domain = [](const Subject&, Level) {
+    return std::string("all byte strings of up to two bytes, 2-state and 4-state");
+  };
+  law.how = exhaustively;
+  law.unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
+    if (n > 1) return "codes of its levels, 0 and 1, have two bytes at most";
+    return needing({Entry::bytes, Entry::stream})(s, n);
+  };
+  law.divisible = true;
+  law.on_lines = false;
+  law.judge = [](const Subject& s, Level n, const Run& run) {
+    return sweep(run, 2 * strings, 1024, [&](Chunk chunk, Tally& tally) {
+      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
+        const Format f = formats[k / strings];
+        const Bytes bytes = string_number(k % strings);
+        add(tally, n, k, text_of(f, bytes), bytes_are_canonical(of_tree(s), n, f, bytes));
+      }
+    });
+  };
+  law.replay = [](const Subject& s, Level n, const std::string& at) {
+    const auto [f, bytes] = string_from(at);
+    return replayed(bytes_are_canonical(of_tree(s), n, f, bytes));
+  };
+  // Each takes, or refuses, one string too many.
+  const auto takes = [](const char* name, const char* base, Level n, Format f, Bytes string, Bytes as) {
+    return mutant(name, base, {n, n},
+                  {.open = [=, real = the(base)](Level level, Format format, auto bytes, CodePtr code) {
+                    if (level != n || format != f ||
+                        !std::equal(bytes.begin(), bytes.end(), string.begin(), string.end()))
+                      return code;
+                    return as.empty() ? nullptr : real->open(n, f, as);
+                  }});
+  };
+  law.mutants = {
+      // 1 0 0 0 0 and four UO.
+      takes("takes four equal siblings", "tree-stream", 1, Format::four_state, {0x01, 0xFF}, {0x00, 0x03}),
+      takes("takes a set bit after the last value", "tree-stream", 0, Format::two_state, {0x00, 0x80},
+            {0x00, 0x00}),
+      takes("takes a tree that goes below its level", "tree-spec", 0, Format::two_state, {0x01, 0x0E},
+            {0x00, 0x01}),
+      takes("refuses the map 3210", "tree-spec", 1, Format::four_state, {0x01, 0x1B}, {}),
+  };
+  return law;
+}
+
+Law bits_read_law() {
+  Law law{.id = "paper.tree_bits_read",
+          .topic = "tree",
+          .says =
+              "Algorithm 3 reads 1 + sum of (digit x subtree + 1) bits of the largest tree: all of it for "
+              "the last index, and 1 + n/2 + 2/3 (4^n - 1) in the mean",
+          .source = succinct_6_2,
+          .subjects = {"tree-spec"},
+          .fast = {0, 6},
+          .long_run = {0, 7}};
+  law.fast_seconds = 0.3;
+  law.cases = [](Level n, const Run&) { return micro_triangles(n); };
+  law.domain = [](const Subject&, Level) { return std::string("the 4^n indices of the alternating map"); };
+  law.how = exhaustively;
+  law.unfit = needing({Entry::reads});
+  law.divisible = true;
+  law.on_lines = false;
+  law.judge = [](const Subject& s, Level n, const Run& run) {
+    const CodePtr code = of_tree(s).encode(alternating_map(n, Format::two_state));
+    return sweep(run, micro_triangles(n), 64, [&](Chunk chunk, Tally& tally) {
+      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
+        const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k), got = code->tree_bits_read(k);
+        add(tally, n, k, fmt::format("k={}", k),
+            got == expected ? Finding{got, true, {}, {}, {}}
+                            : wrong("bits", fmt::format("{}", expected), fmt::format("{}", got)));
+      }
+    });
+  };
+  law.replay = [](const Subject& s, Level n, const std::string& at) {
+    return replayed(reads(of_tree(s), n, number_from(at, micro_triangles(n))));
+  };
+  const auto one_more = [](const char* name, Level n, std::uint64_t index) {
+    return mutant(name, "tree-spec", {n, n}, {.reads = [=](Level level, std::uint64_t k, std::uint64_t bits) {
+                    return level == n && k == index ? bits + 1 : bits;
+                  }});
+  };
+  law.mutants = {one_more("reads a bit beyond the last leaf of level 6", 6, 4095),
+                 one_more("reads a bit more at level 0", 0, 0),
+                 one_more("reads a bit more for index 2 of level 3", 3, 2)};
+  return law;
+}
+
+Law worst_size_law() {
+  Law law{.id = "paper.tree_worst_size",
+          .topic = "tree",
+          .says =
+              "a map in which no siblings merge takes (4^(n+1)-1)/3 + b 4^n bits, more than flat; "
+              "tree.sizes says that none takes more",
+          .source = succinct_6_2,
+          .subjects = {"tree-spec", "tree-stream"},
+          .fast = {0, 8},
+          .long_run = {0, 10}};
+  law.method = Method::witness;
+  law.fast_seconds = 0.3;
+  law.cases = [](Level, const Run&) { return std::uint64_t{2}; };
+  law.domain = [](const Subject&, Level) { return std::string("the alternating map, both formats"); };
+  law.how = [](const Subject&, Level) { return std::string("witness"); };
+  law.unfit = needing({Entry::bytes, Entry::stream});
+  law.on_lines = false;
+  law.judge = [](const Subject& s, Level n, const Run& run) {
+    return sweep(run, 2, 1, [&](Chunk chunk, Tally& tally) {
+      const Format f = formats[chunk.begin];
+      add(tally, n, chunk.begin, fmt::format("k={}", chunk.begin), worst_size(of_tree(s), n, f));
+    });
+  };
+  law.replay = [](const Subject& s, Level n, const std::string& at) {
+    return replayed(worst_size(of_tree(s), n, formats[number_from(at, 2)]));
+  };
+  const auto longer = [](const char* name, const char* base, Level n, Format f, int by) {
+    return mutant(name, base, {n, n}, {.bytes = [=](const Map& map, Bytes& bytes) {
+                    if (map.level == n && map.format == f)
+                      bytes.resize(bytes.size() + static_cast<std::size_t>(by));
+                  }});
+  };
+  law.mutants = {longer("a byte too many at level 8", "tree-stream", 8, Format::four_state, 1),
+                 longer("a byte too few at level 5", "tree-spec", 5, Format::two_state, -1),
+                 longer("a byte too many at level 0", "tree-stream", 0, Format::two_state, 1)};
+  return law;
+}
+
+}  // namespace mmverify::proofs::tree

@@ -1,0 +1,33 @@
+// How one map is judged.
+#pragma once
+
+#include "proofs/tree/law_parts.hpp"
+
+namespace mmverify::proofs::tree {
+
+/// decode(encode(map)) is the map, its padding bits zero.
+Finding round_trip(const TreeSubject& s, const Map& map);
+
+/// A lookup at each index gives the map's state; at most `most` of them, scattered, where there are more.
+Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most = ~std::uint64_t{0});
+
+/// A lookup by barycentrics gives the state at the reference's index: at every point whose coordinates are
+/// multiples of 1/4N, which are some in every cell, or at `most` of them.
+Finding points(const TreeSubject& s, const Map& map, std::uint64_t most = ~std::uint64_t{0});
+
+/// The bytes are the specification's.
+Finding stream_is_specified(const TreeSubject& s, const Map& map);
+
+/// leaves = 3 internal + 1, nodes = 4 internal + 1, no more nodes than spec::tree::most_nodes, and bytes for
+/// just these.
+Finding sizes(const TreeSubject& s, const Map& map);
+
+/// Every truncation of a code, a byte more, and every flip of one of its bits: refused, or the code of
+/// another map.
+Finding damage(const TreeSubject& s, const Map& map);
+
+/// What encode and decode do to bytes that nobody encoded: refused, or the one code of the map they mean,
+/// exactly where the specification takes them.
+Finding bytes_are_canonical(const TreeSubject& s, Level n, Format f, std::span<const std::uint8_t> bytes);
+
+}  // namespace mmverify::proofs::tree

@@ -1,0 +1,141 @@
+#include "proofs/tree/law_parts.hpp"
+
+#include <fmt/format.h>
+
+namespace mmverify::proofs::tree {
+namespace {
+
+constexpr std::uint64_t maps_per_chunk = 256;
+
+const TreeSubject& of_tree(const Subject& s) { return dynamic_cast<const TreeSubject&>(s); }
+
+/// The number of maps, map k, and its text.
+struct Domain {
+  std::function<std::uint64_t(Level)> count;
+  std::function<Map(Level, std::uint64_t, const Run&)> map;
+  std::function<std::string(const Map&, std::uint64_t, const Run&)> text;
+  std::uint64_t chunk = maps_per_chunk;
+};
+
+Law over(Law law, std::vector<Entry> entries, Check check, Domain domain) {
+  law.divisible = true;
+  law.on_lines = false;
+  law.unfit = needing(std::move(entries));
+  law.cases = [count = domain.count](Level n, const Run&) { return count(n); };
+  law.judge = [check, domain](const Subject& s, Level n, const Run& run) {
+    return sweep(run, domain.count(n), domain.chunk, [&](Chunk chunk, Tally& tally) {
+      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
+        const Map map = domain.map(n, k, run);
+        const Finding found = check(of_tree(s), map);
+        tally.count(Kind::interior, 1);
+        tally.digest(k, found.answer);
+        if (!found.holds)
+          tally.mismatch(Kind::interior, {n, k, 0}, [&] {
+            return Counterexample{
+                {n, k, 0}, n, domain.text(map, k, run), {}, found.where + " " + found.expected, found.got};
+          });
+      }
+    });
+  };
+  law.replay = [check](const Subject& s, Level n, const std::string& at) {
+    const Finding found = check(of_tree(s), map_from_text(n, at));
+    return found.holds ? Replayed{true, "ok", "ok", {}}
+                       : Replayed{false, found.where + " " + found.expected, found.got, {}};
+  };
+  return law;
+}
+
+std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
+
+}  // namespace
+
+Finding wrong(std::string where, std::string expected, std::string got) {
+  return {0, false, std::move(where), std::move(expected), std::move(got)};
+}
+
+std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries) {
+  return [=](const Subject& subject, Level n) -> std::optional<std::string> {
+    const auto* s = dynamic_cast<const TreeSubject*>(&subject);
+    if (s == nullptr) return "not a subject of topic tree";
+    constexpr const char* names[] = {"index -> state", "barycentrics -> state", "bytes", "the paper's bytes",
+                                     "bits read"};
+    for (const Entry e : entries)
+      if (!s->has(e))
+        return fmt::format("{} has no entry point {}", s->name(), names[static_cast<std::size_t>(e)]);
+    if (n > s->max_level()) return fmt::format("{} is defined up to level {}", s->name(), s->max_level());
+    return std::nullopt;
+  };
+}
+
+Law on_all_maps(Law law, std::vector<Entry> entries, Check check) {
+  law.method = Method::exhaustive;
+  law.fast = law.long_run = {0, 2};
+  law.how = exhaustively;
+  law.domain = [](const Subject&, Level n) {
+    return fmt::format("all {} maps of level {}", n < 2 ? "2-state and 4-state" : "65,536 2-state", n);
+  };
+  law = over(std::move(law), std::move(entries), std::move(check),
+             {[](Level n) { return n <= 2 ? map_count(n) : 0; },
+              [](Level n, std::uint64_t k, const Run&) { return map_number(n, k); },
+              [](const Map& map, std::uint64_t, const Run&) { return text_of_states(map); }});
+  law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
+    if (n > 2) return "its maps are those of levels 0..2; tree.on_samples goes beyond";
+    return fits(s, n);
+  };
+  return law;
+}
+
+Law on_four_state_maps_of_level_2(Law law, std::vector<Entry> entries, Check check) {
+  law.method = Method::exhaustive;
+  law.fast = law.long_run = {2, 2};
+  law.long_only = true;
+  law.how = exhaustively;
+  law.domain = [](const Subject&, Level) { return std::string("all 4^16 4-state maps of level 2"); };
+  law = over(std::move(law), std::move(entries), std::move(check),
+             {[](Level) { return four_state_maps_of_level_2; },
+              [](Level, std::uint64_t k, const Run&) { return four_state_map_of_level_2(k); },
+              [](const Map& map, std::uint64_t, const Run&) { return text_of_states(map); }, 1 << 16});
+  law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
+    if (n != 2) return "it is about level 2";
+    return fits(s, n);
+  };
+  return law;
+}
+
+Law on_samples(Law law, std::vector<Entry> entries, Check check) {
+  law.method = Method::sample;
+  law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
+  law.domain = [](const Subject&, Level n) {
+    return fmt::format("noise, leaves, blocks, alternating and all-but-one maps of level {}, both formats",
+                       n);
+  };
+  return over(
+      std::move(law), std::move(entries), std::move(check),
+      {[](Level n) -> std::uint64_t {
+         return n <= 5 ? 200 : n <= 6 ? 100 : n <= 7 ? 40 : 20;
+       },
+       [](Level n, std::uint64_t k, const Run& run) { return sample_map(n, run.seed, k); },
+       [](const Map& map, std::uint64_t k, const Run& run) { return text_of_sample(map, run.seed, k); }, 1});
+}
+
+Finding same_map(const Map& expected, const Bytes& got) {
+  if (got.size() != expected.packed.size())
+    return wrong("map of", fmt::format("{} bytes", expected.packed.size()), fmt::format("{}", got.size()));
+  const Map found{expected.level, expected.format, got};
+  for (std::uint64_t k = 0; k < spec::micromap::micro_triangles(expected.level); ++k)
+    if (state_at(expected, k) != state_at(found, k))
+      return wrong(fmt::format("state {}", k), fmt::format("{}", state_at(expected, k)),
+                   fmt::format("{}", state_at(found, k)));
+  if (got != expected.packed) return wrong("padding bits", "0", "1");
+  return {hash_of(got), true, {}, {}, {}};
+}
+
+std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
+  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a
+  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001B3u;
+  return hash;
+}
+
+std::string hex(std::span<const std::uint8_t> bytes) { return fmt::format("{:02x}", fmt::join(bytes, " ")); }
+
+}  // namespace mmverify::proofs::tree

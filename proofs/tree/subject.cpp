@@ -1,0 +1,233 @@
+#include "proofs/tree/subject.hpp"
+
+#include <stdexcept>
+
+#include "impl/tree.hpp"
+#include "impl/tree_container.hpp"
+#include "impl/tree_stream.hpp"
+#include "spec/fixed.hpp"
+
+namespace mmverify::proofs::tree {
+namespace {
+
+namespace fast = impl::tree;
+
+[[noreturn]] void no_entry() { throw std::logic_error("a tree subject was asked for what it has not"); }
+
+fast::Bits fast_bits(Format f) { return static_cast<fast::Bits>(bits(f)); }
+
+Bytes empty_map(Level n, Format f) {
+  return Bytes(spec::micromap::packed_bytes(spec::micromap::micro_triangles(n), f), 0);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The specification
+// ---------------------------------------------------------------------------------------------------------------------
+
+class SpecifiedCode : public Code {
+ public:
+  SpecifiedCode(spec::tree::Succinct tree, Level n, Format f) : tree_(std::move(tree)), n_(n), format_(f) {}
+  Bytes decode() const override {
+    return spec::micromap::pack(spec::tree::decode(tree_, n_, format_).value(), format_);
+  }
+  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const override {
+    for (std::size_t k = 0; k < index.size(); ++k)
+      state[k] = spec::micromap::code(spec::tree::at_index(tree_, n_, index[k]).state);
+  }
+  void lookup(std::span<const float> u, std::span<const float> v,
+              std::span<std::uint8_t> state) const override {
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const spec::Point<spec::Fixed64> p{exact(u[k]), exact(v[k])};
+      state[k] = spec::micromap::code(spec::tree::at_point(tree_, p).state);
+    }
+  }
+  Bytes bytes() const override { return spec::tree::bytes(tree_, format_); }
+  std::uint64_t tree_bits_read(std::uint64_t index) const override {
+    return spec::tree::at_index(tree_, n_, index).tree_bits;
+  }
+
+ private:
+  /// Domain: multiples of 2^-24.
+  static spec::Fixed64 exact(float x) {
+    return spec::Fixed64::dyadic(static_cast<std::int64_t>(x * 16777216.0f), 24);
+  }
+  spec::tree::Succinct tree_;
+  Level n_;
+  Format format_;
+};
+
+class Specified : public TreeSubject {
+ public:
+  Specified() : TreeSubject("tree-spec", "Algorithms 1, 2 and 3 as printed") {}
+  bool has(Entry) const override { return true; }
+  CodePtr encode(const Map& map) const override {
+    const States states =
+        spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(map.level));
+    return std::make_unique<SpecifiedCode>(spec::tree::encode(states, map.level), map.level, map.format);
+  }
+  CodePtr open(Level n, Format f, std::span<const std::uint8_t> bytes) const override {
+    auto tree = spec::tree::from_bytes(bytes, f);
+    if (!tree || !spec::tree::decode(*tree, n, f)) return nullptr;
+    return std::make_unique<SpecifiedCode>(std::move(*tree), n, f);
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The paper's streams, fast
+// ---------------------------------------------------------------------------------------------------------------------
+
+class StreamCode : public Code {
+ public:
+  StreamCode(fast::Stream stream, Level n, Format f) : stream_(std::move(stream)), n_(n), format_(f) {}
+  Bytes decode() const override {
+    Bytes map = empty_map(n_, format_);
+    if (!fast::decode_stream(n_, fast_bits(format_), stream_, map))
+      throw SubjectBroken("refuses what it encoded");
+    return map;
+  }
+  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const override {
+    for (std::size_t k = 0; k < index.size(); ++k)
+      state[k] = fast::lookup_stream(n_, fast_bits(format_), stream_, index[k]);
+  }
+  Bytes bytes() const override {
+    Bytes all = stream_.tree;
+    all.insert(all.end(), stream_.data.begin(), stream_.data.end());
+    return all;
+  }
+
+ private:
+  fast::Stream stream_;
+  Level n_;
+  Format format_;
+};
+
+class Streamed : public TreeSubject {
+ public:
+  Streamed() : TreeSubject("tree-stream", "this project's library, the paper's two bit sequences") {}
+  bool has(Entry e) const override { return e != Entry::point && e != Entry::reads; }
+  CodePtr encode(const Map& map) const override {
+    return std::make_unique<StreamCode>(fast::encode_stream(map.level, fast_bits(map.format), map.packed),
+                                        map.level, map.format);
+  }
+  CodePtr open(Level n, Format f, std::span<const std::uint8_t> bytes) const override {
+    const fast::Stream stream = cut(bytes);
+    Bytes map = empty_map(n, f);
+    if (!fast::decode_stream(n, fast_bits(f), stream, map)) return nullptr;
+    return std::make_unique<StreamCode>(stream, n, f);
+  }
+
+ private:
+  /// The two sequences: the tree ends where no more nodes are owed, or with the bytes.
+  static fast::Stream cut(std::span<const std::uint8_t> bytes) {
+    fast::Stream s;
+    for (std::uint64_t owed = 1; owed > 0 && s.nodes / 8 < bytes.size(); ++s.nodes) {
+      const bool internal = (bytes[s.nodes / 8] >> s.nodes % 8 & 1) != 0;
+      owed = internal ? owed + 3 : owed - 1;
+      s.leaves += internal ? 0 : 1;
+    }
+    const std::size_t tree_bytes = (s.nodes + 7) / 8;
+    s.tree.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(tree_bytes));
+    s.data.assign(bytes.begin() + static_cast<std::ptrdiff_t>(tree_bytes), bytes.end());
+    return s;
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The form for random access
+// ---------------------------------------------------------------------------------------------------------------------
+
+class RankedCode : public Code {
+ public:
+  explicit RankedCode(fast::Tree tree) : tree_(std::move(tree)) {}
+  Bytes decode() const override {
+    Bytes map = empty_map(tree_.level(), static_cast<Format>(tree_.format()));
+    tree_.decode(map);
+    return map;
+  }
+  /// One at a time and all at once must be the same.
+  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const override {
+    tree_.lookup(index, state);
+    for (std::size_t k = 0; k < index.size(); ++k)
+      if (tree_[index[k]] != state[k]) throw SubjectBroken("answers otherwise in a batch");
+  }
+  void lookup(std::span<const float> u, std::span<const float> v,
+              std::span<std::uint8_t> state) const override {
+    for (std::size_t k = 0; k < u.size(); ++k) state[k] = tree_.at(u[k], v[k]);
+  }
+
+ private:
+  fast::Tree tree_;
+};
+
+class Ranked : public TreeSubject {
+ public:
+  Ranked() : TreeSubject("tree-ranked", "this project's library, its form for random access") {}
+  bool has(Entry e) const override { return e == Entry::lookup || e == Entry::point; }
+  CodePtr encode(const Map& map) const override {
+    return std::make_unique<RankedCode>(fast::Tree::encode(map.level, fast_bits(map.format), map.packed));
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The container
+// ---------------------------------------------------------------------------------------------------------------------
+
+class ContainerCode : public Code {
+ public:
+  ContainerCode(Bytes bytes, Level n, Format f) : bytes_(std::move(bytes)), n_(n), format_(f) {}
+  Bytes decode() const override {
+    const fast::Contents contents = fast::read(bytes_);
+    if (contents.level != n_ || static_cast<Format>(contents.format) != format_)
+      throw SubjectBroken("holds another level or format");
+    return contents.map;
+  }
+  Bytes bytes() const override { return bytes_; }
+
+ private:
+  Bytes bytes_;
+  Level n_;
+  Format format_;
+};
+
+class Contained : public TreeSubject {
+ public:
+  Contained() : TreeSubject("tree-container", "this project's library, its serialised form") {}
+  bool has(Entry e) const override { return e == Entry::bytes; }
+  CodePtr encode(const Map& map) const override {
+    return std::make_unique<ContainerCode>(fast::write(map.level, fast_bits(map.format), map.packed),
+                                           map.level, map.format);
+  }
+  CodePtr open(Level n, Format f, std::span<const std::uint8_t> bytes) const override {
+    try {
+      const fast::Contents contents = fast::read(bytes);
+      if (contents.level != n || static_cast<Format>(contents.format) != f) return nullptr;
+    } catch (const fast::BadContainer&) {
+      return nullptr;
+    }
+    return std::make_unique<ContainerCode>(Bytes(bytes.begin(), bytes.end()), n, f);
+  }
+};
+
+}  // namespace
+
+void Code::lookup(std::span<const std::uint32_t>, std::span<std::uint8_t>) const { no_entry(); }
+void Code::lookup(std::span<const float>, std::span<const float>, std::span<std::uint8_t>) const {
+  no_entry();
+}
+Bytes Code::bytes() const { no_entry(); }
+std::uint64_t Code::tree_bits_read(std::uint64_t) const { no_entry(); }
+CodePtr TreeSubject::open(Level, Format, std::span<const std::uint8_t>) const { no_entry(); }
+
+const std::vector<TreeSubjectPtr>& built_in_subjects() {
+  static const std::vector<TreeSubjectPtr> all{std::make_shared<Specified>(), std::make_shared<Streamed>(),
+                                               std::make_shared<Ranked>(), std::make_shared<Contained>()};
+  return all;
+}
+
+TreeSubjectPtr the(const std::string& name) {
+  for (const TreeSubjectPtr& s : built_in_subjects())
+    if (s->name() == name) return s;
+  throw std::logic_error("no built-in tree subject " + name);
+}
+
+}  // namespace mmverify::proofs::tree
