@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <utility>
 
 #include "impl/tree_bits.hpp"
 #include "impl/tree_decode.hpp"
@@ -65,15 +65,80 @@ std::string hex(std::uint32_t x) {
   return text;
 }
 
-void require_length(std::span<const std::uint8_t> bytes, std::uint64_t length) {
-  if (bytes.size() == length) return;
-  throw BadContainer(static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), length)),
-                     bytes.size() < length ? "the end of the input" : "bytes after the end",
-                     number(length) + " bytes");
-}
-
 /// The most internal nodes of a level: all above the micro-triangles.
 std::uint64_t most_internal(Level n) { return ((std::uint64_t{1} << (2 * n)) - 1) / 3; }
+
+/// What a refusal says: what was found, and what would do.
+using Complaint = std::pair<std::string, std::string>;
+
+/// The contents, or refuse(byte, complain), where complain() puts the Complaint into words.
+template <class Refuse>
+std::optional<Contents> read_or(std::span<const std::uint8_t> bytes, const Refuse& refuse) {
+  if (bytes.size() < container_header)
+    return refuse(bytes.size(), [] { return Complaint("the end of the input", "a header of 16 bytes"); });
+  if (!std::equal(magic.begin(), magic.end(), bytes.begin()))
+    return refuse(0, [&] { return Complaint(hex(word_at(bytes, 0)), "\"mmtr\""); });
+  if (bytes[4] != version)
+    return refuse(4, [&] { return Complaint("version " + number(bytes[4]), "version 1"); });
+  const Level n = bytes[5];
+  if (n > max_level) return refuse(5, [&] { return Complaint("level " + number(n), "0 to 12"); });
+  if (bytes[6] != 1 && bytes[6] != 2)
+    return refuse(
+        6, [&] { return Complaint("format " + number(bytes[6]), "1 (two states) or 2 (four states)"); });
+  const Bits b{bytes[6]};
+  if (bytes[7] != Kind::flat && bytes[7] != Kind::tree)
+    return refuse(7, [&] { return Complaint("kind " + number(bytes[7]), "0 (flat) or 1 (tree)"); });
+  const bool is_flat = bytes[7] == Kind::flat;
+  const std::uint64_t internal = word_at(bytes, 8);
+  if (is_flat && internal != 0)
+    return refuse(8, [&] { return Complaint(number(internal) + " internal nodes of a flat map", "0"); });
+  if (internal > most_internal(n))
+    return refuse(8, [&] {
+      return Complaint(number(internal) + " internal nodes", "at most " + number(most_internal(n)));
+    });
+  const Sizes size = sizes(n, b, internal);
+  if (!is_flat && size.flat())
+    return refuse(8, [&] {
+      return Complaint(number(internal) + " internal nodes, more bytes than the map", "the flat map");
+    });
+  const std::uint64_t length = container_header + (is_flat ? size.map : size.tree + size.data);
+  if (bytes.size() != length)
+    return refuse(static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), length)), [&] {
+      return Complaint(bytes.size() < length ? "the end of the input" : "bytes after the end",
+                       number(length) + " bytes");
+    });
+  const std::uint32_t crc = checksum(bytes);
+  if (word_at(bytes, crc_at) != crc)
+    return refuse(crc_at, [&] {
+      return Complaint("checksum " + hex(word_at(bytes, crc_at)), "for these bytes " + hex(crc));
+    });
+
+  const auto payload = bytes.subspan(container_header);
+  Contents contents{n, b, {}};
+  if (is_flat) {
+    const std::uint64_t used = (std::uint64_t{1} << (2 * n)) * static_cast<std::uint32_t>(b);
+    if (used < 8 && payload.back() >> used != 0)
+      return refuse(bytes.size() - 1, [] { return Complaint("a padding bit that is set", "zeros"); });
+    contents.map.assign(payload.begin(), payload.end());
+    const std::uint64_t nodes = detail::Pyramid(n, b, contents.map).internal();
+    if (!sizes(n, b, nodes).flat())
+      return refuse(7, [&] {
+        return Complaint("a flat map whose tree is smaller",
+                         "the tree of " + number(nodes) + " internal nodes");
+      });
+    return contents;
+  }
+  contents.map.resize(size.map);
+  const auto fault = detail::decode(n, b, payload.first(size.tree), 4 * internal + 1,
+                                    payload.subspan(size.tree), 3 * internal + 1, contents.map);
+  if (!fault) return contents;
+  const bool in_data = fault->in == detail::Fault::In::data;
+  return refuse(container_header + static_cast<std::size_t>((in_data ? size.tree : 0) + fault->bit / 8), [&] {
+    return Complaint(std::string(fault->found) + ", bit " + number(fault->bit) + " of the " +
+                         (in_data ? "states" : "tree"),
+                     "the tree of a map");
+  });
+}
 
 }  // namespace
 
@@ -109,57 +174,14 @@ std::vector<std::uint8_t> write(Level n, Bits b, std::span<const std::uint8_t> m
 }
 
 Contents read(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < container_header)
-    throw BadContainer(bytes.size(), "the end of the input", "a header of 16 bytes");
-  if (!std::equal(magic.begin(), magic.end(), bytes.begin()))
-    throw BadContainer(0, hex(word_at(bytes, 0)), "\"mmtr\"");
-  if (bytes[4] != version) throw BadContainer(4, "version " + number(bytes[4]), "version 1");
-  const Level n = bytes[5];
-  if (n > max_level) throw BadContainer(5, "level " + number(n), "0 to 12");
-  if (bytes[6] != 1 && bytes[6] != 2)
-    throw BadContainer(6, "format " + number(bytes[6]), "1 (two states) or 2 (four states)");
-  const Bits b{bytes[6]};
-  if (bytes[7] != Kind::flat && bytes[7] != Kind::tree)
-    throw BadContainer(7, "kind " + number(bytes[7]), "0 (flat) or 1 (tree)");
-  const bool is_flat = bytes[7] == Kind::flat;
-  const std::uint64_t internal = word_at(bytes, 8);
-  if (is_flat && internal != 0)
-    throw BadContainer(8, number(internal) + " internal nodes of a flat map", "0");
-  if (internal > most_internal(n))
-    throw BadContainer(8, number(internal) + " internal nodes", "at most " + number(most_internal(n)));
-  const Sizes size = sizes(n, b, internal);
-  if (!is_flat && size.flat())
-    throw BadContainer(8, number(internal) + " internal nodes, more bytes than the map", "the flat map");
-  require_length(bytes, container_header + (is_flat ? size.map : size.tree + size.data));
-  const std::uint32_t crc = checksum(bytes);
-  if (word_at(bytes, crc_at) != crc)
-    throw BadContainer(crc_at, "checksum " + hex(word_at(bytes, crc_at)), "for these bytes " + hex(crc));
+  return *read_or(bytes, [](std::size_t byte, const auto& complain) -> std::optional<Contents> {
+    const auto [found, would_do] = complain();
+    throw BadContainer(byte, found, would_do);
+  });
+}
 
-  const auto payload = bytes.subspan(container_header);
-  Contents contents{n, b, {}};
-  if (is_flat) {
-    const std::uint64_t used = (std::uint64_t{1} << (2 * n)) * static_cast<std::uint32_t>(b);
-    if (used < 8 && payload.back() >> used != 0)
-      throw BadContainer(bytes.size() - 1, "a padding bit that is set", "zeros");
-    contents.map.assign(payload.begin(), payload.end());
-    const std::uint64_t nodes = detail::Pyramid(n, b, contents.map).internal();
-    if (!sizes(n, b, nodes).flat())
-      throw BadContainer(7, "a flat map whose tree is smaller",
-                         "the tree of " + number(nodes) + " internal nodes");
-    return contents;
-  }
-  contents.map.resize(size.map);
-  const auto fault = detail::decode(n, b, payload.first(size.tree), 4 * internal + 1,
-                                    payload.subspan(size.tree), 3 * internal + 1, contents.map);
-  if (fault) {
-    const bool in_data = fault->in == detail::Fault::In::data;
-    throw BadContainer(
-        container_header + static_cast<std::size_t>((in_data ? size.tree : 0) + fault->bit / 8),
-        std::string(fault->found) + ", bit " + number(fault->bit) + " of the " +
-            (in_data ? "states" : "tree"),
-        "the tree of a map");
-  }
-  return contents;
+std::optional<Contents> try_read(std::span<const std::uint8_t> bytes) {
+  return read_or(bytes, [](std::size_t, const auto&) { return std::optional<Contents>(); });
 }
 
 }  // namespace mmverify::impl::tree

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -50,5 +51,8 @@ struct Contents {
 /// Domain: any bytes; throws BadContainer for what write cannot have written.  Takes no more memory than the
 /// input and the map of its level, 4 MiB at most; a map's only where the input has all that it announces.
 Contents read(std::span<const std::uint8_t> bytes);
+
+/// The same, and nothing where read would throw BadContainer: for who meets many bad ones.
+std::optional<Contents> try_read(std::span<const std::uint8_t> bytes);
 
 }  // namespace mmverify::impl::tree

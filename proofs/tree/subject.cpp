@@ -198,12 +198,8 @@ class Contained : public TreeSubject {
                                            map.level, map.format);
   }
   CodePtr open(Level n, Format f, std::span<const std::uint8_t> bytes) const override {
-    try {
-      const fast::Contents contents = fast::read(bytes);
-      if (contents.level != n || static_cast<Format>(contents.format) != f) return nullptr;
-    } catch (const fast::BadContainer&) {
-      return nullptr;
-    }
+    const auto contents = fast::try_read(bytes);
+    if (!contents || contents->level != n || static_cast<Format>(contents->format) != f) return nullptr;
     return std::make_unique<ContainerCode>(Bytes(bytes.begin(), bytes.end()), n, f);
   }
 };
