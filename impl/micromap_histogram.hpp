@@ -1,0 +1,37 @@
+// Numbers of things by level and format: a table for the pairs that are in use, a map for the rest.  For
+// impl's own use.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace mmverify::impl::micromap::detail {
+
+class Histogram {
+ public:
+  using Key = std::pair<std::uint32_t, std::uint32_t>;  ///< level, format
+
+  void add(std::uint32_t level, std::uint32_t format, std::uint64_t times) {
+    if (level < levels && format < formats)
+      usual_[level * formats + format] += times;
+    else if (times != 0)
+      rest_[{level, format}] += times;
+  }
+
+  /// Those that are not zero, in order.
+  std::map<Key, std::uint64_t> sums() const {
+    std::map<Key, std::uint64_t> all = rest_;
+    for (std::uint32_t k = 0; k < usual_.size(); ++k)
+      if (usual_[k] != 0) all[{k / formats, k % formats}] = usual_[k];
+    return all;
+  }
+
+ private:
+  static constexpr std::uint32_t levels = 17, formats = 3;
+  std::array<std::uint64_t, levels * formats> usual_{};
+  std::map<Key, std::uint64_t> rest_;
+};
+
+}  // namespace mmverify::impl::micromap::detail
