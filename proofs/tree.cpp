@@ -189,10 +189,7 @@ Law four_state_law() {
                                [](const Map& map, std::uint32_t k, std::uint8_t& state) {
                                  if (k == 9 && map.packed == Bytes{0, 0, 1, 0}) state ^= 2;
                                }})}},
-      {Entry::lookup}, [](const TreeSubject& s, const Map& map) {
-        if (Finding found = round_trip(s, map); !found.holds) return found;
-        return lookups(s, map);
-      });
+      {Entry::lookup}, round_trip_and_lookups_of_level_2);
 }
 
 Law samples_law() {

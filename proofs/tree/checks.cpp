@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "spec/fixed.hpp"
 
@@ -73,6 +74,19 @@ Finding answered(std::span<const std::uint8_t> states) { return {hash_of(states)
 }  // namespace
 
 Finding round_trip(const TreeSubject& s, const Map& map) { return same_map(map, s.encode(map)->decode()); }
+
+Finding round_trip_and_lookups_of_level_2(const TreeSubject& s, const Map& map) {
+  static const std::vector<std::uint32_t> indices = chosen_indices(2, 16);
+  const CodePtr code = s.encode(map);
+  const Bytes decoded = code->decode();
+  std::array<std::uint8_t, 16> states{};
+  code->lookup(indices, states);
+  bool same = decoded == map.packed;
+  for (std::uint32_t k = 0; k < states.size(); ++k) same = same && states[k] == state_at(map, k);
+  if (same) return {hash_of(decoded), true, {}, {}, {}};
+  if (Finding found = same_map(map, decoded); !found.holds) return found;
+  return lookups(s, map);
+}
 
 Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most) {
   const CodePtr code = s.encode(map);

@@ -11,6 +11,9 @@ Finding round_trip(const TreeSubject& s, const Map& map);
 /// A lookup at each index gives the map's state; at most `most` of them, scattered, where there are more.
 Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most = ~std::uint64_t{0});
 
+/// Both, encoding once.  Domain: level 2.
+Finding round_trip_and_lookups_of_level_2(const TreeSubject& s, const Map& map);
+
 /// A lookup by barycentrics gives the state at the reference's index: at every point whose coordinates are
 /// multiples of 1/4N, which are some in every cell, or at `most` of them.
 Finding points(const TreeSubject& s, const Map& map, std::uint64_t most = ~std::uint64_t{0});
