@@ -8,6 +8,9 @@
 //                 the curve nests.
 //   level n       its nodes are leaves and have their 0 in the tree like all others.
 //   bitscan       returns t and d, as its caller takes them; its count of subtrees to pass ends at 0.
+//   turns         the loops of Algorithms 2 and 3 are the iteration of templates, one turn each, so that a
+//   prover
+//                 can be shown the same turns.
 //   bits as bytes bit t of the tree in bit t mod 8 of byte t / 8; value d of b bits in bits b d .. b d + b-1,
 //                 likewise: the packing of micromaps.  The bits after the last are zero.
 #pragma once
@@ -16,7 +19,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "spec/index.hpp"
@@ -40,17 +42,21 @@ struct PerfectTree {
   std::vector<std::vector<std::optional<State>>> node;
 };
 
+/// "all child nodes contain the same micromap value": then that leaf, otherwise Child(), an internal node.
+template <class Child>
+Child merged(const Child* child) {
+  const bool all_same = child[0] && child[0] == child[1] && child[0] == child[2] && child[0] == child[3];
+  return all_same ? child[0] : Child();
+}
+
 /// From the bottom up, a node whose four children are leaves of one state becomes a leaf of that state.
 /// Domain: 4^n states.  Source: Succinct Opacity Micromaps, 4.1, Algorithm 1.
 inline PerfectTree perfect_tree(std::span<const State> map, Level n) {
   PerfectTree tree{n, std::vector<std::vector<std::optional<State>>>(n + 1)};
   tree.node[n].assign(map.begin(), map.end());
   for (Level level = n; level-- > 0;)
-    for (std::size_t k = 0; k < micromap::micro_triangles(level); ++k) {
-      const auto* child = &tree.node[level + 1][4 * k];
-      const bool all_same = child[0] && child[0] == child[1] && child[0] == child[2] && child[0] == child[3];
-      tree.node[level].push_back(all_same ? child[0] : std::nullopt);
-    }
+    for (std::size_t k = 0; k < micromap::micro_triangles(level); ++k)
+      tree.node[level].push_back(merged(&tree.node[level + 1][4 * k]));
   return tree;
 }
 
@@ -65,22 +71,37 @@ struct Succinct {
   friend bool operator==(const Succinct&, const Succinct&) = default;
 };
 
+/// A node of a perfect tree: number k of its level.
+struct Node {
+  const PerfectTree* perfect;
+  Level level;
+  std::size_t k;
+  bool internal() const { return !perfect->node[level][k]; }
+  State value() const { return *perfect->node[level][k]; }
+  Node child(std::size_t c) const { return {perfect, level + 1, 4 * k + c}; }
+};
+
+/// One turn of Algorithm 2's loop; false where it ends.
+template <class Stack, class Output>
+bool succinct_turn(Stack& stack, Output& s) {
+  if (stack.empty()) return false;
+  const auto node = stack.back();
+  stack.pop_back();
+  if (node.internal()) {
+    s.tree.push_back(true);
+    for (std::size_t child = 4; child-- > 0;) stack.push_back(node.child(child));
+  } else {
+    s.tree.push_back(false);
+    s.data.push_back(node.value());
+  }
+  return true;
+}
+
 /// Source: Succinct Opacity Micromaps, 4.1, Algorithm 2.
 inline Succinct succinct(const PerfectTree& perfect) {
   Succinct s;
-  std::vector<std::pair<Level, std::size_t>> stack{{0, 0}};
-  while (!stack.empty()) {
-    const auto [level, k] = stack.back();
-    stack.pop_back();
-    const std::optional<State>& value = perfect.node[level][k];
-    if (!value) {
-      s.tree.push_back(true);
-      for (std::size_t child = 4; child-- > 0;) stack.emplace_back(level + 1, 4 * k + child);
-    } else {
-      s.tree.push_back(false);
-      s.data.push_back(*value);
-    }
-  }
+  std::vector<Node> stack{{&perfect, 0, 0}};
+  while (succinct_turn(stack, s)) continue;
   return s;
 }
 
@@ -92,21 +113,38 @@ inline Succinct encode(std::span<const State> map, Level n) { return succinct(pe
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// A place in the two sequences.
+template <class Count>
 struct Cursor {
-  std::size_t t = 0, d = 0;
+  Count t, d;
 };
 
+/// One turn of bitscan's loop; false where it ends.
+template <class Tree, class Count>
+bool bitscan_turn(const Tree& tree, Count& child, Cursor<Count>& at) {
+  if (!(at.t < tree.size() && child > 0)) return false;
+  if (tree[at.t])
+    child = child + 4;
+  else
+    at.d = at.d + 1;
+  child = child - 1;
+  at.t = at.t + 1;
+  return true;
+}
+
 /// Passes over `child` subtrees from t on.  Source: Succinct Opacity Micromaps, 4.2, Algorithm 3.
-inline Cursor bitscan(const std::vector<bool>& tree, std::uint64_t child, Cursor at) {
-  while (at.t < tree.size() && child > 0) {
-    if (tree[at.t])
-      child = child + 4;
-    else
-      ++at.d;
-    --child;
-    ++at.t;
-  }
+template <class Tree, class Count>
+Cursor<Count> bitscan(const Tree& tree, Count child, Cursor<Count> at) {
+  while (bitscan_turn(tree, child, at)) continue;
   return at;
+}
+
+/// One turn of tree-lookup's loop; false where t is no internal node.
+template <class Sequences, class Count, class NextChild>
+bool lookup_turn(const Sequences& s, Cursor<Count>& at, NextChild& next_child) {
+  if (!s.tree[at.t]) return false;
+  at.t = at.t + 1;
+  at = bitscan(s.tree, next_child(), at);
+  return true;
 }
 
 /// The state found, and what was read for it: the tree's bits 0..t, and one value.
@@ -119,11 +157,8 @@ struct Found {
 /// Domain: an encoded map, and as many digits as the tree is deep.
 template <class NextChild>
 Found lookup(const Succinct& s, NextChild next_child) {
-  Cursor at;
-  while (s.tree[at.t]) {
-    ++at.t;
-    at = bitscan(s.tree, next_child(), at);
-  }
+  Cursor<std::uint64_t> at{0, 0};
+  while (lookup_turn(s, at, next_child)) continue;
   return {s.data[at.d], at.t + 1};
 }
 
@@ -152,7 +187,7 @@ Found at_point(const Succinct& s, const Point<Q>& p) {
 /// lacks. Source: Succinct Opacity Micromaps, 4.2, first paragraph.
 inline std::optional<States> decode(const Succinct& s, Level n, Format f) {
   States map;
-  Cursor at;
+  Cursor<std::uint64_t> at{0, 0};
   const auto subtree = [&](const auto& self, Level level) -> bool {
     if (at.t == s.tree.size()) return false;
     if (s.tree[at.t++]) {
