@@ -1,7 +1,9 @@
 #include "impl/tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -28,61 +30,143 @@ HWY_INLINE std::uint64_t word_at(const std::uint8_t* bytes) {
   return word;
 }
 
-template <class Count>
-HWY_INLINE std::uint64_t count_at(const std::uint8_t* bytes) {
-  Count count;
-  std::memcpy(&count, bytes, sizeof count);
-  return count;
+// a where the highest bit of `sign` is set, else b; in arithmetic, as compilers like to make it a branch.
+HWY_INLINE std::uint64_t either(std::uint64_t sign, std::uint64_t a, std::uint64_t b) {
+  const auto mask = static_cast<std::uint64_t>(static_cast<std::int64_t>(sign) >> 63);
+  return b ^ ((a ^ b) & mask);
 }
 
 // The state at an index.  No branch depends on the tree: a leaf steps onto itself until the steps are taken.
-template <class Count>
-HWY_INLINE std::uint32_t find(const std::uint8_t* memory, std::uint64_t header, std::uint64_t index) {
-  const detail::Layout layout = detail::Layout::unpacked(header);
-  const std::uint8_t* const nodes = memory + 8;
-  const std::uint8_t* const counts = nodes + 8 * layout.words();
+HWY_INLINE std::uint8_t find(const std::uint8_t* memory, std::uint64_t index) {
+  const detail::Layout layout = detail::Layout::unpacked(word_at(memory));
+  const std::uint8_t* const nodes = memory + detail::Layout::nodes_at;
+  const std::uint8_t* const counts = memory + layout.counts_at();
+  const std::uint64_t count_mask = 0xffffffff >> (32 - (8u << layout.log_count));
   // The children of the r-th one, counted from 1, are at first + 4r.
   const std::uint64_t first = layout.first_children() - 4;
   index &= (std::uint64_t{1} << (layout.top + layout.below_top)) - 1;
   std::uint32_t shift = layout.below_top;
   std::uint64_t p = index >> shift;
-  // From the lowest node of the word up to p's, moved to the top, p's being the sign.
-  std::uint64_t upto = word_at(nodes + p / 64 * 8) << (~p % 64);
-  std::uint64_t ones = count_at<Count>(counts + p / 64 * sizeof(Count)) +
-                       static_cast<std::uint64_t>(__builtin_popcountll(upto));
-  while (shift != layout.in_block) {
+  while (true) {
+    const std::uint64_t word = p / 64;
+    // The nodes of the word up to p, moved to the top: p's is the sign.
+    const std::uint64_t upto = word_at(nodes + 8 * word) << (~p % 64);
+    std::uint32_t count;
+    std::memcpy(&count, counts + (word << layout.log_count), sizeof count);
+    const std::uint64_t ones = (count & count_mask) + static_cast<std::uint64_t>(__builtin_popcountll(upto));
+    if (shift == layout.in_block) {
+      // Blocks are numbered by the ones after all that have children.
+      const std::uint64_t inside = index & ((std::uint64_t{1} << layout.in_block) - 1);
+      const std::uint64_t in_block = ((ones - 1 - layout.parents) << layout.in_block) + inside;
+      const std::uint64_t as_leaf = (layout.blocks << layout.in_block) + p - ones;
+      const std::uint64_t bit = either(upto, in_block, as_leaf) << (layout.b - 1);
+      return static_cast<std::uint8_t>(memory[layout.blocks_at() + bit / 8] >> (bit % 8) &
+                                       (2 * layout.b - 1));
+    }
     shift -= 2;
-    const std::uint64_t child = first + 4 * ones + (index >> shift & 3);
-    p = static_cast<std::int64_t>(upto) < 0 ? child : p;
-    upto = word_at(nodes + p / 64 * 8) << (~p % 64);
-    ones = count_at<Count>(counts + p / 64 * sizeof(Count)) +
-           static_cast<std::uint64_t>(__builtin_popcountll(upto));
+    p = either(upto, first + 4 * ones + (index >> shift & 3), p);
   }
-  // Blocks are numbered by the ones after all that have children.
-  const std::uint64_t inside = index & ((std::uint64_t{1} << layout.in_block) - 1);
-  const std::uint64_t in_block = ((ones - 1 - layout.parents()) << layout.in_block) + inside;
-  const std::uint64_t as_leaf = (layout.blocks << layout.in_block) + p - ones;
-  const std::uint64_t place = static_cast<std::int64_t>(upto) < 0 ? in_block : as_leaf;
-  const std::uint64_t bit = layout.blocks_at() + (place << (layout.b - 1));
-  return memory[bit / 8] >> (bit % 8) & (2 * layout.b - 1);
 }
 
-HWY_INLINE std::uint8_t find_any(const std::uint8_t* memory, std::uint64_t index) {
-  const std::uint64_t header = word_at(memory);
-  return static_cast<std::uint8_t>((header & 2) != 0 ? find<std::uint32_t>(memory, header, index)
-                                                     : find<std::uint16_t>(memory, header, index));
+std::uint8_t find_one(const std::uint8_t* memory, std::uint64_t index) { return find(memory, index); }
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Words = hn::ScalableTag<std::uint64_t>;
+using Offsets = hn::RebindToSigned<Words>;
+using WordVec = hn::Vec<Words>;
+
+// Gathers pay from four lanes on.
+constexpr bool vectors = HWY_TARGET == HWY_AVX2 || HWY_TARGET <= HWY_AVX3;
+
+// Eight bytes at each address.  Offsets are counted from an object that exists.
+WordVec load_each(const std::uint8_t* base, WordVec address) {
+  const Words dw;
+  const auto from = hn::Set(dw, reinterpret_cast<std::uintptr_t>(base));
+  return hn::GatherOffset(dw, reinterpret_cast<const std::uint64_t*>(base),
+                          hn::BitCast(Offsets(), hn::Sub(address, from)));
 }
 
-std::uint8_t find_one(const std::uint8_t* memory, std::uint64_t index) { return find_any(memory, index); }
+WordVec part(WordVec header, int shift, std::uint64_t mask) {
+  return hn::And(hn::ShiftRightSame(header, shift), hn::Set(Words(), mask));
+}
+
+// find, a lookup a lane.
+WordVec find_lanes(const std::uint8_t* base, WordVec memory, WordVec index) {
+  using detail::Layout;
+  const Words dw;
+  const Offsets di;
+  const auto one = hn::Set(dw, 1);
+  const auto header = load_each(base, memory);
+  const auto log_b = hn::And(header, one), log_count = part(header, 1, 3), top = part(header, 2, 30),
+             in_block = part(header, 10, 30),
+             parents = part(header, Layout::parents_at, (1u << Layout::parents_bits) - 1),
+             blocks = hn::ShiftRight<Layout::pack_blocks_at>(header);
+  auto shift = part(header, 6, 30);
+  const auto roots = hn::Shl(one, top), node_bits = hn::Add(roots, hn::ShiftLeft<2>(parents));
+  const auto nodes = hn::Add(memory, hn::Set(dw, Layout::nodes_at));
+  const auto counts = hn::Add(nodes, hn::ShiftRight<3>(hn::Add(node_bits, hn::Set(dw, 7))));
+  const auto after_counts =
+      hn::Add(counts, hn::Shl(hn::ShiftRight<6>(hn::Add(node_bits, hn::Set(dw, 63))), log_count));
+  const auto count_mask = hn::Sub(hn::Shl(one, hn::Shl(hn::Set(dw, 8), log_count)), one);
+  const auto first = hn::Sub(roots, hn::Set(dw, 4));
+  index = hn::And(index, hn::Sub(hn::Shl(one, hn::Add(top, shift)), one));
+  auto p = hn::Shr(index, shift);
+  while (true) {
+    const auto word = hn::ShiftRight<6>(p);
+    const auto upto =
+        hn::Shl(load_each(base, hn::Add(nodes, hn::ShiftLeft<3>(word))), hn::AndNot(p, hn::Set(dw, 63)));
+    const auto count = hn::And(load_each(base, hn::Add(counts, hn::Shl(word, log_count))), count_mask);
+    const auto ones = hn::Add(count, hn::PopulationCount(upto));
+    const auto internal = hn::RebindMask(dw, hn::Lt(hn::BitCast(di, upto), hn::Zero(di)));
+    const auto done = hn::Eq(shift, in_block);
+    if (hn::AllTrue(dw, done)) {
+      const auto inside = hn::And(index, hn::Sub(hn::Shl(one, in_block), one));
+      const auto block = hn::Add(hn::Shl(hn::Sub(hn::Sub(ones, one), parents), in_block), inside);
+      const auto leaf = hn::Sub(hn::Add(hn::Shl(blocks, in_block), p), ones);
+      const auto bit = hn::Shl(hn::IfThenElse(internal, block, leaf), log_b);
+      // The eight bytes that end with the state's.
+      const auto last = hn::Add(after_counts, hn::ShiftRight<3>(bit));
+      const auto bytes = load_each(base, hn::Sub(last, hn::Set(dw, 7)));
+      const auto in_byte = hn::Add(hn::And(bit, hn::Set(dw, 7)), hn::Set(dw, 56));
+      return hn::And(hn::Shr(bytes, in_byte), hn::Add(hn::Add(log_b, log_b), one));
+    }
+    shift = hn::Sub(shift, hn::IfThenZeroElse(done, hn::Set(dw, 2)));
+    const auto child =
+        hn::Add(hn::Add(first, hn::ShiftLeft<2>(ones)), hn::And(hn::Shr(index, shift), hn::Set(dw, 3)));
+    p = hn::IfThenElse(hn::AndNot(done, internal), child, p);
+  }
+}
+
+template <class MemoryOf>
+void find_all(const std::uint8_t* base, const std::uint32_t* index, std::uint8_t* state, std::size_t count,
+              MemoryOf memory_of) {
+  const Words dw;
+  const hn::Rebind<std::uint32_t, Words> narrow;
+  const hn::Rebind<std::uint8_t, Words> bytes;
+  std::size_t k = 0;
+  if constexpr (vectors) {
+    HWY_ALIGN std::uint64_t address[hn::MaxLanes(dw)];
+    for (const std::size_t lanes = hn::Lanes(dw); count - k >= lanes; k += lanes) {
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        address[lane] = reinterpret_cast<std::uintptr_t>(memory_of(k + lane));
+      const auto found =
+          find_lanes(base, hn::Load(dw, address), hn::PromoteTo(dw, hn::LoadU(narrow, index + k)));
+      hn::StoreU(hn::TruncateTo(bytes, found), bytes, state + k);
+    }
+  }
+  for (; k < count; ++k) state[k] = find(memory_of(k), index[k]);
+}
 
 void find_each(const std::uint8_t* memory, const std::uint32_t* index, std::uint8_t* state,
                std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) state[k] = find_any(memory, index[k]);
+  find_all(memory, index, state, count, [memory](std::size_t) { return memory; });
 }
 
 void find_in_many(const Tree* const* trees, const std::uint32_t* which, const std::uint32_t* index,
                   std::uint8_t* state, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) state[k] = find_any(trees[which[k]]->memory(), index[k]);
+  if (count > 0)
+    find_all(trees[which[0]]->memory(), index, state, count,
+             [=](std::size_t k) { return trees[which[k]]->memory(); });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -106,43 +190,40 @@ std::uint64_t header_of(const std::uint8_t* memory) noexcept {
   return header;
 }
 
-constexpr std::uint64_t object_bits = 8 * sizeof(Tree);
-
 /// The form of a map for one choice of k and m.
 Layout layout_for(const Pyramid& pyramid, Level n, Bits b, Level k, Level m) {
   std::uint64_t parents = 0;
   for (Level d = k; d < m; ++d) parents += pyramid.internal(d);
-  const std::uint64_t blocks = pyramid.internal(m);
+  const std::uint64_t blocks = pyramid.internal(m), ones = parents + blocks;
   return {.b = static_cast<std::uint32_t>(b),
-          .wide = parents + blocks > 0xffff,
+          .log_count = ones < 1 << 8    ? 0u
+                       : ones < 1 << 16 ? 1u
+                                        : 2u,
           .top = 2 * k,
           .below_top = 2 * (n - k),
           .in_block = 2 * (n - m),
-          .nodes = (std::uint64_t{1} << (2 * k)) + 4 * parents,
+          .parents = parents,
           .blocks = blocks};
 }
+
+/// The steps that maps of a level do with, as a rule.  All maps of a level take the same number where they
+/// can: a processor that looks up in many maps guesses the end of the loop only then.
+constexpr std::array<std::uint32_t, max_level + 1> usual_steps{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6};
 
 Layout chosen(const Pyramid& pyramid, Level n, Bits b) {
   const std::uint64_t internal = pyramid.internal();
   const std::uint64_t paper = 4 * internal + 1 + (3 * internal + 1) * static_cast<std::uint32_t>(b);
-  const std::uint64_t budget = paper + paper / 32;
-  const auto total = [](const Layout& l) { return object_bits + 8 * detail::bytes_for(l.end()); };
-  Layout best = layout_for(pyramid, n, b, 0, 0);
-  for (Level k = 0; k <= n; ++k) {
-    // At depth n there are no internal nodes: m = n, but at level 0, only repeats depth n-1 at greater cost.
-    for (Level m = k; m < std::max<Level>(n, 1); ++m) {
-      const Layout l = layout_for(pyramid, n, b, k, m);
-      const bool fits = total(l) <= budget, best_fits = total(best) <= budget;
-      if (fits != best_fits) {
-        if (fits) best = l;
-      } else if (fits && l.steps() != best.steps()) {
-        if (l.steps() < best.steps()) best = l;
-      } else if (total(l) < total(best)) {
-        best = l;
-      }
+  const std::uint64_t budget = paper + paper / 32 + 64;
+  std::optional<Layout> best, least;
+  // Depth n has no internal nodes: m = n, but at level 0, only repeats depth n-1 at greater cost.
+  const Level last = std::max<Level>(n, 1) - 1;
+  for (std::uint32_t steps = std::min(usual_steps[n], last); steps <= last && !best; ++steps)
+    for (Level k = 0; k + steps <= last; ++k) {
+      const Layout l = layout_for(pyramid, n, b, k, k + steps);
+      if (!least || l.size() < least->size()) least = l;
+      if (8 * l.size() <= budget && (!best || l.size() < best->size())) best = l;
     }
-  }
-  return best;
+  return best ? *best : *least;
 }
 
 /// Calls each(k) for every bit k that is set, in order.
@@ -153,16 +234,6 @@ void for_each_one(std::span<const std::uint64_t> words, Each each) {
       each(64 * w + static_cast<std::uint64_t>(std::countr_zero(word)));
 }
 
-template <class Count>
-void write_counts(const std::uint8_t* nodes, std::uint8_t* counts, std::uint64_t words) {
-  std::uint64_t ones = 0;
-  for (std::uint64_t w = 0; w < words; ++w) {
-    const auto count = static_cast<Count>(ones);
-    std::memcpy(counts + w * sizeof count, &count, sizeof count);
-    ones += static_cast<std::uint64_t>(std::popcount(header_of(nodes + 8 * w)));
-  }
-}
-
 }  // namespace
 
 Tree Tree::encode(Level n, Bits b, std::span<const std::uint8_t> map) {
@@ -171,13 +242,13 @@ Tree Tree::encode(Level n, Bits b, std::span<const std::uint8_t> map) {
   const Layout layout = chosen(pyramid, n, b);
   const std::uint32_t width = layout.b;
   const Level k = layout.top / 2, m = n - layout.in_block / 2;
-  const std::uint64_t size = detail::bytes_for(layout.end());
+  const std::uint64_t size = layout.size();
 
   // A writer stores whole words beyond its last bit.
   std::vector<std::uint64_t> words(size / 8 + 3);
   words[0] = layout.packed();
   auto* const work = reinterpret_cast<std::uint8_t*>(words.data());
-  std::uint64_t p = Layout::nodes_at;
+  std::uint64_t p = 8 * Layout::nodes_at;
   const auto put_nodes = [&words, &p](std::uint64_t flags, std::uint32_t count) {
     words[p / 64] |= flags << (p % 64);
     if (p % 64 + count > 64) words[p / 64 + 1] = flags >> (64 - p % 64);
@@ -203,16 +274,17 @@ Tree Tree::encode(Level n, Bits b, std::span<const std::uint8_t> map) {
         if ((children >> c & 1) == 0) leaves.put(states & detail::low_bits(width), width);
     });
 
-  std::uint8_t* const node_bytes = work + Layout::nodes_at / 8;
-  std::uint8_t* const counts = work + layout.counts_at() / 8;
-  if (layout.wide)
-    write_counts<std::uint32_t>(node_bytes, counts, layout.words());
-  else
-    write_counts<std::uint16_t>(node_bytes, counts, layout.words());
+  std::uint64_t ones = 0;
+  for (std::uint64_t w = 0; w < layout.words(); ++w) {
+    std::memcpy(work + layout.counts_at() + (w << layout.log_count), &ones,
+                std::size_t{1} << layout.log_count);
+    // Whatever follows the last node is in words, but after all that is counted.
+    ones += static_cast<std::uint64_t>(std::popcount(words[1 + w]));
+  }
 
   const std::uint64_t block_bits = (std::uint64_t{1} << layout.in_block) * width;
   if (layout.blocks > 0) {
-    std::uint64_t to = layout.blocks_at();
+    std::uint64_t to = 8 * layout.blocks_at();
     for_each_one(pyramid.mixed(m), [&](std::uint64_t node) {
       const std::uint64_t from = node * block_bits;
       if (block_bits < 8) {
@@ -250,13 +322,13 @@ void Tree::decode(std::span<std::uint8_t> map) const {
   detail::require_map(n, format(), map.size());
   std::memset(map.data(), 0, map.size());
 
-  const std::span<const std::uint8_t> all(memory_.get(), detail::bytes_for(layout.end()));
+  const std::span<const std::uint8_t> all(memory_.get(), layout.size());
   const auto reader_at = [&](std::uint64_t bit) {
     detail::BitReader reader(all);
     reader.skip(static_cast<std::uint32_t>(bit));
     return reader;
   };
-  detail::BitReader nodes = reader_at(Layout::nodes_at), leaves = reader_at(layout.leaves_at());
+  detail::BitReader nodes = reader_at(8 * Layout::nodes_at), leaves = reader_at(layout.leaves_at());
   const std::uint32_t width = layout.b;
   const std::uint64_t all_bits = (std::uint64_t{1} << (2 * n)) * width;
 
@@ -283,7 +355,7 @@ void Tree::decode(std::span<std::uint8_t> map) const {
       for (std::uint64_t c = 0; c < 4; ++c) read_node(d, 4 * parent + c);
   }
   const std::uint64_t block_bits = (std::uint64_t{1} << layout.in_block) * width;
-  std::uint64_t from = layout.blocks_at();
+  std::uint64_t from = 8 * layout.blocks_at();
   for (const std::uint64_t node : internal) {
     const std::uint64_t to = node * block_bits;
     if (block_bits < 8) {
@@ -297,9 +369,7 @@ void Tree::decode(std::span<std::uint8_t> map) const {
   }
 }
 
-std::uint64_t Tree::bits() const noexcept {
-  return object_bits + 8 * detail::bytes_for(Layout::unpacked(header_of(memory_.get())).end());
-}
+std::uint64_t Tree::bits() const noexcept { return 8 * Layout::unpacked(header_of(memory_.get())).size(); }
 
 Level Tree::level() const noexcept { return Layout::unpacked(header_of(memory_.get())).level(); }
 

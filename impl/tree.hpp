@@ -3,12 +3,12 @@
 // The form.  Two numbers are chosen for each map: a top depth k and a block depth m, k <= m <= n.
 //   nodes   one bit each, 1 internal, 0 leaf: all 4^k nodes of depth k in order (those below a shallower
 //           leaf are leaves), then the four children of each internal node of depths k..m-1, in level order
-//   counts  for each 64-bit word of nodes, how many ones come before it: 16 bits, or 32 where they need them
+//   counts  for each 64-bit word of nodes, how many ones come before it: 8, 16 or 32 bits, as they need
 //   blocks  the 4^(n-m) states below each internal node of depth m, as they lie in the map
 //   leaves  the state of each 0 in nodes
 // The children of the r-th one in nodes (from 0) start at 4^k + 4r; a 0 at p is leaf number p - (ones before
-// p).  So a step down is a load, a shift and a population count, and a lookup takes m-k of them: the encoder
-// takes the fewest that the memory allows (see Tree::encode).  m = n with no step at all is the flat map.
+// p).  So a step down is a load, a shift and a population count, and a lookup takes m-k of them.  The form
+// of a map is one block of memory; the handle to it is not counted, as it is none of any other form.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +22,10 @@ namespace mmverify::impl::tree {
 
 class Tree {
  public:
-  /// The form of a map.  Of all pairs (k, m) that fit 33/32 of the paper's stream (the bits of its two
-  /// sequences), or the smallest pair where none does, the one with the fewest steps; then the smallest;
-  /// then the least k.  Equal maps give equal forms.
-  /// Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown.
+  /// The form of a map, with the fewest steps, but no fewer than are usual at its level, that fit 33/32 of
+  /// the paper's stream (the bits of its two sequences) and the header; of these the smallest; the smallest
+  /// of all where none fits.  Equal maps give equal forms. Domain: n in 0..12 and a map of its size, or
+  /// std::invalid_argument is thrown.
   static Tree encode(Level n, Bits b, std::span<const std::uint8_t> map);
 
   /// The state of a micro-triangle.  Domain: index < 4^level; its low 2 level bits count.
@@ -43,7 +43,7 @@ class Tree {
   /// thrown.
   void decode(std::span<std::uint8_t> map) const;
 
-  /// All memory of the form in bits: this object and what it points to, header and counts included.
+  /// All memory of the form in bits, header and counts included; not this handle, a pointer.
   std::uint64_t bits() const noexcept;
   Level level() const noexcept;
   Bits format() const noexcept;

@@ -1,52 +1,61 @@
 // Where the parts of a Tree lie in its memory.  Internal to impl/tree*.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
+#include "impl/tree_bits.hpp"
 #include "impl/tree_stream.hpp"
 
 namespace mmverify::impl::tree::detail {
 
-/// The header, unpacked.  Nodes, counts, blocks and leaves follow it without gaps but whole words of nodes.
+/// The header, unpacked.  Nodes, counts, blocks and leaves follow it, each but the last in whole bytes.
 struct Layout {
   std::uint32_t b;          ///< bits a state
-  bool wide;                ///< counts of 32 bits
+  std::uint32_t log_count;  ///< counts of 2^log_count bytes: 1, 2 or 4
   std::uint32_t top;        ///< 2k
   std::uint32_t below_top;  ///< 2(n-k)
   std::uint32_t in_block;   ///< 2(n-m)
-  std::uint64_t nodes;      ///< bits, at most (4^12 - 1) / 3 + 1
-  std::uint64_t blocks;     ///< internal nodes of depth m
+  std::uint64_t parents;    ///< ones of depths k..m-1: each has four children among the nodes
+  std::uint64_t blocks;     ///< ones of depth m
 
-  static constexpr std::uint32_t nodes_bits = 23, blocks_bits = 23;
+  // At most (4^11 - 1) / 3 parents and 4^11 blocks.
+  static constexpr std::uint32_t parents_bits = 21, parents_at = 15,
+                                 pack_blocks_at = parents_at + parents_bits;
 
+  // The even numbers are stored in halves, a place higher than they are read, so that reading doubles them.
   constexpr std::uint64_t packed() const noexcept {
-    return (b - 1) | std::uint64_t{wide} << 1 | std::uint64_t{top} << 2 | std::uint64_t{below_top} << 7 |
-           std::uint64_t{in_block} << 12 | nodes << 17 | blocks << (17 + nodes_bits);
+    return (b - 1) | std::uint64_t{log_count} << 1 | std::uint64_t{top} << 2 | std::uint64_t{below_top} << 6 |
+           std::uint64_t{in_block} << 10 | parents << parents_at | blocks << pack_blocks_at;
   }
   static constexpr Layout unpacked(std::uint64_t header) noexcept {
-    return {.b = static_cast<std::uint32_t>(header & 1) + 1,
-            .wide = (header >> 1 & 1) != 0,
-            .top = static_cast<std::uint32_t>(header >> 2) & 31,
-            .below_top = static_cast<std::uint32_t>(header >> 7) & 31,
-            .in_block = static_cast<std::uint32_t>(header >> 12) & 31,
-            .nodes = header >> 17 & ((1u << nodes_bits) - 1),
-            .blocks = header >> (17 + nodes_bits)};
+    const auto low = static_cast<std::uint32_t>(header);
+    return {.b = (low & 1) + 1,
+            .log_count = low >> 1 & 3,
+            .top = low >> 2 & 30,
+            .below_top = low >> 6 & 30,
+            .in_block = low >> 10 & 30,
+            .parents = header >> parents_at & ((1u << parents_bits) - 1),
+            .blocks = header >> pack_blocks_at};
   }
 
   constexpr Level level() const noexcept { return (top + below_top) / 2; }
   constexpr std::uint32_t steps() const noexcept { return (below_top - in_block) / 2; }
   constexpr std::uint64_t first_children() const noexcept { return std::uint64_t{1} << top; }
-  /// Ones of depths k..m-1: each has four children among the nodes.
-  constexpr std::uint64_t parents() const noexcept { return (nodes - first_children()) / 4; }
-  constexpr std::uint64_t leaves() const noexcept { return nodes - parents() - blocks; }
-  constexpr std::uint64_t words() const noexcept { return (nodes + 63) / 64; }
+  constexpr std::uint64_t nodes() const noexcept { return first_children() + 4 * parents; }
+  constexpr std::uint64_t leaves() const noexcept { return nodes() - parents - blocks; }
+  constexpr std::uint64_t words() const noexcept { return (nodes() + 63) / 64; }
 
-  // Bits from the start of the memory.
-  static constexpr std::uint64_t nodes_at = 64;
-  constexpr std::uint64_t counts_at() const noexcept { return nodes_at + 64 * words(); }
-  constexpr std::uint64_t blocks_at() const noexcept { return counts_at() + (wide ? 32 : 16) * words(); }
-  constexpr std::uint64_t leaves_at() const noexcept { return blocks_at() + (blocks << in_block) * b; }
-  constexpr std::uint64_t end() const noexcept { return leaves_at() + leaves() * b; }
+  // Bytes from the start of the memory.
+  static constexpr std::uint64_t nodes_at = 8;
+  constexpr std::uint64_t counts_at() const noexcept { return nodes_at + (nodes() + 7) / 8; }
+  constexpr std::uint64_t blocks_at() const noexcept { return counts_at() + (words() << log_count); }
+  /// Bits from there.
+  constexpr std::uint64_t leaves_at() const noexcept { return 8 * blocks_at() + (blocks << in_block) * b; }
+  /// A lookup loads the eight bytes from a node's word on and the four from a count on, whatever they hold.
+  constexpr std::uint64_t size() const noexcept {
+    return std::max({bytes_for(leaves_at() + leaves() * b), nodes_at + 8 * words(), blocks_at() + 3});
+  }
 };
 
 }  // namespace mmverify::impl::tree::detail
