@@ -1,0 +1,446 @@
+// impl/tree_stream.hpp and impl/tree.hpp against the flat map, the exact specification and trees by hand.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "impl/index.hpp"
+#include "impl/tree.hpp"
+#include "impl/tree_container.hpp"
+#include "impl/tree_stream.hpp"
+#include "spec/fixed.hpp"
+#include "spec/tree.hpp"
+#include "tests/tree_cases.hpp"
+
+namespace {
+
+using namespace mmverify::impl::tree;
+using namespace mmverify::tests;
+namespace spec = mmverify::spec;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr Bits both[] = {Bits::two_state, Bits::four_state};
+
+std::vector<bool> bits_of(const Bytes& bytes, std::uint64_t count) {
+  std::vector<bool> bits;
+  for (std::uint64_t t = 0; t < count; ++t) bits.push_back((bytes[t / 8] >> (t % 8) & 1) != 0);
+  return bits;
+}
+
+spec::tree::Succinct specified(const States& states, Level n) {
+  std::vector<spec::micromap::State> map;
+  for (const std::uint8_t state : states) map.push_back(static_cast<spec::micromap::State>(state));
+  return spec::tree::encode(map, n);
+}
+
+// The stream is the specification's, bit for bit.
+void expect_specified(const States& states, Level n, Bits b, const Stream& s) {
+  const spec::tree::Succinct expected = specified(states, n);
+  ASSERT_EQ(s.nodes, expected.tree.size());
+  ASSERT_EQ(s.leaves, expected.data.size());
+  const auto format =
+      b == Bits::two_state ? spec::micromap::Format::two_state : spec::micromap::Format::four_state;
+  Bytes all = s.tree;
+  all.insert(all.end(), s.data.begin(), s.data.end());
+  ASSERT_EQ(all, spec::tree::bytes(expected, format));
+}
+
+// Every form gives the map back, and each of its states.
+void expect_all_forms(const States& states, Level n, Bits b) {
+  const Bytes map = packed(states, b);
+  Bytes out(map.size(), 0xee);
+  const Stream s = encode_stream(n, b, map);
+  ASSERT_TRUE(decode_stream(n, b, s, out));
+  ASSERT_EQ(out, map);
+
+  const Tree tree = Tree::encode(n, b, map);
+  out.assign(map.size(), 0xee);
+  tree.decode(out);
+  ASSERT_EQ(out, map);
+  ASSERT_EQ(tree.level(), n);
+  ASSERT_EQ(tree.format(), b);
+
+  std::vector<std::uint32_t> index(states.size());
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    index[k] = static_cast<std::uint32_t>(k);
+    ASSERT_EQ(lookup_stream(n, b, s, k), states[k]) << "index " << k;
+    ASSERT_EQ(tree[k], states[k]) << "index " << k;
+  }
+  States found(states.size(), 0xee);
+  tree.lookup(index, found);
+  ASSERT_EQ(found, states);
+
+  ASSERT_EQ(read(write(n, b, map)).map, map);
+}
+
+// Runs a check once under every SIMD target that this machine has and the library was built for.
+template <class Check>
+void on_every_target(Check check) {
+  const auto targets = hwy::SupportedAndGeneratedTargets();
+  ASSERT_FALSE(targets.empty());
+  for (const auto target : targets) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();  // the next call chooses again
+    check();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+}
+
+// -----------------------------------------------------------------------------------------------------------
+// By hand
+// -----------------------------------------------------------------------------------------------------------
+
+// Level 2, four states, of the kind of the paper's figure 4:
+//   child 0  O O O O     one state: a leaf             0               1
+//   child 1  T T T O     mixed                         1 0 0 0 0       0 0 0 1
+//   child 2  UT UT UT UT a leaf                        0               2
+//   child 3  O UO UO UO  mixed                         1 0 0 0 0       1 3 3 3
+// The root before them is mixed: 1.  So the tree is 1 0 10000 0 10000, 13 nodes, and the states are
+// 1 0 0 0 1 2 1 3 3 3, of 10 leaves: 3 internal nodes, 4*3+1 and 3*3+1.
+// In bytes, the first in the lowest bits: the tree 00000101 00000001; the states, two bits each,
+// 00 00 00 01, 11 01 10 01, 11 11.
+const States by_hand{1, 1, 1, 1, 0, 0, 0, 1, 2, 2, 2, 2, 1, 3, 3, 3};
+
+TEST(ImplTree, WorkedExample) {
+  const Bytes map = packed(by_hand, Bits::four_state);
+  EXPECT_EQ(map, (Bytes{0b01010101, 0b01000000, 0b10101010, 0b11111101}));
+  const Stream s = encode_stream(2, Bits::four_state, map);
+  EXPECT_EQ(s.nodes, 13u);
+  EXPECT_EQ(s.leaves, 10u);
+  EXPECT_EQ(s.tree, (Bytes{0b00000101, 0b00000001}));
+  EXPECT_EQ(s.data, (Bytes{0b00000001, 0b11011001, 0b00001111}));
+  EXPECT_EQ(bits_of(s.tree, 13), (std::vector<bool>{true, false, true, false, false, false, false, false,
+                                                    true, false, false, false, false}));
+  expect_all_forms(by_hand, 2, Bits::four_state);
+  expect_specified(by_hand, 2, Bits::four_state, s);
+}
+
+TEST(ImplTree, UniformMapIsOneLeaf) {
+  for (const Bits b : both)
+    for (Level n = 0; n <= 6; ++n)
+      for (std::uint8_t state = 0; state < 2 * width(b); ++state) {
+        const Stream s = encode_stream(n, b, packed(States(micro_triangles(n), state), b));
+        EXPECT_EQ(s, (Stream{{0}, {state}, 1, 1}));
+      }
+}
+
+TEST(ImplTree, PaddingBitsAreIgnoredAndWrittenAsZeros) {
+  // Level 1, two states: four bits of eight; level 0: one or two of eight.
+  EXPECT_EQ(encode_stream(1, Bits::two_state, Bytes{0xf5}), encode_stream(1, Bits::two_state, Bytes{0x05}));
+  EXPECT_EQ(encode_stream(0, Bits::two_state, Bytes{0xfe}), (Stream{{0}, {0}, 1, 1}));
+  EXPECT_EQ(encode_stream(0, Bits::four_state, Bytes{0xfe}), (Stream{{0}, {2}, 1, 1}));
+  Bytes out(1);
+  Tree::encode(1, Bits::two_state, Bytes{0xf5}).decode(out);
+  EXPECT_EQ(out, Bytes{0x05});
+  Tree::encode(0, Bits::four_state, Bytes{0xfe}).decode(out);
+  EXPECT_EQ(out, Bytes{0x02});
+}
+
+// -----------------------------------------------------------------------------------------------------------
+// Whole domains
+// -----------------------------------------------------------------------------------------------------------
+
+TEST(ImplTree, EveryMapOfLevels0And1) {
+  std::uint64_t maps = 0;
+  for (const Bits b : both)
+    for (Level n = 0; n <= 1; ++n) {
+      const std::uint64_t count = std::uint64_t{1} << (width(b) * micro_triangles(n));
+      for (std::uint64_t code = 0; code < count; ++code, ++maps) {
+        States states;
+        for (std::uint64_t k = 0; k < micro_triangles(n); ++k)
+          states.push_back(static_cast<std::uint8_t>(code >> (k * width(b)) & (width(b) == 1 ? 1 : 3)));
+        expect_all_forms(states, n, b);
+        expect_specified(states, n, b, encode_stream(n, b, packed(states, b)));
+        if (HasFatalFailure()) return;
+      }
+    }
+  EXPECT_EQ(maps, 2u + 16u + 4u + 256u);
+}
+
+TEST(ImplTree, EveryTwoStateMapOfLevel2) {
+  std::uint64_t maps = 0;
+  for (std::uint32_t code = 0; code < 65536; ++code, ++maps) {
+    States states;
+    for (std::uint32_t k = 0; k < 16; ++k) states.push_back(code >> k & 1);
+    expect_all_forms(states, 2, Bits::two_state);
+    expect_specified(states, 2, Bits::two_state,
+                     encode_stream(2, Bits::two_state, packed(states, Bits::two_state)));
+    if (HasFatalFailure()) FAIL() << "map " << code;
+  }
+  EXPECT_EQ(maps, 65536u);
+}
+
+// -----------------------------------------------------------------------------------------------------------
+// Samples
+// -----------------------------------------------------------------------------------------------------------
+
+TEST(ImplTree, AssortedMapsOfLevels2To6) {
+  for (const Bits b : both)
+    for (Level n = 2; n <= 6; ++n)
+      for (const States& states : assorted(n, b, n < 6 ? 40 : 14)) {
+        expect_all_forms(states, n, b);
+        expect_specified(states, n, b, encode_stream(n, b, packed(states, b)));
+        if (HasFatalFailure()) FAIL() << "level " << n;
+      }
+}
+
+// One micro-triangle apart from the rest, in every place.
+TEST(ImplTree, OneStateApart) {
+  for (const Bits b : both)
+    for (Level n = 1; n <= 4; ++n)
+      for (std::uint64_t k = 0; k < micro_triangles(n); ++k) {
+        States states(micro_triangles(n), 1);
+        states[k] = 0;
+        const Stream s = encode_stream(n, b, packed(states, b));
+        ASSERT_EQ(s.nodes, 4 * n + 1);
+        expect_all_forms(states, n, b);
+        if (HasFatalFailure()) FAIL() << "level " << n << " index " << k;
+      }
+}
+
+TEST(ImplTree, SpansEqualTheSingleLookupAtEveryLength) {
+  on_every_target([] {
+    std::vector<Tree> trees;
+    std::vector<States> maps;
+    for (const Bits b : both)
+      for (Level n = 0; n <= 7; ++n)
+        for (const States& states : assorted(n, b, 6)) {
+          trees.push_back(Tree::encode(n, b, packed(states, b)));
+          maps.push_back(states);
+        }
+    std::vector<const Tree*> pointers;
+    for (const Tree& tree : trees) pointers.push_back(&tree);
+    std::mt19937 random(5);
+    for (std::size_t count = 0; count <= 67; ++count) {
+      // Vectors of the exact size, so that a sanitizer sees a read beyond either end.
+      std::vector<std::uint32_t> which(count), index(count);
+      States found(count + 1, 0xee);
+      for (std::size_t k = 0; k < count; ++k) {
+        which[k] = static_cast<std::uint32_t>(random() % trees.size());
+        index[k] = static_cast<std::uint32_t>(random() % maps[which[k]].size());
+      }
+      lookup(pointers, which, index, std::span(found).first(count));
+      for (std::size_t k = 0; k < count; ++k)
+        ASSERT_EQ(found[k], maps[which[k]][index[k]]) << which[k] << ' ' << index[k];
+      ASSERT_EQ(found.back(), 0xee) << "wrote beyond the end";
+
+      const std::size_t one = count % trees.size();
+      for (std::uint32_t& k : index) k = static_cast<std::uint32_t>(random() % maps[one].size());
+      trees[one].lookup(index, std::span(found).first(count));
+      for (std::size_t k = 0; k < count; ++k) ASSERT_EQ(found[k], maps[one][index[k]]);
+    }
+  });
+}
+
+TEST(ImplTree, EveryStateOnEveryTarget) {
+  on_every_target([] {
+    for (const Bits b : both)
+      for (Level n = 0; n <= 6; ++n)
+        for (const States& states : assorted(n, b, 12)) {
+          const Tree tree = Tree::encode(n, b, packed(states, b));
+          std::vector<std::uint32_t> index;
+          // High bits beyond the level's do not count.
+          for (std::uint32_t k = 0; k < states.size(); ++k) index.push_back(n < 6 ? k | 0xff000000 : k);
+          States found(states.size(), 0xee);
+          tree.lookup(index, found);
+          ASSERT_EQ(found, states);
+          for (std::uint32_t k = 0; k < states.size(); ++k) ASSERT_EQ(tree[index[k]], states[k]);
+        }
+  });
+}
+
+// The representatives k/(4N) of every cell, against Algorithms 3 and 4 in exact numbers.
+TEST(ImplTree, AtAPointEqualsTheSpecification) {
+  for (const Bits b : both)
+    for (Level n = 0; n <= 5; ++n)
+      for (const States& states : {runs(n, b, 3, 8), runs(n, b, 20, 9)}) {
+        const Tree tree = Tree::encode(n, b, packed(states, b));
+        const spec::tree::Succinct succinct = specified(states, n);
+        const std::uint32_t M = 4u << n;
+        const float step = 1.0f / static_cast<float>(M);
+        for (std::uint32_t i = 0; i <= M; ++i)
+          for (std::uint32_t j = 0; i + j <= M; ++j) {
+            const spec::Point<spec::Fixed64> p{spec::Fixed64::dyadic(i, n + 2),
+                                               spec::Fixed64::dyadic(j, n + 2)};
+            const auto expected = static_cast<std::uint8_t>(spec::tree::at_point(succinct, p).state);
+            ASSERT_EQ(tree.at(static_cast<float>(i) * step, static_cast<float>(j) * step), expected)
+                << n << ' ' << i << ' ' << j;
+          }
+      }
+}
+
+// -----------------------------------------------------------------------------------------------------------
+// The largest
+// -----------------------------------------------------------------------------------------------------------
+
+// No two siblings alike: the paper's figure 10, every node internal.
+TEST(ImplTree, WorstCaseOfEveryLevel) {
+  for (const Bits b : both)
+    for (Level n = 0; n <= max_level; ++n) {
+      States states(micro_triangles(n));
+      for (std::size_t k = 0; k < states.size(); ++k)
+        states[k] = static_cast<std::uint8_t>(k & (width(b) == 1 ? 1 : 3));
+      const Bytes map = packed(states, b);
+      const Stream s = encode_stream(n, b, map);
+      // 1 + 4 + ... + 4^n nodes.
+      ASSERT_EQ(s.nodes, (micro_triangles(n + 1) - 1) / 3) << n;
+      ASSERT_EQ(s.leaves, micro_triangles(n)) << n;
+      Bytes out(map.size());
+      ASSERT_TRUE(decode_stream(n, b, s, out));
+      ASSERT_EQ(out, map);
+      const Tree tree = Tree::encode(n, b, map);
+      out.assign(map.size(), 0xee);
+      tree.decode(out);
+      ASSERT_EQ(out, map);
+      if (n >= 6) {
+        EXPECT_LE(tree.bits(), s.nodes + s.leaves * width(b)) << n;
+      }
+      const std::uint64_t stride = n < 8 ? 1 : 4093;
+      for (std::uint64_t k = 0; k < states.size(); k += stride)
+        ASSERT_EQ(tree[k], states[k]) << n << ' ' << k;
+      ASSERT_EQ(tree[states.size() - 1], states.back());
+      EXPECT_EQ(lookup_stream(n, b, s, states.size() - 1), states.back());
+      EXPECT_EQ(write(n, b, map).size(), container_header + (n == 0 ? 1 : map.size()));
+    }
+}
+
+TEST(ImplTree, LevelTwelveOfRuns) {
+  for (const Bits b : both)
+    for (const std::uint64_t longest : {30u, 3000u}) {
+      const States states = runs(12, b, longest, 3);
+      const Bytes map = packed(states, b);
+      Bytes out(map.size());
+      ASSERT_TRUE(decode_stream(12, b, encode_stream(12, b, map), out));
+      ASSERT_EQ(out, map);
+      const Tree tree = Tree::encode(12, b, map);
+      out.assign(map.size(), 0xee);
+      tree.decode(out);
+      ASSERT_EQ(out, map);
+      for (std::uint64_t k = 0; k < states.size(); k += 61) ASSERT_EQ(tree[k], states[k]) << k;
+      ASSERT_EQ(read(write(12, b, map)).map, map);
+    }
+}
+
+// -----------------------------------------------------------------------------------------------------------
+// Malformed
+// -----------------------------------------------------------------------------------------------------------
+
+bool decodes(const Stream& s, Level n = 2, Bits b = Bits::four_state) {
+  Bytes out((micro_triangles(n) * width(b) + 7) / 8);
+  return decode_stream(n, b, s, out);
+}
+
+TEST(ImplTreeMalformed, EachKind) {
+  const Stream good = encode_stream(2, Bits::four_state, packed(by_hand, Bits::four_state));
+  ASSERT_TRUE(decodes(good));
+  const auto spoilt = [&good](auto spoil) {
+    Stream s = good;
+    spoil(s);
+    return s;
+  };
+  EXPECT_FALSE(decodes(spoilt([](Stream& s) { s.nodes = 12; }))) << "no 4 i + 1";
+  EXPECT_FALSE(decodes(spoilt([](Stream& s) { s.leaves = 9; }))) << "no 3 i + 1";
+  EXPECT_FALSE(decodes(spoilt([](Stream& s) { s.nodes = 9, s.leaves = 7; }))) << "counts of a smaller tree";
+  EXPECT_FALSE(decodes(spoilt([](Stream& s) { s.tree.push_back(0); }))) << "a byte too many";
+  EXPECT_FALSE(decodes(spoilt([](Stream& s) { s.data.push_back(0); }))) << "a byte too many";
+  EXPECT_FALSE(decodes(spoilt([](Stream& s) { s.tree[1] |= 0x80; }))) << "padding of the tree";
+  EXPECT_FALSE(decodes(spoilt([](Stream& s) { s.data[2] |= 0x10; }))) << "padding of the states";
+  // The root a leaf, and 12 nodes after it.
+  EXPECT_FALSE(decodes(spoilt([](Stream& s) { s.tree[0] = 0b00000100; }))) << "ends early";
+  // 1 1 ... : child 0 is internal too, and the last child's children are missing.
+  EXPECT_FALSE(decodes(spoilt([](Stream& s) { s.tree[0] = 0b00000111; }))) << "ends late";
+  // The same tree one level up has no room for its lower internal nodes.
+  EXPECT_FALSE(decodes(good, 1)) << "below level n";
+  // 1 1 0000 1 0000 0 0 at level 1... and more nodes than level 0 has.
+  EXPECT_FALSE(decodes(good, 0)) << "more nodes than the level has";
+  EXPECT_FALSE(decodes(Stream{{0b00001}, {0b01010101, 0}, 5, 4}, 1)) << "a byte of states too many";
+  EXPECT_TRUE(decodes(Stream{{0b00001}, {0b01010100}, 5, 4}, 1));
+  EXPECT_FALSE(decodes(Stream{{0b00001}, {0b01010101}, 5, 4}, 1)) << "four sibling leaves of one state";
+  EXPECT_FALSE(decodes(Stream{{}, {}, 0, 0}, 1)) << "nothing";
+  EXPECT_FALSE(decodes(Stream{{}, {}, 1, 1}, 1)) << "counts without bytes";
+  EXPECT_FALSE(decodes(Stream{{0}, {0}, ~std::uint64_t{0} - 2, 0}, 1)) << "counts beyond everything";
+}
+
+// Whatever decodes is a stream of encode_stream: of a map of its own.
+void expect_refused_or_another(const Stream& s, Level n, Bits b, const Bytes& map) {
+  Bytes out(map.size());
+  if (!decode_stream(n, b, s, out)) return;
+  ASSERT_NE(out, map) << "two streams of one map";
+  ASSERT_EQ(encode_stream(n, b, out), s);
+}
+
+TEST(ImplTreeMalformed, EveryTruncationAndEveryFlippedBit) {
+  for (const Bits b : both)
+    for (const Level n : {1u, 2u, 3u, 4u}) {
+      const States states = runs(n, b, 6, 40 + n);
+      const Bytes map = packed(states, b);
+      const Stream good = encode_stream(n, b, map);
+      for (auto part : {&Stream::tree, &Stream::data}) {
+        for (std::size_t length = 0; length < (good.*part).size(); ++length) {
+          Stream s = good;
+          (s.*part).resize(length);
+          EXPECT_FALSE(decodes(s, n, b));
+          // No read beyond what is there.
+          for (std::uint64_t k = 0; k < states.size(); ++k) lookup_stream(n, b, s, k);
+        }
+        for (std::size_t bit = 0; bit < 8 * (good.*part).size(); ++bit) {
+          Stream s = good;
+          (s.*part)[bit / 8] = static_cast<std::uint8_t>((s.*part)[bit / 8] ^ 1 << (bit % 8));
+          expect_refused_or_another(s, n, b, map);
+          for (std::uint64_t k = 0; k < states.size(); ++k) lookup_stream(n, b, s, k);
+        }
+      }
+      for (auto count : {&Stream::nodes, &Stream::leaves})
+        for (int bit = 0; bit < 64; ++bit) {
+          Stream s = good;
+          s.*count ^= std::uint64_t{1} << bit;
+          EXPECT_FALSE(decodes(s, n, b));
+          lookup_stream(n, b, s, micro_triangles(n) - 1);
+        }
+    }
+}
+
+TEST(ImplTreeMalformed, LookupOfAnythingReadsNothingBeyond) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 3000; ++round) {
+    Stream s;
+    s.tree.resize(random() % 12);
+    s.data.resize(random() % 6);
+    for (std::uint8_t& byte : s.tree) byte = static_cast<std::uint8_t>(round % 3 == 0 ? 255 : random());
+    for (std::uint8_t& byte : s.data) byte = static_cast<std::uint8_t>(random());
+    s.nodes = round % 2 == 0 ? ~std::uint64_t{0} : random() % 100;
+    s.leaves = random() % 100;
+    for (const Bits b : both) EXPECT_LT(lookup_stream(6, b, s, random() % 4096), 2 * width(b));
+  }
+}
+
+TEST(ImplTree, RefusesLevelsAndSizesThatMeanNothing) {
+  const Bytes four(4);
+  Bytes out(4);
+  EXPECT_THROW(encode_stream(13, Bits::two_state, four), std::invalid_argument);
+  EXPECT_THROW(encode_stream(2, Bits::two_state, four), std::invalid_argument);
+  EXPECT_THROW(encode_stream(2, Bits{3}, four), std::invalid_argument);
+  EXPECT_THROW(Tree::encode(13, Bits::two_state, four), std::invalid_argument);
+  EXPECT_THROW(Tree::encode(2, Bits::two_state, four), std::invalid_argument);
+  const Stream s = encode_stream(2, Bits::four_state, four);
+  EXPECT_THROW(decode_stream(3, Bits::four_state, s, out), std::invalid_argument);
+  EXPECT_THROW(decode_stream(13, Bits::four_state, s, out), std::invalid_argument);
+  const Tree tree = Tree::encode(2, Bits::four_state, four);
+  EXPECT_THROW(tree.decode(std::span(out).first(3)), std::invalid_argument);
+  std::vector<std::uint32_t> three(3), zeros(4);
+  EXPECT_THROW(tree.lookup(three, out), std::invalid_argument);
+  const std::vector<const Tree*> trees{&tree};
+  EXPECT_THROW(lookup(trees, three, zeros, out), std::invalid_argument);
+  EXPECT_THROW(lookup(trees, zeros, three, out), std::invalid_argument);
+  zeros[2] = 1;
+  EXPECT_THROW(lookup(trees, zeros, zeros, out), std::invalid_argument) << "a tree beyond the last";
+}
+
+}  // namespace
