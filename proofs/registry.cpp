@@ -2,6 +2,7 @@
 
 #include "proofs/index.hpp"
 #include "proofs/index/built_in.hpp"
+#include "proofs/micromap.hpp"
 #include "proofs/tree.hpp"
 
 namespace mmverify::proofs {
@@ -18,6 +19,7 @@ const std::vector<Law>& laws() {
   static const std::vector<Law> all = [] {
     std::vector<Law> of_all_topics;
     append(of_all_topics, index::laws());
+    append(of_all_topics, micromap::laws());
     append(of_all_topics, tree::laws());
     return of_all_topics;
   }();
@@ -43,6 +45,7 @@ Level max_level() { return index::max_level; }
 std::vector<SubjectPtr> subjects() {
   std::vector<SubjectPtr> of_all_topics;
   append(of_all_topics, index::built_in_subjects());
+  append(of_all_topics, micromap::built_in_subjects());
   append(of_all_topics, tree::built_in_subjects());
   return of_all_topics;
 }

@@ -52,7 +52,8 @@ INSTANTIATE_TEST_SUITE_P(All, EveryLaw, testing::ValuesIn(ids_of_laws([](const L
 TEST_P(EveryLaw, SaysWhatItIs) {
   EXPECT_FALSE(law.says.empty());
   EXPECT_FALSE(law.source.empty());
-  EXPECT_TRUE(law.id.starts_with(law.topic + ".") || law.id.starts_with("paper."));
+  EXPECT_TRUE(law.id.starts_with(law.topic + ".") || law.id.starts_with("paper.") ||
+              law.id.starts_with("lossy."));
   EXPECT_LE(law.fast.first, law.fast.last);
   EXPECT_LE(law.long_run.first, law.fast.first);
   EXPECT_LE(law.fast.last, law.long_run.last);

@@ -1,0 +1,321 @@
+// Laws of arrays: what is built gives every state back and is clean, and the validator lists what the
+// specification lists.
+#include <fmt/format.h>
+
+#include <set>
+#include <tuple>
+
+#include "proofs/micromap/altered.hpp"
+#include "proofs/micromap/arrays.hpp"
+#include "proofs/micromap/law_groups.hpp"
+#include "proofs/micromap/law_parts.hpp"
+#include "proofs/tree/maps.hpp"
+
+namespace mmverify::proofs::micromap {
+namespace {
+
+namespace slow = mmverify::spec::micromap;
+using slow::Rule;
+
+std::string text(const Violation& v) {
+  return fmt::format("{} at {} ({}, {})", slow::text(v.rule).id, v.where, v.found, v.other);
+}
+
+std::uint64_t hash_of(const std::vector<Violation>& found) {
+  std::uint64_t hash = found.size();
+  for (const Violation& v : found)
+    hash = (hash * 31 + static_cast<std::uint64_t>(v.rule)) * 31 + v.where * 7 + v.found * 3 + v.other;
+  return hash;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Building
+// ---------------------------------------------------------------------------------------------------------------------
+
+// The state of a triangle's micro-triangle, found as a traversal would.
+State fetched(const Built& b, const Options& o, std::uint64_t t, std::uint64_t i) {
+  const Meaning m =
+      slow::meaning(slow::code_at(b.indices, o.encoding, slow::width(o.encoding) / 8, t), o.encoding);
+  if (m.kind == Meaning::Kind::special) return m.state;
+  const slow::Record r = slow::record_at(b.records, 8 * (std::uint64_t{m.index} + o.base_triangle));
+  return slow::unpack(std::span(b.data).subspan(r.offset), static_cast<Format>(r.format), i + 1).back();
+}
+
+Finding builds(const MicromapSubject& s, const BuildCase& c) {
+  const Options& o = c.options;
+  const Built built = s.build(c.maps, o);
+
+  // Clean first: then nothing below reads outside.
+  Input in;
+  in.sets = slow::glTF;
+  in.records = built.records;
+  in.record_count = built.records.size() / slow::record_bytes;
+  in.data = built.data;
+  in.triangles = c.maps.size();
+  in.indexed = true;
+  in.indices = built.indices;
+  in.encoding = o.encoding;
+  in.index_stride = slow::width(o.encoding) / 8;
+  in.base_triangle = o.base_triangle;
+  in.array_counts = built.array_counts;
+  if (const auto found = slow::validate(in); !found.empty())
+    return wrong("a clean array", text(found.front()));
+  in.sets = slow::EXT;
+  in.geometry_counts = built.geometry_counts;
+  for (const Violation& v : slow::validate(in))
+    if (v.rule != Rule::index_encoding) return wrong("a clean geometry", text(v));
+
+  // Sharing: as many records as there are different maps without a special index, or as there are such maps.
+  std::set<std::tuple<Level, Format, Bytes>> different;
+  std::size_t stored = 0;
+  for (std::size_t t = 0; t < c.maps.size(); ++t) {
+    const PackedMap& map = c.maps[t];
+    const States states = slow::unpack(map.bytes, map.format, slow::micro_triangles(map.level));
+    const bool special = o.special && slow::uniform(states);
+    const Meaning m = slow::meaning(slow::code_at(built.indices, o.encoding, in.index_stride, t), o.encoding);
+    if ((m.kind == Meaning::Kind::special) != special)
+      return wrong(fmt::format("triangle {} {}", t, special ? "special" : "indexed"),
+                   special ? "indexed" : "special");
+    if (!special) {
+      ++stored;
+      different.insert({map.level, map.format, map.bytes});
+      const slow::Record r = slow::record_at(built.records, 8 * (std::uint64_t{m.index} + o.base_triangle));
+      if (r.level != map.level || r.format != static_cast<std::uint16_t>(map.format))
+        return wrong(
+            fmt::format("triangle {}: level {}, format {}", t, map.level, static_cast<int>(map.format)),
+            fmt::format("level {}, format {}", r.level, r.format));
+    }
+    for (std::size_t i = 0; i < states.size(); ++i)
+      if (const State got = fetched(built, o, t, i); got != states[i])
+        return wrong(fmt::format("triangle {} state {} {}", t, i, slow::code(states[i])),
+                     fmt::format("{}", slow::code(got)));
+  }
+  const std::size_t records = o.deduplicate ? different.size() : stored;
+  if (in.record_count != records)
+    return wrong(fmt::format("{} records", records), fmt::format("{}", in.record_count));
+  return {micromap::hash_of(built.data) ^ micromap::hash_of(built.indices), true, {}, {}};
+}
+
+void drop_bit(Bytes& bytes, std::size_t byte, unsigned bit) {
+  if (byte < bytes.size()) bytes[byte] = static_cast<std::uint8_t>(bytes[byte] ^ 1u << bit);
+}
+
+bool are(std::span<const PackedMap> maps, Level n, std::initializer_list<std::uint8_t> first_bytes) {
+  if (maps.size() != first_bytes.size()) return false;
+  std::size_t k = 0;
+  for (const std::uint8_t byte : first_bytes) {
+    if (maps[k].level != n || maps[k].format != Format::four_state || maps[k].bytes != Bytes{byte})
+      return false;
+    ++k;
+  }
+  return true;
+}
+
+// Every ordered pair of maps of one small level, shared and with special indices.
+Law pairs() {
+  const auto pair = [](Level n, std::uint64_t k) {
+    const std::uint64_t maps = tree::map_count(n);
+    BuildCase c;
+    for (const std::uint64_t number : {k / maps, k % maps}) {
+      const tree::Map map = tree::map_number(n, number);
+      c.maps.push_back({map.level, map.format, map.packed});
+    }
+    c.options = {Encoding::u8, 0, true, true};
+    return c;
+  };
+  const auto at = [](const BuildCase& c) {
+    std::string line;
+    for (const PackedMap& m : c.maps)
+      line += (line.empty() ? "" : "|") + tree::text_of_states({m.level, m.format, m.bytes});
+    return line;
+  };
+  return over(
+      {.id = "micromap.build",
+       .topic = "micromap",
+       .says = "a built array is clean, gives every state back, shares equal maps and has no others",
+       .source = packing_source,
+       .method = Method::exhaustive,
+       .subjects = {"micromap-spec", "micromap"},
+       .fast = {0, 1},
+       .long_run = {0, 1},
+       .fast_seconds = 3,
+       .domain =
+           [](const Subject&, Level n) {
+             return fmt::format("all ordered pairs of maps of level {}, both formats", n);
+           },
+       .mutants = {mutant("two maps that differ in one state share a record", "micromap", {1, 1},
+                          {.build =
+                               [](auto maps, const Options&, Built& b) {
+                                 if (are(maps, 1, {0xe4, 0xe5})) b.indices[1] = 0;
+                               }}),
+                   mutant("the geometry's counts are the array's", "micromap-spec", {1, 1},
+                          {.build =
+                               [](auto maps, const Options&, Built& b) {
+                                 if (are(maps, 1, {0x1b, 0x1b})) b.geometry_counts = b.array_counts;
+                               }}),
+                   mutant("a uniform UO gets the index of UT", "micromap", {0, 0},
+                          {.build =
+                               [](auto maps, const Options&, Built& b) {
+                                 if (are(maps, 0, {0, 3})) b.indices[1] = 0xfd;
+                               }}),
+                   mutant("equal maps are not shared", "micromap", {1, 1},
+                          {.build_input =
+                               [](auto maps, Options& o) {
+                                 if (are(maps, 1, {0x40, 0x40})) o.deduplicate = false;
+                               }})}},
+      {Entry::build},
+      {[](Level n) -> std::uint64_t { return n > 1 ? 0 : tree::map_count(n) * tree::map_count(n); },
+       [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) { return builds(s, pair(n, k)); },
+       [=](Level n, std::uint64_t k, const Run&) { return at(pair(n, k)); },
+       [](const MicromapSubject& s, Level n, const std::string& text) {
+         const auto bar = text.find('|');
+         if (bar == std::string::npos) throw BadCase("'" + text + "': write 4-state:0123|2-state:0110");
+         BuildCase c;
+         for (const std::string& part : {text.substr(0, bar), text.substr(bar + 1)}) {
+           const tree::Map map = tree::map_from_text(n, part);
+           c.maps.push_back({map.level, map.format, map.packed});
+         }
+         c.options = {Encoding::u8, 0, true, true};
+         return builds(s, c);
+       },
+       1024});
+}
+
+Law sampled_builds() {
+  return over(
+      {.id = "micromap.build_on_samples",
+       .topic = "micromap",
+       .says = "a built array is clean, gives every state back, and shares equal maps where asked to",
+       .source = packing_source,
+       .method = Method::sample,
+       .subjects = {"micromap-spec", "micromap"},
+       .fast = {0, 5},
+       .long_run = {0, 7},
+       .fast_seconds = 3,
+       .domain =
+           [](const Subject&, Level n) {
+             return fmt::format("arrays of up to 23 maps of levels 0..{}, all encodings and options", n);
+           },
+       .mutants = {mutant("a bit of the last byte of a map of level 5", "micromap", {5, 5},
+                          {.build =
+                               [](auto maps, const Options& o, Built& b) {
+                                 if (o.encoding == Encoding::i16 && !maps.empty() && maps.back().level == 5 &&
+                                     !b.data.empty())
+                                   drop_bit(b.data, b.data.size() - 1, 7);
+                               }}),
+                   mutant("shares though not asked to", "micromap", {2, 4},
+                          {.build_input =
+                               [](auto maps, Options& o) {
+                                 if (maps.size() == 20) o.deduplicate = true;
+                               }}),
+                   mutant("counts a special index", "micromap-spec", {0, 3},
+                          {.build =
+                               [](auto maps, const Options& o, Built& b) {
+                                 if (maps.size() > 8 && o.special && o.encoding == Encoding::u32 &&
+                                     !b.geometry_counts.empty() && b.geometry_counts.size() < maps.size())
+                                   ++b.geometry_counts.front().count;
+                               }}),
+                   mutant("an offset one too far at level 4", "micromap", {4, 4},
+                          {.build =
+                               [](auto maps, const Options&, Built& b) {
+                                 if (maps.size() == 12 && b.records.size() >= 8)
+                                   ++b.records[b.records.size() - 8];
+                               }})}},
+      {Entry::build},
+      {[](Level n) -> std::uint64_t { return n <= 4 ? 400 : 100; },
+       [](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
+         return builds(s, sample_build(n, run.seed, k));
+       },
+       [](Level, std::uint64_t k, const Run& run) { return text_of(run.seed, k); },
+       [](const MicromapSubject& s, Level n, const std::string& text) {
+         const auto [seed, k] = sample_from(text);
+         return builds(s, sample_build(n, seed, k));
+       },
+       16});
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Validating
+// ---------------------------------------------------------------------------------------------------------------------
+
+Finding validates(const MicromapSubject& s, const Input& in) {
+  const std::vector<Violation> expected = slow::validate(in), got = s.validate(in);
+  if (got == expected) return {hash_of(expected), true, {}, {}};
+  std::size_t k = 0;
+  while (k < expected.size() && k < got.size() && expected[k] == got[k]) ++k;
+  const auto at = [k](const std::vector<Violation>& all) {
+    return k < all.size() ? text(all[k]) : std::string("no more violations");
+  };
+  return wrong(at(expected), at(got));
+}
+
+// Drops, or changes, the first violation of a rule.
+Change misses(Rule rule, std::uint64_t at_least = 0) {
+  return {.validate = [=](const Input& in, std::vector<Violation>& found) {
+    if (in.record_count < at_least) return;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (found[k].rule == rule) {
+        found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+        return;
+      }
+  }};
+}
+
+Law validating() {
+  return over({.id = "micromap.validate",
+               .topic = "micromap",
+               .says = "the validator lists exactly the violations that the rules have, rule by rule",
+               .source = "the rules' sources, docs/MICROMAP.md",
+               .method = Method::sample,
+               .subjects = {"micromap"},
+               .fast = {0, 5},
+               .long_run = {0, 7},
+               .fast_seconds = 4,
+               .domain =
+                   [](const Subject&, Level n) {
+                     return fmt::format(
+                         "arrays of up to 23 maps of levels 0..{}, up to three things spoilt, all sets", n);
+                   },
+               .mutants = {mutant("an index equal to the number of records is in range", "micromap", {0, 5},
+                                  {.validate =
+                                       [](const Input&, std::vector<Violation>& found) {
+                                         std::erase_if(found, [](const Violation& v) {
+                                           return v.rule == Rule::index_range && v.found == v.other;
+                                         });
+                                       }}),
+                           mutant("overlap is missed in arrays of 8 records and more", "micromap", {3, 5},
+                                  misses(Rule::record_overlap, 8)),
+                           mutant("a lossy build may have 2-state records", "micromap", {2, 4},
+                                  misses(Rule::record_lossy_format)),
+                           mutant("-5 is taken for special", "micromap", {0, 5}, misses(Rule::index_special)),
+                           mutant("the histograms' exchange is not seen at level 4", "micromap", {4, 5},
+                                  misses(Rule::counts_array_is_geometry)),
+                           mutant("the last byte of a region may be missing at level 5", "micromap", {5, 5},
+                                  {.validate =
+                                       [](const Input&, std::vector<Violation>& found) {
+                                         std::erase_if(found, [](const Violation& v) {
+                                           return v.rule == Rule::record_region && v.found == v.other + 1;
+                                         });
+                                       }})}},
+              {Entry::validate},
+              {[](Level n) -> std::uint64_t { return n <= 4 ? 3000 : 1500; },
+               [](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
+                 Handed handed;
+                 sample_spoilt(n, run.seed, k, handed);
+                 return validates(s, handed.in);
+               },
+               [](Level, std::uint64_t k, const Run& run) { return text_of(run.seed, k); },
+               [](const MicromapSubject& s, Level n, const std::string& text) {
+                 const auto [seed, k] = sample_from(text);
+                 Handed handed;
+                 sample_spoilt(n, seed, k, handed);
+                 return validates(s, handed.in);
+               },
+               64});
+}
+
+}  // namespace
+
+std::vector<Law> array_laws() { return {pairs(), sampled_builds(), validating()}; }
+
+}  // namespace mmverify::proofs::micromap

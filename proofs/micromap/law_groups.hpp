@@ -1,0 +1,19 @@
+// The laws of topic micromap, by what they are about.
+#pragma once
+
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+
+namespace mmverify::proofs::micromap {
+
+/// Packed maps: packing, force-2-state, levels, 1-bit modes.
+std::vector<Law> map_laws();
+/// Lossy codecs, and who judges them.
+std::vector<Law> lossy_laws();
+/// Special indices.
+std::vector<Law> special_laws();
+/// Arrays and their validator.
+std::vector<Law> array_laws();
+
+}  // namespace mmverify::proofs::micromap

@@ -1,0 +1,152 @@
+#include "proofs/micromap/law_parts.hpp"
+
+#include <fmt/format.h>
+
+#include "proofs/tree/maps.hpp"
+
+namespace mmverify::proofs::micromap {
+namespace {
+
+const MicromapSubject& of_micromap(const Subject& s) { return dynamic_cast<const MicromapSubject&>(s); }
+
+PackedMap packed(const tree::Map& map) { return {map.level, map.format, map.packed}; }
+
+// A 4-state map of a sample: the 2-state ones are widened, state by state.
+tree::Map sampled(Level n, std::uint64_t seed, std::uint64_t k, Maps maps) {
+  tree::Map map = tree::sample_map(n, seed, k);
+  if (maps == Maps::both_formats || map.format == Format::four_state) return map;
+  const States states = spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
+  return {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
+}
+
+std::uint64_t two_state_maps(Level n) { return std::uint64_t{1} << spec::micromap::micro_triangles(n); }
+
+std::string hex(const Bytes& bytes) {
+  constexpr std::size_t shown = 24;
+  const auto first = std::span(bytes).first(std::min(bytes.size(), shown));
+  return fmt::format("{:02x}{}", fmt::join(first, " "), bytes.size() > shown ? " ..." : "");
+}
+
+}  // namespace
+
+Finding wrong(std::string expected, std::string got) {
+  return {0, false, std::move(expected), std::move(got)};
+}
+
+Finding same(const char* what, const Bytes& expected, const Bytes& got) {
+  if (expected == got) return {hash_of(got), true, {}, {}};
+  if (expected.size() == got.size() && expected.size() > 24) {
+    std::size_t k = 0;
+    while (expected[k] == got[k]) ++k;
+    return wrong(fmt::format("{} byte {} {:02x}", what, k, expected[k]), fmt::format("{:02x}", got[k]));
+  }
+  return wrong(fmt::format("{} {}", what, hex(expected)), hex(got));
+}
+
+std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
+  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a
+  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001B3u;
+  return hash;
+}
+
+Law over(Law law, std::vector<Entry> entries, Cases cases) {
+  law.divisible = true;
+  law.on_lines = false;
+  if (!law.how)
+    law.how = [method = law.method](const Subject&, Level) {
+      return std::string(method == Method::sample ? "sample, against the specification" : "exhaustive");
+    };
+  law.unfit = [entries, id = law.id, levels = law.long_run, exhaustive = law.method == Method::exhaustive](
+                  const Subject& subject, Level n) -> std::optional<std::string> {
+    const auto* s = dynamic_cast<const MicromapSubject*>(&subject);
+    if (s == nullptr) return "not a subject of topic micromap";
+    constexpr const char* names[] = {"pack",       "force2", "levels", "modes",   "special",
+                                     "substitute", "judge",  "build",  "validate"};
+    for (const Entry e : entries)
+      if (!s->has(e))
+        return fmt::format("{} has no entry point {}", s->name(), names[static_cast<std::size_t>(e)]);
+    if (n < levels.first) return fmt::format("it is about level {} and above", levels.first);
+    if (exhaustive && n > levels.last)
+      return fmt::format("all cases are run up to level {} only; samples go beyond", levels.last);
+    if (n > 12) return "samples have levels up to 12";
+    return std::nullopt;
+  };
+  law.cases = [count = cases.count](Level n, const Run&) { return count(n); };
+  law.judge = [cases](const Subject& s, Level n, const Run& run) {
+    return sweep(run, cases.count(n), cases.chunk, [&](Chunk chunk, Tally& tally) {
+      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
+        const Finding found = cases.check(of_micromap(s), n, k, run);
+        tally.count(Kind::interior, 1);
+        tally.digest(k, found.answer);
+        if (!found.holds)
+          tally.mismatch(Kind::interior, {n, k, 0}, [&] {
+            return Counterexample{{n, k, 0}, n, cases.text(n, k, run), {}, found.expected, found.got};
+          });
+      }
+    });
+  };
+  law.replay = [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
+    const Finding found = replay(of_micromap(s), n, at);
+    return found.holds ? Replayed{true, "ok", "ok", {}} : Replayed{false, found.expected, found.got, {}};
+  };
+  return law;
+}
+
+Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, MapCheck check) {
+  const bool both = maps == Maps::both_formats;
+  law.method = Method::exhaustive;
+  law.fast = law.long_run = {first, both ? 2u : 1u};
+  law.domain = [both](const Subject&, Level n) {
+    if (!both) return fmt::format("all 4-state maps of level {}", n);
+    return fmt::format("all {} maps of level {}", n < 2 ? "2-state and 4-state" : "65,536 2-state", n);
+  };
+  // map_number() has the 2-state maps first.
+  const auto number = [both](Level n, std::uint64_t k) {
+    return tree::map_number(n, both ? k : k + two_state_maps(n));
+  };
+  return over(std::move(law), std::move(entries),
+              {[both](Level n) -> std::uint64_t {
+                 if (n > (both ? 2u : 1u)) return 0;
+                 return both ? tree::map_count(n) : two_state_maps(n) * two_state_maps(n);
+               },
+               [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
+                 return check(s, packed(number(n, k)));
+               },
+               [=](Level n, std::uint64_t k, const Run&) { return tree::text_of_states(number(n, k)); },
+               [=](const MicromapSubject& s, Level n, const std::string& at) {
+                 const tree::Map map = tree::map_from_text(n, at);
+                 if (!both && map.format != Format::four_state)
+                   throw BadCase("the law is about 4-state maps");
+                 return check(s, packed(map));
+               }});
+}
+
+Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check) {
+  law.method = Method::sample;
+  law.domain = [maps](const Subject&, Level n) {
+    return fmt::format("noise, leaves, blocks, alternating and all-but-one maps of level {}, {}", n,
+                       maps == Maps::both_formats ? "both formats" : "4-state");
+  };
+  return over(std::move(law), std::move(entries),
+              {[](Level n) -> std::uint64_t {
+                 return n <= 5 ? 200 : n == 6 ? 100 : n == 7 ? 40 : 20;
+               },
+               [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
+                 return check(s, packed(sampled(n, run.seed, k, maps)));
+               },
+               [=](Level n, std::uint64_t k, const Run& run) {
+                 return tree::text_of_sample(sampled(n, run.seed, k, maps), run.seed, k);
+               },
+               [=](const MicromapSubject& s, Level n, const std::string& at) {
+                 tree::Map map = tree::map_from_text(n, at);
+                 if (maps == Maps::four_state && map.format != Format::four_state) {
+                   const States states =
+                       spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
+                   map = {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
+                 }
+                 return check(s, packed(map));
+               },
+               1});
+}
+
+}  // namespace mmverify::proofs::micromap

@@ -1,0 +1,68 @@
+// What the laws of topic micromap are put together from: a check of one case, and the cases that it is run
+// on.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "proofs/micromap/subject.hpp"
+
+namespace mmverify::proofs::micromap {
+
+inline constexpr char packing_source[] =
+    "VkAccelerationStructureGeometryMicromapDataKHR; EXT_mesh_opacity_micromap, Microtriangle Data";
+inline constexpr char lossy_source[] = "Vulkan's Opacity Micromaps (Vulkanised 2026), Lossy Micromaps";
+inline constexpr char design_source[] = "this project's definition, docs/MICROMAP.md";
+
+/// What a check found: a number for the digest, and what was wrong first.
+struct Finding {
+  std::uint64_t answer = 0;
+  bool holds = true;
+  std::string expected, got;
+};
+Finding wrong(std::string expected, std::string got);
+
+/// Holds just if the bytes are equal; `what` names them.
+Finding same(const char* what, const Bytes& expected, const Bytes& got);
+
+std::uint64_t hash_of(std::span<const std::uint8_t> bytes);
+
+/// The first finding that does not hold; otherwise their answers together.
+template <class... Findings>
+Finding all(const Finding& first, const Findings&... rest) {
+  if (!first.holds) return first;
+  if constexpr (sizeof...(rest) == 0) {
+    return first;
+  } else {
+    Finding next = all(rest...);
+    next.answer = next.answer * 31 + first.answer;
+    return next;
+  }
+}
+
+/// Cases by number: how many at a level, the check of one, its text, and the check of a text.
+struct Cases {
+  std::function<std::uint64_t(Level)> count;
+  std::function<Finding(const MicromapSubject&, Level, std::uint64_t k, const Run&)> check;
+  std::function<std::string(Level, std::uint64_t k, const Run&)> text;
+  std::function<Finding(const MicromapSubject&, Level, const std::string&)> replay;
+  std::uint64_t chunk = 256;
+};
+
+/// The law, case by case.
+Law over(Law law, std::vector<Entry> entries, Cases cases);
+
+using MapCheck = std::function<Finding(const MicromapSubject&, const PackedMap&)>;
+
+/// Which maps: all 2-state maps of levels 0..2 and all 4-state maps of levels 0 and 1, or the 4-state ones
+/// alone.
+enum class Maps { both_formats, four_state };
+
+/// The law, on every map of the small levels; one case a map.  `first`: the lowest level that it is about.
+Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, MapCheck check);
+
+/// The law, on sample maps of each level from `fast.first`.
+Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check);
+
+}  // namespace mmverify::proofs::micromap

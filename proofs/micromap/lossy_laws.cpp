@@ -1,0 +1,193 @@
+// The three laws of lossy substitution, each of the codecs that keep it; and who judges substitutions.
+#include <fmt/format.h>
+
+#include "proofs/micromap/altered.hpp"
+#include "proofs/micromap/law_groups.hpp"
+#include "proofs/micromap/law_parts.hpp"
+#include "proofs/tree/maps.hpp"
+#include "spec/micromap_lossy.hpp"
+
+namespace mmverify::proofs::micromap {
+namespace {
+
+namespace slow = mmverify::spec::micromap;
+using enum State;
+
+constexpr Format four = Format::four_state;
+
+using Pair = bool (*)(State was, State is);
+
+MapCheck keeps(Pair rule) {
+  return [rule](const MicromapSubject& s, const PackedMap& map) {
+    const Bytes out = s.substitute(map.level, map.bytes);
+    if (out.size() != map.bytes.size())
+      return wrong(fmt::format("{} bytes", map.bytes.size()), fmt::format("{}", out.size()));
+    const std::uint64_t count = slow::micro_triangles(map.level);
+    const States was = slow::unpack(map.bytes, four, count), is = slow::unpack(out, four, count);
+    for (std::size_t i = 0; i < count; ++i)
+      if (!rule(was[i], is[i]))
+        return wrong(fmt::format("state {} {} or what may stand for it", i, slow::code(was[i])),
+                     fmt::format("{}", slow::code(is[i])));
+    return same("packed", slow::pack(is, four), out);
+  };
+}
+
+// Replaces one state by another at a micro-triangle, where it has just that.
+Change instead(Level level, std::uint64_t at, State was, State now) {
+  return {.substitute = [=](Level n, Format, std::span<const std::uint8_t> in, Bytes& out) {
+    if (n != level) return;
+    const unsigned shift = static_cast<unsigned>(2 * at % 8);
+    const std::size_t byte = static_cast<std::size_t>(2 * at / 8);
+    if ((in[byte] >> shift & 3) != slow::code(was)) return;
+    out[byte] = static_cast<std::uint8_t>((out[byte] & ~(3u << shift)) | unsigned{slow::code(now)} << shift);
+  }};
+}
+
+struct Rule {
+  const char* id;
+  const char* says;
+  const char* source;
+  Pair pair;
+  std::vector<std::string> subjects;
+  // What each of the mutants does, at levels 0 and 1, and at 5 and 6.
+  State was[3], now[3];
+};
+
+void add(std::vector<Law>& laws, const Rule& rule) {
+  const auto changed = [&](int k, Level n, std::uint64_t at) {
+    return mutant(
+        fmt::format("{} for {} at {} of level {}", slow::code(rule.now[k]), slow::code(rule.was[k]), at, n),
+        rule.subjects.front(), {n, n}, instead(n, at, rule.was[k], rule.now[k]));
+  };
+  laws.push_back(on_all_maps({.id = rule.id,
+                              .topic = "micromap",
+                              .says = rule.says,
+                              .source = rule.source,
+                              .subjects = rule.subjects,
+                              .fast_seconds = 1,
+                              .mutants = {changed(0, 0, 0), changed(1, 1, 3), changed(2, 1, 2)},
+                              .general = true},
+                             {Entry::substitute}, Maps::four_state, 0, keeps(rule.pair)));
+  laws.push_back(on_samples({.id = std::string(rule.id) + "_on_samples",
+                             .topic = "micromap",
+                             .says = rule.says,
+                             .source = rule.source,
+                             .subjects = rule.subjects,
+                             .fast = {2, 6},
+                             .long_run = {2, 9},
+                             .fast_seconds = 1,
+                             .mutants = {changed(0, 2, 9), changed(1, 5, 1023), changed(2, 6, 2048)}},
+                            {Entry::substitute}, Maps::four_state, keeps(rule.pair)));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Who judges substitutions
+// ---------------------------------------------------------------------------------------------------------------------
+
+Finding judges(const MicromapSubject& s, const PackedMap& was, const PackedMap& is) {
+  const std::uint64_t count = slow::micro_triangles(was.level);
+  const States a = slow::unpack(was.bytes, four, count), b = slow::unpack(is.bytes, four, count);
+  // By the statements, not by spec/micromap_lossy.hpp, which a subject may use.
+  Kept expected{true, true, true};
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool same_state = a[i] == b[i];
+    const bool to_unknown = b[i] == UT || b[i] == UO, from_known = a[i] == T || a[i] == O;
+    const bool own_side = (a[i] == T && b[i] == UT) || (a[i] == O && b[i] == UO);
+    expected.allowed &= same_state || to_unknown;
+    expected.conservative &= same_state || (from_known && to_unknown);
+    expected.force2_stable &= same_state || own_side;
+  }
+  const Kept got = s.judge(was.level, was.bytes, is.bytes);
+  const auto number = [](const Kept& k) { return 4 * k.allowed + 2 * k.conservative + k.force2_stable; };
+  if (got != expected)
+    return wrong(fmt::format("allowed, conservative, force2-stable {:03b}", number(expected)),
+                 fmt::format("{:03b}", number(got)));
+  return {static_cast<std::uint64_t>(number(got)), true, {}, {}};
+}
+
+std::uint64_t four_state_maps(Level n) { return std::uint64_t{1} << (2 * slow::micro_triangles(n)); }
+
+PackedMap four_state_map(Level n, std::uint64_t k) { return {n, four, Bytes{static_cast<std::uint8_t>(k)}}; }
+
+Law judge_law() {
+  const auto text = [](const PackedMap& map) {
+    return tree::text_of_states({map.level, map.format, map.bytes});
+  };
+  const auto pair = [](Level n, std::uint64_t k) {
+    return std::pair(four_state_map(n, k / four_state_maps(n)), four_state_map(n, k % four_state_maps(n)));
+  };
+  const auto exactly = [](Level n, std::uint8_t was, std::uint8_t is, void (*change)(Kept&)) {
+    return Change{.judge = [=](Level level, auto a, auto b, Kept& kept) {
+      if (level == n && a[0] == was && b[0] == is) change(kept);
+    }};
+  };
+  return over(
+      {.id = "lossy.judges",
+       .topic = "micromap",
+       .says = "a judge of substitutions says which of the three rules every micro-triangle keeps",
+       .source = lossy_source,
+       .method = Method::exhaustive,
+       .subjects = {"micromap-spec", "micromap"},
+       .fast = {0, 1},
+       .long_run = {0, 1},
+       .fast_seconds = 1,
+       .domain = [](const Subject&,
+                    Level n) { return fmt::format("all pairs of 4-state maps of level {}", n); },
+       .mutants = {mutant("takes O for UO as allowed", "micromap", {0, 0},
+                          exactly(0, 3, 1, [](Kept& k) { k.allowed = true; })),
+                   mutant("takes UT for UO as conservative", "micromap", {1, 1},
+                          exactly(1, 0b11'00'00'00, 0b10'00'00'00, [](Kept& k) { k.conservative = true; })),
+                   mutant(
+                       "takes UO for the last T as force2-stable", "micromap-spec", {1, 1},
+                       exactly(1, 0b00'01'01'01, 0b11'01'01'01, [](Kept& k) { k.force2_stable = true; }))}},
+      {Entry::judge},
+      {[](Level n) -> std::uint64_t { return n > 1 ? 0 : four_state_maps(n) * four_state_maps(n); },
+       [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
+         const auto [was, is] = pair(n, k);
+         return judges(s, was, is);
+       },
+       [=](Level n, std::uint64_t k, const Run&) {
+         const auto [was, is] = pair(n, k);
+         return text(was) + "|" + text(is);
+       },
+       [](const MicromapSubject& s, Level n, const std::string& at) {
+         const auto bar = at.find('|');
+         if (bar == std::string::npos) throw BadCase("'" + at + "': write 4-state:0123|4-state:2323");
+         const tree::Map was = tree::map_from_text(n, at.substr(0, bar)),
+                         is = tree::map_from_text(n, at.substr(bar + 1));
+         if (was.format != four || is.format != four)
+           throw BadCase("'" + at + "': the law is about 4-state maps");
+         return judges(s, {n, four, was.packed}, {n, four, is.packed});
+       }});
+}
+
+}  // namespace
+
+std::vector<Law> lossy_laws() {
+  std::vector<Law> laws;
+  add(laws, {"lossy.allowed",
+             "a lossy codec turns any state into UT or UO at most, never into T or O",
+             lossy_source,
+             slow::allowed,
+             {"lossy-merge", "lossy-conservative", "lossy-stable"},
+             {UO, O, UT},
+             {O, T, T}});
+  add(laws, {"lossy.conservative",
+             "a lossy codec turns T and O into UT or UO at most, and leaves UT and UO alone",
+             design_source,
+             slow::conservative,
+             {"lossy-conservative", "lossy-stable"},
+             {UT, UO, T},
+             {UO, UT, O}});
+  add(laws, {"lossy.force2_stable",
+             "a lossy codec turns T into UT and O into UO at most: force-2-state sees no difference",
+             design_source,
+             slow::force2_stable,
+             {"lossy-stable"},
+             {T, O, UO},
+             {UO, UT, UT}});
+  laws.push_back(judge_law());
+  return laws;
+}
+
+}  // namespace mmverify::proofs::micromap

@@ -1,0 +1,366 @@
+// Laws of packed maps.  Each oracle goes state by state and knows nothing of words.
+#include <fmt/format.h>
+
+#include "proofs/micromap/altered.hpp"
+#include "proofs/micromap/law_groups.hpp"
+#include "proofs/micromap/law_parts.hpp"
+#include "spec/micromap_lossy.hpp"
+
+namespace mmverify::proofs::micromap {
+namespace {
+
+namespace slow = mmverify::spec::micromap;
+using slow::micro_triangles;
+using enum State;
+
+constexpr Format two = Format::two_state, four = Format::four_state;
+
+// The map's bytes with ones in the padding.
+Bytes dirty(const PackedMap& map) {
+  Bytes bytes = map.bytes;
+  const std::uint64_t used = micro_triangles(map.level) * bits(map.format) % 8;
+  if (used != 0) bytes.back() = static_cast<std::uint8_t>(bytes.back() | (0xff << used & 0xff));
+  return bytes;
+}
+
+States states_of(const PackedMap& map) {
+  return slow::unpack(map.bytes, map.format, micro_triangles(map.level));
+}
+
+Bytes codes(const States& states) {
+  Bytes out;
+  for (const State s : states) out.push_back(slow::code(s));
+  return out;
+}
+
+// A bit of the packed bytes changes, where there is one.
+void flip(Bytes& bytes, std::size_t bit) {
+  if (bit / 8 < bytes.size()) bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
+}
+
+// Mutants are found by the map that they spoil.
+bool is(Level n, std::span<const std::uint8_t> in, Level level, std::initializer_list<std::uint8_t> bytes) {
+  return n == level && std::equal(in.begin(), in.end(), bytes.begin(), bytes.end());
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Checks
+// ---------------------------------------------------------------------------------------------------------------------
+
+Finding packs(const MicromapSubject& s, const PackedMap& map) {
+  const States got = s.unpack(map.format, micro_triangles(map.level), dirty(map));
+  return all(same("states", codes(states_of(map)), codes(got)),
+             same("packed", map.bytes, s.pack(map.format, states_of(map))));
+}
+
+Finding forces(const MicromapSubject& s, const PackedMap& map) {
+  const States states = states_of(map);
+  if (map.format == four)
+    return same("force-2-state", slow::pack(slow::force2(states), two), s.force2(map.level, dirty(map)));
+  const Bytes wide = s.widen(map.level, dirty(map));
+  return all(same("4-state", slow::pack(states, four), wide),
+             same("and back", map.bytes, s.force2(map.level, wide)));
+}
+
+Finding rises(const MicromapSubject& s, const PackedMap& map) {
+  Bytes expected;
+  for (const State state : states_of(map)) expected.insert(expected.end(), 4, slow::code(state));
+  const Bytes up = s.up(map.level, map.format, dirty(map));
+  if (up.size() != slow::packed_bytes(expected.size(), map.format))
+    return wrong("a map of the level above", fmt::format("{} bytes", up.size()));
+  return same("children's states", expected, codes(slow::unpack(up, map.format, expected.size())));
+}
+
+Finding rises_and_falls(const MicromapSubject& s, const PackedMap& map) {
+  const Bytes up = s.up(map.level, map.format, dirty(map));
+  return same("down(up(map))", map.bytes, s.down(map.level + 1, map.format, up));
+}
+
+// Children 4i..4i+3 and what a subject made of them, by the promises alone.
+Finding falls(const MicromapSubject& s, const PackedMap& map) {
+  const States children = states_of(map);
+  const Bytes down = s.down(map.level, map.format, dirty(map));
+  const std::uint64_t parents = children.size() / 4;
+  if (down.size() != slow::packed_bytes(parents, map.format))
+    return wrong("a map of the level below", fmt::format("{} bytes", down.size()));
+  const States got = slow::unpack(down, map.format, parents);
+  for (std::size_t i = 0; i < parents; ++i) {
+    unsigned T_count = 0, O_count = 0, opaque = 0;
+    for (std::size_t c = 4 * i; c < 4 * i + 4; ++c) {
+      T_count += children[c] == T;
+      O_count += children[c] == O;
+      opaque += slow::force2(children[c]) == O;
+    }
+    State expected = opaque >= 2 ? O : T;
+    if (map.format == four && T_count != 4 && O_count != 4) expected = slow::as_unknown(expected);
+    if (got[i] != expected)
+      return wrong(fmt::format("parent {} state {}", i, slow::code(expected)),
+                   fmt::format("{}", slow::code(got[i])));
+  }
+  return same("packed", slow::pack(got, map.format), down);
+}
+
+Finding forces_and_falls(const MicromapSubject& s, const PackedMap& map) {
+  const Bytes wide = map.format == four ? dirty(map) : s.widen(map.level, dirty(map));
+  return same("force-2-state of the level below", s.down(map.level, two, s.force2(map.level, wide)),
+              s.force2(map.level - 1, s.down(map.level, four, wide)));
+}
+
+Finding goes_through_modes(const MicromapSubject& s, const PackedMap& map) {
+  const States was = states_of(map);
+  const auto check = [&](Mode mode, State kept) {
+    const Bytes bytes = s.through(map.level, mode, dirty(map));
+    const States is = slow::unpack(bytes, four, was.size());
+    for (std::size_t i = 0; i < was.size(); ++i) {
+      const bool holds = mode == Mode::T_O
+                             ? is[i] == slow::force2(was[i])
+                             : (was[i] == kept) == (is[i] == kept) && slow::allowed(was[i], is[i]);
+      if (!holds)
+        return wrong(fmt::format("state {} {} through mode {}", i,
+                                 mode == Mode::T_O ? "forced" : "kept or unknown", static_cast<int>(mode)),
+                     fmt::format("{} from {}", slow::code(is[i]), slow::code(was[i])));
+    }
+    return same("packed", slow::pack(is, four), bytes);
+  };
+  return all(check(Mode::T_O, T), check(Mode::T_C, T), check(Mode::O_C, O));
+}
+
+Finding everything(const MicromapSubject& s, const PackedMap& map) {
+  const Finding found = all(packs(s, map), forces(s, map), rises(s, map), rises_and_falls(s, map),
+                            falls(s, map), forces_and_falls(s, map));
+  return map.format == four ? all(found, goes_through_modes(s, map)) : found;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Laws
+// ---------------------------------------------------------------------------------------------------------------------
+
+const std::vector<std::string> both{"micromap-spec", "micromap"};
+
+Law packing() {
+  return on_all_maps(
+      {.id = "micromap.packing",
+       .topic = "micromap",
+       .says = "unpacking gives each state whatever the padding holds; packing gives zeros there",
+       .source = packing_source,
+       .subjects = both,
+       .fast_seconds = 1,
+       .mutants = {mutant("a padding bit of one map is kept", "micromap", {0, 0},
+                          {.pack =
+                               [](Format f, const States& s, Bytes& out) {
+                                 if (f == four && s == States{UO}) flip(out, 2);
+                               }}),
+                   mutant("UT and UO change places in one map", "micromap", {1, 1},
+                          {.unpack =
+                               [](Format, States& s) {
+                                 if (s == States{T, O, UT, UO}) std::swap(s[2], s[3]);
+                               }}),
+                   mutant("the last bit of one 2-state map of level 2 is lost", "micromap-spec", {2, 2},
+                          {.pack =
+                               [](Format f, const States& s, Bytes& out) {
+                                 if (f == two && s.size() == 16 && out == Bytes{0x01, 0x80}) out[1] = 0;
+                               }})}},
+      {Entry::pack}, Maps::both_formats, 0, packs);
+}
+
+Law force2() {
+  return on_all_maps(
+      {.id = "micromap.force2",
+       .topic = "micromap",
+       .says =
+           "force-2-state is T for T and UT, O for O and UO; a 2-state map made 4-state and forced is itself",
+       .source = "Vulkan's Opacity Micromaps (Vulkanised 2026), force2state",
+       .subjects = both,
+       .fast_seconds = 1,
+       .mutants = {mutant("UT of one map is opaque", "micromap", {1, 1},
+                          {.force2 =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (is(n, in, 1, {0b11'10'01'00})) flip(out, 2);
+                               }}),
+                   mutant("a padding bit of level 0 is read", "micromap", {0, 0},
+                          {.force2 =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (n == 0 && (in[0] & 3) == 3 && in[0] != 3) flip(out, 1);
+                               }}),
+                   mutant("one O of level 2 is widened to UO", "micromap-spec", {2, 2},
+                          {.widen =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (is(n, in, 2, {0x00, 0x80})) flip(out, 31);
+                               }})}},
+      {Entry::force2}, Maps::both_formats, 0, forces);
+}
+
+Law up_law() {
+  return on_all_maps(
+      {.id = "micromap.up",
+       .topic = "micromap",
+       .says = "one level up, each state is that of its four children: up commutes with packing",
+       .source = design_source,
+       .subjects = both,
+       .fast_seconds = 1,
+       .mutants = {mutant("the last child of one map is T", "micromap", {2, 2},
+                          {.up =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (is(n, in, 2, {0xff, 0xff})) flip(out, 63);
+                               }}),
+                   mutant("a UO child is O", "micromap", {0, 0},
+                          {.up =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (f == four && n == 0 && (in[0] & 3) == 3) flip(out, 5);
+                               }}),
+                   mutant("padding is taken for a state", "micromap-spec", {0, 0},
+                          {.up =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (f == two && n == 0 && in[0] == 0xfe) flip(out, 3);
+                               }})}},
+      {Entry::levels}, Maps::both_formats, 0, rises);
+}
+
+Law down_up() {
+  return on_all_maps({.id = "micromap.down_up",
+                      .topic = "micromap",
+                      .says = "one level up and down again is the map itself",
+                      .source = design_source,
+                      .subjects = both,
+                      .fast_seconds = 1,
+                      .mutants = {mutant("four UT become UO in one map", "micromap", {1, 1},
+                                         {.down =
+                                              [](Level n, Format f, auto in, Bytes& out) {
+                                                if (f == four && is(n, in, 2, {0x00, 0x55, 0xaa, 0xff}))
+                                                  flip(out, 4);
+                                              }}),
+                                  mutant("a padding bit after the way down", "micromap", {0, 0},
+                                         {.down =
+                                              [](Level n, Format f, auto in, Bytes& out) {
+                                                if (f == four && is(n, in, 1, {0xff})) flip(out, 7);
+                                              }}),
+                                  mutant("the last of 64 is lost", "micromap-spec", {2, 2},
+                                         {.down =
+                                              [](Level n, Format f, auto in, Bytes& out) {
+                                                if (f == two && n == 3 && in[7] == 0xf0 && in[0] == 0)
+                                                  flip(out, 15);
+                                              }})}},
+                     {Entry::levels}, Maps::both_formats, 0, rises_and_falls);
+}
+
+Law down_law() {
+  return on_all_maps(
+      {.id = "micromap.down",
+       .topic = "micromap",
+       .says = "one level down, T stands for four T and O for four O only; else 4-state is unknown; "
+               "force-2-state is the children's majority, a tie opaque",
+       .source = design_source,
+       .subjects = both,
+       .fast_seconds = 1,
+       .mutants = {mutant("T, T, T, UT are T", "micromap", {1, 1},
+                          {.down =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (f == four && is(n, in, 1, {0b10'00'00'00})) out[0] = 0;
+                               }}),
+                   mutant("a tie of one map is transparent", "micromap", {1, 1},
+                          {.down =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (f == four && is(n, in, 1, {0b00'01'11'10})) out[0] = 2;
+                               }}),
+                   mutant("three O of the last four, 2-state, are T", "micromap-spec", {2, 2},
+                          {.down =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (f == two && is(n, in, 2, {0x00, 0xe0})) flip(out, 3);
+                               }})}},
+      {Entry::levels}, Maps::both_formats, 1, falls);
+}
+
+Law down_force2() {
+  return on_all_maps({.id = "micromap.down_force2",
+                      .topic = "micromap",
+                      .says = "force-2-state and one level down commute",
+                      .source = design_source,
+                      .subjects = both,
+                      .fast_seconds = 1,
+                      .mutants = {mutant("UO, UO, T, T lean to T", "micromap", {1, 1},
+                                         {.down =
+                                              [](Level n, Format f, auto in, Bytes& out) {
+                                                if (f == four && is(n, in, 1, {0b00'00'11'11})) flip(out, 0);
+                                              }}),
+                                  mutant("a 2-state tie is T", "micromap", {2, 2},
+                                         {.down =
+                                              [](Level n, Format f, auto in, Bytes& out) {
+                                                if (f == two && n == 2 && in[0] == 0x03 && in[1] == 0)
+                                                  out[0] = 0;
+                                              }}),
+                                  mutant("force-2-state of one lone UO is T", "micromap-spec", {1, 1},
+                                         {.force2 =
+                                              [](Level n, Format, auto in, Bytes& out) {
+                                                if (n == 0 && (in[0] & 3) == 3) out[0] = 0;
+                                              }})}},
+                     {Entry::levels, Entry::force2}, Maps::both_formats, 1, forces_and_falls);
+}
+
+Law modes() {
+  return on_all_maps(
+      {.id = "micromap.modes",
+       .topic = "micromap",
+       .says =
+           "through T/C and O/C, T (O) stays, nothing else becomes it and the rest is unknown; T/O forces",
+       .source = "Succinct Opacity Micromaps, 7 (left to the future); docs/MICROMAP.md",
+       .subjects = both,
+       .fast_seconds = 1,
+       .mutants = {mutant("UT passes as T in T/C", "micromap", {1, 1},
+                          {.through =
+                               [](Level n, Mode m, auto in, Bytes& out) {
+                                 if (m == Mode::T_C && is(n, in, 1, {0b10'11'01'00})) out[0] &= 0x3f;
+                               }}),
+                   mutant("O is unknown in O/C", "micromap", {0, 0},
+                          {.through =
+                               [](Level n, Mode m, auto in, Bytes& out) {
+                                 if (n == 0 && m == Mode::O_C && (in[0] & 3) == 1) out[0] = 2;
+                               }}),
+                   mutant("padding becomes a state in O/C", "micromap-spec", {0, 0},
+                          {.through =
+                               [](Level n, Mode m, auto, Bytes& out) {
+                                 if (n == 0 && m == Mode::O_C) flip(out, 3);
+                               }})}},
+      {Entry::modes}, Maps::four_state, 0, goes_through_modes);
+}
+
+// The mutants show at level 5 and above, in one state of a sample.
+Law samples() {
+  return on_samples(
+      {.id = "micromap.on_samples",
+       .topic = "micromap",
+       .says = "packing, force-2-state, up, down and the modes, as on the small levels",
+       .source = packing_source,
+       .subjects = {"micromap"},
+       .fast = {3, 7},
+       .long_run = {3, 10},
+       .fast_seconds = 3,
+       .mutants = {mutant("the last state of level 5 is lost where it is UO", "micromap", {3, 6},
+                          {.unpack =
+                               [](Format, States& s) {
+                                 if (s.size() == 1024 && s.back() == UO) s.back() = O;
+                               }}),
+                   mutant("word 7 of level 6 forces UT to opaque", "micromap", {6, 6},
+                          {.force2 =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (n == 6 && (in[56] & 3) == 2) flip(out, 7 * 32);
+                               }}),
+                   mutant("a tie in the last byte of level 5 is transparent", "micromap", {5, 5},
+                          {.down =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (n == 5 && f == four && (in.back() & 0x55) == 0x14) flip(out, 510);
+                               }}),
+                   mutant("one child of level 4 is T", "micromap", {4, 4},
+                          {.up =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (n == 4 && f == two && (in[31] & 0x80) != 0) out.back() &= 0x7f;
+                               }})}},
+      {Entry::pack, Entry::force2, Entry::levels, Entry::modes}, Maps::both_formats, everything);
+}
+
+}  // namespace
+
+std::vector<Law> map_laws() {
+  return {packing(), force2(), up_law(), down_up(), down_law(), down_force2(), modes(), samples()};
+}
+
+}  // namespace mmverify::proofs::micromap

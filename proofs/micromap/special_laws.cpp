@@ -1,0 +1,166 @@
+// Special indices: what every code means, in each encoding.
+#include <fmt/format.h>
+
+#include <regex>
+
+#include "proofs/engine/random.hpp"
+#include "proofs/micromap/altered.hpp"
+#include "proofs/micromap/law_groups.hpp"
+#include "proofs/micromap/law_parts.hpp"
+
+namespace mmverify::proofs::micromap {
+namespace {
+
+using Kind = Meaning::Kind;
+using enum State;
+
+constexpr const char* encoding_names[] = {"u8", "u16", "u32", "i16", "i32"};
+
+const char* name(Encoding e) { return encoding_names[static_cast<std::size_t>(e)]; }
+
+std::string text(const Meaning& m) {
+  if (m.kind == Kind::index) return fmt::format("index {}", m.index);
+  return m.kind == Kind::special ? fmt::format("state {}", spec::micromap::code(m.state)) : "nothing";
+}
+
+// By arithmetic on the signed value; the specification compares codes.
+Meaning expected(std::uint32_t code, Encoding e) {
+  const unsigned width = e == Encoding::u8 ? 8 : e == Encoding::u16 || e == Encoding::i16 ? 16 : 32;
+  const std::int64_t value = code, all = std::int64_t{1} << width,
+                     as_signed = value - (value >= all / 2 ? all : 0);
+  if (as_signed >= -4 && as_signed < 0) return {Kind::special, 0, static_cast<State>(-1 - as_signed)};
+  const bool has_sign = e == Encoding::i16 || e == Encoding::i32;
+  return has_sign && as_signed < 0 ? Meaning{Kind::unknown} : Meaning{Kind::index, code};
+}
+
+Finding means(const MicromapSubject& s, Encoding e, std::uint32_t code) {
+  const Meaning is = expected(code, e), got = s.meaning(code, e);
+  if (got != is) return wrong(text(is), text(got));
+  if (is.kind == Kind::special)
+    if (const std::uint32_t back = s.special_code(is.state, e); back != code)
+      return wrong(fmt::format("code {} for {}", code, text(is)), fmt::format("{}", back));
+  return {
+      static_cast<std::uint64_t>(is.kind) << 40 | is.index | spec::micromap::code(is.state), true, {}, {}};
+}
+
+struct Code {
+  Encoding encoding;
+  std::uint32_t code;
+};
+
+std::string at(const Code& c) { return fmt::format("{}:{}", name(c.encoding), c.code); }
+
+Finding replayed(const MicromapSubject& s, Level, const std::string& text) {
+  static const std::regex form("(u8|u16|u32|i16|i32):([0-9]{1,10})");
+  std::smatch m;
+  if (!std::regex_match(text, m, form)) throw BadCase("'" + text + "': write u16:65533");
+  std::size_t e = 0;
+  while (m[1].str() != encoding_names[e]) ++e;
+  const auto encoding = static_cast<Encoding>(e);
+  const std::uint64_t code = std::stoull(m[2].str());
+  if (code >> spec::micromap::width(encoding) != 0)
+    throw BadCase(fmt::format("'{}': a code has {} bits", text, spec::micromap::width(encoding)));
+  return means(s, encoding, static_cast<std::uint32_t>(code));
+}
+
+// All codes of 8 bits, of 16 without sign, of 16 with.
+constexpr std::uint64_t small_codes = 256 + 2 * 65'536;
+
+Code small_code(std::uint64_t k) {
+  if (k < 256) return {Encoding::u8, static_cast<std::uint32_t>(k)};
+  k -= 256;
+  return {k < 65'536 ? Encoding::u16 : Encoding::i16, static_cast<std::uint32_t>(k % 65'536)};
+}
+
+// Either encoding: the codes around 0 and 2^31, and others anywhere.
+constexpr std::uint64_t around = 8192, anywhere = 50'000;
+constexpr std::uint64_t wide_codes = 2 * (2 * around + anywhere);
+
+Code wide_code(std::uint64_t k, std::uint64_t seed) {
+  const Encoding e = k % 2 == 0 ? Encoding::u32 : Encoding::i32;
+  k /= 2;
+  if (k < 2 * around)
+    return {e, static_cast<std::uint32_t>((k < around ? 0 : 0x80000000u) + k % around - around / 2)};
+  return {e, static_cast<std::uint32_t>(Random(seed, 0, k).next())};
+}
+
+Change one_code(Encoding encoding, std::uint32_t code, Meaning now) {
+  return {.meaning = [=](std::uint32_t c, Encoding e, Meaning& m) {
+    if (c == code && e == encoding) m = now;
+  }};
+}
+
+constexpr char source[] =
+    "VkAccelerationStructureTrianglesOpacityMicromapKHR; EXT_mesh_opacity_micromap, Special Indices";
+constexpr char says[] =
+    "the last four codes of an encoding, and no others, are T, O, UT, UO from the last down; other negative "
+    "codes mean nothing, the rest are indices";
+
+Law small() {
+  return over({.id = "micromap.special_indices",
+               .topic = "micromap",
+               .says = says,
+               .source = source,
+               .method = Method::exhaustive,
+               .subjects = {"micromap-spec", "micromap"},
+               .fast = {0, 0},
+               .long_run = {0, 0},
+               .at_once = "all levels",
+               .fast_seconds = 1,
+               .domain = [](const Subject&, Level) { return std::string("all codes of u8, u16 and i16"); },
+               .mutants = {mutant("-5 is UO in 8 bits", "micromap", {0, 0},
+                                  one_code(Encoding::u8, 251, {Kind::special, 0, UO})),
+                           mutant("-32768 is an index", "micromap-spec", {0, 0},
+                                  one_code(Encoding::i16, 0x8000, {Kind::index, 0x8000})),
+                           mutant("UT and UO change codes in 16 bits with a sign", "micromap", {0, 0},
+                                  {.special_code =
+                                       [](State s, Encoding e, std::uint32_t& code) {
+                                         if (e == Encoding::i16 && (s == UT || s == UO)) code ^= 1;
+                                       }})}},
+              {Entry::special},
+              {[](Level) { return small_codes; },
+               [](const MicromapSubject& s, Level, std::uint64_t k, const Run&) {
+                 return means(s, small_code(k).encoding, small_code(k).code);
+               },
+               [](Level, std::uint64_t k, const Run&) { return at(small_code(k)); }, replayed, 8192});
+}
+
+Law wide() {
+  return over(
+      {.id = "micromap.special_indices_32",
+       .topic = "micromap",
+       .says = says,
+       .source = source,
+       .method = Method::sample,
+       .subjects = {"micromap-spec", "micromap"},
+       .fast = {0, 0},
+       .long_run = {0, 0},
+       .at_once = "all levels",
+       .fast_seconds = 1,
+       .domain =
+           [](const Subject&, Level) {
+             return std::string("codes of u32 and i32: 8192 around 0, 8192 around 2^31, 50,000 anywhere");
+           },
+       .mutants = {mutant("-5 without sign means nothing", "micromap", {0, 0},
+                          one_code(Encoding::u32, 0xfffffffb, {Kind::unknown})),
+                   mutant("2^31 - 1 means nothing", "micromap-spec", {0, 0},
+                          one_code(Encoding::i32, 0x7fffffff, {Kind::unknown})),
+                   mutant("UO is -5", "micromap", {0, 0},
+                          {.special_code =
+                               [](State s, Encoding e, std::uint32_t& code) {
+                                 if (e == Encoding::i32 && s == UO) --code;
+                               }})}},
+      {Entry::special},
+      {[](Level) { return wide_codes; },
+       [](const MicromapSubject& s, Level, std::uint64_t k, const Run& run) {
+         const Code c = wide_code(k, run.seed);
+         return means(s, c.encoding, c.code);
+       },
+       [](Level, std::uint64_t k, const Run& run) { return at(wide_code(k, run.seed)); }, replayed, 8192});
+}
+
+}  // namespace
+
+std::vector<Law> special_laws() { return {small(), wide()}; }
+
+}  // namespace mmverify::proofs::micromap
