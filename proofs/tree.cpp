@@ -3,6 +3,7 @@
 #include "proofs/tree/altered.hpp"
 #include "proofs/tree/byte_laws.hpp"
 #include "proofs/tree/checks.hpp"
+#include "proofs/tree/induction/provable.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
@@ -235,8 +236,9 @@ Law samples_law() {
 }  // namespace
 
 std::vector<Law> laws() {
-  return {round_trip_law(), lookup_law(),  point_law(),      stream_law(),     canonical_law(), sizes_law(),
-          damage_law(),     samples_law(), four_state_law(), worst_size_law(), bits_read_law()};
+  return {round_trip_law(), lookup_law(),     point_law(),     stream_law(),
+          canonical_law(),  sizes_law(),      damage_law(),    samples_law(),
+          four_state_law(), worst_size_law(), bits_read_law(), induction::all_levels_law()};
 }
 
 }  // namespace mmverify::proofs::tree

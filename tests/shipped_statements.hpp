@@ -9,6 +9,7 @@
 #include <string>
 
 #include "proofs/index/induction/provable.hpp"
+#include "proofs/tree/induction/provable.hpp"
 
 namespace mmverify::tests {
 
@@ -20,6 +21,7 @@ inline std::map<std::string, proofs::induction::Statement> shipped_statements() 
   add("index/all_levels", proofs::index::induction::shipped_all_levels());
   add("index/wide_is_vulkan", proofs::index::induction::shipped_wide_is_vulkan());
   add("index/impl_wide_is_wide", proofs::index::induction::shipped_impl_wide());
+  add("tree/all_levels", proofs::tree::induction::shipped_all_levels());
   return all;
 }
 

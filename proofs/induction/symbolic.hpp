@@ -27,6 +27,7 @@ class Integer {
   friend bool operator<(const Integer& a, const Integer& b) {
     return decided(apply("<", {a.term, b.term}, boolean));
   }
+  friend bool operator>(const Integer& a, const Integer& b) { return b < a; }
 
  private:
   static Integer make(const char* head, const Integer& a, const Integer& b) {

@@ -1,20 +1,14 @@
-// Laws that a prover settles for all levels at once: how their statements are discharged.
+// The laws of topic index that a prover settles for all levels at once: how their statements are discharged.
 #pragma once
 
 #include "proofs/index/subject.hpp"
-#include "proofs/induction/prover.hpp"
+#include "proofs/induction/discharge.hpp"
 
 namespace mmverify::proofs::index::induction {
 
 using proofs::induction::Effort;
+using proofs::induction::Provable;
 using proofs::induction::Statement;
-
-/// A subject that brings the statements about it along: those of the one law that it is a mutant of.
-class Provable {
- public:
-  virtual ~Provable() = default;
-  virtual std::vector<Statement> statements() const = 0;
-};
 
 /// Judges a subject by the statements about it, one case each. Where one fails, looks for a point on which
 /// the subject is not the reference, on the cells of levels 0..search: the counterexample. Where there is

@@ -1,0 +1,56 @@
+#include "proofs/induction/discharge.hpp"
+
+#include <fmt/format.h>
+
+#include "proofs/engine/interrupt.hpp"
+
+namespace mmverify::proofs::induction {
+namespace {
+
+std::string say(const Statement& s, const Found& found) {
+  return fmt::format("statement {}: expected {}, the prover says {}{}", s.name, to_string(s.expected),
+                     to_string(found.answer), found.detail.empty() ? "" : " (" + found.detail + ")");
+}
+
+/// Of the statement's very text, so that another text is another digest.
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t h = 14695981039346656037u;  // FNV-1a, which is the same everywhere
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return h;
+}
+
+}  // namespace
+
+Tally discharge(const std::vector<Statement>& statements, const Search& search, const Run& run,
+                const Effort& effort) {
+  std::vector<Found> answers(statements.size());
+  Tally tally = sweep(run, statements.size(), 1, [&](Chunk chunk, Tally& part) {
+    for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
+      answers[k] = ask_z3(statements[k], effort);
+      part.count(Kind::interior, 1);
+      part.digest(k, hash_of(statements[k].text) ^ static_cast<std::uint64_t>(answers[k].answer));
+    }
+  });
+  // Every statement is a case, answered or not: a run that was cut short has proved nothing.
+  if (interrupted()) throw Interrupted();
+
+  std::string failed;
+  std::uint64_t failures = 0;
+  for (std::size_t k = 0; k < statements.size(); ++k) {
+    if (answers[k].answer == statements[k].expected) continue;
+    ++failures;
+    failed += (failed.empty() ? "" : "; ") + say(statements[k], answers[k]);
+  }
+  if (failures == 0) return tally;
+  const std::vector<Counterexample> found = search.run();
+  if (found.empty()) throw NotProved(fmt::format("{}; no counterexample on {}", failed, search.where));
+  // Every failed statement is one mismatch; the counterexamples are those of the lowest level that shows any.
+  Tally points(run.errors);
+  for (const Counterexample& c : found) points.mismatch(Kind::interior, c.simplicity, [&] { return c; });
+  for (std::uint64_t k = 0; k < failures; ++k)
+    tally.mismatch(Kind::interior, found.front().simplicity, [&] { return found.front(); });
+  tally.replace_found(points);
+  return tally;
+}
+
+}  // namespace mmverify::proofs::induction
