@@ -1,0 +1,121 @@
+// impl's packed maps against the specification, function by function.
+//
+// Input: a byte, its low bit the format (0: 2-state), its second bit whether the number of states is 4^n; a
+// byte, n mod 7 or the number of states; then packed bytes, zeros where they end early.  Padding is as it
+// comes.
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "impl/micromap_level.hpp"
+#include "spec/micromap_level.hpp"
+#include "spec/micromap_lossy.hpp"
+
+namespace {
+
+namespace fast = mmverify::impl::micromap;
+namespace slow = mmverify::spec::micromap;
+using slow::Bytes;
+using slow::States;
+
+struct Map {
+  slow::Format format;
+  std::uint64_t count;
+  Bytes bytes;
+  States states;
+};
+
+[[noreturn]] void mismatch(const char* what, const Map& map) {
+  std::fprintf(stderr, "micromap_codec: %s differs on %llu states, format %u\n", what,
+               static_cast<unsigned long long>(map.count), static_cast<unsigned>(map.format));
+  std::abort();
+}
+
+void require(bool holds, const char* what, const Map& map) {
+  if (!holds) mismatch(what, map);
+}
+
+Map map_of(const std::uint8_t* data, std::size_t size) {
+  Map map;
+  map.format = (data[0] & 1) != 0 ? slow::Format::four_state : slow::Format::two_state;
+  map.count = (data[0] & 2) != 0 ? slow::micro_triangles(data[1] % 7) : data[1];
+  data += 2;
+  size -= 2;
+  // Vectors of the exact size: the sanitizer sees any step over their ends.
+  map.bytes.resize(static_cast<std::size_t>(slow::packed_bytes(map.count, map.format)));
+  for (std::size_t k = 0; k < map.bytes.size() && k < size; ++k) map.bytes[k] = data[k];
+  map.states = slow::unpack(map.bytes, map.format, map.count);
+  return map;
+}
+
+Bytes room(std::uint64_t count, slow::Format f) {
+  return Bytes(static_cast<std::size_t>(slow::packed_bytes(count, f)), 0xa5);
+}
+
+void check(const Map& map) {
+  constexpr auto two = slow::Format::two_state, four = slow::Format::four_state;
+  const auto format = static_cast<fast::Format>(map.format);
+  const std::uint64_t count = map.count;
+
+  std::vector<fast::State> states(static_cast<std::size_t>(count));
+  fast::unpack(map.bytes, format, states);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    require(static_cast<unsigned>(states[i]) == slow::code(map.states[i]), "unpack", map);
+  Bytes out = room(count, map.format);
+  fast::pack(states, format, out);
+  require(out == slow::pack(map.states, map.format), "pack", map);
+
+  const auto one = slow::uniform(map.states);
+  const auto got = fast::uniform(map.bytes, format, count);
+  require(one.has_value() == got.has_value() && (!one || slow::code(*one) == static_cast<unsigned>(*got)),
+          "uniform", map);
+  fast::StateCounts counts{};
+  for (const slow::State s : map.states) ++counts[slow::code(s)];
+  require(fast::count_states(map.bytes, format, count) == counts, "count_states", map);
+
+  out = room(4 * count, map.format);
+  fast::up(map.bytes, format, count, out);
+  require(out == slow::pack(slow::up(map.states), map.format), "up", map);
+  Bytes back = room(count, map.format);
+  fast::down(out, format, count, back);
+  require(back == slow::pack(map.states, map.format), "down after up", map);
+  if (count != 0 && count % 4 == 0) {
+    out = room(count / 4, map.format);
+    fast::down(map.bytes, format, count / 4, out);
+    require(out == slow::pack(map.format == two ? slow::down_two_state(map.states) : slow::down(map.states),
+                              map.format),
+            "down", map);
+  }
+
+  if (map.format == two) {
+    out = room(count, four);
+    fast::widen(map.bytes, count, out);
+    require(out == slow::pack(map.states, four), "widen", map);
+    return;
+  }
+  out = room(count, two);
+  fast::force2(map.bytes, count, out);
+  require(out == slow::pack(slow::force2(map.states), two), "force2", map);
+  for (const auto mode : {slow::Mode::T_O, slow::Mode::T_C, slow::Mode::O_C}) {
+    fast::to_mode(map.bytes, count, static_cast<fast::Mode>(mode), out);
+    back = room(count, four);
+    fast::from_mode(out, count, static_cast<fast::Mode>(mode), back);
+    const States through = slow::through(map.states, mode);
+    require(back == slow::pack(through, four), "modes", map);
+    const auto pairs = fast::substitutions(map.bytes, back, count);
+    require(pairs.allowed() == slow::everywhere(map.states, through, slow::allowed), "allowed", map);
+    require(pairs.conservative() == slow::everywhere(map.states, through, slow::conservative), "conservative",
+            map);
+    require(pairs.force2_stable() == slow::everywhere(map.states, through, slow::force2_stable),
+            "force2_stable", map);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size >= 2) check(map_of(data, size));
+  return 0;
+}
