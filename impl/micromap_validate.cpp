@@ -73,6 +73,7 @@ class Validation {
     require((plain_ext || !any_of(EXT)) && (!is_signed(in_.encoding) || !any_of(KHR | DXR)),
             Rule::index_encoding, static_cast<std::uint64_t>(in_.encoding), 0);
     require(in_.index_stride % size == 0, Rule::index_stride, in_.index_stride, size);
+    require(in_.index_stride <= 0xffffffff, Rule::index_stride_most, in_.index_stride, 0xffffffff);
     require(in_.index_stride == size, Rule::index_tight, in_.index_stride, size);
     require(there <= in_.triangles, Rule::index_count, there, in_.triangles);
   }
@@ -341,6 +342,8 @@ std::string describe(const Violation& v) {
         constexpr const char* names[] = {"u8", "u16", "u32", "i16", "i32"};
         return std::string("indices are ") + (v.found < 5 ? names[v.found] : "of no known type");
       }
+      case Rule::index_stride_most:
+        return "the stride is " + n(v.found) + ", above " + n(v.other);
       case Rule::index_size:
         return "no index in the buffer of " + n(v.found) + " bytes; there should be " + n(v.other);
       case Rule::index_count:

@@ -43,6 +43,7 @@ enum class Rule : std::uint8_t {
   counts_geometry_is_array,
   index_encoding,
   index_stride,
+  index_stride_most,
   index_tight,
   index_size,
   index_count,
@@ -146,6 +147,9 @@ inline constexpr std::array<RuleText, rule_count> rules{{
      "VUID-VkAccelerationStructureTrianglesOpacityMicromapEXT-indexType-10722; "
      "VUID-VkAccelerationStructureTrianglesOpacityMicromapKHR-indexStride-11573; DXR, "
      "OpacityMicromapIndexBuffer"},
+    {Rule::index_stride_most, "index.stride_most", EXT | KHR, "the indices' stride is below 2^32",
+     "VUID-VkAccelerationStructureTrianglesOpacityMicromapEXT-indexType-10723; "
+     "VUID-VkAccelerationStructureTrianglesOpacityMicromapKHR-indexStride-11574"},
     {Rule::index_tight, "index.tight", glTF, "indices are tightly packed", "glTF, Accessor Requirements"},
     {Rule::index_size, "index.size", all_sets, "the buffer holds an index for every triangle",
      "VUID-vkCmdBuildAccelerationStructuresKHR-indexBuffer-11577; glTF; EXT and DXR: ours, nothing may be "

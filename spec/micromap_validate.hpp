@@ -75,7 +75,7 @@ inline std::uint64_t key(std::uint32_t level, std::uint32_t format) {
 }  // namespace detail
 
 /// Every violation of the rules of the given sets, in the order of Violation.
-///   align.*, stride.*, records.whole, index.encoding, .stride, .tight, .count   whole: what was found, what
+///   align.*, stride.*, records.whole, index.encoding, .stride*, .tight, .count   whole: what was found, what
 ///   it is
 ///                          held against
 ///   records.size           record, the first that is missing: bytes, records that there should be
@@ -200,6 +200,7 @@ inline std::vector<Violation> validate(const Input& in) {
     require(!((in.sets & EXT) != 0 && !ext) && !((in.sets & (KHR | DXR)) != 0 && is_signed(in.encoding)),
             Rule::index_encoding, static_cast<std::uint64_t>(in.encoding), 0);
     require(in.index_stride % size == 0, Rule::index_stride, in.index_stride, size);
+    require(in.index_stride >> 32 == 0, Rule::index_stride_most, in.index_stride, 0xffffffff);
     require(in.index_stride == size, Rule::index_tight, in.index_stride, size);
     require(in.indices.size() / size <= in.triangles, Rule::index_count, in.indices.size() / size,
             in.triangles);

@@ -299,6 +299,15 @@ TEST(MicromapValidate, IndexBuffers) {
                                   {Rule::index_range, triangle, 1, 511, 2}}));  // bytes 255, 1
 }
 
+TEST(MicromapValidate, AnIndexStrideHas32Bits) {
+  Subject s(EXT);
+  s.in.triangles = 1;
+  s.in.index_stride = 4'294'967'294;
+  EXPECT_EQ(s.found(), Found{});
+  s.in.index_stride = 4'294'967'296;
+  EXPECT_EQ(s.found(), (Found{{Rule::index_stride_most, whole, 0, 4'294'967'296, 4'294'967'295}}));
+}
+
 TEST(MicromapValidate, UnknownSpecialIndices) {
   Subject s(glTF, Encoding::i16);
   s.geometry.indices[2] = 0xfb;  // -5
