@@ -1,7 +1,8 @@
 #include "bench/tree.hpp"
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "bench/tree_maps.hpp"
 #include "bench/tree_obvious.hpp"
 #include "bench/tree_sdsl.hpp"
+#include "bench/tree_textures.hpp"
 #include "impl/tree.hpp"
 
 namespace mmverify::bench {
@@ -20,7 +22,6 @@ using impl::tree::Level;
 using impl::tree::Stream;
 using impl::tree::Tree;
 using Map = std::vector<std::uint8_t>;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t modelled = 20'000;  // lookups that the cache model follows
 
@@ -30,12 +31,19 @@ double median(std::vector<double> x) {
   return *middle;
 }
 
+/// Processor time of this thread in ns: others on the machine take none of it.
+double now_ns() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
+}
+
 /// ns of a call, divided by `parts`.
 template <class Call>
 double timed(double parts, Call call) {
-  const auto start = Clock::now();
+  const double start = now_ns();
   call();
-  return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / parts;
+  return (now_ns() - start) / parts;
 }
 
 std::uint8_t flat_state(const Map& map, std::uint64_t index, std::uint32_t b) {
@@ -297,14 +305,20 @@ TreeFigures measure_trees(std::uint32_t level, Bits bits, const std::vector<Map>
 std::vector<TreeFigures> tree_figures(const TreeBenchOptions& options) {
   if (options.first > options.last || options.last > impl::tree::max_level)
     throw std::invalid_argument("tree bench: levels are A..B with A <= B <= 12");
+  std::vector<AlphaTexture> textures;
+  if (!options.textures.empty()) textures = alpha_textures(options.textures);
   std::vector<TreeFigures> figures;
   for (const Bits bits : {Bits::two_state, Bits::four_state})
     for (std::uint32_t level = options.first; level <= options.last; ++level) {
       if (options.progress)
         options.progress("level " + std::to_string(level) + ", " + (bits == Bits::two_state ? "2" : "4") +
                          " states");
-      std::vector<Map> maps(tree_map_count(level, bits));
-      for (std::size_t k = 0; k < maps.size(); ++k) maps[k] = leaf_map(level, bits, options.seed + k);
+      std::vector<Map> maps;
+      if (textures.empty())
+        for (std::size_t k = 0; k < tree_map_count(level, bits); ++k)
+          maps.push_back(leaf_map(level, bits, options.seed + k));
+      else
+        maps = texture_maps(textures, level, bits);
       figures.push_back(measure_trees(level, bits, maps, options));
     }
   return figures;

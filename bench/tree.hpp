@@ -16,6 +16,7 @@ struct TreeBenchOptions {
   std::uint64_t seed = 1;              ///< of the maps and of the lookups
   std::size_t rounds = 5;              ///< of the timing; at least 1
   std::uint64_t lookups = 1'000'000;   ///< a round; the paper's algorithm takes fewer where it is slow
+  std::string textures = {};           ///< a folder of alpha textures instead of generated maps
   std::function<void(const std::string&)> progress = {};  ///< told what begins
 };
 
@@ -57,8 +58,9 @@ TreeFigures measure_trees(std::uint32_t level, impl::tree::Bits bits,
                           const std::vector<std::vector<std::uint8_t>>& maps,
                           const TreeBenchOptions& options);
 
-/// Both formats at each level, on leaf_map's maps.
-/// Throws std::invalid_argument unless first <= last <= 12, rounds > 0 and lookups > 0.
+/// Both formats at each level, on leaf_map's maps or on those of the textures.
+/// Throws std::invalid_argument unless first <= last <= 12, rounds > 0 and lookups > 0; std::runtime_error as
+/// alpha_textures does.
 std::vector<TreeFigures> tree_figures(const TreeBenchOptions& options = {});
 
 }  // namespace mmverify::bench

@@ -8,7 +8,8 @@
 
 namespace mmverify::bench {
 
-/// A map of `level` on which a few leaves lie: lens shapes (two circles cut) of random place, turn and size
+/// A map of `level` on which 20 to 99 leaves lie, about as much outline as on the alpha textures of real
+/// foliage: lens shapes (two circles cut) of random place, turn and size
 /// with serrated outlines, over the base triangle (0,0), (1,0), (0,1).
 ///   two states   opaque where the centre of the micro-triangle lies on a leaf
 ///   four states  unknown (transparent or opaque by the centre) where the centre and the three corners do

@@ -12,6 +12,7 @@
 #include "cli/bench_plot.hpp"
 #include "cli/bench_subject.hpp"
 #include "cli/bench_sweep.hpp"
+#include "cli/bench_tree.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -30,7 +31,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::vector<std::string> topics;
-  std::string json, plot, levels, subject;
+  std::string json, plot, levels, subject, textures;
   bench::IndexBenchOptions index;
   bool quiet = false, sweep = false;
   unsigned threads = 0;
@@ -207,9 +208,34 @@ int run_sweep_bench(const Options& options) {
   return run_table(options, [&](std::FILE* out) { return bench_sweep(levels, options.threads, out); });
 }
 
+/// Size against time of the forms of a map.
+int run_tree_bench(const Options& options) {
+  constexpr proofs::Level highest = 12;
+  const proofs::Levels levels = levels_or(options, {3, highest});
+  if (levels.last > highest)
+    throw UsageError(fmt::format("--levels {}: the highest level of a tree is {}", options.levels, highest));
+  std::optional<OutputFile> file, picture;
+  if (!options.json.empty() && options.json != "-") file.emplace(options.json);
+  if (!options.plot.empty()) picture.emplace(options.plot);
+  const TreeBench result = bench_tree({.first = levels.first,
+                                       .last = levels.last,
+                                       .seed = options.index.seed,
+                                       .lookups = options.index.samples,
+                                       .textures = options.textures},
+                                      options.quiet, options.json == "-" ? stderr : stdout);
+  if (file) file->commit(result.json);
+  if (options.json == "-") fmt::print("{}", result.json);
+  if (picture) picture->commit(run_gnuplot(result.plot));
+  return ExitCode::complete;
+}
+
 int run_bench(Options options) {
   for (const std::string& topic : options.topics)
-    if (topic != "index") throw UsageError(fmt::format("no topic is called '{}'; there is index", topic));
+    if (topic != "index" && topic != "tree")
+      throw UsageError(fmt::format("no topic is called '{}'; there are index and tree", topic));
+  if (options.topics == std::vector<std::string>{"tree"}) return run_tree_bench(options);
+  if (options.topics.size() > 1) throw UsageError("bench: one topic at a time");
+  if (!options.textures.empty()) throw UsageError("--textures: for bench tree");
   if (!options.subject.empty()) return run_subject_bench(options);
   if (options.sweep) return run_sweep_bench(options);
   const proofs::Levels levels = levels_or(options, {options.index.first, options.index.last});
@@ -251,13 +277,19 @@ Action add_bench(CLI::App& program) {
   auto* command =
       program.add_subcommand("bench", "error against run time, the fast way beside the obvious one");
   auto options = std::make_shared<Options>();
-  command->add_option("topic", options->topics, "topics; all where none is given")->type_name("TOPIC");
-  command->add_option("--levels", options->levels, "levels A..B, both included; 1..16 where not given")
+  command->add_option("topic", options->topics, "index (where none is given) or tree")->type_name("TOPIC");
+  command
+      ->add_option("--levels", options->levels,
+                   "levels A..B, both included; 1..16, of tree 3..12, where not given")
       ->type_name("A..B");
-  command->add_option("--samples", options->index.samples, "points a level, of each kind of inputs")
+  command
+      ->add_option("--samples", options->index.samples,
+                   "points a level, of each kind of inputs; lookups a level and format")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   command->add_option("--subject", options->subject, "measure what judging this library costs instead")
       ->type_name("FILE.so");
+  command->add_option("--textures", options->textures, "tree: maps of the PNG files in this folder instead")
+      ->type_name("FOLDER");
   command->add_flag("--sweep", options->sweep,
                     "measure sweeps of index.equals_reference instead, level by level");
   command->add_option("--threads", options->threads, "of a sweep; as many as the machine has where not given")
