@@ -270,8 +270,14 @@ Tree Tree::encode(Level n, Bits b, std::span<const std::uint8_t> map) {
       const std::uint32_t children = pyramid.children(d, parent);
       std::uint32_t states = pyramid.first_states(d, parent);
       put_nodes(children, 4);
-      for (std::uint32_t c = 0; c < 4; ++c, states >>= width)
-        if ((children >> c & 1) == 0) leaves.put(states & detail::low_bits(width), width);
+      std::uint64_t kept = 0;
+      std::uint32_t kept_bits = 0;
+      for (std::uint32_t c = 0; c < 4; ++c, states >>= width) {
+        const std::uint32_t leaf = ~children >> c & 1;
+        kept |= (states & detail::low_bits(width) & (0 - std::uint64_t{leaf})) << kept_bits;
+        kept_bits += leaf * width;
+      }
+      leaves.put(kept, kept_bits);
     });
 
   std::uint64_t ones = 0;
@@ -351,6 +357,30 @@ void Tree::decode(std::span<std::uint8_t> map) const {
   for (Level d = k + 1; d <= m; ++d) {
     parents.swap(internal);
     internal.clear();
+    if (d == m && m + 1 == n) {
+      // Most of the tree is here, and no processor foresees which nodes are leaves.
+      detail::BitReader blocks = reader_at(8 * layout.blocks_at());
+      for (const std::uint64_t parent : parents) {
+        const std::uint64_t flags = nodes.peek();
+        std::uint64_t four_each = blocks.peek(), one_each = leaves.peek(), states = 0;
+        std::uint32_t of_blocks = 0, of_leaves = 0;
+        for (std::uint32_t c = 0; c < 4; ++c) {
+          const auto block = static_cast<std::uint32_t>(flags >> c & 1);
+          const std::uint64_t mask = 0 - std::uint64_t{block};
+          const std::uint64_t leaf = detail::repeated(one_each & detail::low_bits(width), width);
+          states |= (((four_each & mask) | (leaf & ~mask)) & detail::low_bits(4 * width)) << (4 * width * c);
+          four_each >>= 4 * width * block;
+          one_each >>= width * (1 - block);
+          of_blocks += 4 * width * block;
+          of_leaves += width * (1 - block);
+        }
+        nodes.skip(4);
+        blocks.skip(of_blocks);
+        leaves.skip(of_leaves);
+        std::memcpy(map.data() + parent * 2 * width, &states, 2 * width);
+      }
+      return;
+    }
     for (const std::uint64_t parent : parents)
       for (std::uint64_t c = 0; c < 4; ++c) read_node(d, 4 * parent + c);
   }

@@ -27,6 +27,23 @@ struct Encoder {
     return b == 1 ? map[k / 2] >> (4 * (k % 2)) & 15u : map[k];
   }
 
+  /// Node k of depth n-2, which is internal: all that is below it at once, as most of a tree is there and no
+  /// processor foresees which children are internal.
+  void sixteen(std::uint64_t k, std::uint32_t children) noexcept {
+    std::uint64_t states = 0, nodes = 1, out = 0;
+    std::memcpy(&states, map.data() + k * 2 * b, 2 * b);
+    std::uint32_t node_bits = 1, out_bits = 0;
+    for (std::uint32_t c = 0; c < 4; ++c, children >>= 1, states >>= 4 * b) {
+      const std::uint32_t internal = children & 1, width = internal != 0 ? 4 * b : b;
+      nodes |= std::uint64_t{internal} << node_bits;
+      node_bits += 1 + 4 * internal;
+      out |= (states & low_bits(width)) << out_bits;
+      out_bits += width;
+    }
+    tree.put(nodes, node_bits);
+    data.put(out, out_bits);
+  }
+
   /// Node k of depth d, which is internal.
   void internal(Level d, std::uint64_t k) noexcept {
     if (d + 1 == n) {
@@ -34,8 +51,12 @@ struct Encoder {
       data.put(last_states(k), 4 * b);
       return;
     }
-    tree.put(1, 1);
     const std::uint32_t children = pyramid.children(d + 1, k);
+    if (d + 2 == n) {
+      sixteen(k, children);
+      return;
+    }
+    tree.put(1, 1);
     std::uint32_t states = pyramid.first_states(d + 1, k);
     for (std::uint32_t c = 0; c < 4; ++c, states >>= b) {
       if ((children >> c & 1) != 0) {
@@ -77,6 +98,38 @@ Stream encode_stream(Level n, Bits b, std::span<const std::uint8_t> map) {
 }
 
 namespace detail {
+namespace {
+
+/// All below an internal node of depth n-2, from the next bits of the two sequences.
+struct Sixteen {
+  bool good;  ///< else it is not said what is wrong
+  std::uint32_t tree_bits, data_bits;
+  std::uint64_t states;
+};
+
+Sixteen sixteen(std::uint64_t tree, std::uint64_t data, std::uint32_t b) noexcept {
+  Sixteen r{true, 0, 0, 0};
+  std::uint64_t below = 0, alike = 0, any = 0;
+  for (std::uint32_t c = 0; c < 4; ++c) {
+    const std::uint64_t internal = tree & 1, mask = 0 - internal;
+    const std::uint64_t four = data & low_bits(4 * b),
+                        leaf = repeated(data & low_bits(b), b) & low_bits(4 * b);
+    below |= tree & mask & 0b11110;
+    alike |= internal & static_cast<std::uint64_t>(four == leaf);
+    any |= internal;
+    r.states |= ((four & mask) | (leaf & ~mask)) << (4 * b * c);
+    const std::uint32_t more = static_cast<std::uint32_t>(internal);
+    tree >>= 1 + 4 * more;
+    data >>= b + 3 * b * more;
+    r.tree_bits += 1 + 4 * more;
+    r.data_bits += b + 3 * b * more;
+  }
+  const bool one_state = any == 0 && r.states == (repeated(r.states & low_bits(b), b) & low_bits(16 * b));
+  r.good = below == 0 && alike == 0 && !one_state;
+  return r;
+}
+
+}  // namespace
 
 std::optional<Fault> decode(Level n, Bits b, std::span<const std::uint8_t> tree_bytes, std::uint64_t nodes,
                             std::span<const std::uint8_t> data_bytes, std::uint64_t leaves,
@@ -113,6 +166,24 @@ std::optional<Fault> decode(Level n, Bits b, std::span<const std::uint8_t> tree_
     if (internal) {
       if (d == n) return Fault{In::tree, place, "an internal node on the last level"};
       state[d] = mixed;
+      if (d + 2 == n && nodes - place > 20) {
+        const Sixteen below = sixteen(tree.peek(), data.peek(), width(b));
+        // What is wrong, and where, the way of single bits finds out.
+        if (below.good) {
+          tree.skip(below.tree_bits);
+          data.skip(below.data_bits);
+          std::memcpy(map.data() + bit / 8, &below.states, 2 * width(b));
+          bit += 16 * width(b);
+          while (--left[d] == 0) {
+            if (d == 0) {
+              if (tree.place() == nodes) return std::nullopt;
+              return Fault{In::tree, tree.place(), "nodes after the end of the tree"};
+            }
+            --d;
+          }
+          continue;
+        }
+      }
       left[++d] = 4;
       state[d] = none;
       continue;
