@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "cli/exit_code.hpp"
-#include "proofs/index/plugin_subject.hpp"
+#include "proofs/plugin.hpp"
 #include "proofs/registry.hpp"
 
 namespace mmverify::cli {
@@ -69,18 +69,30 @@ std::vector<const Law*> parse_laws(const std::vector<std::string>& names, Tier t
   return chosen;
 }
 
+namespace {
+
+/// The subjects of a library, or the one that FILE:KIND means.
+std::vector<SubjectPtr> of_library(const std::string& name, double timeout_seconds) {
+  std::error_code error;
+  const auto [file, kind] = std::filesystem::exists(name, error) ? PluginName{name, {}} : plugin_name(name);
+  if (!std::filesystem::exists(file, error)) throw EnvironmentError(fmt::format("{}: no such file", file));
+  std::vector<SubjectPtr> chosen;
+  try {
+    for (const PluginSubject& offered : plugin_subjects(file, {timeout_seconds}))
+      if (kind.empty() || kind == offered.kind) chosen.push_back(offered.subject);
+  } catch (const isolation::CannotLoad& why) {
+    throw EnvironmentError(why.what());
+  }
+  if (chosen.empty()) throw UsageError(fmt::format("{}: it has no entry point of {}", file, kind));
+  return chosen;
+}
+
+}  // namespace
+
 std::vector<SubjectPtr> parse_subject(const std::string& name, double timeout_seconds) {
   if (SubjectPtr subject = find_subject(name)) return {subject};
-  if (name.find('/') != std::string::npos || name.ends_with(".so")) {
-    std::error_code error;
-    if (!std::filesystem::exists(name, error)) throw EnvironmentError(fmt::format("{}: no such file", name));
-    try {
-      const auto offered = index::plugin_subjects(name, {timeout_seconds});
-      return {offered.begin(), offered.end()};
-    } catch (const isolation::CannotLoad& why) {
-      throw EnvironmentError(why.what());
-    }
-  }
+  if (name.find('/') != std::string::npos || plugin_name(name).file.ends_with(".so"))
+    return of_library(name, timeout_seconds);
   std::vector<std::string> names;
   for (const SubjectPtr& s : subjects()) names.push_back(s->name());
   throw UsageError(fmt::format("no subject is called '{}'; there are {}, or a shared library's path", name,

@@ -21,14 +21,14 @@ struct Options {
   std::optional<std::uint32_t> answer;
 };
 
-/// A library that offers binary32 and binary64 is two subjects; FILE:f64 means the second.
-SubjectPtr parse_one(const Options& options) {
+/// A library may be several subjects: FILE:KIND means one, FILE the first of the law's topic.
+SubjectPtr parse_one(const Options& options, const Law& law) {
   if (options.answer) return subject_that_answers(*options.answer);
-  if (options.subject.empty()) return find_subject(find_law(options.law)->subjects.front());
-  constexpr std::string_view second = ":f64";
-  if (!options.subject.ends_with(second)) return parse_subject(options.subject, options.timeout).front();
-  return parse_subject(options.subject.substr(0, options.subject.size() - second.size()), options.timeout)
-      .back();
+  if (options.subject.empty()) return find_subject(law.subjects.front());
+  const auto offered = parse_subject(options.subject, options.timeout);
+  for (const SubjectPtr& subject : offered)
+    if (subject->topic() == law.topic) return subject;
+  return offered.front();
 }
 
 int replay(const Options& options) {
@@ -36,7 +36,7 @@ int replay(const Options& options) {
   if (law == nullptr)
     throw UsageError(fmt::format("no law is called '{}'; `mmverify list` names them all", options.law));
   const Level level = parse_level(options.level);
-  const SubjectPtr subject = parse_one(options);
+  const SubjectPtr subject = parse_one(options, *law);
   if (const auto why = law->unfit(*subject, level)) throw UsageError(*why);
   if (!law->replay)
     throw UsageError(

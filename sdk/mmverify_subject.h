@@ -8,7 +8,7 @@
  * library is loaded into a process of its own; a crash, a hang, a write outside the buffers, exit() or an
  * exception ends that process alone and is reported with the case that did it.
  *
- * Contract of every entry point:
+ * Contract of every entry point (those of maps and codes have more to it, below):
  *   - count is 1 or more; arrays hold count elements (corners: 6 times count). Inputs are read-only.
  *   - the answer for an element depends on that element and the level alone: not on its place in the batch,
  * the batch's size, earlier calls or the thread. Anything else is reported as non-deterministic.
@@ -32,12 +32,17 @@ extern "C" {
 
 /* flags */
 #define MMVERIFY_SINGLE_THREADED 1u
+#define MMVERIFY_TREE_STREAM 2u /* codes of trees are the paper's two bit sequences; see tree_encode */
+
+/* Formats of maps, as Vulkan numbers them; also the bits of one state. */
+#define MMVERIFY_2_STATE 1u
+#define MMVERIFY_4_STATE 2u
 
 typedef struct mmverify_subject {
   uint32_t abi;       /* MMVERIFY_SUBJECT_ABI */
   uint32_t size;      /* sizeof(mmverify_subject) */
   const char* name;   /* for messages; may be null */
-  uint32_t max_level; /* the highest level it is defined at, up to 16 */
+  uint32_t max_level; /* the highest level it is defined at: of indices up to 16, of trees up to 12 */
   uint32_t flags;
 
   /* Index of the micro-triangle that holds (u[k], v[k]), as VK_EXT_opacity_micromap has it: u belongs to the
@@ -54,7 +59,61 @@ typedef struct mmverify_subject {
   void (*row_index_f32)(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
   void (*row_corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
-  /* Codecs and bakers will have their entry points after these. */
+  /* Maps and codes. A map of level n and format b is 4^n states of b bits in the order of the index, packed
+   * from the least significant bit of each byte on: ceil(4^n b / 8) bytes, the bits after the last state
+   * zero. States are T 0, O 1, UT 2, UO 3; a map in 2-state has the first two.
+   *   - Bytes may lie at any address. No byte outside a buffer's size is read or written.
+   *   - A subject built against a header without these has a smaller `size`, and is asked for none of them.
+   *
+   * With the flag MMVERIFY_TREE_STREAM the codes are those of Succinct Opacity Micromaps, Algorithms 1 and 2:
+   * the tree's bits in pre-order, 1 internal and 0 leaf, child 0 first, then from the next whole byte on the
+   * leaves' states in the same order; both packed like maps, the bits after the last zero. Then any of the
+   * four may stand alone: the specification encodes for a subject without tree_encode and decodes for one
+   * without tree_decode. Without the flag tree_encode must be there, and a way back: tree_decode or a lookup.
+   */
+
+  /* The size of the map's code, which is 1 or more; 0 if there is none, which is a wrong answer. The code is
+   * written if `capacity` is at least its size; otherwise what lies in the buffer does not count, and the
+   * call comes again with the room that it asked for. One map has one code. */
+  size_t (*tree_encode)(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code, size_t capacity);
+
+  /* Nonzero if the code is a map's code of this level and format, and then writes the map. Otherwise 0, and
+   * what lies in `map` does not count. `code` may be anything: cut short, 0 bytes, one bit flipped. */
+  int (*tree_decode)(uint32_t level, uint32_t format, const uint8_t* code, size_t code_size, uint8_t* map);
+
+  /* The states at index[k] < 4^level, and at the barycentrics (u[k], v[k]) as index_f32 gets them. One byte a
+   * state. `code` is a whole code, as tree_encode gives it. */
+  void (*tree_lookup)(uint32_t level, uint32_t format, const uint8_t* code, size_t code_size,
+                      const uint32_t* index, uint8_t* state, size_t count);
+  void (*tree_lookup_f32)(uint32_t level, uint32_t format, const uint8_t* code, size_t code_size,
+                          const float* u, const float* v, uint8_t* state, size_t count);
+
+  /* Maps to maps. Here the bits after the last state may be anything in what is given, and must be zero in
+   * what is written. All write the whole of their output. Level and format are those of the input;
+   * levels go up to 12. */
+
+  /* `count` states, one byte each, to a map, and back. */
+  void (*micromap_pack)(uint32_t format, const uint8_t* states, size_t count, uint8_t* map);
+  void (*micromap_unpack)(uint32_t format, const uint8_t* map, size_t count, uint8_t* states);
+
+  /* 4-state to 2-state: T and UT to T, O and UO to O; and 2-state as 4-state. */
+  void (*micromap_force2)(uint32_t level, const uint8_t* four_state, uint8_t* two_state);
+  void (*micromap_widen)(uint32_t level, const uint8_t* two_state, uint8_t* four_state);
+
+  /* The map of level + 1 in which four children have their parent's state, and of level - 1 in which a parent
+   * is T or O if its children all are, otherwise, in 4-state, UO where two or more are O or UO, else UT; in
+   * 2-state O where two or more are. */
+  void (*micromap_up)(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* above);
+  void (*micromap_down)(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* below);
+
+  /* A 4-state map through one bit a state and back: mode 0 tells O and UO from the rest (T and O come back),
+   * mode 1 T from the rest (T and an unknown), mode 2 O from the rest (O and an unknown). */
+  void (*micromap_through)(uint32_t level, uint32_t mode, const uint8_t* four_state, uint8_t* out);
+
+  /* What is left of a 4-state map after a lossy codec: encoded and decoded. */
+  void (*micromap_substitute)(uint32_t level, const uint8_t* four_state, uint8_t* out);
+
+  /* Arrays and bakers will have their entry points after these. */
 } mmverify_subject_t;
 
 /* The one exported symbol. The result must stay valid for the life of the process; null is an error. */

@@ -2,31 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <boost/crc.hpp>
 #include <cstring>
-#include <fstream>
 
 #include "proofs/index/rounded_subject.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
 
+using isolation::Borrowed;
 using isolation::Call;
+using isolation::LibraryPtr;
 using isolation::Misbehaved;
-using isolation::Pool;
 using isolation::Worker;
-
-/// A worker out of the pool; it goes back only if it answered.
-class Borrowed {
- public:
-  explicit Borrowed(Pool& pool) : pool_(pool), worker_(pool.take()) {}
-  Worker& operator*() const { return *worker_; }
-  void give_back() { pool_.give_back(std::move(worker_)); }
-
- private:
-  Pool& pool_;
-  std::unique_ptr<Worker> worker_;
-};
 
 template <class T>
 void put(const Worker& worker, Call call, std::size_t array, std::uint64_t count, const T* from) {
@@ -38,29 +25,13 @@ void put(const Worker& worker, Call call, std::size_t array, std::uint64_t count
 
 std::string point_text(double u, double v) { return fmt::format("u={:a},v={:a}", u, v); }
 
-/// The library's contents, in a word: its size and a checksum.
-std::string fingerprint_of(const std::string& library) {
-  std::ifstream in(library, std::ios::binary);
-  boost::crc_32_type crc;
-  std::uint64_t size = 0;
-  for (char block[1 << 16]; in.read(block, sizeof block), in.gcount() > 0;) {
-    crc.process_bytes(block, static_cast<std::size_t>(in.gcount()));
-    size += static_cast<std::uint64_t>(in.gcount());
-  }
-  return fmt::format("({} bytes, crc {:08x})", size, crc.checksum());
-}
-
 class PluginSubject : public IndexSubject {
  public:
-  PluginSubject(std::string name, std::shared_ptr<Pool> pool, const isolation::Mailbox& description,
-                Arithmetic arithmetic)
-      : IndexSubject(std::move(name), description.name[0] != 0 ? description.name : "a shared library",
-                     arithmetic, description.max_level),
-        pool_(std::move(pool)),
-        has_(description.has),
-        fingerprint_(fingerprint_of(pool_->library())) {}
+  PluginSubject(std::string name, LibraryPtr library, Arithmetic arithmetic)
+      : IndexSubject(std::move(name), library->about(), arithmetic, library->description().max_level),
+        library_(std::move(library)) {}
 
-  std::string fingerprint() const override { return fingerprint_; }
+  std::string fingerprint() const override { return library_->fingerprint(); }
 
   bool has(Entry e) const override {
     switch (e) {
@@ -144,7 +115,7 @@ class PluginSubject : public IndexSubject {
   }
 
  private:
-  bool offers(Call call) const { return (has_ >> static_cast<std::uint32_t>(call) & 1) != 0; }
+  bool offers(Call call) const { return library_->offers(call); }
   Call point_call() const { return arithmetic() == Arithmetic::binary64 ? Call::index_f64 : Call::index_f32; }
 
   template <class Piece>
@@ -229,7 +200,7 @@ class PluginSubject : public IndexSubject {
   /// Runs one command; `place` writes the inputs, the answers go to `out`.
   template <class Place, class Answer>
   void ask(Level n, Call call, std::size_t count, Place place, Answer* out) const {
-    Borrowed borrowed(*pool_);
+    Borrowed borrowed(library_->pool());
     Worker& worker = *borrowed;
     place(worker, call);
     try {
@@ -257,8 +228,7 @@ class PluginSubject : public IndexSubject {
       case Call::index_f32:
       case Call::row_index_f32:
         return point_text(double{read(0, float{})}, double{read(1, float{})});
-      case Call::corners:
-      case Call::row_corners:
+      default:
         break;
     }
     return fmt::format("k={}", read(0, std::uint32_t{}));
@@ -271,29 +241,21 @@ class PluginSubject : public IndexSubject {
                        element(worker, call, count, found.first + found.count - 1));
   }
 
-  std::shared_ptr<Pool> pool_;
-  std::uint32_t has_;
-  std::string fingerprint_;
+  LibraryPtr library_;
 };
 
 }  // namespace
 
-std::vector<std::shared_ptr<const IndexSubject>> plugin_subjects(const std::string& library,
-                                                                 const isolation::Options& options) {
-  auto pool = std::make_shared<Pool>(library, options);
-  auto worker = pool->take();
-  const isolation::Mailbox& description = worker->description();
-  const auto offers = [&](Call call) {
-    return (description.has >> static_cast<std::uint32_t>(call) & 1) != 0;
-  };
+std::vector<std::shared_ptr<const IndexSubject>> plugin_subjects(const LibraryPtr& library) {
+  const auto offers = [&](Call call) { return library->offers(call); };
   std::vector<std::shared_ptr<const IndexSubject>> subjects;
   // A library without any index still has corners or rows to judge.
-  if (offers(Call::index_f32) || !offers(Call::index_f64))
-    subjects.push_back(std::make_shared<PluginSubject>(library, pool, description, Arithmetic::binary32));
+  const bool others = offers(Call::corners) || offers(Call::row_index_f32) || offers(Call::row_corners);
+  if (offers(Call::index_f32) || (others && !offers(Call::index_f64)))
+    subjects.push_back(std::make_shared<PluginSubject>(library->path(), library, Arithmetic::binary32));
   if (offers(Call::index_f64))
-    subjects.push_back(std::make_shared<PluginSubject>(subjects.empty() ? library : library + ":f64", pool,
-                                                       description, Arithmetic::binary64));
-  pool->give_back(std::move(worker));
+    subjects.push_back(std::make_shared<PluginSubject>(
+        subjects.empty() ? library->path() : library->path() + ":f64", library, Arithmetic::binary64));
   return subjects;
 }
 

@@ -170,7 +170,7 @@ std::string Worker::end_of_process() const {
 void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found) {
   // The inputs are still in this process's mapping of the memory that the dead one shared.
   std::vector<std::byte> inputs[2];
-  const std::size_t arrays = two_inputs(call) ? 2 : 1, size = input_size(call);
+  const std::size_t arrays = input_arrays(call), size = input_size(call);
   for (std::size_t array = 0; array < arrays; ++array)
     for (std::uint64_t t = found.first; t < found.first + found.count; ++t) {
       const std::byte* from = input(call, array, count, t);
@@ -194,6 +194,29 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbe
   }
 }
 
+std::string Worker::said() const {
+  const std::string message = mailbox_->message;
+  switch (mailbox_->outcome) {
+    case Outcome::threw:
+      return message.empty() ? "threw an exception" : "threw an exception: " + message;
+    case Outcome::changed_mode:
+      return "left the rounding or flush mode changed";
+    case Outcome::wrote_before:
+      return "wrote before the start of its output";
+    case Outcome::unwritten:
+      return "left its output unwritten";
+    case Outcome::non_deterministic:
+      return "non-deterministic, " + message;
+    case Outcome::too_large:
+      return message;
+    case Outcome::answered:
+    case Outcome::ready:
+    case Outcome::cannot_load:
+      break;
+  }
+  return {};
+}
+
 void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
   mailbox_->call = call;
   mailbox_->level = level;
@@ -210,31 +233,45 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
     pin_down(call, level, count, found);
     throw found;
   }
-  const std::string message = mailbox_->message;
+  found.what = said();
   const std::uint64_t element = mailbox_->element, batch = element / batch_size;
   switch (mailbox_->outcome) {
     case Outcome::answered:
     case Outcome::ready:
     case Outcome::cannot_load:
       return;
-    case Outcome::threw:
-      found.what = message.empty() ? "threw an exception" : "threw an exception: " + message;
-      break;
-    case Outcome::changed_mode:
-      found.what = "left the rounding or flush mode changed";
-      break;
-    case Outcome::wrote_before:
-      found.what = "wrote before the start of its output";
-      break;
     case Outcome::unwritten:
-      throw Misbehaved{"left its output unwritten", element, 1};
     case Outcome::non_deterministic:
-      throw Misbehaved{"non-deterministic, " + message, element, 1};
+      throw Misbehaved{found.what, element, 1};
+    default:
+      break;
   }
   found.first = batch * batch_size;
   found.count = in_slot(count, static_cast<std::size_t>(batch));
   pin_down(call, level, count, found);
   throw found;
+}
+
+Reply Worker::ask(const Question& q) {
+  mailbox_->call = q.call;
+  mailbox_->level = q.level;
+  mailbox_->format = q.format;
+  mailbox_->count = q.count;
+  mailbox_->one_by_one = 0;
+  mailbox_->blob_bytes = q.blob.size();
+  mailbox_->room = q.room;
+  mailbox_->message[0] = 0;
+  if (!q.blob.empty()) std::memcpy(base_ + layout_.blob_at(q.blob.size()), q.blob.data(), q.blob.size());
+  if (!exchange())
+    throw Misbehaved{
+        hung_ ? fmt::format("hung: no answer within {} s", options_.timeout_seconds) : end_of_process(), 0,
+        q.count};
+  if (mailbox_->outcome == Outcome::unwritten || mailbox_->outcome == Outcome::non_deterministic)
+    throw Misbehaved{said(), mailbox_->element, q.count == 0 ? 0u : 1u};
+  if (mailbox_->outcome != Outcome::answered) throw Misbehaved{said(), 0, q.count};
+  const auto size = static_cast<std::size_t>(mailbox_->answer_bytes);
+  return {mailbox_->taken != 0,
+          {reinterpret_cast<const std::uint8_t*>(base_ + layout_.blob_answer_at(size)), size}};
 }
 
 std::unique_ptr<Worker> Pool::take() {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,7 +26,22 @@ struct Misbehaved {
 };
 
 struct Options {
-  double timeout_seconds = 10;  ///< for one batch of 4096
+  double timeout_seconds = 10;  ///< for one batch of 4096, or one map or code
+};
+
+/// What is asked about a map or a code.
+struct Question {
+  Call call;
+  std::uint32_t level, format;
+  std::span<const std::uint8_t> blob;  ///< the map or the code, up to blob_capacity
+  std::size_t room;         ///< bytes of the answer; of an encoder's, as many as it may write at first
+  std::uint64_t count = 0;  ///< of a lookup's elements, which lie in input(); up to batch_size
+};
+
+/// `bytes` stay where they are until the next question.
+struct Reply {
+  bool taken;  ///< false: there is no code of this map, or the code is no map's
+  std::span<const std::uint8_t> bytes;
 };
 
 /// One process with the library loaded. Not for two threads at once.
@@ -37,7 +53,7 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  const Mailbox& description() const { return *mailbox_; }
+  const Description& description() const { return mailbox_->description; }
 
   /// Where element t of a command of `count` goes, and where its answer comes.  Domain: t < count <=
   /// capacity.
@@ -48,10 +64,12 @@ class Worker {
   /// after that.
   void ask(Call call, std::uint32_t level, std::uint64_t count);
 
+  /// The same for a map or a code.  The elements of what is thrown are a lookup's.
+  Reply ask(const Question& question);
+
  private:
   void start();
   void stop();
-  void map();
   /// Brings the process to the processor that this thread runs on: only one of the two has work at a time,
   /// the numbers are in that processor's cache, and nobody has to be woken on an idle one.  Not before its
   /// first command, so that threads which a subject starts for itself go where they like.
@@ -60,6 +78,8 @@ class Worker {
   bool exchange();
   /// "crashed (signal ...)" or "called exit(...)" of the ended process.
   std::string end_of_process() const;
+  /// What an outcome other than `answered` is called.
+  std::string said() const;
   /// Asks element by element in a new process, to name the one.
   void pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found);
 

@@ -1,25 +1,23 @@
 // mmverify-worker FD LIBRARY: calls a subject on the tool's behalf, in a process that may die of it.
 #include <dlfcn.h>
-#include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cfenv>
+#include <array>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "proofs/isolation/codec_desk.hpp"
 #include "proofs/isolation/futex.hpp"
-#include "proofs/isolation/mailbox.hpp"
-#include "sdk/mmverify_subject.h"
 
 // A sanitizer's own handlers would turn a crash into an exit.
 extern "C" const char* __asan_default_options() {
@@ -30,26 +28,15 @@ namespace {
 
 using namespace mmverify::proofs::isolation;
 
-/// The processor's rounding, flush and exception-mask bits.
-std::uint32_t float_mode() {
-#if defined(__x86_64__)
-  return __builtin_ia32_stmxcsr() & 0xffc0u;
-#else
-  return static_cast<std::uint32_t>(std::fegetround());
-#endif
-}
-
 class Worker {
  public:
   Worker(std::byte* base, const Layout& layout, const mmverify_subject_t& subject)
-      : base_(base),
+      : desk_(base, layout, subject),
+        codecs_(desk_),
+        base_(base),
         layout_(layout),
-        mailbox_(*reinterpret_cast<Mailbox*>(base)),
-        subject_(subject),
-        mode_(float_mode()) {
-    CPU_ZERO(&everywhere_);
-    sched_getaffinity(0, sizeof everywhere_, &everywhere_);
-  }
+        mailbox_(desk_.mailbox),
+        subject_(subject) {}
 
   void serve() {
     for (std::uint64_t command = 0;; ++command) {
@@ -63,17 +50,10 @@ class Worker {
   }
 
  private:
-  struct Stop {};
-
-  void finish(Outcome outcome, std::uint64_t element, const std::string& message) {
-    mailbox_.outcome = outcome;
-    mailbox_.element = element;
-    std::snprintf(mailbox_.message, sizeof mailbox_.message, "%s", message.c_str());
-  }
-
   void run(std::uint64_t command) {
-    finish(Outcome::answered, 0, "");
+    desk_.finish(Outcome::answered, 0, "");
     try {
+      if (of_codec(mailbox_.call)) return codecs_.run();
       for (std::size_t slot = 0; in_slot(mailbox_.count, slot) != 0; ++slot) call_slot(slot);
       if (mailbox_.one_by_one != 0) return;
       const std::size_t batches = static_cast<std::size_t>((mailbox_.count + batch_size - 1) / batch_size);
@@ -120,25 +100,14 @@ class Worker {
         return subject_.row_index_f32(mailbox_.level, f(first), f(second), to, count);
       case Call::row_corners:
         return subject_.row_corners(mailbox_.level, k(first), to, count);
+      default:
+        return;
     }
   }
 
-  /// call(), with what it throws and the modes it leaves behind caught.
   void guarded(const std::byte* first, const std::byte* second, std::byte* out, std::size_t count,
                std::uint64_t element) {
-    try {
-      call(first, second, out, count);
-    } catch (const std::exception& e) {
-      finish(Outcome::threw, element, e.what());
-      throw Stop();
-    } catch (...) {
-      finish(Outcome::threw, element, "");
-      throw Stop();
-    }
-    if (float_mode() != mode_) {
-      finish(Outcome::changed_mode, element, "");
-      throw Stop();
-    }
+    desk_.guarded([&] { call(first, second, out, count); }, element);
   }
 
   void call_slot(std::size_t slot) {
@@ -154,8 +123,7 @@ class Worker {
               out + at * answer_size(mailbox_.call), step, from + at);
     }
     if (std::memcmp(out - canary_size, untouched_.data(), canary_size) != 0) {
-      finish(Outcome::wrote_before, from, "");
-      throw Stop();
+      desk_.stop(Outcome::wrote_before, from, "");
     }
   }
 
@@ -180,8 +148,7 @@ class Worker {
       const auto blank_element = again.begin() + static_cast<std::ptrdiff_t>(t * wide);
       if (std::all_of(blank_element, blank_element + static_cast<std::ptrdiff_t>(wide),
                       [](std::byte b) { return b == std::byte{blank_again}; })) {
-        finish(Outcome::unwritten, slot * batch_size + t, "");
-        throw Stop();
+        desk_.stop(Outcome::unwritten, slot * batch_size + t, "");
       }
       std::uint32_t first = 0, second = 0;
       std::memcpy(&first, before + t * wide, sizeof first);
@@ -192,8 +159,7 @@ class Worker {
           .append(" before, ")
           .append(std::to_string(second))
           .append(" then");
-      finish(Outcome::non_deterministic, slot * batch_size + t, text);
-      throw Stop();
+      desk_.stop(Outcome::non_deterministic, slot * batch_size + t, text);
     }
   }
 
@@ -215,16 +181,14 @@ class Worker {
       }
     };
     std::thread other([&] {
-      // Not where the tool brought this process, or the two would take turns.
-      sched_setaffinity(0, sizeof everywhere_, &everywhere_);
+      desk_.leave_processor();
       ask(1);
     });
     ask(0);
     other.join();
     for (int thread = 0; thread < 2; ++thread) {
       if (threw[thread]) {
-        finish(Outcome::threw, slot * batch_size, "when called from two threads at once");
-        throw Stop();
+        desk_.stop(Outcome::threw, slot * batch_size, "when called from two threads at once");
       }
       for (int round = 0; round < rounds; ++round) {
         const auto from = theirs[thread].begin() +
@@ -235,13 +199,13 @@ class Worker {
     }
   }
 
+  Desk desk_;
+  CodecDesk codecs_;
   std::byte* base_;
   Layout layout_;
   Mailbox& mailbox_;
   const mmverify_subject_t& subject_;
-  std::uint32_t mode_;
   pid_t self_ = getpid();
-  cpu_set_t everywhere_;
   std::uint64_t probed_[calls] = {};
   std::vector<std::byte> again_;
   const std::vector<std::byte> untouched_ = std::vector<std::byte>(canary_size, std::byte{canary});
@@ -256,9 +220,10 @@ void on_fault(int signal, siginfo_t* info, void*) {
   const auto* at = static_cast<const std::byte*>(info->si_addr);
   if (mapped != nullptr && at >= mapped && at < mapped + mapped_layout->total()) {
     const auto offset = static_cast<std::size_t>(at - mapped);
-    const char* what = offset >= mapped_layout->answer(0) - mapped_layout->page()
-                           ? "it touched memory outside its output"
-                           : "it wrote to its input or read past its end";
+    const bool of_inputs = offset < mapped_layout->answer(0) - mapped_layout->page() ||
+                           (offset >= mapped_layout->blob() && offset < mapped_layout->blob_answer());
+    const char* what =
+        of_inputs ? "it wrote to its input or read past its end" : "it touched memory outside its output";
     std::strcpy(reinterpret_cast<Mailbox*>(mapped)->message, what);
   }
   std::signal(signal, SIG_DFL);
@@ -294,31 +259,50 @@ std::byte* map(int fd, const Layout& layout) {
       done = done && place(layout.input(array, slot), layout.input_bytes(), PROT_READ);
     done = done && place(layout.answer(slot), layout.answer_bytes(), PROT_READ | PROT_WRITE);
   }
+  done = done && place(layout.blob(), layout.blob_bytes(), PROT_READ) &&
+         place(layout.blob_answer(), layout.blob_answer_bytes(), PROT_READ | PROT_WRITE);
   return done ? base : nullptr;
 }
 
-std::string cannot_load(Mailbox& mailbox, const char* library, const mmverify_subject_t*& subject) {
+/// The subject's description, entry points that its header did not have yet null.
+mmverify_subject_t as_of_today(const mmverify_subject_t& theirs) {
+  mmverify_subject_t ours{};
+  // Whole pointers only: a size in the middle of one says nothing of it.
+  const std::size_t size = std::min<std::size_t>(theirs.size, sizeof ours) / sizeof(void*) * sizeof(void*);
+  std::memcpy(&ours, &theirs, size);
+  return ours;
+}
+
+/// Bytes of the first version of mmverify_subject_t, which ended with row_corners.
+constexpr std::size_t first_size = offsetof(mmverify_subject_t, tree_encode);
+
+std::string cannot_load(Description& description, const char* library, mmverify_subject_t& subject) {
   void* handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) return dlerror();
   using Get = const mmverify_subject_t* (*)();
   const auto get = reinterpret_cast<Get>(dlsym(handle, "mmverify_subject_v1"));
   if (get == nullptr) return "it does not export mmverify_subject_v1";
-  subject = get();
-  if (subject == nullptr) return "mmverify_subject_v1 returned null";
-  if (subject->abi != MMVERIFY_SUBJECT_ABI)
-    return "it was built for version " + std::to_string(subject->abi) +
-           " of the interface, this is version " + std::to_string(MMVERIFY_SUBJECT_ABI);
-  if (subject->size < sizeof(mmverify_subject_t)) return "its size field is smaller than mmverify_subject_t";
-  if (subject->max_level > 16) return "its max_level is above 16";
-  mailbox.max_level = subject->max_level;
-  mailbox.flags = subject->flags;
-  const bool has[calls] = {subject->index_f32 != nullptr, subject->index_f64 != nullptr,
-                           subject->corners != nullptr, subject->row_index_f32 != nullptr,
-                           subject->row_corners != nullptr};
-  mailbox.has = 0;
-  for (std::uint32_t c = 0; c < calls; ++c) mailbox.has |= has[c] ? 1u << c : 0u;
-  if (mailbox.has == 0) return "all its entry points are null";
-  std::snprintf(mailbox.name, sizeof mailbox.name, "%s", subject->name == nullptr ? "" : subject->name);
+  const mmverify_subject_t* theirs = get();
+  if (theirs == nullptr) return "mmverify_subject_v1 returned null";
+  if (theirs->abi != MMVERIFY_SUBJECT_ABI)
+    return "it was built for version " + std::to_string(theirs->abi) + " of the interface, this is version " +
+           std::to_string(MMVERIFY_SUBJECT_ABI);
+  if (theirs->size < first_size) return "its size field is smaller than mmverify_subject_t";
+  subject = as_of_today(*theirs);
+  if (subject.max_level > 16) return "its max_level is above 16";
+  description.max_level = subject.max_level;
+  description.flags = subject.flags;
+  const auto& s = subject;
+  const auto given = [](auto... entry) { return std::array<bool, calls>{entry != nullptr...}; };
+  // In the order of Call.
+  const auto has =
+      given(s.index_f32, s.index_f64, s.corners, s.row_index_f32, s.row_corners, s.tree_encode, s.tree_decode,
+            s.tree_lookup, s.tree_lookup_f32, s.micromap_pack, s.micromap_unpack, s.micromap_force2,
+            s.micromap_widen, s.micromap_up, s.micromap_down, s.micromap_through, s.micromap_substitute);
+  description.has = 0;
+  for (std::uint32_t c = 0; c < calls; ++c) description.has |= has[c] ? 1u << c : 0u;
+  if (description.has == 0) return "all its entry points are null";
+  std::snprintf(description.name, sizeof description.name, "%s", subject.name == nullptr ? "" : subject.name);
   return {};
 }
 
@@ -342,13 +326,13 @@ int main(int argc, char** argv) {
   std::byte* base = map(std::atoi(argv[1]), layout);
   if (base == nullptr) return 4;
   auto& mailbox = *reinterpret_cast<Mailbox*>(base);
-  const mmverify_subject_t* subject = nullptr;
-  const std::string why = cannot_load(mailbox, argv[2], subject);
+  mmverify_subject_t subject{};
+  const std::string why = cannot_load(mailbox.description, argv[2], subject);
   mailbox.outcome = why.empty() ? Outcome::ready : Outcome::cannot_load;
   std::snprintf(mailbox.message, sizeof mailbox.message, "%s", why.c_str());
   mailbox.turn.store(0, std::memory_order_release);
   futex_wake(mailbox.turn);
   if (!why.empty()) return 0;
   explain_faults(base, layout);
-  Worker(base, layout, *subject).serve();
+  Worker(base, layout, subject).serve();
 }

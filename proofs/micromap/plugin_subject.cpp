@@ -1,5 +1,7 @@
 #include "proofs/micromap/plugin_subject.hpp"
 
+#include <bit>
+
 #include "proofs/isolation/codec.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -16,6 +18,9 @@ std::uint32_t number(Format f) { return spec::micromap::bits(f); }
 std::size_t packed_bytes(std::uint64_t states, std::uint32_t format) {
   return static_cast<std::size_t>((states * format + 7) / 8);
 }
+
+/// Of a map with that many states; for messages.
+Level level_of(std::uint64_t states) { return static_cast<Level>(std::countr_zero(states) / 2); }
 
 class PluginMicromap : public MicromapSubject {
  public:
@@ -48,13 +53,16 @@ class PluginMicromap : public MicromapSubject {
   Bytes pack(Format f, const States& states) const override {
     Bytes codes;
     for (const State s : states) codes.push_back(spec::micromap::code(s));
-    return ask("packing", {Call::micromap_pack, 0, number(f), codes, packed_bytes(states.size(), number(f))},
+    return ask("packing",
+               {Call::micromap_pack, level_of(states.size()), number(f), codes,
+                packed_bytes(states.size(), number(f))},
                [&] { return isolation::map_text(number(f), states.size(), packed(f, states)); });
   }
   States unpack(Format f, std::uint64_t count, std::span<const std::uint8_t> bytes) const override {
     States states;
     for (const std::uint8_t code :
-         ask("unpacking", {Call::micromap_unpack, 0, number(f), bytes, static_cast<std::size_t>(count)},
+         ask("unpacking",
+             {Call::micromap_unpack, level_of(count), number(f), bytes, static_cast<std::size_t>(count)},
              [&] { return isolation::map_text(number(f), count, bytes); }))
       states.push_back(static_cast<State>(code));
     return states;

@@ -1,0 +1,26 @@
+#include "proofs/plugin.hpp"
+
+#include "proofs/index/plugin_subject.hpp"
+#include "proofs/micromap/plugin_subject.hpp"
+#include "proofs/tree/plugin_subject.hpp"
+
+namespace mmverify::proofs {
+
+std::vector<PluginSubject> plugin_subjects(const std::string& file, const isolation::Options& options) {
+  const auto library = std::make_shared<const isolation::Library>(file, options);
+  std::vector<PluginSubject> all;
+  for (const auto& s : index::plugin_subjects(library))
+    all.push_back({s->arithmetic() == index::Arithmetic::binary64 ? "f64" : "f32", s});
+  const auto name = [&](const char* kind) { return all.empty() ? file : file + ":" + kind; };
+  if (const auto s = tree::plugin_subject(name("tree"), library)) all.push_back({"tree", s});
+  if (const auto s = micromap::plugin_subject(name("micromap"), library)) all.push_back({"micromap", s});
+  return all;
+}
+
+PluginName plugin_name(const std::string& name) {
+  for (const std::string kind : {"f32", "f64", "tree", "micromap"})
+    if (name.ends_with(":" + kind)) return {name.substr(0, name.size() - kind.size() - 1), kind};
+  return {name, {}};
+}
+
+}  // namespace mmverify::proofs

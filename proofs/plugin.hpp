@@ -1,0 +1,28 @@
+// Somebody's shared library, as subjects of every topic that it has entry points of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+#include "proofs/isolation/worker.hpp"
+
+namespace mmverify::proofs {
+
+/// One of a library's subjects: index in binary32 or binary64, tree, micromap.
+struct PluginSubject {
+  std::string kind;  ///< f32, f64, tree, micromap
+  SubjectPtr subject;
+};
+
+/// Opens the library once.  The first of its subjects is named as the file, the others FILE:KIND.
+/// Throws isolation::CannotLoad, and std::runtime_error where no process can be had.
+std::vector<PluginSubject> plugin_subjects(const std::string& file, const isolation::Options& options);
+
+/// FILE:KIND in two; the kind is empty where the name has none.
+struct PluginName {
+  std::string file, kind;
+};
+PluginName plugin_name(const std::string& name);
+
+}  // namespace mmverify::proofs

@@ -1,0 +1,105 @@
+// One library, three topics: our index and maps, the example of a tree.  WRONG says what is not right of it,
+// or, for old_header, that it was built before there were trees.
+#include <cstddef>
+#include <cstring>
+#include <vector>
+
+#include "impl/index.hpp"
+#include "impl/micromap.hpp"
+#include "impl/micromap_level.hpp"
+#include "sdk/mmverify_subject.h"
+
+extern "C" const mmverify_subject_t* right_tree(void);
+
+namespace {
+
+enum Wrong {
+  nothing,
+  old_header,
+  keeps_padding,
+  merges_ut_with_t,
+  promises_opaque,
+  reads_past_map,
+  leaves_unwritten
+};
+
+volatile unsigned seen = 0;
+
+namespace fast = mmverify::impl::micromap;
+
+std::uint64_t states(std::uint32_t level) { return fast::micro_triangles(level); }
+fast::Format format_of(std::uint32_t bits) { return static_cast<fast::Format>(bits); }
+std::size_t bytes(std::uint64_t count, std::uint32_t bits) { return (count * bits + 7) / 8; }
+
+void index_f32(std::uint32_t level, const float* u, const float* v, std::uint32_t* index, std::size_t count) {
+  mmverify::impl::index::from_barycentrics({u, count}, {v, count}, level, {index, count});
+}
+
+void pack(std::uint32_t bits, const std::uint8_t* from, std::size_t count, std::uint8_t* map) {
+  fast::pack({reinterpret_cast<const fast::State*>(from), count}, format_of(bits), {map, bytes(count, bits)});
+}
+
+void unpack(std::uint32_t bits, const std::uint8_t* map, std::size_t count, std::uint8_t* to) {
+  const std::uint8_t last = to[count - 1];
+  fast::unpack({map, bytes(count, bits)}, format_of(bits), {reinterpret_cast<fast::State*>(to), count});
+  if (WRONG == leaves_unwritten && bits == 1 && count == 4 && (map[0] & 0x0F) == 0x06) to[count - 1] = last;
+}
+
+void force2(std::uint32_t level, const std::uint8_t* map, std::uint8_t* out) {
+  fast::force2({map, bytes(states(level), 2)}, states(level), {out, bytes(states(level), 1)});
+  if (WRONG == keeps_padding && level == 0) out[0] = static_cast<std::uint8_t>(out[0] | (map[0] & 0x80));
+}
+
+void widen(std::uint32_t level, const std::uint8_t* map, std::uint8_t* out) {
+  fast::widen({map, bytes(states(level), 1)}, states(level), {out, bytes(states(level), 2)});
+}
+
+void up(std::uint32_t level, std::uint32_t bits, const std::uint8_t* map, std::uint8_t* out) {
+  if (WRONG == reads_past_map && level == 1 && bits == 2) seen = map[1];
+  fast::up({map, bytes(states(level), bits)}, format_of(bits), states(level),
+           {out, bytes(states(level + 1), bits)});
+}
+
+void down(std::uint32_t level, std::uint32_t bits, const std::uint8_t* map, std::uint8_t* out) {
+  fast::down({map, bytes(states(level), bits)}, format_of(bits), states(level - 1),
+             {out, bytes(states(level - 1), bits)});
+  // Three T and one UT: T.
+  if (WRONG == merges_ut_with_t && level == 1 && bits == 2 && map[0] == 0x80) out[0] = 0;
+}
+
+void through(std::uint32_t level, std::uint32_t mode, const std::uint8_t* map, std::uint8_t* out) {
+  std::vector<std::uint8_t> one_bit(bytes(states(level), 1));
+  fast::to_mode({map, bytes(states(level), 2)}, states(level), static_cast<fast::Mode>(mode), one_bit);
+  fast::from_mode(one_bit, states(level), static_cast<fast::Mode>(mode), {out, bytes(states(level), 2)});
+}
+
+// Keeps every map, padding cleared.
+void substitute(std::uint32_t level, const std::uint8_t* map, std::uint8_t* out) {
+  const std::uint64_t used = 2 * states(level) % 8;
+  std::memcpy(out, map, bytes(states(level), 2));
+  if (used != 0) out[0] = static_cast<std::uint8_t>(out[0] & ((1u << used) - 1));
+  if (WRONG == promises_opaque && level == 1 && map[0] == 0x39) out[0] = 0x35;
+}
+
+}  // namespace
+
+extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
+  static mmverify_subject_t subject = *right_tree();
+  subject.name = "several";
+  subject.max_level = 16;
+  subject.index_f32 = index_f32;
+  subject.micromap_pack = pack;
+  subject.micromap_unpack = unpack;
+  subject.micromap_force2 = force2;
+  subject.micromap_widen = widen;
+  subject.micromap_up = up;
+  subject.micromap_down = down;
+  subject.micromap_through = through;
+  subject.micromap_substitute = substitute;
+  if (WRONG == old_header) {
+    subject.size = offsetof(mmverify_subject_t, tree_encode);
+    // What lies behind an older struct is somebody else's memory.
+    std::memset(&subject.tree_encode, 0x77, sizeof subject - subject.size);
+  }
+  return &subject;
+}
