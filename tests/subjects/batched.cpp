@@ -41,15 +41,15 @@ void row_corners(uint32_t, const uint32_t* index, uint32_t* out, size_t count) {
 }  // namespace
 
 extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
-  static const mmverify_subject_t subject{MMVERIFY_SUBJECT_ABI,
-                                          sizeof(mmverify_subject_t),
-                                          "batched",
-                                          16,
-                                          0,
-                                          index_f32,
-                                          index_f64,
-                                          corners,
-                                          row_index_f32,
-                                          row_corners};
+  static mmverify_subject_t subject{};
+  subject.abi = MMVERIFY_SUBJECT_ABI;
+  subject.size = sizeof subject;
+  subject.name = "batched";
+  subject.max_level = 16;
+  subject.index_f32 = index_f32;
+  subject.index_f64 = index_f64;
+  subject.corners = corners;
+  subject.row_index_f32 = row_index_f32;
+  subject.row_corners = row_corners;
   return &subject;
 }
