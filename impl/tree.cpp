@@ -147,8 +147,11 @@ void find_all(const std::uint8_t* base, const std::uint32_t* index, std::uint8_t
   if constexpr (vectors) {
     HWY_ALIGN std::uint64_t address[hn::MaxLanes(dw)];
     for (const std::size_t lanes = hn::Lanes(dw); count - k >= lanes; k += lanes) {
-      for (std::size_t lane = 0; lane < lanes; ++lane)
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
         address[lane] = reinterpret_cast<std::uintptr_t>(memory_of(k + lane));
+        // The header two vectors on, while this one waits for its nodes.
+        if (k + lane + 2 * lanes < count) hwy::Prefetch(memory_of(k + lane + 2 * lanes));
+      }
       const auto found =
           find_lanes(base, hn::Load(dw, address), hn::PromoteTo(dw, hn::LoadU(narrow, index + k)));
       hn::StoreU(hn::TruncateTo(bytes, found), bytes, state + k);
@@ -208,7 +211,7 @@ Layout layout_for(const Pyramid& pyramid, Level n, Bits b, Level k, Level m) {
 
 /// The steps that maps of a level do with, as a rule.  All maps of a level take the same number where they
 /// can: a processor that looks up in many maps guesses the end of the loop only then.
-constexpr std::array<std::uint32_t, max_level + 1> usual_steps{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6};
+constexpr std::array<std::uint32_t, max_level + 1> usual_steps{0, 0, 0, 1, 1, 1, 2, 2, 3, 3, 4, 4, 5};
 
 Layout chosen(const Pyramid& pyramid, Level n, Bits b) {
   const std::uint64_t internal = pyramid.internal();
