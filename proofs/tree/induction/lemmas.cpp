@@ -53,10 +53,16 @@ Grown grow(Script& script, Shape shape, char letter, const char* tree) {
   return {script.define(tree, node(children)), children};
 }
 
-std::vector<std::pair<Term, Term>> places(const std::vector<Term>& children, const Term& t, const Term& d) {
-  std::vector<std::pair<Term, Term>> all{{t, d}};
-  for (std::size_t k = 0; k + 1 < children.size(); ++k)
-    all.emplace_back(plus(all[k].first, nodes(children[k])), plus(all[k].second, leaves(children[k])));
+std::vector<std::pair<Term, Term>> places(Script& script, const std::vector<Term>& children, const Term& t,
+                                          const Term& d) {
+  std::vector<std::pair<Term, Term>> all;
+  for (std::size_t k = 0; k < children.size(); ++k) {
+    const Term bit = k == 0 ? t : plus(all.back().first, nodes(children[k - 1])),
+               datum = k == 0 ? d : plus(all.back().second, leaves(children[k - 1]));
+    const std::string number = std::to_string(k);
+    const Term named = script.define("t" + number, bit);
+    all.emplace_back(named, script.define("d" + number, datum));
+  }
   return all;
 }
 
@@ -212,8 +218,9 @@ void add_parse(std::vector<Statement>& all) {
             script.require(placed(T, t, d));
             script.require(placed(S, t, d));
             if (left == Shape::node && right == Shape::node) {
-              script.comment("Supposed of each pair of children, where those of T stand.");
-              const auto at = places(children, plus(t, whole_number(1)), d);
+              script.comment("Where the children of T stand.");
+              const auto at = places(script, children, plus(t, whole_number(1)), d);
+              script.comment("Supposed of each pair of children, there.");
               for (unsigned k = 0; k < 4; ++k)
                 script.require(said("one", {children[k], others[k], at[k].first, at[k].second}));
             }

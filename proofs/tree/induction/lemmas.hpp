@@ -33,8 +33,9 @@ struct Grown {
 };
 Grown grow(Script& script, Shape shape, char letter = 'A', const char* tree = "T");
 
-/// The places where the children of a node at (t, d) stand, the first of them at the place given.
-std::vector<std::pair<Term, Term>> places(const std::vector<Term>& children, const Term& t, const Term& d);
+/// The places t0, d0 .. t3, d3 where children stand, the first of them as given.
+std::vector<std::pair<Term, Term>> places(Script& script, const std::vector<Term>& children, const Term& t,
+                                          const Term& d);
 
 Term counted(const Term& tree);
 Term placed(const Term& tree, const Term& t, const Term& d);
@@ -109,12 +110,12 @@ void add_skip(std::vector<Statement>& all, Shape shape) {
         const ScanTurn turn = scan_turn<Rules>(c, t, d);
         script.require(turn.equation);
         if (shape == Shape::node) {
-          const Term c1 = script.define("c1", turn.child), t1 = script.define("t1", turn.bit),
-                     d1 = script.define("d1", turn.datum);
+          script.comment("Subtrees left to pass after that turn, and where the children stand.");
+          const Term c0 = script.define("c0", turn.child);
+          const auto at = places(script, children, turn.bit, turn.datum);
           script.comment("Supposed of each child, where it stands and for the subtrees that are left then.");
-          const auto at = places(children, t1, d1);
           for (unsigned k = 0; k < 4; ++k)
-            script.require(passes(children[k], minus(c1, k), at[k].first, at[k].second));
+            script.require(passes(children[k], minus(c0, k), at[k].first, at[k].second));
         }
         return {both({at_least(1, c), stands(T, t, d)}), {passes(T, c, t, d)}};
       });
@@ -157,7 +158,8 @@ void add_lookup(std::vector<Statement>& all, Shape shape) {
         });
         script.require(equal(apply("lookup", {t, d, p}, state_sort), state));
         if (shape == Shape::node) {
-          const auto at = places(children, plus(t, whole_number(1)), d);
+          script.comment("Where the children stand.");
+          const auto at = places(script, children, plus(t, whole_number(1)), d);
           script.comment("bitscan passes over the children before (skip_leaf, skip_node) and ends.");
           for (unsigned k = 0; k < 4; ++k) {
             const Term left = minus(first(p), k);
@@ -221,8 +223,9 @@ void add_emit(std::vector<Statement>& all, Shape shape) {
         });
         script.require(implies(reached(stacked(T, S), t, d), done));
         if (shape == Shape::node) {
+          script.comment("Where the children stand.");
+          const auto at = places(script, children, plus(t, whole_number(1)), d);
           script.comment("Supposed of each child, on top of those after it.");
-          const auto at = places(children, plus(t, whole_number(1)), d);
           std::vector<Term> below{S};
           for (unsigned k = 3; k > 0; --k) below.push_back(stacked(children[k], below.back()));
           for (unsigned k = 0; k < 4; ++k)

@@ -76,21 +76,21 @@
           d))
       (and (< t size) (not (internal t)) (= (data d) (value T)) (reached S (+ t 1) (+ d 1))))))
 
+; Where the children stand.
+(define-fun t0 () Int (+ t 1))
+(define-fun d0 () Int d)
+(define-fun t1 () Int (+ t0 (nodes A0)))
+(define-fun d1 () Int (+ d0 (leaves A0)))
+(define-fun t2 () Int (+ t1 (nodes A1)))
+(define-fun d2 () Int (+ d1 (leaves A1)))
+(define-fun t3 () Int (+ t2 (nodes A2)))
+(define-fun d3 () Int (+ d2 (leaves A2)))
+
 ; Supposed of each child, on top of those after it.
-(assert (written A0 (stacked A1 (stacked A2 (stacked A3 S))) (+ t 1) d))
-(assert (written A1 (stacked A2 (stacked A3 S)) (+ (+ t 1) (nodes A0)) (+ d (leaves A0))))
-(assert
-  (written
-    A2
-    (stacked A3 S)
-    (+ (+ (+ t 1) (nodes A0)) (nodes A1))
-    (+ (+ d (leaves A0)) (leaves A1))))
-(assert
-  (written
-    A3
-    S
-    (+ (+ (+ (+ t 1) (nodes A0)) (nodes A1)) (nodes A2))
-    (+ (+ (+ d (leaves A0)) (leaves A1)) (leaves A2))))
+(assert (written A0 (stacked A1 (stacked A2 (stacked A3 S))) t0 d0))
+(assert (written A1 (stacked A2 (stacked A3 S)) t1 d1))
+(assert (written A2 (stacked A3 S) t2 d2))
+(assert (written A3 S t3 d3))
 
 ; Denied:
 (assert (not (written T S t d)))

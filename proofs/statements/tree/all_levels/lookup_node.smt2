@@ -89,77 +89,66 @@
       (lookup (bit (bitscan (first p) (+ t 1) d)) (datum (bitscan (first p) (+ t 1) d)) (rest p))
       (data d))))
 
+; Where the children stand.
+(define-fun t0 () Int (+ t 1))
+(define-fun d0 () Int d)
+(define-fun t1 () Int (+ t0 (nodes A0)))
+(define-fun d1 () Int (+ d0 (leaves A0)))
+(define-fun t2 () Int (+ t1 (nodes A1)))
+(define-fun d2 () Int (+ d1 (leaves A1)))
+(define-fun t3 () Int (+ t2 (nodes A2)))
+(define-fun d3 () Int (+ d2 (leaves A2)))
+
 ; bitscan passes over the children before (skip_leaf, skip_node) and ends.
-(assert (passes A0 (first p) (+ t 1) d))
+(assert (passes A0 (first p) t0 d0))
 (assert
   (=
-    (bitscan (first p) (+ t 1) d)
-    (ite (< (+ t 1) size)
+    (bitscan (first p) t0 d0)
+    (ite (< t0 size)
       (ite (< 0 (first p))
-        (ite (internal (+ t 1))
-          (bitscan (- (+ (first p) 4) 1) (+ (+ t 1) 1) d)
-          (bitscan (- (first p) 1) (+ (+ t 1) 1) (+ d 1)))
-        (place (+ t 1) d))
-      (place (+ t 1) d))))
-(assert (passes A1 (- (first p) 1) (+ (+ t 1) (nodes A0)) (+ d (leaves A0))))
-(define-fun part_a () Place (place (+ (+ t 1) (nodes A0)) (+ d (leaves A0))))
+        (ite (internal t0)
+          (bitscan (- (+ (first p) 4) 1) (+ t0 1) d0)
+          (bitscan (- (first p) 1) (+ t0 1) (+ d0 1)))
+        (place t0 d0))
+      (place t0 d0))))
+(assert (passes A1 (- (first p) 1) t1 d1))
 (assert
   (=
-    (bitscan (- (first p) 1) (+ (+ t 1) (nodes A0)) (+ d (leaves A0)))
-    (ite (< (+ (+ t 1) (nodes A0)) size)
+    (bitscan (- (first p) 1) t1 d1)
+    (ite (< t1 size)
       (ite (< 0 (- (first p) 1))
-        (ite (internal (+ (+ t 1) (nodes A0)))
-          (bitscan (- (+ (- (first p) 1) 4) 1) (+ (+ (+ t 1) (nodes A0)) 1) (+ d (leaves A0)))
-          (bitscan (- (- (first p) 1) 1) (+ (+ (+ t 1) (nodes A0)) 1) (+ (+ d (leaves A0)) 1)))
-        part_a)
-      part_a)))
-(assert
-  (passes
-    A2
-    (- (first p) 2)
-    (+ (+ (+ t 1) (nodes A0)) (nodes A1))
-    (+ (+ d (leaves A0)) (leaves A1))))
-(define-fun part_b () Place
-  (place (+ (+ (+ t 1) (nodes A0)) (nodes A1)) (+ (+ d (leaves A0)) (leaves A1))))
+        (ite (internal t1)
+          (bitscan (- (+ (- (first p) 1) 4) 1) (+ t1 1) d1)
+          (bitscan (- (- (first p) 1) 1) (+ t1 1) (+ d1 1)))
+        (place t1 d1))
+      (place t1 d1))))
+(assert (passes A2 (- (first p) 2) t2 d2))
 (assert
   (=
-    (bitscan
-      (- (first p) 2)
-      (+ (+ (+ t 1) (nodes A0)) (nodes A1))
-      (+ (+ d (leaves A0)) (leaves A1)))
-    (ite (< (+ (+ (+ t 1) (nodes A0)) (nodes A1)) size)
+    (bitscan (- (first p) 2) t2 d2)
+    (ite (< t2 size)
       (ite (< 0 (- (first p) 2))
-        (ite (internal (+ (+ (+ t 1) (nodes A0)) (nodes A1)))
-          (bitscan
-            (- (+ (- (first p) 2) 4) 1)
-            (+ (+ (+ (+ t 1) (nodes A0)) (nodes A1)) 1)
-            (+ (+ d (leaves A0)) (leaves A1)))
-          (bitscan
-            (- (- (first p) 2) 1)
-            (+ (+ (+ (+ t 1) (nodes A0)) (nodes A1)) 1)
-            (+ (+ (+ d (leaves A0)) (leaves A1)) 1)))
-        part_b)
-      part_b)))
-(define-fun part_c () Int (+ (+ (+ (+ t 1) (nodes A0)) (nodes A1)) (nodes A2)))
-(define-fun part_d () Int (+ (+ (+ d (leaves A0)) (leaves A1)) (leaves A2)))
-(define-fun part_e () Int (+ part_c 1))
-(define-fun part_f () Place (place part_c part_d))
+        (ite (internal t2)
+          (bitscan (- (+ (- (first p) 2) 4) 1) (+ t2 1) d2)
+          (bitscan (- (- (first p) 2) 1) (+ t2 1) (+ d2 1)))
+        (place t2 d2))
+      (place t2 d2))))
 (assert
   (=
-    (bitscan (- (first p) 3) part_c part_d)
-    (ite (< part_c size)
+    (bitscan (- (first p) 3) t3 d3)
+    (ite (< t3 size)
       (ite (< 0 (- (first p) 3))
-        (ite (internal part_c)
-          (bitscan (- (+ (- (first p) 3) 4) 1) part_e part_d)
-          (bitscan (- (- (first p) 3) 1) part_e (+ part_d 1)))
-        part_f)
-      part_f)))
+        (ite (internal t3)
+          (bitscan (- (+ (- (first p) 3) 4) 1) (+ t3 1) d3)
+          (bitscan (- (- (first p) 3) 1) (+ t3 1) (+ d3 1)))
+        (place t3 d3))
+      (place t3 d3))))
 
 ; Supposed of each child, where it stands.
-(assert (finds A0 (+ t 1) d (rest p)))
-(assert (finds A1 (+ (+ t 1) (nodes A0)) (+ d (leaves A0)) (rest p)))
-(assert (finds A2 (+ (+ (+ t 1) (nodes A0)) (nodes A1)) (+ (+ d (leaves A0)) (leaves A1)) (rest p)))
-(assert (finds A3 part_c part_d (rest p)))
+(assert (finds A0 t0 d0 (rest p)))
+(assert (finds A1 t1 d1 (rest p)))
+(assert (finds A2 t2 d2 (rest p)))
+(assert (finds A3 t3 d3 (rest p)))
 
 ; Denied:
 (assert (not (finds T t d p)))

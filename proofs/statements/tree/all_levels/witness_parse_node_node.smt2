@@ -62,15 +62,20 @@
 (assert (placed T t d))
 (assert (placed S t d))
 
-; Supposed of each pair of children, where those of T stand.
-(assert (one A0 B0 (+ t 1) d))
-(assert (one A1 B1 (+ (+ t 1) (nodes A0)) (+ d (leaves A0))))
-(assert (one A2 B2 (+ (+ (+ t 1) (nodes A0)) (nodes A1)) (+ (+ d (leaves A0)) (leaves A1))))
-(assert
-  (one
-    A3
-    B3
-    (+ (+ (+ (+ t 1) (nodes A0)) (nodes A1)) (nodes A2))
-    (+ (+ (+ d (leaves A0)) (leaves A1)) (leaves A2))))
+; Where the children of T stand.
+(define-fun t0 () Int (+ t 1))
+(define-fun d0 () Int d)
+(define-fun t1 () Int (+ t0 (nodes A0)))
+(define-fun d1 () Int (+ d0 (leaves A0)))
+(define-fun t2 () Int (+ t1 (nodes A1)))
+(define-fun d2 () Int (+ d1 (leaves A1)))
+(define-fun t3 () Int (+ t2 (nodes A2)))
+(define-fun d3 () Int (+ d2 (leaves A2)))
+
+; Supposed of each pair of children, there.
+(assert (one A0 B0 t0 d0))
+(assert (one A1 B1 t1 d1))
+(assert (one A2 B2 t2 d2))
+(assert (one A3 B3 t3 d3))
 (assert (stands T t d))
 (check-sat)

@@ -69,19 +69,22 @@
         (ite (internal t) (bitscan (- (+ c 4) 1) (+ t 1) d) (bitscan (- c 1) (+ t 1) (+ d 1)))
         (place t d))
       (place t d))))
-(define-fun c1 () Int (ite (< t size) (ite (< 0 c) (ite (internal t) (- (+ c 4) 1) (- c 1)) c) c))
-(define-fun t1 () Int (ite (< t size) (ite (< 0 c) (+ t 1) t) t))
-(define-fun d1 () Int (ite (< t size) (ite (< 0 c) (ite (internal t) d (+ d 1)) d) d))
+
+; Subtrees left to pass after that turn, and where the children stand.
+(define-fun c0 () Int (ite (< t size) (ite (< 0 c) (ite (internal t) (- (+ c 4) 1) (- c 1)) c) c))
+(define-fun t0 () Int (ite (< t size) (ite (< 0 c) (+ t 1) t) t))
+(define-fun d0 () Int (ite (< t size) (ite (< 0 c) (ite (internal t) d (+ d 1)) d) d))
+(define-fun t1 () Int (+ t0 (nodes A0)))
+(define-fun d1 () Int (+ d0 (leaves A0)))
+(define-fun t2 () Int (+ t1 (nodes A1)))
+(define-fun d2 () Int (+ d1 (leaves A1)))
+(define-fun t3 () Int (+ t2 (nodes A2)))
+(define-fun d3 () Int (+ d2 (leaves A2)))
 
 ; Supposed of each child, where it stands and for the subtrees that are left then.
-(assert (passes A0 c1 t1 d1))
-(assert (passes A1 (- c1 1) (+ t1 (nodes A0)) (+ d1 (leaves A0))))
-(assert (passes A2 (- c1 2) (+ (+ t1 (nodes A0)) (nodes A1)) (+ (+ d1 (leaves A0)) (leaves A1))))
-(assert
-  (passes
-    A3
-    (- c1 3)
-    (+ (+ (+ t1 (nodes A0)) (nodes A1)) (nodes A2))
-    (+ (+ (+ d1 (leaves A0)) (leaves A1)) (leaves A2))))
+(assert (passes A0 c0 t0 d0))
+(assert (passes A1 (- c0 1) t1 d1))
+(assert (passes A2 (- c0 2) t2 d2))
+(assert (passes A3 (- c0 3) t3 d3))
 (assert (and (<= 1 c) (stands T t d)))
 (check-sat)
