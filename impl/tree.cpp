@@ -149,8 +149,6 @@ void find_all(const std::uint8_t* base, const std::uint32_t* index, std::uint8_t
     for (const std::size_t lanes = hn::Lanes(dw); count - k >= lanes; k += lanes) {
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         address[lane] = reinterpret_cast<std::uintptr_t>(memory_of(k + lane));
-        // The header two vectors on, while this one waits for its nodes.
-        if (k + lane + 2 * lanes < count) hwy::Prefetch(memory_of(k + lane + 2 * lanes));
       }
       const auto found =
           find_lanes(base, hn::Load(dw, address), hn::PromoteTo(dw, hn::LoadU(narrow, index + k)));
