@@ -282,7 +282,9 @@ TEST(Prove, NothingThatAppliesIs2) {
   for (const Arguments& arguments :
        {Arguments{"prove", "index.corners", "--subject", "step-f32", "--quiet"},
         Arguments{"prove", "paper.step_equals_reference", "--subject", "impl", "--levels", "1", "--quiet"},
-        Arguments{"prove", "index.nested", "--levels", "16", "--quiet"}}) {
+        Arguments{"prove", "index.nested", "--levels", "16", "--quiet"},
+        Arguments{"prove", "index.nested", "--subject", "tree-ranked", "--quiet"},
+        Arguments{"prove", "tree.round_trip", "--subject", "step", "--quiet"}}) {
     const Outcome r = program(arguments);
     EXPECT_EQ(r.exit_code, 2) << arguments[1];
     EXPECT_TRUE(says(r.out, "n/a")) << r.out;

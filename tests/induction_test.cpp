@@ -146,6 +146,9 @@ TEST(Discharge, AVacuousStatementAndAModelWithoutACounterexampleAreNotProved) {
 }
 
 TEST(Discharge, CutShortItHasProvedNothing) {
+  struct Cleared {
+    ~Cleared() { const InterruptGuard clears_what_was_raised; }
+  } afterwards;
   const InterruptGuard guard;
   std::raise(SIGINT);
   EXPECT_THROW(discharge(index::induction::shipped_all_levels(), subject("step"), 2, Asked{}), Interrupted);

@@ -53,6 +53,19 @@ TEST(Plan, LawsAboutOthersAreLeftOutOrSaidNotToApply) {
   EXPECT_FALSE(asked.front().unfit.empty());
 }
 
+TEST(Plan, SubjectsMeetTheLawsOfTheirTopic) {
+  Request request;
+  request.subjects = {find_subject("tree-stream"), find_subject("step")};
+  for (const Job& job : plan(request)) EXPECT_EQ(job.law->topic, job.subject->topic()) << job.law->id;
+  // A law that is named takes the subjects of its topic, and says so where there are none.
+  request.laws = {find_law("tree.round_trip")};
+  EXPECT_THAT(jobs_of(request), testing::ElementsAre("tree.round_trip tree-stream"));
+  request.subjects = {find_subject("step")};
+  const std::vector<Job> asked = plan(request);
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_EQ(asked.front().unfit, "step is a subject of topic index");
+}
+
 TEST(Plan, LevelsAreThoseAskedForOrTheTiers) {
   Request request;
   request.laws = {find_law("index.in_range")};

@@ -32,8 +32,10 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   r.subject = subject.name();
   r.level = level;
   name_proof(r, law);
-  r.method = law.how(subject, level);
-  r.domain = law.domain(subject, level);
+  // A law can only say how it would judge a subject of its own topic.
+  const bool known = subject.topic() == law.topic;
+  r.method = known ? law.how(subject, level) : to_string(law.method);
+  r.domain = known ? law.domain(subject, level) : "subjects of topic " + law.topic;
   if (run.interiors_only && law.on_lines) r.domain += ", those inside micro-triangles only";
   return r;
 }
