@@ -45,6 +45,7 @@ int replay(const Options& options) {
   if (!options.picture.empty()) picture.emplace(options.picture);
   try {
     const Replayed r = law->replay(*subject, level, options.at);
+    if (picture && r.picture.empty()) throw UsageError(fmt::format("--picture: {} has none", law->id));
     fmt::print("{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
                law->id, level, options.at, subject->name(), r.expected, r.got);
     if (picture) picture->commit(r.picture);

@@ -48,7 +48,8 @@ TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
       for (const Counterexample& c : r.counterexamples) {
         const Replayed right = law.replay(*find_subject(law.subjects.front()), c.level, c.at);
         EXPECT_TRUE(right.holds) << mutant.name << " " << c.at;
-        EXPECT_TRUE(right.picture.starts_with("<?xml")) << mutant.name << " " << c.at;
+        // Maps have no picture yet; the command line says so.
+        EXPECT_EQ(right.picture.starts_with("<?xml"), law.topic == "index") << mutant.name << " " << c.at;
       }
       break;
     }
