@@ -125,6 +125,7 @@ TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
             : law.id == "index.fixed_is_rational" ? 8
                                                   : 9;
   if (law.topic != "index") n = std::min(n, law.fast.last);
+  if (law.id == "tree.malformed") n = 1;  // each of level 2's 65,536 maps is decoded dozens of times
   const SubjectPtr subject = find_subject(law.subjects.front());
   const Report one = run_alone(law, subject, n, 1), two = run_alone(law, subject, n, 2);
   EXPECT_EQ(outcome(one), outcome(two));
