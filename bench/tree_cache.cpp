@@ -34,20 +34,18 @@ std::size_t tree_lines(const Tree& tree, std::uint64_t index) {
     std::memcpy(&w, memory + at / 8, sizeof w);
     return w;
   };
-  const auto layout = impl::tree::detail::Layout::unpacked(word(0));
+  const auto layout = impl::tree::detail::Layout::of(memory);
   std::set<std::uint64_t> lines{0};
   std::uint32_t shift = layout.below_top;
   std::uint64_t p = index >> shift;
   while (true) {
-    const std::uint64_t in_word = p / 64;
-    std::uint64_t ones = 0;
-    for (std::uint64_t w = 0; w < in_word; ++w)
-      ones += static_cast<std::uint64_t>(std::popcount(word(8 * layout.nodes_at + 64 * w)));
+    const std::uint64_t in_word = layout.word_of(p), node = p - in_word * layout.per_word();
     lines.insert((layout.nodes_at + 8 * in_word) / 64);
-    lines.insert((layout.counts_at() + (in_word << layout.log_count)) / 64);
     const std::uint64_t flags = word(8 * layout.nodes_at + 64 * in_word);
-    ones += static_cast<std::uint64_t>(std::popcount(flags & ((std::uint64_t{1} << (p % 64)) - 1)));
-    if ((flags >> (p % 64) & 1) == 0) {
+    const std::uint64_t ones =
+        (flags >> layout.per_word()) +
+        static_cast<std::uint64_t>(std::popcount(flags & ((std::uint64_t{1} << node) - 1)));
+    if ((flags >> node & 1) == 0) {
       lines.insert((layout.leaves_at() + (p - ones) * layout.b) / 512);
       return lines.size();
     }

@@ -1,33 +1,23 @@
 // mmverify bench: error against run time, by topic.
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "bench/index.hpp"
-#include "bench/index_times.hpp"
 #include "cli/arguments.hpp"
+#include "cli/bench_index.hpp"
 #include "cli/bench_plot.hpp"
 #include "cli/bench_subject.hpp"
 #include "cli/bench_sweep.hpp"
 #include "cli/bench_tree.hpp"
-#include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
-#include "proofs/engine/progress.hpp"
+#include "proofs/engine/interrupt.hpp"
 
 namespace mmverify::cli {
 namespace {
-
-using bench::Growth;
-using bench::GrowthLaw;
-using bench::IndexErrors;
-using bench::IndexFigures;
-using bench::IndexTime;
-using Json = nlohmann::ordered_json;
 
 struct Options {
   std::vector<std::string> topics;
@@ -37,140 +27,9 @@ struct Options {
   unsigned threads = 0;
 };
 
-std::string rate(const IndexErrors& e) {
-  return e.mismatches == 0 ? "none" : fmt::format("{:.2e}", e.rate());
-}
-
-/// The worst distance; where every mismatch left the grid there is none to give.
-std::string worst(const IndexErrors& e, double distance) {
-  return e.mismatches == e.off_grid ? "-" : fmt::format("{:.3g}", distance);
-}
-
-bool fitted(const Growth& g) { return g.law != GrowthLaw::none && g.law != GrowthLaw::too_few; }
-
-/// "doubles  0.98 (0.17) 1..10": the law, its slope, its residual, the levels.
-std::string growth(const Growth& g) {
-  if (!fitted(g)) return to_string(g);
-  std::string law = to_string(g);
-  law = g.law == GrowthLaw::power ? "power" : law.substr(0, law.find(' '));
-  const bench::Line& line = g.law == GrowthLaw::power ? g.power : g.exponential;
-  return fmt::format("{:<7} {:>5.2f} ({:.2f}) {}..{}", law, line.slope, line.residual, g.first, g.last);
-}
-
-void print_errors(std::FILE* out, const std::vector<IndexFigures>& figures) {
-  fmt::print(out, "{:<18} {:>5} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>15}\n", "subject", "level", "uniform",
-             "hard", "heights", "ulp", "off grid", "ns/index", "/ reference-f32");
-  for (const IndexFigures& f : figures) {
-    if (f.hard.empty()) continue;
-    const IndexErrors &u = f.uniform.back(), &h = f.hard.back();
-    const IndexTime& t = f.times.back();
-    fmt::print(out, "{:<18} {:>5} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10.2f} {:>15.2f}\n", f.name, h.level,
-               rate(u), rate(h), worst(h, h.worst_heights), worst(h, h.worst_ulp),
-               h.off_grid == 0 ? "-" : grouped(h.off_grid), t.ns_per_index, t.ratio_to_reference_f32);
-  }
-}
-
-void print_growth(std::FILE* out, const std::vector<IndexFigures>& figures) {
-  fmt::print(out, "{:<18} {:<29} {:<29} {}\n", "subject", "rate, uniform", "rate, hard",
-             "worst heights, hard");
-  for (const IndexFigures& f : figures)
-    fmt::print(out, "{:<18} {:<29} {:<29} {}\n", f.name, growth(f.uniform_rate), growth(f.hard_rate),
-               growth(f.hard_heights));
-}
-
-void print_times(std::FILE* out, const std::vector<IndexFigures>& figures) {
-  const std::vector<IndexTime>* widest = nullptr;
-  for (const IndexFigures& f : figures)
-    if (widest == nullptr || f.times.size() > widest->size()) widest = &f.times;
-  fmt::print(out, "{:<18}", "level");
-  for (const IndexTime& t : *widest) fmt::print(out, " {:>10}", t.level);
-  for (const IndexTime& t : *widest) fmt::print(out, " {:>10}", t.level);
-  fmt::print(out, "\n");
-  for (const IndexFigures& f : figures) {
-    const auto row = [&](double IndexTime::*figure) {
-      for (const IndexTime& level : *widest) {
-        const IndexTime* found = nullptr;
-        for (const IndexTime& t : f.times)
-          if (t.level == level.level) found = &t;
-        fmt::print(out, " {:>10}", found == nullptr ? "-" : fmt::format("{:.2f}", found->*figure));
-      }
-    };
-    fmt::print(out, "{:<18}", f.name);
-    row(&IndexTime::ns_per_index);
-    row(&IndexTime::ratio_to_reference_f32);
-    fmt::print(out, "\n");
-  }
-}
-
-Json to_json(const bench::Line& line) {
-  return {{"slope", line.slope}, {"intercept", line.intercept}, {"residual", line.residual}};
-}
-
-Json to_json(const Growth& g) {
-  Json j{{"law", to_string(g)}, {"levels", g.levels}};
-  if (!fitted(g)) return j;
-  j["first"] = g.first;
-  j["last"] = g.last;
-  j["exponential"] = to_json(g.exponential);
-  j["power"] = to_json(g.power);
-  return j;
-}
-
-Json to_json(const IndexErrors& e, bool hard) {
-  Json j{{"level", e.level},        {"inputs", hard ? "hard" : "uniform"},
-         {"samples", e.samples},    {"mismatches", e.mismatches},
-         {"off_grid", e.off_grid},  {"worst_heights", e.worst_heights},
-         {"worst_ulp", e.worst_ulp}};
-  if (hard)
-    for (std::size_t k = 0; k < bench::hard_kinds; ++k)
-      j["by_kind"][std::string(to_string(static_cast<bench::HardKind>(k)))] = e.by_kind[k];
-  return j;
-}
-
-Json to_json(const std::vector<IndexFigures>& figures, const bench::IndexBenchOptions& options) {
-  Json j{{"schema", "mmverify.bench/1"},
-         {"topic", "index"},
-         {"tool",
-          {{"version", build::version},
-           {"compiler", build::compiler},
-           {"flags", build::flags},
-           {"seed", options.seed},
-           {"samples", options.samples},
-           {"spec_hash", build::spec_hash}}},
-         {"rows", Json::array()},
-         {"subjects", Json::array()}};
-  for (const IndexFigures& f : figures) {
-    for (const IndexTime& t : f.times)
-      j["rows"].push_back({{"subject", f.name},
-                           {"level", t.level},
-                           {"ns_per_index", t.ns_per_index},
-                           {"ratio_to_reference_f32", t.ratio_to_reference_f32}});
-    Json subject{{"subject", f.name},
-                 {"numbers", f.numbers},
-                 {"order", f.order},
-                 {"max_level", f.max_level},
-                 {"errors", Json::array()}};
-    for (const IndexErrors& e : f.uniform) subject["errors"].push_back(to_json(e, false));
-    for (const IndexErrors& e : f.hard) subject["errors"].push_back(to_json(e, true));
-    subject["growth"] = {{"uniform_rate", to_json(f.uniform_rate)},
-                         {"hard_rate", to_json(f.hard_rate)},
-                         {"hard_worst_heights", to_json(f.hard_heights)}};
-    j["subjects"].push_back(subject);
-  }
-  return j;
-}
-
-std::vector<IndexFigures> measured(bench::IndexBenchOptions options, bool quiet) {
-  std::vector<IndexFigures> figures;
-  {
-    proofs::Progress progress(index_points(options), !quiet);
-    progress.now("bench index");
-    options.progress = [&progress](std::uint64_t points) { progress.add(points); };
-    figures = index_errors(options);
-  }
-  // Nothing else runs while the clock does.
-  add_index_times(options, figures);
-  return figures;
+/// Half a bench is none: throws Interrupted.
+void stop_if_interrupted() {
+  if (proofs::interrupted()) throw proofs::Interrupted();
 }
 
 /// One of the benches that print a table of their own and give JSON back.
@@ -180,18 +39,25 @@ int run_table(const Options& options, Bench bench) {
   std::optional<OutputFile> file;
   if (!options.json.empty() && options.json != "-") file.emplace(options.json);
   const std::string json = bench(options.json == "-" ? stderr : stdout);
+  stop_if_interrupted();
   if (file) file->commit(json);
   if (options.json == "-") fmt::print("{}", json);
   return ExitCode::complete;
 }
 
-proofs::Levels levels_or(const Options& options, const proofs::Levels& otherwise) {
-  constexpr proofs::Level highest = 16;
+proofs::Levels levels_or(const Options& options, const proofs::Levels& otherwise,
+                         proofs::Level highest = 16) {
   if (options.levels.empty()) return otherwise;
   const proofs::Levels levels = parse_levels(options.levels);
   if (levels.last > highest)
     throw UsageError(fmt::format("--levels {}: the highest level here is {}", options.levels, highest));
   return levels;
+}
+
+proofs::Levels levels_of(const Options& options, const std::string& topic) {
+  const bench::TreeBenchOptions tree;
+  return topic == "index" ? levels_or(options, {options.index.first, options.index.last})
+                          : levels_or(options, {tree.first, tree.last}, tree.last);
 }
 
 /// What judging a library costs, beside calling it.
@@ -208,67 +74,67 @@ int run_sweep_bench(const Options& options) {
   return run_table(options, [&](std::FILE* out) { return bench_sweep(levels, options.threads, out); });
 }
 
-/// Size against time of the forms of a map.
-int run_tree_bench(const Options& options) {
-  constexpr proofs::Level highest = 12;
-  const proofs::Levels levels = levels_or(options, {3, highest});
-  if (levels.last > highest)
-    throw UsageError(fmt::format("--levels {}: the highest level of a tree is {}", options.levels, highest));
+/// Tables, and what goes into files, of one topic.
+BenchOutput bench_topic(const Options& options, const std::string& topic, std::FILE* out) {
+  if (topic == "index") {
+    bench::IndexBenchOptions index = options.index;
+    const proofs::Levels levels = levels_of(options, topic);
+    index.first = levels.first;
+    index.last = levels.last;
+    return bench_index(index, options.quiet, out);
+  }
+  const proofs::Levels levels = levels_of(options, topic);
+  return bench_tree({.first = levels.first,
+                     .last = levels.last,
+                     .seed = options.index.seed,
+                     .lookups = options.index.samples,
+                     .textures = options.textures},
+                    options.quiet, out);
+}
+
+/// All topics, or those that were named.
+int run_topics(const Options& options, const std::vector<std::string>& topics) {
+  for (const std::string& topic : topics) levels_of(options, topic);
+  if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot: of one topic");
   std::optional<OutputFile> file, picture;
   if (!options.json.empty() && options.json != "-") file.emplace(options.json);
   if (!options.plot.empty()) picture.emplace(options.plot);
-  const TreeBench result = bench_tree({.first = levels.first,
-                                       .last = levels.last,
-                                       .seed = options.index.seed,
-                                       .lookups = options.index.samples,
-                                       .textures = options.textures},
-                                      options.quiet, options.json == "-" ? stderr : stdout);
-  if (file) file->commit(result.json);
-  if (options.json == "-") fmt::print("{}", result.json);
-  if (picture) picture->commit(run_gnuplot(result.plot));
+  std::FILE* const out = options.json == "-" ? stderr : stdout;
+  std::string json, plot;
+  for (const std::string& topic : topics) {
+    const BenchOutput output = bench_topic(options, topic, out);
+    json += (json.empty() ? "" : ",\n") + output.json;
+    plot = output.plot;
+    fmt::print(out, "{}", topic == topics.back() ? "" : "\n");
+  }
+  if (topics.size() > 1) json = "[\n" + json + "]\n";
+  if (file) file->commit(json);
+  if (options.json == "-") fmt::print("{}", json);
+  if (picture) picture->commit(run_gnuplot(plot));
   return ExitCode::complete;
 }
 
-int run_bench(Options options) {
+int run_bench(const Options& options) {
+  const std::vector<std::string> all{"index", "tree"};
+  std::vector<std::string> topics;
+  for (const std::string& topic : all)
+    if (options.topics.empty() ||
+        std::find(options.topics.begin(), options.topics.end(), topic) != options.topics.end())
+      topics.push_back(topic);
   for (const std::string& topic : options.topics)
-    if (topic != "index" && topic != "tree")
-      throw UsageError(fmt::format("no topic is called '{}'; there are index and tree", topic));
-  if (options.topics == std::vector<std::string>{"tree"}) return run_tree_bench(options);
-  if (options.topics.size() > 1) throw UsageError("bench: one topic at a time");
-  if (!options.textures.empty()) throw UsageError("--textures: for bench tree");
-  if (!options.subject.empty()) return run_subject_bench(options);
-  if (options.sweep) return run_sweep_bench(options);
-  const proofs::Levels levels = levels_or(options, {options.index.first, options.index.last});
-  options.index.first = levels.first;
-  options.index.last = levels.last;
-  std::optional<OutputFile> file, picture;
-  if (!options.json.empty() && options.json != "-") file.emplace(options.json);
-  if (!options.plot.empty()) picture.emplace(options.plot);
-
-  const std::vector<IndexFigures> figures = measured(options.index, options.quiet);
-  std::FILE* out = options.json == "-" ? stderr : stdout;
-  fmt::print(
-      out,
-      "index, levels {}..{}, seed {}, {} uniform and {} hard points a level (rationals: a 256th).\n"
-      "A sample is checked, never proved: 'none' is none found.\n\n"
-      "Mismatch rates at the highest level; the worst distance of a hard point from the micro-triangle "
-      "returned;\ntime on uniform points, one thread\n",
-      options.index.first, options.index.last, options.index.seed, grouped(options.index.samples),
-      grouped(options.index.samples));
-  print_errors(out, figures);
-  fmt::print(
-      out,
-      "\nGrowth from level to level: the law, its slope (log2 a level; a power law's is the power), (its "
-      "residual)\nin log2, and the levels that it was fitted on\n");
-  print_growth(out, figures);
-  fmt::print(out, "\nTime: ns an index, then the ratio to reference-f32\n");
-  print_times(out, figures);
-
-  const Json j = to_json(figures, options.index);
-  if (file) file->commit(j.dump(1) + "\n");
-  if (options.json == "-") fmt::print("{}\n", j.dump(1));
-  if (picture) picture->commit(run_gnuplot(index_plot_script(figures, options.index.samples)));
-  return ExitCode::complete;
+    if (std::find(all.begin(), all.end(), topic) == all.end())
+      throw UsageError(fmt::format("no topic is called '{}'; there are {}", topic, fmt::join(all, ", ")));
+  const proofs::InterruptGuard guard;
+  if (!options.subject.empty() || options.sweep) {
+    const char* const option = options.sweep ? "--sweep" : "--subject";
+    if (topics.front() != "index" || options.topics.size() > 1)
+      throw UsageError(fmt::format("{}: for bench index", option));
+    if (!options.textures.empty()) throw UsageError("--textures: for bench tree");
+    return options.sweep ? run_sweep_bench(options) : run_subject_bench(options);
+  }
+  if (!options.textures.empty() && topics != std::vector<std::string>{"tree"})
+    throw UsageError("--textures: for bench tree");
+  return run_topics(options, topics);
 }
 
 }  // namespace
@@ -277,7 +143,7 @@ Action add_bench(CLI::App& program) {
   auto* command =
       program.add_subcommand("bench", "error against run time, the fast way beside the obvious one");
   auto options = std::make_shared<Options>();
-  command->add_option("topic", options->topics, "index (where none is given) or tree")->type_name("TOPIC");
+  command->add_option("topic", options->topics, "index or tree; all where none is given")->type_name("TOPIC");
   command
       ->add_option("--levels", options->levels,
                    "levels A..B, both included; 1..16, of tree 3..12, where not given")

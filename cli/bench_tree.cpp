@@ -8,6 +8,7 @@
 #include "cli/arguments.hpp"
 #include "cli/build_info.hpp"
 #include "cli/exit_code.hpp"
+#include "proofs/engine/interrupt.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -136,10 +137,12 @@ std::string tree_plot_script(const std::vector<TreeFigures>& figures) {
   return script + "unset multiplot\n";
 }
 
-TreeBench bench_tree(const TreeBenchOptions& given, bool quiet, std::FILE* out) {
+BenchOutput bench_tree(const TreeBenchOptions& given, bool quiet, std::FILE* out) {
   TreeBenchOptions options = given;
-  if (!quiet)
-    options.progress = [](const std::string& what) { fmt::print(stderr, "bench tree: {}\n", what); };
+  options.progress = [quiet](const std::string& what) {
+    if (proofs::interrupted()) throw proofs::Interrupted();
+    if (!quiet) fmt::print(stderr, "bench tree: {}\n", what);
+  };
   std::vector<TreeFigures> figures;
   try {
     figures = tree_figures(options);
@@ -148,6 +151,7 @@ TreeBench bench_tree(const TreeBenchOptions& given, bool quiet, std::FILE* out) 
   } catch (const std::runtime_error& error) {
     throw EnvironmentError(error.what());
   }
+  if (proofs::interrupted()) throw proofs::Interrupted();
   fmt::print(
       out,
       "tree, levels {}..{}, seed {}, maps {}, {} random lookups over all maps of a level, one thread\n\n"

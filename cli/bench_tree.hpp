@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "bench/tree.hpp"
+#include "cli/bench_output.hpp"
 
 namespace mmverify::cli {
 
-struct TreeBench {
-  std::string json;  ///< as JSON text
-  std::string plot;  ///< as a gnuplot script
-};
-
 /// Measures and prints the tables.  Throws EnvironmentError for textures that cannot be read.
-TreeBench bench_tree(const bench::TreeBenchOptions& options, bool quiet, std::FILE* out);
+BenchOutput bench_tree(const bench::TreeBenchOptions& options, bool quiet, std::FILE* out);
 
 /// Above two states, below four: bits a micro-triangle over ns a lookup, a line a form, its levels in order.
 std::string tree_plot_script(const std::vector<bench::TreeFigures>& figures);

@@ -11,6 +11,7 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "proofs/engine/interrupt.hpp"
 
 namespace {
 
@@ -62,6 +63,8 @@ int main(int argc, char** argv) {
       if (commands[k]->parsed()) return closed(actions[k]());
   } catch (const UsageError& error) {
     return complain(ExitCode::usage, error.what());
+  } catch (const mmverify::proofs::Interrupted&) {
+    return complain(ExitCode::interrupted, "interrupted; no file was written");
   } catch (const std::exception& error) {
     return complain(ExitCode::environment, error.what());
   }

@@ -31,7 +31,7 @@ struct Options {
   std::size_t errors = 1;
   std::uint64_t seed = 1;
   double timeout = 10;
-  bool quiet = false;
+  bool quiet = false, no_mutants = false;
   std::string shard, journal;
 };
 
@@ -107,6 +107,7 @@ int prove(const Options& options) {
   const Identity identity = identity_of(jobs, run);
   const std::unique_ptr<Journal> journal = open_journal(options.journal, identity, run.shard);
   run.journal = journal.get();
+  run.mutants = !options.no_mutants;
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, !options.subjects.empty());
   if (report.interrupted && journal)
@@ -152,6 +153,8 @@ Action add_prove(CLI::App& program) {
       ->add_option("--journal", options->journal,
                    "keep finished work in this file as it comes; the same run started again goes on from it")
       ->type_name("FILE");
+  command->add_flag("--no-mutants", options->no_mutants,
+                    "leave out the wrong subjects by which each law shows that it can fail");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");
   return [options] { return prove(*options); };
 }

@@ -167,9 +167,11 @@ void TextReport::finish(const Report& report, bool name_subjects) {
   std::vector<std::string> parts;
   for (const auto& [verdict, count] : verdicts)
     parts.push_back(fmt::format("{} {}", count, to_string(verdict)));
-  say(out_, "{} results: {}; {} of {} mutants killed; {:.1f} s on {} thread{}\n", report.results.size(),
-      fmt::join(parts, ", "), killed, report.mutants.size(), seconds, report.threads,
-      report.threads == 1 ? "" : "s");
+  const std::string mutants = report.mutants.empty()
+                                  ? "no mutants run"
+                                  : fmt::format("{} of {} mutants killed", killed, report.mutants.size());
+  say(out_, "{} results: {}; {}; {:.1f} s on {} thread{}\n", report.results.size(), fmt::join(parts, ", "),
+      mutants, seconds, report.threads, report.threads == 1 ? "" : "s");
   std::fflush(out_);
 }
 

@@ -3,7 +3,8 @@
 // The form.  Two numbers are chosen for each map: a top depth k and a block depth m, k <= m <= n.
 //   nodes   one bit each, 1 internal, 0 leaf: all 4^k nodes of depth k in order (those below a shallower
 //           leaf are leaves), then the four children of each internal node of depths k..m-1, in level order
-//   counts  for each 64-bit word of nodes, how many ones come before it: 8, 16 or 32 bits, as they need
+//           in words of 64 bits, each with room above its 56, 48 or 40 nodes for how many ones come before
+//           it, so that one load brings both
 //   blocks  the 4^(n-m) states below each internal node of depth m, as they lie in the map
 //   leaves  the state of each 0 in nodes
 // The children of the r-th one in nodes (from 0) start at 4^k + 4r; a 0 at p is leaf number p - (ones before
@@ -22,11 +23,20 @@ namespace mmverify::impl::tree {
 
 class Tree {
  public:
-  /// The form of a map, with the fewest steps, but no fewer than are usual at its level, that fit 33/32 of
-  /// the paper's stream (the bits of its two sequences) and the header; of these the smallest; the smallest
-  /// of all where none fits.  Equal maps give equal forms. Domain: n in 0..12 and a map of its size, or
-  /// std::invalid_argument is thrown.
+  /// The form of a map, with the fewest steps that fit 18/17 of the paper's stream (the bits of its two
+  /// sequences) and the header; of these the shallowest that takes at most 1/32 more than the smallest; the
+  /// smallest of all where none fits.  Equal maps give equal forms.
+  /// Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown.
   static Tree encode(Level n, Bits b, std::span<const std::uint8_t> map);
+
+  /// Where a form's nodes begin and where its blocks do: k and m.
+  struct Depths {
+    Level top, block;
+  };
+
+  /// The form with these depths, whatever memory it takes: for who wants to see each of them work.
+  /// Domain: as above, and top <= block < max(n, 1), or std::invalid_argument is thrown.
+  static Tree encode(Level n, Bits b, std::span<const std::uint8_t> map, Depths depths);
 
   /// The state of a micro-triangle.  Domain: index < 4^level; its low 2 level bits count.
   std::uint8_t operator[](std::uint64_t index) const noexcept;
@@ -57,7 +67,7 @@ class Tree {
  private:
   explicit Tree(std::unique_ptr<std::uint8_t[]> memory) noexcept : memory_(std::move(memory)) {}
 
-  std::unique_ptr<std::uint8_t[]> memory_;  // a header of 64 bits, nodes, counts, blocks, leaves
+  std::unique_ptr<std::uint8_t[]> memory_;  // a header of 64 bits, nodes with counts, blocks, leaves
 };
 
 /// state[k] = (*trees[which[k]])[index[k]]: lookups in many trees, in any order.

@@ -27,6 +27,11 @@ constexpr std::uint64_t low_bits(std::uint32_t count) noexcept {
   return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
+/// Of four flags, how many are set: what takes one instruction is a call where the target has none.
+constexpr std::uint32_t ones_of_four(std::uint64_t flags) noexcept {
+  return static_cast<std::uint32_t>(0x4332322132212110 >> (4 * flags)) & 15;
+}
+
 constexpr std::uint64_t bytes_for(std::uint64_t bits) noexcept { return (bits + 7) / 8; }
 
 /// Appends bits.  Eight bytes beyond the last bit must belong to the array: whole words are stored.

@@ -1,10 +1,19 @@
 #include "impl/tree_pyramid.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "impl/tree_pyramid.cpp"
+#include <hwy/foreach_target.h>
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+// Compiled once for each target: with no branch, the compiler makes vectors of the loops.
+HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::tree::detail {
-namespace {
+namespace HWY_NAMESPACE {
 
 constexpr std::uint64_t nibbles = 0x1111111111111111, pairs = 0x0303030303030303, bytes = 0x0101010101010101;
 
@@ -37,6 +46,54 @@ constexpr Parents parents_four(std::uint64_t mixed, std::uint64_t states) noexce
   differ = (differ | differ >> 28) & 0xff;
   return {any_of_four(mixed) | differ, gather_pairs(first)};
 }
+
+// Words of children to their parents' states and flags.  mixed_below: none where the children are of the map.
+template <class Flags, class Mixed, Parents parents(std::uint64_t, std::uint64_t)>
+HWY_INLINE void each_word(const std::uint8_t* HWY_RESTRICT below,
+                          const std::uint8_t* HWY_RESTRICT mixed_below, std::size_t count,
+                          std::uint8_t* HWY_RESTRICT states, std::uint8_t* HWY_RESTRICT mixed) {
+  for (std::size_t k = 0; k < count; ++k) {
+    std::uint64_t word;
+    Flags flags = 0;
+    std::memcpy(&word, below + 8 * k, sizeof word);
+    if (mixed_below != nullptr) std::memcpy(&flags, mixed_below + sizeof flags * k, sizeof flags);
+    const Parents p = parents(flags, word);
+    const auto p_states = static_cast<std::uint16_t>(p.states);
+    const auto p_mixed = static_cast<Mixed>(p.mixed);
+    std::memcpy(states + sizeof p_states * k, &p_states, sizeof p_states);
+    std::memcpy(mixed + sizeof p_mixed * k, &p_mixed, sizeof p_mixed);
+  }
+}
+
+void parents_of(std::uint32_t b, const std::uint8_t* below, const std::uint8_t* mixed_below,
+                std::size_t count, std::uint8_t* HWY_RESTRICT states, std::uint8_t* HWY_RESTRICT mixed) {
+  if (b == 1 && mixed_below == nullptr)
+    each_word<std::uint64_t, std::uint16_t, parents_two>(below, nullptr, count, states, mixed);
+  else if (b == 1)
+    each_word<std::uint64_t, std::uint16_t, parents_two>(below, mixed_below, count, states, mixed);
+  else if (mixed_below == nullptr)
+    each_word<std::uint32_t, std::uint8_t, parents_four>(below, nullptr, count, states, mixed);
+  else
+    each_word<std::uint32_t, std::uint8_t, parents_four>(below, mixed_below, count, states, mixed);
+}
+
+std::uint64_t ones_of(const std::uint64_t* words, std::size_t count) {
+  std::uint64_t ones = 0;
+  for (std::size_t k = 0; k < count; ++k) ones += static_cast<std::uint64_t>(__builtin_popcountll(words[k]));
+  return ones;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mmverify::impl::tree::detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace mmverify::impl::tree::detail {
+
+HWY_EXPORT(parents_of);
+HWY_EXPORT(ones_of);
+
+namespace {
 
 constexpr std::size_t words_for(std::uint64_t bits) noexcept {
   return static_cast<std::size_t>((bits + 63) / 64);
@@ -74,36 +131,28 @@ Pyramid::Pyramid(Level n, Bits b, std::span<const std::uint8_t> map) : b_(static
   }
   // Depth n is the map itself, and no node of it is internal.
   const std::uint64_t states_bits = nodes_at(n) * b_;
+  const auto bytes_of = [this](std::size_t word) {
+    return reinterpret_cast<std::uint8_t*>(words_.data() + word);
+  };
   for (Level d = n; d-- > 0;) {
-    const std::size_t count = words_for(nodes_at(d + 1) * b_);
-    auto* const mixed = reinterpret_cast<std::uint8_t*>(words_.data() + mixed_at_[d]);
-    auto* const states = reinterpret_cast<std::uint8_t*>(words_.data() + states_at_[d]);
-    const std::uint64_t* const below_mixed = d + 1 < n ? words_.data() + mixed_at_[d + 1] : nullptr;
-    const std::uint64_t* const below_states = d + 1 < n ? words_.data() + states_at_[d + 1] : nullptr;
-    for (std::size_t k = 0; k < count; ++k) {
-      std::uint64_t word = 0, flags = 0;
-      if (below_states == nullptr) {
-        word = load_word(map.data() + 8 * k, map.size() - 8 * k);
-        if (states_bits < 64) word &= low_bits(static_cast<std::uint32_t>(states_bits));
-      } else {
-        word = below_states[k];
-        flags = b_ == 1 ? below_mixed[k] : below_mixed[k / 2] >> (32 * (k % 2)) & 0xffffffff;
-      }
-      // Most words lie in the middle of one colour.
-      if (flags == 0 && word == 0) continue;
-      const Parents p = b_ == 1 ? parents_two(flags, word) : parents_four(flags, word);
-      // Little-endian bytes of zeroed words.
-      const auto p_states = static_cast<std::uint16_t>(p.states),
-                 p_mixed = static_cast<std::uint16_t>(p.mixed);
-      std::memcpy(states + 2 * k, &p_states, 2);
-      if (b_ == 1)
-        std::memcpy(mixed + 2 * k, &p_mixed, 2);
-      else
-        mixed[k] = static_cast<std::uint8_t>(p.mixed);
+    std::uint8_t *const mixed = bytes_of(mixed_at_[d]), *const states = bytes_of(states_at_[d]);
+    if (d + 1 < n) {
+      HWY_DYNAMIC_DISPATCH(parents_of)
+      (b_, bytes_of(states_at_[d + 1]), bytes_of(mixed_at_[d + 1]), words_for(nodes_at(d + 1) * b_), states,
+       mixed);
+    } else if (states_bits >= 64) {
+      HWY_DYNAMIC_DISPATCH(parents_of)(b_, map.data(), nullptr, states_bits / 64, states, mixed);
+    } else {
+      const std::uint64_t word =
+          load_word(map.data(), map.size()) & low_bits(static_cast<std::uint32_t>(states_bits));
+      std::uint8_t bytes[8];
+      std::memcpy(bytes, &word, sizeof word);
+      HWY_DYNAMIC_DISPATCH(parents_of)(b_, bytes, nullptr, 1, states, mixed);
     }
   }
   for (Level d = 0; d < n; ++d)
-    for (const std::uint64_t word : mixed(d)) internal_[d] += static_cast<std::uint64_t>(std::popcount(word));
+    internal_[d] = HWY_DYNAMIC_DISPATCH(ones_of)(mixed(d).data(), mixed(d).size());
 }
 
 }  // namespace mmverify::impl::tree::detail
+#endif  // HWY_ONCE

@@ -15,28 +15,29 @@ void flip(Bytes& packed, std::size_t bit) {
 }
 
 Law round_trip_law() {
-  return on_all_maps({.id = "tree.round_trip",
-                      .topic = "tree",
-                      .says = "a decoded code is the map that was encoded, and its padding bits are zero",
-                      .source = succinct_4_2,
-                      .subjects = {"tree-spec", "tree-stream", "tree-ranked", "tree-container"},
-                      .fast_seconds = 1,
-                      .mutants = {mutant("one state of one map of level 2", "tree-stream", {2, 2},
-                                         {.decode =
-                                              [](const Map& map, Bytes& packed) {
-                                                if (is(map, "2-state:0000000000000001")) flip(packed, 0);
-                                              }}),
-                                  mutant("a padding bit of level 0", "tree-ranked", {0, 0},
-                                         {.decode =
-                                              [](const Map& map, Bytes& packed) {
-                                                if (is(map, "4-state:3")) flip(packed, 7);
-                                              }}),
-                                  mutant("three equal siblings merge", "tree-container", {0, 2},
-                                         {.encode =
-                                              [](Map& map) {
-                                                if (is(map, "4-state:2223")) map.packed = {0xAA};
-                                              }})}},
-                     {}, round_trip);
+  return on_all_maps(
+      {.id = "tree.round_trip",
+       .topic = "tree",
+       .says = "a decoded code is the map that was encoded, and its padding bits are zero",
+       .source = succinct_4_2,
+       .subjects = {"tree-spec", "tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
+       .fast_seconds = 1,
+       .mutants = {mutant("one state of one map of level 2", "tree-stream", {2, 2},
+                          {.decode =
+                               [](const Map& map, Bytes& packed) {
+                                 if (is(map, "2-state:0000000000000001")) flip(packed, 0);
+                               }}),
+                   mutant("a padding bit of level 0", "tree-ranked", {0, 0},
+                          {.decode =
+                               [](const Map& map, Bytes& packed) {
+                                 if (is(map, "4-state:3")) flip(packed, 7);
+                               }}),
+                   mutant("three equal siblings merge", "tree-container", {0, 2},
+                          {.encode =
+                               [](Map& map) {
+                                 if (is(map, "4-state:2223")) map.packed = {0xAA};
+                               }})}},
+      {}, round_trip);
 }
 
 Law lookup_law() {
@@ -44,7 +45,7 @@ Law lookup_law() {
                       .topic = "tree",
                       .says = "a lookup at any index gives the state that the map has there",
                       .source = succinct_4_2,
-                      .subjects = {"tree-spec", "tree-stream", "tree-ranked"},
+                      .subjects = {"tree-spec", "tree-stream", "tree-ranked", "tree-stepwise"},
                       .fast_seconds = 2,
                       .mutants = {mutant("the last index of one map", "tree-ranked", {2, 2},
                                          {.lookup =
@@ -71,7 +72,7 @@ Law point_law() {
        .topic = "tree",
        .says = "a lookup by barycentrics gives the state at the reference's index, on lines and corners too",
        .source = succinct_4_2,
-       .subjects = {"tree-spec", "tree-ranked"},
+       .subjects = {"tree-spec", "tree-ranked", "tree-stepwise"},
        .fast_seconds = 6,
        .mutants = {mutant("a tie of one map", "tree-ranked", {2, 2},
                           {.point =
@@ -174,7 +175,7 @@ Law four_state_law() {
        .topic = "tree",
        .says = "round trip and every lookup, for each of the 4^16 4-state maps of level 2",
        .source = succinct_4_2,
-       .subjects = {"tree-stream", "tree-ranked"},
+       .subjects = {"tree-stream", "tree-stepwise"},
        .mutants = {mutant("one map", "tree-ranked", {2, 2},
                           {.decode =
                                [](const Map& map, Bytes& packed) {
@@ -204,7 +205,7 @@ Law samples_law() {
        .topic = "tree",
        .says = "round trip, lookups by index and by point, and the paper's bytes, on maps of higher levels",
        .source = succinct_4_2,
-       .subjects = {"tree-stream", "tree-ranked", "tree-container"},
+       .subjects = {"tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
        .fast = {3, 8},
        .long_run = {3, 9},
        .fast_seconds = 6,

@@ -96,7 +96,7 @@ TEST(BenchTree, MemoryIsNearThePapers) {
   for (const Bits b : both)
     for (Level n = 6; n <= 9; ++n) {
       std::uint64_t ours = 0, paper = 0;
-      for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+      for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         const Bytes map = leaf_map(n, b, seed);
         const Stream s = encode_stream(n, b, map);
         ours += Tree::encode(n, b, map).bits();

@@ -56,14 +56,17 @@ TEST_P(Usage, IsOneLineAndAnExitCode) {
 
 const std::string replayed_law = "index.equals_reference";
 
-INSTANTIATE_TEST_SUITE_P(Program, Usage,
-                         testing::Values(Complaint{{}, 2, "subcommand"}, Complaint{{"frobnicate"}, 2, ""},
-                                         Complaint{{"--frobnicate"}, 2, ""},
-                                         Complaint{{"list", "more"}, 2, "more"},
-                                         Complaint{{"bench", "nothing"}, 2, "'nothing'"},
-                                         Complaint{{"bench", "--json", "no/such/folder/x.json", "index"},
-                                                   4,
-                                                   "no/such/folder/x.json"}));
+INSTANTIATE_TEST_SUITE_P(
+    Program, Usage,
+    testing::Values(Complaint{{}, 2, "subcommand"}, Complaint{{"frobnicate"}, 2, ""},
+                    Complaint{{"--frobnicate"}, 2, ""}, Complaint{{"list", "more"}, 2, "more"},
+                    Complaint{{"bench", "nothing"}, 2, "'nothing'"},
+                    Complaint{{"bench", "tree", "--subject", "step"}, 2, "--subject"},
+                    Complaint{{"bench", "tree", "--sweep"}, 2, "--sweep"},
+                    Complaint{{"bench", "--levels", "3..13"}, 2, "highest level here is 12"},
+                    Complaint{{"bench", "--plot", "x.svg"}, 2, "--plot"},
+                    Complaint{
+                        {"bench", "--json", "no/such/folder/x.json", "index"}, 4, "no/such/folder/x.json"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Prove, Usage,
@@ -229,7 +232,7 @@ TEST(Prove, ErrorsKeepsAsManyCounterexamplesAndEachReplays) {
 TEST(Prove, AnInductionIsProvedForAllLevelsAtOnce) {
   Folder folder;
   const Outcome r = program({"prove", "index.all_levels", "index.wide_is_vulkan", "--levels", "3..5",
-                             "--quiet", "--json", folder / "r.json"});
+                             "--quiet", "--no-mutants", "--json", folder / "r.json"});
   EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
   EXPECT_EQ(lines_with(r.out, "proved (induction) index.all_levels").size(), 1u);
   EXPECT_EQ(lines_with(r.out, "proved (bit vectors) index.wide_is_vulkan").size(), 1u);
@@ -317,6 +320,15 @@ TEST(Prove, CountsAndDigestsAreTheSameForOneThreadAndTwo) {
       EXPECT_EQ(one["results"][k][key], two["results"][k][key]) << key;
 }
 
+TEST(Prove, WithoutMutantsItSaysSo) {
+  const Outcome r = program({"prove", "index.in_range", "--levels", "2", "--quiet", "--no-mutants"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_TRUE(says(r.out, "; no mutants run; ")) << r.out;
+  const json run = parsed(
+      program({"prove", "index.in_range", "--levels", "2", "--quiet", "--no-mutants", "--json", "-"}).out);
+  EXPECT_TRUE(run["mutants"].empty());
+}
+
 TEST(Prove, TheSeedDecidesTheSample) {
   const auto digest = [](const char* seed) {
     const Outcome r = program({"prove", "index.cells_decide", "--subject", "reference", "--levels", "4",
@@ -362,6 +374,41 @@ TEST_P(Interrupt, Is3AndProvesNothingThatWasNotFinished) {
   EXPECT_TRUE(junit.load_string(text_of(folder / "r.xml").c_str()));
   EXPECT_GT(junit.child("testsuites").attribute("errors").as_int(), 0);
   EXPECT_EQ(folder.files().size(), 2u);
+}
+
+// A bench of all levels takes minutes.
+TEST_P(Interrupt, OfABenchIs3AndLeavesNoFile) {
+  Folder folder;
+  Process process(program_with({"bench", "tree", "--json", folder / "b.json"}));
+  ASSERT_TRUE(process.says("bench tree: level"));
+  process.send(GetParam());
+  const Outcome r = process.wait();
+  EXPECT_EQ(r.exit_code, 3) << r.out;
+  EXPECT_TRUE(says(r.err, "interrupted; no file was written")) << r.err;
+  EXPECT_TRUE(folder.files().empty());
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Bench
+// ---------------------------------------------------------------------------------------------------------------------
+
+TEST(Bench, WithNoTopicIsOfAllAndItsJsonAList) {
+  const Outcome r = program({"bench", "--levels", "3", "--samples", "2000", "--quiet", "--json", "-"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const json benches = parsed(r.out);
+  ASSERT_EQ(benches.size(), 2u);
+  EXPECT_EQ(benches[0]["topic"], "index");
+  EXPECT_EQ(benches[1]["topic"], "tree");
+  for (const json& bench : benches) EXPECT_FALSE(bench["rows"].empty());
+}
+
+TEST(Bench, TreeSaysWhatAFormTakesAndHowFastItIs) {
+  const Outcome r =
+      program({"bench", "tree", "--levels", "3..4", "--samples", "2000", "--quiet", "--json", "-"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const json bench = parsed(r.out);
+  EXPECT_EQ(bench["topic"], "tree");
+  EXPECT_TRUE(says(r.err, "paper / ours"));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -53,12 +54,14 @@ class Process {
 
   void send(int signal) const { ::kill(pid_, signal); }
 
-  /// Waits until stdout holds the words; false once the process has ended without them, or after ten minutes.
+  /// Waits until stdout or stderr holds the words; false once the process has ended without them, or after
+  /// ten minutes.
   bool says(const std::string& words) const {
     for (int tries = 0; tries < 60'000; ++tries) {
       siginfo_t state{};
       waitid(P_PID, static_cast<id_t>(pid_), &state, WEXITED | WNOHANG | WNOWAIT);
-      if (text_of(out_).find(words) != std::string::npos) return true;
+      for (const std::filesystem::path& stream : {std::filesystem::path(out_), captured_ / "err"})
+        if (text_of(stream).find(words) != std::string::npos) return true;
       if (state.si_pid != 0) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }

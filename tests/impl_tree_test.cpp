@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -12,6 +13,7 @@
 #include "impl/index.hpp"
 #include "impl/tree.hpp"
 #include "impl/tree_container.hpp"
+#include "impl/tree_layout.hpp"
 #include "impl/tree_stream.hpp"
 #include "spec/fixed.hpp"
 #include "spec/tree.hpp"
@@ -189,6 +191,36 @@ TEST(ImplTree, AssortedMapsOfLevels2To6) {
         expect_specified(states, n, b, encode_stream(n, b, packed(states, b)));
         if (HasFatalFailure()) FAIL() << "level " << n;
       }
+}
+
+// No form has more than 2^25 nodes; a quotient that only grows is right where it is right at each end.
+TEST(ImplTree, TheWordOfANodeIsAQuotient) {
+  for (const std::uint32_t count_size : {0u, 1u, 2u}) {
+    mmverify::impl::tree::detail::Layout layout{};
+    layout.count_size = count_size;
+    const std::uint64_t per_word = layout.per_word();
+    for (std::uint64_t w = 0; w * per_word <= 1u << 25; ++w) {
+      ASSERT_EQ(layout.word_of(w * per_word), w);
+      ASSERT_EQ(layout.word_of(w * per_word + per_word - 1), w);
+    }
+  }
+}
+
+// Whatever the depths of its nodes and its blocks, a form is of the same map.
+TEST(ImplTree, EveryPairOfDepths) {
+  for (const Bits b : both)
+    for (Level n = 0; n <= 6; ++n)
+      for (const States& states : assorted(n, b, 3))
+        for (Level block = 0; block < std::max<Level>(n, 1); ++block)
+          for (Level top = 0; top <= block; ++top) {
+            const Bytes map = packed(states, b);
+            const Tree tree = Tree::encode(n, b, map, {top, block});
+            Bytes out(map.size(), 0xee);
+            tree.decode(out);
+            ASSERT_EQ(out, map) << n << ": " << top << ", " << block;
+            for (std::size_t k = 0; k < states.size(); ++k)
+              ASSERT_EQ(tree[k], states[k]) << n << ": " << top << ", " << block << ", index " << k;
+          }
 }
 
 // One micro-triangle apart from the rest, in every place.
@@ -429,6 +461,8 @@ TEST(ImplTree, RefusesLevelsAndSizesThatMeanNothing) {
   EXPECT_THROW(encode_stream(2, Bits{3}, four), std::invalid_argument);
   EXPECT_THROW(Tree::encode(13, Bits::two_state, four), std::invalid_argument);
   EXPECT_THROW(Tree::encode(2, Bits::two_state, four), std::invalid_argument);
+  EXPECT_THROW(Tree::encode(2, Bits::four_state, four, {0, 2}), std::invalid_argument);
+  EXPECT_THROW(Tree::encode(2, Bits::four_state, four, {1, 0}), std::invalid_argument);
   const Stream s = encode_stream(2, Bits::four_state, four);
   EXPECT_THROW(decode_stream(3, Bits::four_state, s, out), std::invalid_argument);
   EXPECT_THROW(decode_stream(13, Bits::four_state, s, out), std::invalid_argument);

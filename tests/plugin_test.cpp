@@ -16,7 +16,8 @@ using testing::Not;
 std::string library(const std::string& name) { return std::string(MMVERIFY_SUBJECTS) + "/" + name + ".so"; }
 
 Outcome judge(const std::string& name, const std::string& more = "index.equals_reference --levels 6..8") {
-  return shell("mmverify prove --quiet --timeout 1 --threads 1 --subject " + library(name) + " " + more);
+  return shell("mmverify prove --quiet --no-mutants --timeout 1 --threads 1 --subject " + library(name) +
+               " " + more);
 }
 
 TEST(Subject, the_example_in_c_is_proved_on_all_cells) {
@@ -131,13 +132,15 @@ TEST(Subject, what_it_prints_stays_out_of_the_results) {
 
 TEST(Subject, same_digest_for_any_number_of_threads) {
   const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
-  const std::string at = "prove index.equals_reference --quiet --levels 9 --subject " + library("batched");
+  const std::string at =
+      "prove index.equals_reference --quiet --no-mutants --levels 9 --subject " + library("batched");
   const Outcome one = shell("mmverify " + at + " --threads 1"),
                 two = shell("mmverify " + at + " --threads 2");
   EXPECT_EQ(one.exit_code, 0);
   EXPECT_EQ(digest(one), digest(two));
-  EXPECT_EQ(digest(one),
-            digest(shell("mmverify prove index.equals_reference --quiet --levels 9 --subject step")));
+  EXPECT_EQ(
+      digest(one),
+      digest(shell("mmverify prove index.equals_reference --quiet --no-mutants --levels 9 --subject step")));
 }
 
 TEST(Subject, a_file_that_is_no_subject_is_exit_4) {

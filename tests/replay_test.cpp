@@ -39,12 +39,14 @@ void expect_replayed(const Law& law, const Subject& subject, const Result& r) {
 }
 
 TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
+  if (!law.at_once.empty()) SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
   for (const Mutant& mutant : law.mutants)
     for (Level n = mutant.levels.first; n <= mutant.levels.last; ++n) {
-      const Result r = run_level(law, *mutant.subject, n, keeping(5));
+      Result r = run_level(law, *mutant.subject, n, keeping(5));
       if (r.verdict != Verdict::refuted) continue;
       ASSERT_FALSE(r.counterexamples.empty());
       expect_replayed(law, *mutant.subject, r);
+      if (sanitized) r.counterexamples.resize(1);
       for (const Counterexample& c : r.counterexamples) {
         const Replayed right = law.replay(*find_subject(law.subjects.front()), c.level, c.at);
         EXPECT_TRUE(right.holds) << mutant.name << " " << c.at;
@@ -61,9 +63,11 @@ TEST_P(Replay, ShowsTheCounterexamplesOfEverySubject) {
   const Level rounded_by_binary16 = law.cases(9, Asked{}) > cell_count(9) ? 9 : 10;
   for (const SubjectPtr& s : subjects()) {
     // Of the long samples, those that are sure to be refuted will do.
+    if (s->topic() != law.topic) continue;
     if (law.method == Method::sample && !s->name().starts_with("step-f")) continue;
     std::vector<Level> levels{4};
     if (law.method == Method::exhaustive) levels = {1, 2, 3, 4};
+    if (law.id == "tree.malformed") levels = {1};  // each of level 2's 65,536 maps is decoded dozens of times
     if (s->name().ends_with("-f16")) levels.push_back(rounded_by_binary16);
     for (const Level n : levels) {
       const Result r = run_level(law, *s, n, keeping(40));

@@ -15,8 +15,8 @@ using testing::Not;
 std::string library(const std::string& name) { return std::string(MMVERIFY_SUBJECTS) + "/" + name + ".so"; }
 
 Outcome judge(const std::string& name, const std::string& what, const std::string& kind = {}) {
-  return shell("mmverify prove " + what + " --quiet --timeout 1 --threads 1 --subject " + library(name) +
-               kind);
+  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --threads 1 --subject " +
+               library(name) + kind);
 }
 
 /// The command that a counterexample's line ends with.

@@ -229,7 +229,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
     if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
       laws.push_back(job.law);
   for (const Law* law : laws) {
-    if (interrupted() || shard.number != 1) break;
+    if (interrupted() || shard.number != 1 || !options.mutants) break;
     const auto mutants = run_mutants(*law, run);
     report.mutants.insert(report.mutants.end(), mutants.begin(), mutants.end());
   }

@@ -25,6 +25,7 @@ struct RunOptions {
   bool show_progress = true;
   std::optional<Shard> shard = {};  ///< none: the whole domain, not called a shard
   Journal* journal = nullptr;
+  bool mutants = true;  ///< show that each law can fail
 };
 
 /// What a law has to say about a subject that it refuted.
@@ -44,9 +45,9 @@ struct Report {
 /// Called as each result comes in.
 using OnResult = std::function<void(const Result&)>;
 
-/// Runs the jobs in order, then the mutants of every law among them.  A shard runs its part of each law that
-/// is divisible, every so many of the others whole, and the mutants where it is the first.  Throws
-/// BadJournal.
+/// Runs the jobs in order, then, where asked, the mutants of every law among them.  A shard runs its part of
+/// each law that is divisible, every so many of the others whole, and the mutants where it is the first.
+/// Throws BadJournal.
 Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result);
 
 /// One law on one subject at one level; verdict, counts and reason filled in.

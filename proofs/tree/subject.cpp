@@ -161,10 +161,23 @@ class RankedCode : public Code {
 
 class Ranked : public TreeSubject {
  public:
-  Ranked() : TreeSubject("tree-ranked", "this project's library, its form for random access") {}
+  explicit Ranked(std::string name = "tree-ranked",
+                  std::string about = "this project's library, its form for random access")
+      : TreeSubject(std::move(name), std::move(about)) {}
   bool has(Entry e) const override { return e == Entry::lookup || e == Entry::point; }
   CodePtr encode(const Map& map) const override {
     return std::make_unique<RankedCode>(fast::Tree::encode(map.level, fast_bits(map.format), map.packed));
+  }
+};
+
+/// Steps from the root to the last level, where the library would lay small maps flat.
+class Stepwise : public Ranked {
+ public:
+  Stepwise()
+      : Ranked("tree-stepwise", "this project's library, its form for random access with no flat part") {}
+  CodePtr encode(const Map& map) const override {
+    return std::make_unique<RankedCode>(fast::Tree::encode(map.level, fast_bits(map.format), map.packed,
+                                                           {0, std::max<Level>(map.level, 1) - 1}));
   }
 };
 
@@ -216,7 +229,8 @@ CodePtr TreeSubject::open(Level, Format, std::span<const std::uint8_t>) const { 
 
 const std::vector<TreeSubjectPtr>& built_in_subjects() {
   static const std::vector<TreeSubjectPtr> all{std::make_shared<Specified>(), std::make_shared<Streamed>(),
-                                               std::make_shared<Ranked>(), std::make_shared<Contained>()};
+                                               std::make_shared<Ranked>(), std::make_shared<Stepwise>(),
+                                               std::make_shared<Contained>()};
   return all;
 }
 

@@ -62,7 +62,7 @@ class TreeSubject : public Subject {
 
 using TreeSubjectPtr = std::shared_ptr<const TreeSubject>;
 
-/// tree-spec, tree-stream, tree-ranked, tree-container.
+/// tree-spec, tree-stream, tree-ranked, tree-stepwise, tree-container.
 const std::vector<TreeSubjectPtr>& built_in_subjects();
 
 /// The built-in subject of that name.  Domain: there is one.

@@ -1,0 +1,13 @@
+// What the sanitized build does less of: it takes tens of times as long, and the release build does all.
+#pragma once
+
+#ifdef __has_feature
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
+/// For tests whose time goes to a prover, which no sanitizer sees into; other tests call the same code of
+/// ours.
+#define SKIP_A_PROVERS_WORK_UNDER_SANITIZERS() \
+  if (sanitized) GTEST_SKIP() << "a prover's work; the release build runs it"
