@@ -148,7 +148,7 @@ TEST(Subject, a_file_that_is_no_subject_is_exit_4) {
   expect_complaint(judge("fault_1"), 4, "it was built for version 2 of the interface, this is version 1");
   expect_complaint(judge("fault_2"), 4, "all its entry points are null");
   expect_complaint(judge("no/such"), 4, "no such file");
-  expect_complaint(shell("mmverify prove --quiet --subject /etc/passwd"), 4, "/etc/passwd: ");
+  expect_complaint(shell("mmverify prove --quiet --subject /etc/passwd"), 4, "/etc/passwd: invalid ELF");
 }
 
 TEST(Subject, a_replay_line_is_one_for_a_shell_whatever_the_file_is_called) {

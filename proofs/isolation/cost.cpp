@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "proofs/engine/random.hpp"
+#include "proofs/isolation/load_error.hpp"
 #include "sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::isolation {
@@ -27,8 +28,9 @@ double median(std::vector<double> values) {
 }
 
 const mmverify_subject_t& load_here(const std::string& library) {
-  void* handle = dlopen(std::filesystem::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) throw CannotLoad(fmt::format("{}: {}", library, dlerror()));
+  const std::string file = std::filesystem::absolute(library).string();
+  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) throw CannotLoad(fmt::format("{}: {}", library, load_error(file)));
   using Get = const mmverify_subject_t* (*)();
   const auto get = reinterpret_cast<Get>(dlsym(handle, "mmverify_subject_v1"));
   if (get == nullptr || get() == nullptr || get()->index_f32 == nullptr)

@@ -18,6 +18,7 @@
 
 #include "proofs/isolation/codec_desk.hpp"
 #include "proofs/isolation/futex.hpp"
+#include "proofs/isolation/load_error.hpp"
 
 // A sanitizer's own handlers would turn a crash into an exit.
 extern "C" const char* __asan_default_options() {
@@ -278,7 +279,7 @@ constexpr std::size_t first_size = offsetof(mmverify_subject_t, tree_encode);
 
 std::string cannot_load(Description& description, const char* library, mmverify_subject_t& subject) {
   void* handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) return dlerror();
+  if (handle == nullptr) return mmverify::proofs::load_error(library);
   using Get = const mmverify_subject_t* (*)();
   const auto get = reinterpret_cast<Get>(dlsym(handle, "mmverify_subject_v1"));
   if (get == nullptr) return "it does not export mmverify_subject_v1";
