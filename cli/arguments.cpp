@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
@@ -45,6 +46,14 @@ std::function<std::string(const std::string&)> finite_within(double least, doubl
     if (end != text.c_str() && *end == 0 && value >= least && value <= most) return {};
     return fmt::format("'{}' is not a number from {} to {}", text, least, most);
   };
+}
+
+std::string fits_64_bits(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size()
+             ? std::string()
+             : fmt::format("'{}' is no whole number below 2^64", text);
 }
 
 std::string shell_quoted(const std::string& text) {

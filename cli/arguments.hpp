@@ -18,6 +18,9 @@ proofs::Level parse_level(const std::string& text);
 /// For a double's option: finite and within [least, most].  CLI11's own range lets NaN through.
 std::function<std::string(const std::string&)> finite_within(double least, double most);
 
+/// For a seed's option: a whole number below 2^64, or what is wrong.  CLI11 takes a greater one for 2^64 - 1.
+std::string fits_64_bits(const std::string& text);
+
 /// The text as one word of a shell.
 std::string shell_quoted(const std::string& text);
 

@@ -95,6 +95,10 @@ BenchOutput bench_topic(const Options& options, const std::string& topic, std::F
 /// All topics, or those that were named.
 int run_topics(const Options& options, const std::vector<std::string>& topics) {
   for (const std::string& topic : topics) levels_of(options, topic);
+  constexpr std::uint64_t most = std::uint64_t{1} << 26;  // 8 bytes each
+  if (topics.back() == "tree" && options.index.samples > most)
+    throw UsageError(
+        fmt::format("--samples {}: bench tree does {} lookups at most", options.index.samples, most));
   if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot: of one topic");
   std::optional<OutputFile> file, picture;
   if (!options.json.empty() && options.json != "-") file.emplace(options.json);
@@ -160,7 +164,7 @@ Action add_bench(CLI::App& program) {
                     "measure sweeps of index.equals_reference instead, level by level");
   command->add_option("--threads", options->threads, "of a sweep; as many as the machine has where not given")
       ->check(CLI::Range(1u, 1024u));
-  command->add_option("--seed", options->index.seed, "of the points");
+  command->add_option("--seed", options->index.seed, "of the points")->check(fits_64_bits);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");

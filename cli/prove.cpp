@@ -142,7 +142,7 @@ Action add_prove(CLI::App& program) {
       ->check(CLI::IsMember({"all", "interior"}));
   command->add_option("--errors", options->errors, "counterexamples kept of each result")
       ->check(CLI::Range(1, 10000));
-  command->add_option("--seed", options->seed, "of every sample");
+  command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
   command->add_option("--timeout", options->timeout, "seconds that a library may take for a batch of 4096")
       ->check(finite_within(0.01, 86400));
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");

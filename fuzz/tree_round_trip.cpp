@@ -1,8 +1,10 @@
 // A map through every form of the tree, against the map and the specification.
 //
-// Input: a byte of level (its remainder by 8), a byte whose lowest bit says four states and whose rest says
-// how the map is drawn: bit 1, flat bytes as they are; else runs, a byte each: its low bits the state, the
-// rest an exponent of 2 for the length.  What is missing is transparent.
+// Input: a byte of level (its remainder by 8; the rest chooses the depths of a second form), a byte whose
+// lowest bit says four states and whose rest says how the map is drawn: bit 1, flat bytes as they are; else
+// runs, a byte each: its low bits the state, the rest an exponent of 2 for the length.  What is missing is
+// transparent.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -88,7 +90,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   form.lookup(index, found);
   require(found == states, "Tree::lookup", n, b);
   found.assign(count, 0xee);
-  const tree::Tree* const forms[] = {&form};
+  const tree::Level last = std::max<tree::Level>(n, 1) - 1, block = data[0] / 8 % (last + 1);
+  const tree::Tree other = tree::Tree::encode(n, bits, map, {data[1] / 4 % (block + 1), block});
+  out.assign(map.size(), 0xee);
+  other.decode(out);
+  require(out == map, "Tree::decode of chosen depths", n, b);
+  const tree::Tree* const forms[] = {&form, &other};
+  for (std::uint32_t k = 0; k < count; ++k) which[k] = k * 5 / 8 % 2;
   tree::lookup(forms, which, index, found);
   require(found == states, "lookup in many", n, b);
   // Algorithm 3 takes time: every 1st, 2nd, 4th ... so that all levels cost alike.

@@ -357,7 +357,11 @@ std::string describe(const Violation& v) {
     }
     return "";
   };
-  return std::string(text(v.rule).id) + ": " + place() + found();
+  std::string sets;
+  constexpr std::pair<Sets, const char*> names[] = {{EXT, "EXT"}, {KHR, "KHR"}, {DXR, "DXR"}, {glTF, "glTF"}};
+  for (const auto& [set, name] : names)
+    if ((text(v.rule).sets & set) != 0) sets += (sets.empty() ? "" : ", ") + std::string(name);
+  return std::string(text(v.rule).id) + " (" + sets + "): " + place() + found();
 }
 
 }  // namespace mmverify::impl::micromap

@@ -58,6 +58,8 @@ struct Violation {
 std::vector<Violation> validate(const Input& in);
 
 /// One line: the rule's id, the place, what was found.
+/// It begins with the rule's name and the specifications that have it: "index.encoding (EXT): indices are
+/// u8".
 std::string describe(const Violation& violation);
 
 }  // namespace mmverify::impl::micromap

@@ -176,7 +176,7 @@ Law four_state_law() {
        .says = "round trip and every lookup, for each of the 4^16 4-state maps of level 2",
        .source = succinct_4_2,
        .subjects = {"tree-stream", "tree-stepwise"},
-       .mutants = {mutant("one map", "tree-ranked", {2, 2},
+       .mutants = {mutant("one map", "tree-stepwise", {2, 2},
                           {.decode =
                                [](const Map& map, Bytes& packed) {
                                  if (map.packed == Bytes{0xE4, 0x1B, 0xE4, 0x1B}) flip(packed, 31);
@@ -186,7 +186,7 @@ Law four_state_law() {
                                [](const Map& map, Bytes& packed) {
                                  if (map.packed == Bytes(4, 0)) flip(packed, 1);
                                }}),
-                   mutant("index 9 of one map", "tree-ranked", {2, 2},
+                   mutant("index 9 of one map", "tree-stepwise", {2, 2},
                           {.lookup =
                                [](const Map& map, std::uint32_t k, std::uint8_t& state) {
                                  if (k == 9 && map.packed == Bytes{0, 0, 1, 0}) state ^= 2;

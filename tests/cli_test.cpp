@@ -65,6 +65,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Complaint{{"bench", "tree", "--sweep"}, 2, "--sweep"},
                     Complaint{{"bench", "--levels", "3..13"}, 2, "highest level here is 12"},
                     Complaint{{"bench", "--plot", "x.svg"}, 2, "--plot"},
+                    Complaint{{"bench", "tree", "--samples", "1099511627776"}, 2, "--samples"},
+                    Complaint{{"prove", "--seed", "18446744073709551616"}, 2, "below 2^64"},
                     Complaint{
                         {"bench", "--json", "no/such/folder/x.json", "index"}, 4, "no/such/folder/x.json"}));
 
@@ -421,6 +423,15 @@ TEST(Replay, ACaseThatHoldsIs0) {
   EXPECT_EQ(r.out,
             "holds index.equals_reference level 3 case v:u=1/4,v=1/4 subject step expected 20 got 20\n");
   EXPECT_EQ(r.err, "");
+}
+
+TEST(Replay, AMapOfLevel8IsRead) {
+  std::string map = "2-state:";
+  for (int k = 0; k < 32'768; ++k) map += "01";
+  const Outcome r = program({"replay", "tree.on_samples", "--level", "8", "--case", map});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  expect_complaint(program({"replay", "tree.on_samples", "--level", "8", "--case", map + "0"}), 2,
+                   "level 8 has");
 }
 
 // (3/8, 1/4), level 3: N = 8, iu = 3, iv = 2, no fractions, NOT iw = 5; b0 = 011b XOR 101b = 110b,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <span>
 #include <stdexcept>
@@ -93,6 +94,8 @@ void on_every_target(Check check) {
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().DeInit();
+  SCOPED_TRACE("the target that a program gets");
+  check();
 }
 
 // -----------------------------------------------------------------------------------------------------------
@@ -218,9 +221,67 @@ TEST(ImplTree, EveryPairOfDepths) {
             Bytes out(map.size(), 0xee);
             tree.decode(out);
             ASSERT_EQ(out, map) << n << ": " << top << ", " << block;
+            std::vector<std::uint32_t> index(states.size());
+            std::iota(index.begin(), index.end(), 0u);
+            States found(states.size(), 0xee);
+            tree.lookup(index, found);
+            ASSERT_EQ(found, states) << n << ": " << top << ", " << block;
             for (std::size_t k = 0; k < states.size(); ++k)
               ASSERT_EQ(tree[k], states[k]) << n << ": " << top << ", " << block << ", index " << k;
           }
+}
+
+// A count takes 8 bits up to 255 ones, 16 up to 65,535 and 24 beyond: both sides of each border, the ones
+// first, so that the last words' counts are the greatest.
+TEST(ImplTree, CountsOfEverySize) {
+  struct Case {
+    Level n;
+    std::uint64_t ones;
+    std::uint32_t size;
+  };
+  for (const auto& [n, ones, size] : {Case{6, 255, 0}, Case{6, 256, 1}, Case{6, 257, 1}, Case{10, 65'535, 1},
+                                      Case{10, 65'536, 2}, Case{10, 65'537, 2}, Case{10, 131'071, 2}}) {
+    const std::uint64_t parents = micro_triangles(n - 1);
+    Bytes map(parents / 2);
+    for (std::uint64_t k = 0; k < parents; ++k) {
+      const std::uint64_t states = k < ones ? 1 + k * 7 % 14 : (k / 5) % 2 * 15;
+      map[k / 2] = static_cast<std::uint8_t>(map[k / 2] | states << (4 * (k % 2)));
+    }
+    const Tree tree = Tree::encode(n, Bits::two_state, map, {n - 1, n - 1});
+    ASSERT_EQ(mmverify::impl::tree::detail::Layout::of(tree.memory()).count_size, size) << ones;
+    Bytes out(map.size());
+    tree.decode(out);
+    ASSERT_EQ(out, map) << ones;
+    std::vector<std::uint32_t> index;
+    for (std::uint64_t k = 0; k < micro_triangles(n); k += n == 6 ? 1 : 5)
+      index.push_back(static_cast<std::uint32_t>(k));
+    const auto state = [&map](std::uint32_t k) { return map[k / 8] >> (k % 8) & 1; };
+    for (const std::uint32_t k : index) ASSERT_EQ(tree[k], state(k)) << ones << ": " << k;
+    on_every_target([&] {
+      States found(index.size(), 0xee);
+      tree.lookup(index, found);
+      for (std::size_t k = 0; k < index.size(); ++k)
+        ASSERT_EQ(found[k], state(index[k])) << ones << ": " << index[k];
+    });
+  }
+}
+
+// The memory of every map, sparse ones too: 18/17 of the paper's and the header where a form of that size is;
+// and no form takes more than one with no node at all but the root, and the map.
+TEST(ImplTree, MemoryIsAsTheBannerSays) {
+  for (const Bits b : both)
+    for (Level n = 1; n <= 7; ++n)
+      for (const States& states : assorted(n, b, 40)) {
+        const Bytes map = packed(states, b);
+        const Stream s = encode_stream(n, b, map);
+        const std::uint64_t paper = s.nodes + s.leaves * width(b), ours = Tree::encode(n, b, map).bits();
+        std::uint64_t least = ~std::uint64_t{0};
+        for (Level block = 0; block < n; ++block)
+          for (Level top = 0; top <= block; ++top)
+            least = std::min(least, Tree::encode(n, b, map, {top, block}).bits());
+        ASSERT_LE(ours, std::max(least, paper + paper / 17 + 64)) << n;
+        ASSERT_LE(ours, 8 * map.size() + 64 + 64 + 8) << n;
+      }
 }
 
 // One micro-triangle apart from the rest, in every place.
@@ -250,7 +311,11 @@ TEST(ImplTree, SpansEqualTheSingleLookupAtEveryLength) {
     std::vector<const Tree*> pointers;
     for (const Tree& tree : trees) pointers.push_back(&tree);
     std::mt19937 random(5);
-    for (std::size_t count = 0; count <= 67; ++count) {
+    // Beyond two groups of 128.
+    std::vector<std::size_t> counts(68);
+    std::iota(counts.begin(), counts.end(), std::size_t{0});
+    counts.insert(counts.end(), {127, 128, 129, 200, 256, 300});
+    for (const std::size_t count : counts) {
       // Vectors of the exact size, so that a sanitizer sees a read beyond either end.
       std::vector<std::uint32_t> which(count), index(count);
       States found(count + 1, 0xee);

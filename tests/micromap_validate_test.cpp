@@ -464,11 +464,12 @@ TEST(MicromapValidate, BothHaveTheSameRules) {
 
 TEST(MicromapValidate, AViolationIsOneLine) {
   EXPECT_EQ(fast::describe({fast::Rule::record_overlap, fast::Place::record, 5, 3, 96}),
-            "record.overlap: record 5: its first byte, 96, belongs to record 3");
+            "record.overlap (glTF): record 5: its first byte, 96, belongs to record 3");
   EXPECT_EQ(fast::describe({fast::Rule::counts_array, fast::Place::level_and_format, level(4) + 2, 7, 6}),
-            "counts.array: level 4, format 2: the array's usage counts say 7, there are 6 records");
+            "counts.array (EXT, KHR, DXR, glTF): level 4, format 2: the array's usage counts say 7, there "
+            "are 6 records");
   EXPECT_EQ(fast::describe({fast::Rule::stride_least, fast::Place::whole, 0, 4, 8}),
-            "stride.least: the stride is 4, not at least 8");
+            "stride.least (EXT, KHR, DXR, glTF): the stride is 4, not at least 8");
   for (std::size_t k = 0; k < rule_count; ++k) {
     const std::string line = fast::describe({static_cast<fast::Rule>(k), fast::Place::whole, 0, 1, 2});
     EXPECT_GT(line.size(), std::string(rules[k].id).size() + 2) << line;

@@ -32,18 +32,16 @@ std::string text_of(Format f, const Bytes& bytes) {
 }
 
 std::pair<Format, Bytes> string_from(const std::string& text) {
-  static const std::regex shape("([24])-state:((?:[0-9a-f]{2})*)");
-  std::smatch m;
-  if (!std::regex_match(text, m, shape))
-    throw BadCase(fmt::format("'{}': write 2-state: or 4-state: and bytes in hexadecimal", text));
+  const auto [format, digits] = format_and_rest(text);
+  if (digits.size() % 2 != 0 || digits.find_first_not_of("0123456789abcdef") != std::string_view::npos)
+    throw BadCase(fmt::format("'{:.60}': write 2-state: or 4-state: and bytes in hexadecimal", text));
   Bytes bytes;
-  const std::string digits = m[2].str();
   for (std::size_t k = 0; k < digits.size(); k += 2) {
     unsigned byte = 0;
     std::from_chars(digits.data() + k, digits.data() + k + 2, byte, 16);
     bytes.push_back(static_cast<std::uint8_t>(byte));
   }
-  return {m[1].str() == "2" ? Format::two_state : Format::four_state, bytes};
+  return {format, bytes};
 }
 
 /// A case of one index or none, judged alike on its own and in the sweep.

@@ -123,24 +123,31 @@ std::string text_of_sample(const Map& map, std::uint64_t seed, std::uint64_t k) 
   return map.level <= 4 ? text_of_states(map) : fmt::format("sample:{}:{}", seed, k);
 }
 
+std::pair<Format, std::string_view> format_and_rest(std::string_view text) {
+  constexpr std::string_view rest = "-state:";
+  if (text.size() > rest.size() && (text[0] == '2' || text[0] == '4') && text.substr(1, rest.size()) == rest)
+    return {text[0] == '2' ? Format::two_state : Format::four_state, text.substr(1 + rest.size())};
+  throw BadCase(fmt::format("'{:.60}': write 2-state: or 4-state: first", text));
+}
+
 Map map_from_text(Level n, const std::string& text) {
-  static const std::regex states("([24])-state:([0-3]+)"), sample("sample:([0-9]{1,19}):([0-9]{1,19})");
+  // Regular expressions are for short texts: the library's matcher calls itself for each character.
+  static const std::regex sample("sample:([0-9]{1,19}):([0-9]{1,19})");
   std::smatch m;
-  if (std::regex_match(text, m, sample)) {
-    if (n > 12) throw BadCase(fmt::format("'{}': samples have levels up to 12", text));
+  if (text.size() <= 64 && std::regex_match(text, m, sample)) {
+    if (n > 12) throw BadCase(fmt::format("'{:.60}': samples have levels up to 12", text));
     return sample_map(n, std::stoull(m[1].str()), std::stoull(m[2].str()));
   }
-  if (!std::regex_match(text, m, states))
-    throw BadCase(fmt::format("'{}': write 2-state:0110..., 4-state:0123... or sample:SEED:K", text));
-  const Format f = m[1].str() == "2" ? Format::two_state : Format::four_state;
-  const std::string digits = m[2].str();
+  const auto [f, digits] = format_and_rest(text);
+  if (digits.empty() || digits.find_first_not_of("0123") != std::string_view::npos)
+    throw BadCase(fmt::format("'{:.60}': write 2-state:0110..., 4-state:0123... or sample:SEED:K", text));
   if (n > 12 || digits.size() != micro_triangles(n))
-    throw BadCase(fmt::format("'{}': {} states, level {} has another number", text, digits.size(), n));
+    throw BadCase(fmt::format("'{:.60}': {} states, level {} has another number", text, digits.size(), n));
   Codes codes;
   for (const char c : digits) {
     codes.push_back(static_cast<std::uint8_t>(c - '0'));
     if (codes.back() >= state_limit(f))
-      throw BadCase(fmt::format("'{}': a 2-state map has the states 0 and 1", text));
+      throw BadCase(fmt::format("'{:.60}': a 2-state map has the states 0 and 1", text));
   }
   return from_states(n, f, codes);
 }

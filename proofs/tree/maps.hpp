@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "proofs/engine/random.hpp"
 #include "proofs/tree/subject.hpp"
@@ -33,6 +35,9 @@ Map alternating_map(Level n, Format f);
 /// "4-state:0123..." with a digit a micro-triangle up to level 4, above "4-state:sample:SEED:K".
 std::string text_of_states(const Map& map);
 std::string text_of_sample(const Map& map, std::uint64_t seed, std::uint64_t k);
+
+/// "2-state:..." or "4-state:...": which, and what follows.  Throws BadCase.
+std::pair<Format, std::string_view> format_and_rest(std::string_view text);
 
 /// Throws BadCase, saying what is wrong with the text.
 Map map_from_text(Level n, const std::string& text);

@@ -155,6 +155,9 @@ class RankedCode : public Code {
     for (std::size_t k = 0; k < u.size(); ++k) state[k] = tree_.at(u[k], v[k]);
   }
 
+ protected:
+  const fast::Tree& tree() const { return tree_; }
+
  private:
   fast::Tree tree_;
 };
@@ -170,14 +173,37 @@ class Ranked : public TreeSubject {
   }
 };
 
-/// Steps from the root to the last level, where the library would lay small maps flat.
+/// A form with steps from the root to the last level, and the one that the library chooses.
+class StepwiseCode : public RankedCode {
+ public:
+  StepwiseCode(fast::Tree tree, fast::Tree usual) : RankedCode(std::move(tree)), usual_(std::move(usual)) {}
+  /// In both at once, turn by turn, besides: lookups in many trees take steps of their own.
+  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const override {
+    RankedCode::lookup(index, state);
+    const fast::Tree* const both[] = {&tree(), &usual_};
+    std::vector<std::uint32_t> which(index.size());
+    for (std::size_t k = 0; k < which.size(); ++k) which[k] = k % 3 % 2;
+    std::vector<std::uint8_t> again(state.size());
+    fast::lookup(both, which, index, again);
+    if (!std::equal(again.begin(), again.end(), state.begin()))
+      throw SubjectBroken("answers otherwise among other trees");
+  }
+  using RankedCode::lookup;
+
+ private:
+  fast::Tree usual_;
+};
+
+/// Where the library would lay small maps flat, it steps.
 class Stepwise : public Ranked {
  public:
   Stepwise()
       : Ranked("tree-stepwise", "this project's library, its form for random access with no flat part") {}
   CodePtr encode(const Map& map) const override {
-    return std::make_unique<RankedCode>(fast::Tree::encode(map.level, fast_bits(map.format), map.packed,
-                                                           {0, std::max<Level>(map.level, 1) - 1}));
+    const auto bits = fast_bits(map.format);
+    return std::make_unique<StepwiseCode>(
+        fast::Tree::encode(map.level, bits, map.packed, {0, std::max<Level>(map.level, 1) - 1}),
+        fast::Tree::encode(map.level, bits, map.packed));
   }
 };
 
