@@ -257,7 +257,7 @@ TEST(ImplTree, CountsOfEverySize) {
       index.push_back(static_cast<std::uint32_t>(k));
     const auto state = [&map](std::uint32_t k) { return map[k / 8] >> (k % 8) & 1; };
     for (const std::uint32_t k : index) ASSERT_EQ(tree[k], state(k)) << ones << ": " << k;
-    on_every_target([&] {
+    on_every_target([&, ones = ones] {
       States found(index.size(), 0xee);
       tree.lookup(index, found);
       for (std::size_t k = 0; k < index.size(); ++k)

@@ -1,0 +1,39 @@
+#include "impl/vq.hpp"
+#include "impl/vq2_layout.hpp"
+
+namespace mmverify::impl::vq {
+
+State region(const Block2& block, std::uint32_t x, std::uint32_t y) noexcept {
+  x &= 15;
+  y &= 15;
+  const std::uint32_t index = detail::index_of(block, x / 2 + 8 * (y / 2));
+  const std::uint64_t word = detail::last_word(block);
+  const std::uint32_t q = detail::quadrant(x, y);
+  // No branch: which index comes no processor foresees.
+  const std::uint64_t stored = word >> detail::codes_at[q][index], uniform = detail::uniform_codes[index];
+  return detail::picked(index < 3 ? uniform : stored,
+                        detail::sources[detail::transform(word, q)][x % 2 + 2 * (y % 2)]);
+}
+
+Map2 decode(const Block2& block) noexcept {
+  const std::uint64_t word = detail::last_word(block);
+  // Each quadrant's eight vectors, transformed: two rows of two.
+  std::array<std::array<std::array<State, 4>, 8>, 4> vectors{};
+  for (std::uint32_t q = 0; q < 4; ++q) {
+    const auto& from = detail::sources[detail::transform(word, q)];
+    for (std::uint32_t index = 0; index < 3; ++index) vectors[q][index].fill(static_cast<State>(index));
+    for (std::uint32_t index = 3; index < 8; ++index)
+      for (std::uint32_t k = 0; k < 4; ++k)
+        vectors[q][index][k] = detail::picked(word >> detail::code_at(q, index), from[k]);
+  }
+  Map2 map;
+  for (std::uint32_t k = 0; k < 64; ++k) {
+    const std::uint32_t x = 2 * (k % 8), y = 2 * (k / 8);
+    const auto& v = vectors[detail::quadrant(x, y)][detail::index_of(block, k)];
+    std::memcpy(&map[x + 16 * y], &v[0], 2);
+    std::memcpy(&map[x + 16 * (y + 1)], &v[2], 2);
+  }
+  return map;
+}
+
+}  // namespace mmverify::impl::vq
