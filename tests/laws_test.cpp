@@ -13,7 +13,7 @@ namespace {
 
 using namespace mmverify::tests;
 
-constexpr Level small = sanitized ? 4 : 5;
+constexpr Level small = sanitized ? 3 : 5;
 
 TEST(Laws, TheDesignsOnesAreThere) {
   for (const char* id : {"index.equals_reference", "index.in_range", "index.bijective", "index.nested",
@@ -126,7 +126,7 @@ TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
   // Several chunks, so that two threads have something to share; one level less where every case is rational.
   Level n = law.method != Method::exhaustive      ? std::min(law.fast.first + 1, law.fast.last)
             : law.id == "index.fixed_is_rational" ? 8
-            : sanitized                           ? 7
+            : sanitized                           ? 6
                                                   : 9;
   if (law.topic != "index") n = std::min(n, law.fast.last);
   if (law.id == "tree.malformed") n = 1;  // each of level 2's 65,536 maps is decoded dozens of times
