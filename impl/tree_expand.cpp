@@ -118,7 +118,7 @@ void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std:
   const std::uint8_t* const blocks = all.data() + layout.blocks_at();
 
   // Internal nodes of one depth, as numbers at that depth, with room for three that are none.
-  std::vector<std::uint32_t> internal(layout.parents + layout.blocks + 4), parents(internal.size());
+  std::vector<std::uint32_t> internal(layout.parents + layout.blocks + 4), parents;
   std::size_t count = 0;
   Level d = k;
   if (k == 0) {
@@ -140,12 +140,12 @@ void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std:
     count = layout.first_children() / 4;
     internal.resize(std::max(internal.size(), count));
     std::iota(internal.begin(), internal.begin() + static_cast<std::ptrdiff_t>(count), 0u);
-    parents.resize(internal.size());
   }
   const auto each_parent = [&](auto four) {
     for (std::size_t r = 0; r < count; ++r) four(internal[r]);
   };
   for (; d < m || (d == m && block_bits > 64); ++d) {
+    parents.resize(internal.size());
     parents.swap(internal);
     const MiddleDepth<width> middle{nodes, leaves, map.data(), all_bits >> (2 * d + 3)};
     std::size_t found = 0;

@@ -12,7 +12,7 @@ State region(const Block2& block, std::uint32_t x, std::uint32_t y) noexcept {
   // No branch: which index comes no processor foresees.
   const std::uint64_t stored = word >> detail::codes_at[q][index], uniform = detail::uniform_codes[index];
   return detail::picked(index < 3 ? uniform : stored,
-                        detail::sources[detail::transform(word, q)][x % 2 + 2 * (y % 2)]);
+                        detail::sources<2>[detail::transform(word, q)][x % 2 + 2 * (y % 2)]);
 }
 
 Map2 decode(const Block2& block) noexcept {
@@ -20,7 +20,7 @@ Map2 decode(const Block2& block) noexcept {
   // Each quadrant's eight vectors, transformed: two rows of two.
   std::array<std::array<std::array<State, 4>, 8>, 4> vectors{};
   for (std::uint32_t q = 0; q < 4; ++q) {
-    const auto& from = detail::sources[detail::transform(word, q)];
+    const auto& from = detail::sources<2>[detail::transform(word, q)];
     for (std::uint32_t index = 0; index < 3; ++index) vectors[q][index].fill(static_cast<State>(index));
     for (std::uint32_t index = 3; index < 8; ++index)
       for (std::uint32_t k = 0; k < 4; ++k)

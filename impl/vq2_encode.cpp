@@ -26,7 +26,7 @@ Sets sets_of(const Map2& map, std::uint32_t vector) {
 /// As they stand in the codebook, before the transform.
 std::uint32_t before(std::uint32_t transform, std::uint32_t set) {
   std::uint32_t out = 0;
-  for (std::uint32_t k = 0; k < 4; ++k) out |= (set >> moved(transform, k) & 1) << k;
+  for (std::uint32_t k = 0; k < 4; ++k) out |= (set >> moved<2>(transform, k) & 1) << k;
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "impl/vq.hpp"
+#include "impl/vq_transform.hpp"
 
 namespace mmverify::impl::vq::detail {
 
@@ -35,27 +36,6 @@ inline constexpr auto codes_at = [] {
   for (std::uint32_t q = 0; q < 4; ++q)
     for (std::uint32_t index = 3; index < 8; ++index)
       table[q][index] = static_cast<std::uint8_t>(code_at(q, index));
-  return table;
-}();
-
-/// Where a transform, by its row of table 1, takes region k = x + 2y of a vector.
-constexpr std::uint32_t moved(std::uint32_t transform, std::uint32_t k) noexcept {
-  std::uint32_t x = k % 2, y = k / 2;
-  if ((transform & 1) != 0) {
-    const std::uint32_t turned = 1 - y;
-    y = x;
-    x = turned;
-  }
-  if ((transform & 2) != 0) y = 1 - y;
-  if ((transform & 4) != 0) x = 1 - x;
-  return x + 2 * y;
-}
-
-/// Region k is filled from sources[transform][k].
-inline constexpr auto sources = [] {
-  std::array<std::array<std::uint8_t, 4>, 8> table{};
-  for (std::uint32_t t = 0; t < 8; ++t)
-    for (std::uint32_t k = 0; k < 4; ++k) table[t][moved(t, k)] = static_cast<std::uint8_t>(k);
   return table;
 }();
 

@@ -33,7 +33,8 @@ void decode_block(const std::uint8_t* block, std::uint8_t* map) {
   for (std::uint32_t k = 0; k < 64; ++k) {
     const std::uint32_t x = k % 8, y = k / 8, q = (x < 4 ? 0 : 1) + (y < 4 ? 2 : 0);
     const std::uint32_t index = block[k / 2] >> (4 * (k % 2)) & 15u;
-    lay(vectors[index].data(), detail::sources4[detail::transform4(block, q)].data(), map + 4 * x + 128 * y);
+    lay(vectors[index].data(), detail::sources<4>[detail::transform4(block, q)].data(),
+        map + 4 * x + 128 * y);
   }
 }
 
@@ -54,7 +55,7 @@ State region(const Block4& block, std::uint32_t x, std::uint32_t y) noexcept {
   // No branch: which index comes no processor foresees.
   const std::uint32_t stored = detail::code4(block.data(), index), uniform = detail::uniform4[index];
   return detail::picked4(index, index < 3 ? uniform : stored,
-                         detail::sources4[detail::transform4(block.data(), q)][x % 4 + 4 * (y % 4)]);
+                         detail::sources<4>[detail::transform4(block.data(), q)][x % 4 + 4 * (y % 4)]);
 }
 
 Map4 decode(const Block4& block) noexcept {

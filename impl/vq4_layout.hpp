@@ -8,28 +8,11 @@
 #include <cstring>
 
 #include "impl/vq.hpp"
+#include "impl/vq_transform.hpp"
 
 namespace mmverify::impl::vq::detail {
 
 static_assert(std::endian::native == std::endian::little, "words are loaded as they lie");
-
-/// Region k = x + 4y of a vector is filled from sources4[transform][k]; the transform by its row of table 1.
-inline constexpr auto sources4 = [] {
-  std::array<std::array<std::uint8_t, 16>, 8> table{};
-  for (std::uint32_t t = 0; t < 8; ++t)
-    for (std::uint32_t k = 0; k < 16; ++k) {
-      std::uint32_t x = k % 4, y = k / 4;
-      if ((t & 1) != 0) {
-        const std::uint32_t turned = 3 - y;
-        y = x;
-        x = turned;
-      }
-      if ((t & 2) != 0) y = 3 - y;
-      if ((t & 4) != 0) x = 3 - x;
-      table[t][x + 4 * y] = static_cast<std::uint8_t>(k);
-    }
-  return table;
-}();
 
 /// Of the quadrants TL, TR, BL, BR; of TL there is none stored: the identity.
 inline std::uint32_t transform4(const std::uint8_t* block, std::uint32_t quadrant) noexcept {
