@@ -62,7 +62,8 @@ class BitWriter {
 /// Reads bits in order; zeros beyond the end, so that only the caller's count of bits decides what is there.
 class BitReader {
  public:
-  explicit BitReader(std::span<const std::uint8_t> bytes) noexcept : bytes_(bytes) {}
+  explicit BitReader(std::span<const std::uint8_t> bytes, std::uint64_t first_bit = 0) noexcept
+      : bytes_(bytes), place_(first_bit) {}
 
   /// At least the next 57 bits.
   std::uint64_t peek() const noexcept {
@@ -75,7 +76,7 @@ class BitReader {
 
  private:
   std::span<const std::uint8_t> bytes_;
-  std::uint64_t place_ = 0;
+  std::uint64_t place_;
 };
 
 /// Sets a run of `bits` bits, a power of two that divides first_bit, to copies of a state.  Below eight bits

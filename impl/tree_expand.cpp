@@ -106,13 +106,8 @@ struct SmallBlocks {
 template <std::uint32_t width>
 void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std::span<std::uint8_t> map) {
   const Level n = layout.level(), k = layout.top / 2, m = n - layout.in_block / 2;
-  const auto reader_at = [&](std::uint64_t bit) {
-    BitReader reader(all);
-    reader.skip(static_cast<std::uint32_t>(bit));
-    return reader;
-  };
   NodeReader nodes(all.data() + Layout::nodes_at, layout.per_word());
-  BitReader leaves = reader_at(layout.leaves_at());
+  BitReader leaves(all, layout.leaves_at());
   const std::uint64_t all_bits = (std::uint64_t{1} << (2 * n)) * width,
                       block_bits = (std::uint64_t{1} << layout.in_block) * width;
   const std::uint8_t* const blocks = all.data() + layout.blocks_at();
@@ -164,7 +159,8 @@ void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std:
           LastDepth<std::uint16_t, width>{nodes, leaves, blocks, all.data() + all.size(), map.data()});
     case 8:
     case 4:
-      return each_parent(SmallBlocks<width>{nodes, leaves, reader_at(8 * layout.blocks_at()), map.data()});
+      return each_parent(
+          SmallBlocks<width>{nodes, leaves, BitReader(all, 8 * layout.blocks_at()), map.data()});
     default:
       for (std::size_t r = 0; r < count; ++r)
         std::memcpy(map.data() + internal[r] * block_bits / 8, blocks + r * block_bits / 8, block_bits / 8);
@@ -175,10 +171,12 @@ void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std:
 
 void decode_form(const std::uint8_t* memory, std::span<std::uint8_t> map) {
   const Layout layout = Layout::of(memory);
+  const std::span all(memory, layout.size());
+  if (decode_without_steps(layout, all, map.data())) return;
   if (layout.b == 1)
-    decode_states<1>(layout, {memory, layout.size()}, map);
+    decode_states<1>(layout, all, map);
   else
-    decode_states<2>(layout, {memory, layout.size()}, map);
+    decode_states<2>(layout, all, map);
 }
 
 }  // namespace mmverify::impl::tree::detail

@@ -17,4 +17,8 @@ std::unique_ptr<std::uint8_t[]> encode_form(Level n, Bits b, std::span<const std
 /// The map of a form.  Domain: a map of the level's size.
 void decode_form(const std::uint8_t* memory, std::span<std::uint8_t> map);
 
+/// The same where a faster way knows the form; else nothing, and false.
+struct Layout;
+bool decode_without_steps(const Layout& layout, std::span<const std::uint8_t> all, std::uint8_t* map);
+
 }  // namespace mmverify::impl::tree::detail

@@ -1,6 +1,6 @@
-// VQ2: 16x16 regions in 256 bits, decoded at random or whole, and encoded with the fewest substitutions that
-// the format allows.  Axes, codes and the order of the bits are those of spec/vq_block.hpp: x from the left,
-// y from the bottom.
+// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512, decoded at random or whole; encoded as
+// the paper does, VQ2 with the fewest substitutions that the format allows, VQ4 with few and a bound.  Axes,
+// codes and the order of the bits are those of spec/vq_block.hpp: x from the left, y from the bottom.
 //
 // Source: Compressed Opacity Maps, 4, 4.1 and 5.1, tables 1 and 2, figures 4 and 11.
 #pragma once
@@ -27,15 +27,49 @@ State region(const Block4& block, std::uint32_t x, std::uint32_t y) noexcept;
 Map2 decode(const Block2& block) noexcept;
 Map4 decode(const Block4& block) noexcept;
 
+// Encoders.  All substitute C for some O and T, and nothing else: every other region is as it was.  Where O
+// lies beside T within one 2x2 of regions, a code holds the one or the other or neither.
+// Domain: every map of T, C and O.
+
 struct Encoded2 {
   Block2 block;
   std::uint32_t substitutions;  ///< regions of O or T that became C
 };
 
-/// The block with the fewest substitutions of O or T by C over all transforms and codebooks; nothing else is
-/// ever substituted.  Exact: every choice of the three shared vectors is tried or cannot be better, by a
-/// bound on what two more can add.  Where O lies beside T within a vector, the vector keeps the one or the
-/// other or neither. Domain: every map of T, C and O.
+struct Encoded4 {
+  Block4 block;
+  std::uint32_t substitutions;
+};
+
+/// Algorithms 1 and 2 as they are printed, over all 512 transforms.  What the print leaves open is said in
+/// vq2_paper.cpp and vq4_paper.cpp.
+Encoded2 encode_paper(const Map2& map);
+Encoded4 encode_paper(const Map4& map);
+
+/// Algorithm 2 read kindly: the partition that stays all C takes none of the 13 entries, as index 1 is all C.
+Encoded4 encode_paper_free_c(const Map4& map);
+
+/// The block with the fewest substitutions over all transforms and codebooks.  Exact: every choice of the
+/// three shared vectors is tried or cannot be better, by a bound on what two more can add.
 Encoded2 encode_optimal(const Map2& map);
+
+/// How long an encoder of VQ4 may look; more is never worse.
+enum class Effort : std::uint8_t { fast, balanced, thorough };
+
+/// None where the map fits, which every effort finds; else few substitutions, at most those of less effort.
+Encoded4 encode(const Map4& map, Effort effort = Effort::balanced);
+
+struct Proved4 {
+  Encoded4 encoded;
+  std::uint32_t least;  ///< substitutions that no block undercuts
+};
+
+/// More than thorough, with a bound for every choice of transforms; the two are most often equal, and the
+/// block then is the best there is.  Seconds a map.
+Proved4 encode_proved(const Map4& map);
+
+/// Vectors with O and T in one 2x2 window, overlapping ones included: continuous alpha has none.
+std::uint32_t discontinuous_vectors(const Map2& map);
+std::uint32_t discontinuous_vectors(const Map4& map);
 
 }  // namespace mmverify::impl::vq

@@ -1,0 +1,135 @@
+// impl/vq.hpp, encoders of VQ4: what they may do, what they must find, and the bound below them.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "impl/vq.hpp"
+#include "spec/vq_block.hpp"
+#include "tests/sanitized.hpp"
+#include "tests/vq_cases.hpp"
+
+namespace {
+
+namespace spec = mmverify::spec::vq;
+using namespace mmverify::impl::vq;
+using namespace mmverify::tests;
+
+constexpr Effort efforts[] = {Effort::fast, Effort::balanced, Effort::thorough};
+
+TEST(ImplVq4Encode, IsConservativeAndMoreEffortIsNeverWorse) {
+  std::mt19937 random(1);
+  for (int round = 0; round < (sanitized ? 3 : 12); ++round) {
+    const Map4 map = round % 3 == 0 ? noise<Map4>(random) : blob<Map4>(random, round % 3 == 1 ? 1 : 0.1);
+    const Encoded4 paper = encode_paper(map);
+    ASSERT_EQ(substitutions(map, decode(paper.block)), paper.substitutions);
+    const Encoded4 free_c = encode_paper_free_c(map);
+    ASSERT_EQ(substitutions(map, decode(free_c.block)), free_c.substitutions);
+    std::uint32_t before = 1024;
+    for (const Effort effort : efforts) {
+      const Encoded4 encoded = encode(map, effort);
+      ASSERT_EQ(substitutions(map, decode(encoded.block)), encoded.substitutions);
+      EXPECT_LE(encoded.substitutions, before);
+      before = encoded.substitutions;
+    }
+  }
+}
+
+TEST(ImplVq4Encode, BoundIsBelowEveryEncoder) {
+  std::mt19937 random(2);
+  for (int round = 0; round < (sanitized ? 1 : 6); ++round) {
+    const Map4 map = blob<Map4>(random, 0.7);
+    const Proved4 proved = encode_proved(map);
+    ASSERT_EQ(substitutions(map, decode(proved.encoded.block)), proved.encoded.substitutions);
+    EXPECT_LE(proved.least, proved.encoded.substitutions);
+    EXPECT_LE(proved.encoded.substitutions, encode(map, Effort::thorough).substitutions);
+    EXPECT_LE(proved.least, encode_paper(map).substitutions);
+    EXPECT_LE(proved.least, encode_paper_free_c(map).substitutions);
+  }
+}
+
+TEST(ImplVq4Encode, UniformMapsAreKept) {
+  for (const State s : {State::T, State::C, State::O}) {
+    Map4 map;
+    map.fill(s);
+    for (const Effort effort : efforts) {
+      EXPECT_EQ(encode(map, effort).substitutions, 0u);
+      EXPECT_EQ(decode(encode(map, effort).block), map);
+    }
+    EXPECT_EQ(decode(encode_paper(map).block), map);
+    EXPECT_EQ(encode_proved(map).least, 0u);
+  }
+}
+
+// Random codes of every kind: all thirteen places are needed, each kind of code in its own.
+TEST(ImplVq4Encode, MapsThatFitAreKept) {
+  std::mt19937 random(3);
+  for (int round = 0; round < (sanitized ? 10 : 60); ++round) {
+    const Map4 map = decode(random_block<Block4>(random));
+    const Encoded4 encoded = encode(map, Effort::fast);
+    ASSERT_EQ(encoded.substitutions, 0u) << round;
+    ASSERT_EQ(decode(encoded.block), map);
+    ASSERT_EQ(encode_proved(map).least, 0u);
+  }
+}
+
+TEST(ImplVq4Encode, WhatIsLostIsLostOnce) {
+  std::mt19937 random(4);
+  for (int round = 0; round < (sanitized ? 4 : 20); ++round) {
+    const Map4 out = decode(encode(noise<Map4>(random), Effort::fast).block);
+    ASSERT_EQ(encode(out, Effort::fast).substitutions, 0u);
+  }
+}
+
+/// C everywhere but for these 4x4 vectors, region 0 lowest.
+Map4 with_vectors(const std::vector<std::pair<std::uint32_t, spec::Vector<4>>>& vectors) {
+  Map4 map;
+  map.fill(State::C);
+  for (const auto& [vector, states] : vectors)
+    for (std::uint32_t k = 0; k < 16; ++k)
+      map[4 * (vector % 8) + k % 4 + 32 * (4 * (vector / 8) + k / 4)] = static_cast<State>(states[k]);
+  return map;
+}
+
+// Nine vectors that only a generic code writes, all in TL, where nothing is turned; there are eight such
+// codes.  Each has O in one mini and T in the one beside it and above: no half has one palette.  The ninth
+// must give up something: of its three minis the smallest set that leaves a simple, vertical or horizontal
+// one.
+TEST(ImplVq4Encode, NineGenericVectorsAreOneTooMany) {
+  std::vector<std::pair<std::uint32_t, spec::Vector<4>>> vectors;
+  for (std::uint32_t k = 0; k < 9; ++k) {
+    spec::Vector<4> v = spec::uniform<4>(spec::State::C);
+    v[0] = spec::State::O;   // mini 0
+    v[3] = spec::State::T;   // mini 1
+    v[12] = spec::State::T;  // mini 2
+    // Which of the regions 5, 10, 11, 14 are O tells the nine apart: mini 0 again, or mini 3.
+    const std::uint32_t others[] = {5, 10, 11, 14};
+    for (std::uint32_t bit = 0; bit < 4; ++bit)
+      if ((k + 3) >> bit & 1) v[others[bit]] = spec::State::O;
+    vectors.push_back({32 + k % 4 + 8 * (k / 4), v});
+  }
+  const Map4 eight = with_vectors({vectors.begin(), vectors.end() - 1}), nine = with_vectors(vectors);
+  EXPECT_EQ(encode(eight, Effort::fast).substitutions, 0u);
+  for (const Effort effort : efforts) EXPECT_EQ(encode(nine, effort).substitutions, 1u);
+  EXPECT_EQ(encode_proved(nine).encoded.substitutions, 1u);
+}
+
+TEST(ImplVq4Encode, CountsVectorsThatAreNotContinuous) {
+  Map4 map;
+  map.fill(State::T);
+  EXPECT_EQ(discontinuous_vectors(map), 0u);
+  map[0] = State::O;
+  EXPECT_EQ(discontinuous_vectors(map), 1u);
+  map[5 + 32 * 9] = State::O;
+  EXPECT_EQ(discontinuous_vectors(map), 2u);
+  map.fill(State::T);
+  for (std::uint32_t y = 0; y < 32; ++y)
+    for (std::uint32_t x = 0; x < 4; ++x) map[x + 32 * y] = State::O;  // whole vectors, T in the next ones
+  EXPECT_EQ(discontinuous_vectors(map), 0u);
+  Map2 small;
+  small.fill(State::O);
+  small[17] = State::T;
+  EXPECT_EQ(discontinuous_vectors(small), 1u);
+}
+
+}  // namespace
