@@ -9,10 +9,11 @@ State region(const Block2& block, std::uint32_t x, std::uint32_t y) noexcept {
   const std::uint32_t index = detail::index_of(block, x / 2 + 8 * (y / 2));
   const std::uint64_t word = detail::last_word(block);
   const std::uint32_t q = detail::quadrant(x, y);
-  // No branch: which index comes no processor foresees.
-  const std::uint64_t stored = word >> detail::codes_at[q][index], uniform = detail::uniform_codes[index];
-  return detail::picked(index < 3 ? uniform : stored,
-                        detail::sources<2>[detail::transform(word, q)][x % 2 + 2 * (y % 2)]);
+  const std::uint32_t k = detail::sources<2>[detail::transform(word, q)][x % 2 + 2 * (y % 2)];
+  const detail::Place2 place = detail::places2[q][index][k];
+  const auto checked = static_cast<std::uint32_t>(word >> place.checked) & 1,
+             opaque = static_cast<std::uint32_t>(word >> place.palette) & 1;
+  return static_cast<State>(detail::states_of[index][checked | opaque << 1]);
 }
 
 Map2 decode(const Block2& block) noexcept {

@@ -27,15 +27,18 @@ constexpr std::uint32_t code_at(std::uint32_t quadrant, std::uint32_t index) noe
   return index < 6 ? shared_at + 5 * (index - 3) : own_at + 10 * quadrant + 5 * (index - 6);
 }
 
-/// What the indices that are not stored would be as codes: all T, all C, all O.
-inline constexpr std::array<std::uint8_t, 8> uniform_codes{0, 15, 16};
-
-/// The same with no branch, and of every index some place.
-inline constexpr auto codes_at = [] {
-  std::array<std::array<std::uint8_t, 8>, 4> table{};
+/// Which bits of the last word say that region k of an entry is C, and its palette.
+struct Place2 {
+  std::uint8_t checked, palette;
+};
+/// By quadrant, index and region; of the indices that are not stored, some place.
+inline constexpr auto places2 = [] {
+  std::array<std::array<std::array<Place2, 4>, 8>, 4> table{};
   for (std::uint32_t q = 0; q < 4; ++q)
     for (std::uint32_t index = 3; index < 8; ++index)
-      table[q][index] = static_cast<std::uint8_t>(code_at(q, index));
+      for (std::uint32_t k = 0; k < 4; ++k)
+        table[q][index][k] = {static_cast<std::uint8_t>(code_at(q, index) + k),
+                              static_cast<std::uint8_t>(code_at(q, index) + 4)};
   return table;
 }();
 
@@ -57,9 +60,9 @@ constexpr State picked(std::uint64_t code, std::uint32_t k) noexcept {
   return static_cast<State>(checked | (opaque & ~checked) << 1);
 }
 
-/// Of TL there is none stored: the identity.
+/// Of TL there is none stored: the zeros below are the identity.
 constexpr std::uint32_t transform(std::uint64_t word, std::uint32_t quadrant) noexcept {
-  return static_cast<std::uint32_t>(word << 3 >> (3 * quadrant)) & (quadrant == 0 ? 0 : 7);
+  return static_cast<std::uint32_t>(word << 3 >> (3 * quadrant)) & 7;
 }
 
 }  // namespace mmverify::impl::vq::detail

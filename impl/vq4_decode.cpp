@@ -52,10 +52,11 @@ State region(const Block4& block, std::uint32_t x, std::uint32_t y) noexcept {
   y &= 31;
   const std::uint32_t k = x / 4 + 8 * (y / 4), index = block[k / 2] >> (4 * (k % 2)) & 15u;
   const std::uint32_t q = (x < 16 ? 0 : 1) + (y < 16 ? 2 : 0);
-  // No branch: which index comes no processor foresees.
-  const std::uint32_t stored = detail::code4(block.data(), index), uniform = detail::uniform4[index];
-  return detail::picked4(index, index < 3 ? uniform : stored,
-                         detail::sources<4>[detail::transform4(block.data(), q)][x % 4 + 4 * (y % 4)]);
+  const std::uint32_t from = detail::sources<4>[detail::transform4(block.data(), q)][x % 4 + 4 * (y % 4)];
+  const detail::Place4 place = detail::places4[index][from];
+  const auto bit = [&block](std::uint32_t at) { return std::uint32_t{block[at / 8]} >> (at % 8) & 1; };
+  const std::uint32_t checked = bit(place.checked), opaque = bit(place.palette);
+  return static_cast<State>(detail::states_of[index][checked | opaque << 1]);
 }
 
 Map4 decode(const Block4& block) noexcept {

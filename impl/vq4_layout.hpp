@@ -14,11 +14,11 @@ namespace mmverify::impl::vq::detail {
 
 static_assert(std::endian::native == std::endian::little, "words are loaded as they lie");
 
-/// Of the quadrants TL, TR, BL, BR; of TL there is none stored: the identity.
+/// Of the quadrants TL, TR, BL, BR; of TL there is none stored: the zeros below are the identity.
 inline std::uint32_t transform4(const std::uint8_t* block, std::uint32_t quadrant) noexcept {
   std::uint16_t three;
   std::memcpy(&three, block + 32, sizeof three);
-  return (std::uint32_t{three} << 3 >> (3 * quadrant)) & (quadrant == 0 ? 0 : 7);
+  return (std::uint32_t{three} << 3 >> (3 * quadrant)) & 7;
 }
 
 /// Where the code of an index from 3 on begins, in bits; table 2.
@@ -41,35 +41,27 @@ inline std::uint32_t code4(const std::uint8_t* block, std::uint32_t index) noexc
   return static_cast<std::uint32_t>(word >> (code_at4[index] - 8 * byte)) & 0xfffff;
 }
 
-/// Which bit of a code says that region k is C, and which gives its palette.
-struct Place {
-  std::uint8_t checked, palette;
-};
-inline constexpr auto places4 = [] {
-  std::array<std::array<Place, 16>, 4> table{};
-  for (std::uint8_t k = 0; k < 16; ++k) {
-    const auto x = static_cast<std::uint8_t>(k % 4), y = static_cast<std::uint8_t>(k / 4);
-    const auto mini = static_cast<std::uint8_t>(5 * (x / 2 + 2 * (y / 2)));
-    table[0][k] = {k, 16};
-    table[1][k] = {k, static_cast<std::uint8_t>(16 + x / 2)};
-    table[2][k] = {k, static_cast<std::uint8_t>(16 + y / 2)};
-    table[3][k] = {static_cast<std::uint8_t>(mini + x % 2 + 2 * (y % 2)),
-                   static_cast<std::uint8_t>(mini + 4)};
-  }
-  return table;
-}();
-
-/// simple (and the uniform ones, written as such), vertical, horizontal, generic.
+/// How a code is written: simple, vertical, horizontal, generic.
 inline constexpr std::array<std::uint8_t, 16> kind4{0, 0, 0, 0, 0, 0, 1, 2, 3, 3, 3, 3, 3, 3, 3, 3};
 
-/// What the indices that are not stored would be as simple codes: all T, all C, all O.
-inline constexpr std::array<std::uint32_t, 16> uniform4{0, 0xffff, 0x10000};
-
-constexpr State picked4(std::uint32_t index, std::uint32_t code, std::uint32_t k) noexcept {
-  const Place place = places4[kind4[index]][k];
-  const std::uint32_t checked = code >> place.checked & 1, opaque = code >> place.palette & 1;
-  return static_cast<State>(checked | (opaque & ~checked) << 1);
-}
+/// Which bits of the block say that region k of an entry is C, and its palette.
+struct Place4 {
+  std::uint16_t checked, palette;
+};
+/// By index and region; of the indices that are not stored, some place.
+inline constexpr auto places4 = [] {
+  std::array<std::array<Place4, 16>, 16> table{};
+  for (std::uint32_t index = 3; index < 16; ++index)
+    for (std::uint32_t k = 0; k < 16; ++k) {
+      const std::uint32_t x = k % 4, y = k / 4, mini = 5 * (x / 2 + 2 * (y / 2));
+      const std::uint32_t kind = kind4[index];
+      const std::uint32_t checked = kind == 3 ? mini + x % 2 + 2 * (y % 2) : k;
+      const std::uint32_t palette = kind == 3 ? mini + 4 : 16 + (kind == 1 ? x / 2 : kind == 2 ? y / 2 : 0);
+      table[index][k] = {static_cast<std::uint16_t>(code_at4[index] + checked),
+                         static_cast<std::uint16_t>(code_at4[index] + palette)};
+    }
+  return table;
+}();
 
 /// The states of every index, 16 bytes each.
 using Codebook = std::array<std::array<std::uint8_t, 16>, 16>;

@@ -31,4 +31,15 @@ inline constexpr auto sources = [] {
   return table;
 }();
 
+/// The state of a region by the index of its vector and two bits, 1 that it is C and 2 that the palette is
+/// {O, C}; the first three indices are states themselves.  A table, as which index comes no processor
+/// foresees.
+inline constexpr auto states_of = [] {
+  std::array<std::array<std::uint8_t, 4>, 16> table{};
+  for (std::uint8_t index = 0; index < 16; ++index)
+    for (std::uint8_t bits = 0; bits < 4; ++bits)
+      table[index][bits] = index < 3 ? index : (bits & 1) != 0 ? std::uint8_t{1} : bits;
+  return table;
+}();
+
 }  // namespace mmverify::impl::vq::detail
