@@ -1,6 +1,8 @@
 // impl/vq.hpp, encoders of VQ4: what they may do, what they must find, and the bound below them.
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -112,6 +114,72 @@ TEST(ImplVq4Encode, NineGenericVectorsAreOneTooMany) {
   EXPECT_EQ(encode(eight, Effort::fast).substitutions, 0u);
   for (const Effort effort : efforts) EXPECT_EQ(encode(nine, effort).substitutions, 1u);
   EXPECT_EQ(encode_proved(nine).encoded.substitutions, 1u);
+}
+
+/// The regions that some vectors keep at most with 13 entries, T alone and nothing turned, by trying every way
+/// to make groups of them: in each step two groups become one, or a group becomes C.
+std::uint32_t most_kept_by_groups(std::vector<std::pair<std::uint32_t, std::uint32_t>> groups) {
+  const auto ones = [](std::uint32_t set) {
+    std::uint32_t count = 0;
+    for (; set != 0; set &= set - 1) ++count;
+    return count;
+  };
+  std::uint32_t most = 0;
+  if (groups.size() == 13) {
+    for (const auto& [common, vectors] : groups) most += vectors * ones(common);
+    return most;
+  }
+  for (std::size_t a = 0; a < groups.size(); ++a)
+    for (std::size_t b = a; b < groups.size(); ++b) {
+      auto next = groups;
+      if (b != a) next[a] = {groups[a].first & groups[b].first, groups[a].second + groups[b].second};
+      next.erase(next.begin() + static_cast<std::ptrdiff_t>(b));
+      most = std::max(most, most_kept_by_groups(std::move(next)));
+    }
+  return most;
+}
+
+TEST(ImplVq4Encode, FindsAndProvesTheOptimumOfOneQuadrant) {
+  std::mt19937 random(6);
+  for (int round = 0; round < (sanitized ? 2 : 8); ++round) {
+    std::vector<std::pair<std::uint32_t, spec::Vector<4>>> vectors;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> groups;
+    std::uint32_t all = 0;
+    for (std::uint32_t k = 0; k < 15; ++k) {
+      std::uint32_t set = random() & random() & 0xffff;
+      if (round % 2 == 0) set |= random() & 0xffff;
+      if (set == 0 || set == 0xffff) set = 1;
+      spec::Vector<4> v = spec::uniform<4>(spec::State::C);
+      for (std::uint32_t bit = 0; bit < 16; ++bit)
+        if (set >> bit & 1) {
+          v[bit] = spec::State::T;
+          ++all;
+        }
+      vectors.push_back({32 + k % 4 + 8 * (k / 4), v});
+      groups.push_back({set, 1});
+    }
+    const Proved4 proved = encode_proved(with_vectors(vectors));
+    EXPECT_EQ(proved.encoded.substitutions, all - most_kept_by_groups(groups));
+    EXPECT_EQ(proved.least, proved.encoded.substitutions);
+  }
+}
+
+TEST(ImplVq4Encode, IsTheSameOnEveryTarget) {
+  std::mt19937 random(7);
+  const Map4 map = blob<Map4>(random, 0.7), noisy = noise<Map4>(random);
+  const Proved4 proved = encode_proved(map);
+  const Encoded4 balanced = encode(noisy, Effort::balanced);
+  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    const Proved4 now = encode_proved(map);
+    EXPECT_EQ(now.encoded.block, proved.encoded.block);
+    EXPECT_EQ(now.least, proved.least);
+    EXPECT_EQ(encode(noisy, Effort::balanced).block, balanced.block);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
 }
 
 TEST(ImplVq4Encode, CountsVectorsThatAreNotContinuous) {
