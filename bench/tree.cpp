@@ -7,6 +7,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "bench/alpha_textures.hpp"
 #include "bench/tree_cache.hpp"
 #include "bench/tree_maps.hpp"
 #include "bench/tree_obvious.hpp"

@@ -1,23 +1,13 @@
 // Maps of the alpha textures of real scenes.
 #pragma once
 
-#include <string>
+#include <cstdint>
 #include <vector>
 
+#include "bench/alpha_textures.hpp"
 #include "impl/tree_stream.hpp"
 
 namespace mmverify::bench {
-
-/// Alpha of one picture, rows from the top.
-struct AlphaTexture {
-  std::string file;
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> alpha;
-};
-
-/// All PNG files in and below a folder, in order of name.  Throws std::runtime_error, naming the file or the
-/// folder, where one cannot be read or there is none.
-std::vector<AlphaTexture> alpha_textures(const std::string& folder);
 
 /// The two half-square triangles of each texture, (0,0) (1,0) (0,1) and (1,1) (0,1) (1,0), one map each.
 ///   opaque where the texel under the centre of the micro-triangle has alpha >= 128; with four states unknown

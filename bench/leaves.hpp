@@ -1,0 +1,45 @@
+// Leaves that overlap, made of a seed, as a distance.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace mmverify::bench {
+
+struct Place {
+  double x, y;
+};
+
+/// Leaves of random place in the unit square, turn and size: lens shapes (two circles cut) with serrated
+/// outlines.  A distance below zero on a leaf, nowhere steeper than slope().
+class Leaves {
+ public:
+  /// As many as the seed says, from `least` to `most`.  Domain: 1 <= least <= most.
+  Leaves(std::uint64_t seed, std::uint32_t least, std::uint32_t most);
+
+  /// Which leaves may be the nearest somewhere; for a start all of them.
+  using Near = std::vector<std::uint32_t>;
+  Near all() const;
+  /// Of those, the ones that may be the nearest within `radius` of p: no distance is steeper than 1.
+  Near near(const Near& among, const Place& p, double radius) const;
+
+  double operator()(const Near& among, const Place& p) const;
+  double slope() const { return slope_; }
+
+ private:
+  struct Lens {
+    Place one, other;
+    double radius;
+  };
+  struct Wave {
+    double x, y, phase, height;
+  };
+  double lens(std::uint32_t k, const Place& p) const;
+
+  std::vector<Lens> leaves_;
+  std::array<Wave, 4> serration_;
+  double slope_ = 1;
+};
+
+}  // namespace mmverify::bench
