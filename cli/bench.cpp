@@ -11,6 +11,7 @@
 #include "cli/bench_subject.hpp"
 #include "cli/bench_sweep.hpp"
 #include "cli/bench_tree.hpp"
+#include "cli/bench_vq.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
@@ -23,6 +24,7 @@ struct Options {
   std::vector<std::string> topics;
   std::string json, plot, levels, subject, textures;
   bench::IndexBenchOptions index;
+  std::size_t maps = bench::VqBenchOptions{}.maps;
   bool quiet = false, sweep = false;
   unsigned threads = 0;
 };
@@ -54,6 +56,7 @@ proofs::Levels levels_or(const Options& options, const proofs::Levels& otherwise
   return levels;
 }
 
+/// Domain: a topic with levels.
 proofs::Levels levels_of(const Options& options, const std::string& topic) {
   const bench::TreeBenchOptions tree;
   return topic == "index" ? levels_or(options, {options.index.first, options.index.last})
@@ -83,6 +86,9 @@ BenchOutput bench_topic(const Options& options, const std::string& topic, std::F
     index.last = levels.last;
     return bench_index(index, options.quiet, out);
   }
+  if (topic == "vq")
+    return bench_vq({.seed = options.index.seed, .maps = options.maps, .textures = options.textures},
+                    options.quiet, out);
   const proofs::Levels levels = levels_of(options, topic);
   return bench_tree({.first = levels.first,
                      .last = levels.last,
@@ -94,9 +100,15 @@ BenchOutput bench_topic(const Options& options, const std::string& topic, std::F
 
 /// All topics, or those that were named.
 int run_topics(const Options& options, const std::vector<std::string>& topics) {
-  for (const std::string& topic : topics) levels_of(options, topic);
+  const auto asked = [&](const char* topic) {
+    return std::find(topics.begin(), topics.end(), topic) != topics.end();
+  };
+  for (const std::string& topic : topics)
+    if (topic != "vq") levels_of(options, topic);
+  if (topics == std::vector<std::string>{"vq"} && !options.levels.empty())
+    throw UsageError("--levels: blocks of topic vq have none");
   constexpr std::uint64_t most = std::uint64_t{1} << 26;  // 8 bytes each
-  if (topics.back() == "tree" && options.index.samples > most)
+  if (asked("tree") && options.index.samples > most)
     throw UsageError(
         fmt::format("--samples {}: bench tree does {} lookups at most", options.index.samples, most));
   if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot: of one topic");
@@ -119,7 +131,7 @@ int run_topics(const Options& options, const std::vector<std::string>& topics) {
 }
 
 int run_bench(const Options& options) {
-  const std::vector<std::string> all{"index", "tree"};
+  const std::vector<std::string> all{"index", "tree", "vq"};
   std::vector<std::string> topics;
   for (const std::string& topic : all)
     if (options.topics.empty() ||
@@ -133,11 +145,11 @@ int run_bench(const Options& options) {
     const char* const option = options.sweep ? "--sweep" : "--subject";
     if (topics.front() != "index" || options.topics.size() > 1)
       throw UsageError(fmt::format("{}: for bench index", option));
-    if (!options.textures.empty()) throw UsageError("--textures: for bench tree");
+    if (!options.textures.empty()) throw UsageError("--textures: for bench tree and bench vq");
     return options.sweep ? run_sweep_bench(options) : run_subject_bench(options);
   }
-  if (!options.textures.empty() && topics != std::vector<std::string>{"tree"})
-    throw UsageError("--textures: for bench tree");
+  if (!options.textures.empty() && std::find(topics.begin(), topics.end(), "index") != topics.end())
+    throw UsageError("--textures: for bench tree and bench vq");
   return run_topics(options, topics);
 }
 
@@ -147,7 +159,8 @@ Action add_bench(CLI::App& program) {
   auto* command =
       program.add_subcommand("bench", "error against run time, the fast way beside the obvious one");
   auto options = std::make_shared<Options>();
-  command->add_option("topic", options->topics, "index or tree; all where none is given")->type_name("TOPIC");
+  command->add_option("topic", options->topics, "index, tree or vq; all where none is given")
+      ->type_name("TOPIC");
   command
       ->add_option("--levels", options->levels,
                    "levels A..B, both included; 1..16, of tree 3..12, where not given")
@@ -158,8 +171,11 @@ Action add_bench(CLI::App& program) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   command->add_option("--subject", options->subject, "measure what judging this library costs instead")
       ->type_name("FILE.so");
-  command->add_option("--textures", options->textures, "tree: maps of the PNG files in this folder instead")
+  command
+      ->add_option("--textures", options->textures, "tree, vq: maps of the PNG files in this folder instead")
       ->type_name("FOLDER");
+  command->add_option("--maps", options->maps, "vq: how many generated maps")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 16));
   command->add_flag("--sweep", options->sweep,
                     "measure sweeps of index.equals_reference instead, level by level");
   command->add_option("--threads", options->threads, "of a sweep; as many as the machine has where not given")

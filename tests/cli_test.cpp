@@ -66,6 +66,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Complaint{{"bench", "--levels", "3..13"}, 2, "highest level here is 12"},
                     Complaint{{"bench", "--plot", "x.svg"}, 2, "--plot"},
                     Complaint{{"bench", "tree", "--samples", "1099511627776"}, 2, "--samples"},
+                    Complaint{{"bench", "vq", "--levels", "3"}, 2, "--levels"},
+                    Complaint{{"bench", "vq", "index", "--textures", "."}, 2, "--textures"},
+                    Complaint{{"bench", "vq", "--textures", "no/such/folder"}, 4, "no/such/folder"},
                     Complaint{{"prove", "--seed", "18446744073709551616"}, 2, "below 2^64"},
                     Complaint{
                         {"bench", "--json", "no/such/folder/x.json", "index"}, 4, "no/such/folder/x.json"}));
@@ -395,13 +398,30 @@ TEST_P(Interrupt, OfABenchIs3AndLeavesNoFile) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 TEST(Bench, WithNoTopicIsOfAllAndItsJsonAList) {
-  const Outcome r = program({"bench", "--levels", "3", "--samples", "2000", "--quiet", "--json", "-"});
+  const Outcome r =
+      program({"bench", "--levels", "3", "--samples", "2000", "--maps", "1", "--quiet", "--json", "-"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   const json benches = parsed(r.out);
-  ASSERT_EQ(benches.size(), 2u);
+  ASSERT_EQ(benches.size(), 3u);
+  EXPECT_EQ(benches[2]["topic"], "vq");
   EXPECT_EQ(benches[0]["topic"], "index");
   EXPECT_EQ(benches[1]["topic"], "tree");
   for (const json& bench : benches) EXPECT_FALSE(bench["rows"].empty());
+}
+
+TEST(Bench, VqSaysWhatEachEncoderLosesAndItsBound) {
+  const Outcome r = program({"bench", "vq", "--maps", "2", "--quiet", "--json", "-"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const json bench = parsed(r.out);
+  EXPECT_EQ(bench["topic"], "vq");
+  ASSERT_EQ(bench["rows"].size(), 2u);
+  for (const json& row : bench["rows"]) {
+    ASSERT_EQ(row["vq2"].size(), 2u);
+    ASSERT_EQ(row["vq4"].size(), 6u);
+    for (const json& by : row["vq4"]) EXPECT_GE(by["substitutions"], row["vq4_bound"]);
+    EXPECT_EQ(row["vq2"][1]["substitutions"], row["vq2_bound"]);
+  }
+  EXPECT_TRUE(says(r.err, "bound")) << "the table";
 }
 
 TEST(Bench, TreeSaysWhatAFormTakesAndHowFastItIs) {

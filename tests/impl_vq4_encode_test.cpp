@@ -116,8 +116,8 @@ TEST(ImplVq4Encode, NineGenericVectorsAreOneTooMany) {
   EXPECT_EQ(encode_proved(nine).encoded.substitutions, 1u);
 }
 
-/// The regions that some vectors keep at most with 13 entries, T alone and nothing turned, by trying every way
-/// to make groups of them: in each step two groups become one, or a group becomes C.
+/// The regions that some vectors keep at most with 13 entries, T alone and nothing turned, by trying every
+/// way to make groups of them: in each step two groups become one, or a group becomes C.
 std::uint32_t most_kept_by_groups(std::vector<std::pair<std::uint32_t, std::uint32_t>> groups) {
   const auto ones = [](std::uint32_t set) {
     std::uint32_t count = 0;
@@ -146,8 +146,8 @@ TEST(ImplVq4Encode, FindsAndProvesTheOptimumOfOneQuadrant) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> groups;
     std::uint32_t all = 0;
     for (std::uint32_t k = 0; k < 15; ++k) {
-      std::uint32_t set = random() & random() & 0xffff;
-      if (round % 2 == 0) set |= random() & 0xffff;
+      auto set = static_cast<std::uint32_t>(random() & random()) & 0xffff;
+      if (round % 2 == 0) set |= static_cast<std::uint32_t>(random()) & 0xffff;
       if (set == 0 || set == 0xffff) set = 1;
       spec::Vector<4> v = spec::uniform<4>(spec::State::C);
       for (std::uint32_t bit = 0; bit < 16; ++bit)
