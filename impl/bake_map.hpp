@@ -2,9 +2,12 @@
 // halves.
 //
 // A region, or half, is O where alpha >= cutoff on all of it, edges included, T where alpha < cutoff on all
-// of it, else C. So the states obey continuity: regions that share a point are never O and T. Axes.  The
-// map's y counts from the BOTTOM (impl/vq.hpp), the texture's rows from the top: region (0, 0) is the box's
-// lower left.  Region (i, j), j from the top, is [x + width i/side, x + width (i+1)/side] and so in y.
+// of it, else C. So regions that share a point are never O and T.
+//
+// Axes: the map's y counts from the BOTTOM (impl/vq.hpp), the texture's rows from the top. Region (0, 0) is
+// the box's lower left; the region of column i and, from the top, row j is [x + width i/side, x + width
+// (i+1)/side] and [y + height j/side, y + height (j+1)/side].
+//
 // Source: Compressed Opacity Maps, 3; the exact state of any polygon is in spec/bake.hpp.
 #pragma once
 

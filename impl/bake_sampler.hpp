@@ -3,10 +3,11 @@
 // No integer overflows: with width, height <= 2^14, side <= 2^8 and so D <= 2^9, and cutoff =
 // numerator/denominator below 2^32/2^32,
 //   positions             D 2^14 + 2 2^14 2^8          < 2^25
+//   on the diagonal       2^25 2^14, twice             < 2^41
 //   a corner              255 D^2                      < 2^26, times the denominator < 2^58
 //   an edge's point       255 D                        smaller
 //   a diagonal's point    255 D max(width, height)     < 2^31, times the denominator < 2^63
-// and the diagonal's own extremes are in 128 bits (bake_triangle.cpp).
+// and the diagonal's turning points are in 128 bits (bake_triangle.cpp).
 #pragma once
 
 #include <algorithm>
