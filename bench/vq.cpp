@@ -82,6 +82,7 @@ VqRow row_of(const OpacityMaps& maps, std::size_t rounds) {
     row.vq2[static_cast<std::size_t>(e)] = measured(to_string(e), maps.of, maps.regions_16, rounds, encode);
   };
   vq2(Vq2Encoder::paper, [](const Map2& map) { return impl::vq::encode_paper(map); });
+  vq2(Vq2Encoder::paper_highest_first, impl::vq::encode_paper_highest_first);
   vq2(Vq2Encoder::optimal, impl::vq::encode_optimal);
   const auto vq4 = [&](Vq4Encoder e, std::size_t times, auto encode) {
     row.vq4[static_cast<std::size_t>(e)] = measured(to_string(e), maps.of, maps.regions_32, times, encode);
@@ -140,7 +141,11 @@ VqDecodeTimes decode_times(const std::vector<Block>& blocks, std::uint64_t seed,
 
 }  // namespace
 
-const char* to_string(Vq2Encoder encoder) { return encoder == Vq2Encoder::paper ? "paper" : "optimal"; }
+const char* to_string(Vq2Encoder encoder) {
+  return encoder == Vq2Encoder::paper                 ? "paper"
+         : encoder == Vq2Encoder::paper_highest_first ? "paper, highest"
+                                                      : "optimal";
+}
 
 const char* to_string(Vq4Encoder encoder) {
   switch (encoder) {

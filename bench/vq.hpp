@@ -19,11 +19,11 @@ struct VqBenchOptions {
   std::function<void(const std::string&)> progress = {};  ///< told what begins
 };
 
-/// In this order everywhere.  Of VQ4, paper_free_c is Algorithm 2 read kindly, and proved tries until a bound
-/// meets it.
-enum class Vq2Encoder : std::uint8_t { paper, optimal };
+/// In this order everywhere.  paper_highest_first and paper_free_c are Algorithms 1 and 2 read kindly
+/// (impl/vq.hpp); proved has a bound.
+enum class Vq2Encoder : std::uint8_t { paper, paper_highest_first, optimal };
 enum class Vq4Encoder : std::uint8_t { paper, paper_free_c, fast, balanced, thorough, proved };
-inline constexpr std::size_t vq2_encoders = 2, vq4_encoders = 6;
+inline constexpr std::size_t vq2_encoders = 3, vq4_encoders = 6;
 const char* to_string(Vq2Encoder encoder);
 const char* to_string(Vq4Encoder encoder);
 

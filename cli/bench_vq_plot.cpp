@@ -68,8 +68,10 @@ Mark mark(const VqFigures& figures, Encoder encoder, const char* codec, const ch
 /// The share of O and T that is lost, over the time of a map.
 std::string error_against_time(const VqFigures& figures) {
   std::vector<Mark> marks;
-  for (const Vq2Encoder e : {Vq2Encoder::paper, Vq2Encoder::optimal})
-    marks.push_back(mark(figures, e, "VQ2", e == Vq2Encoder::paper ? vermilion : green));
+  for (std::size_t k = 0; k < bench::vq2_encoders; ++k) {
+    const auto e = static_cast<Vq2Encoder>(k);
+    marks.push_back(mark(figures, e, "VQ2", e == Vq2Encoder::optimal ? green : vermilion));
+  }
   for (std::size_t k = 0; k < bench::vq4_encoders; ++k) {
     const auto e = static_cast<Vq4Encoder>(k);
     marks.push_back(mark(figures, e, "VQ4", k < 2 ? vermilion : e == Vq4Encoder::proved ? purple : blue));
@@ -97,9 +99,9 @@ std::string error_against_time(const VqFigures& figures) {
              "'{}'\n"
              "plot {:.6g} with lines dt 2 lw 1 lc rgb '{}' notitle, $marks using 1:2:3 with points pt 7 ps "
              "0.9 lc "
-             "rgb variable notitle, $marks using ($0 != 6 ? $1 : 1/0):2:4:3 with labels left offset 0.8,0.6 "
+             "rgb variable notitle, $marks using ($0 != 7 ? $1 : 1/0):2:4:3 with labels left offset 0.8,0.6 "
              "font "
-             "',11' tc rgb variable notitle, $marks using ($0 == 6 ? $1 : 1/0):2:4:3 with labels left offset "
+             "',11' tc rgb variable notitle, $marks using ($0 == 7 ? $1 : 1/0):2:4:3 with labels left offset "
              "0.8,-0.8 font ',11' tc rgb variable notitle\nunset logscale x\nunset label\n",
              std::max(slowest * 12, 1.0), std::max(most * 1.15, 1.0), bound, grey, bound, grey);
 }

@@ -38,7 +38,7 @@ struct Codebook {
   }
 };
 
-/// Takes the lowest scoring first.
+/// Takes the last first.
 Codebook create_codebook(std::vector<Candidate> prioritised) {
   Codebook cb;
   while (!cb.full() && !prioritised.empty()) {
@@ -78,9 +78,7 @@ Choice choice_of(const Codebook& cb, const std::array<std::uint8_t, 4>& transfor
   return choice;
 }
 
-}  // namespace
-
-Encoded2 encode_paper(const Map2& map) {
+Encoded2 encoded(const Map2& map, bool highest_first) {
   const Vectors2 vectors = vectors_of(map);
   Encoded2 best{};
   bool first = true;
@@ -101,8 +99,9 @@ Encoded2 encode_paper(const Map2& map) {
     }
     std::vector<Candidate> prioritised;
     for (const auto& [entry, candidate] : merged) prioritised.push_back(candidate);
-    std::stable_sort(prioritised.begin(), prioritised.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+    std::stable_sort(prioritised.begin(), prioritised.end(), [=](const Candidate& a, const Candidate& b) {
+      return highest_first ? a.score < b.score : a.score > b.score;
+    });
     const Encoded2 local = written(vectors, choice_of(create_codebook(std::move(prioritised)), transforms));
     if (first || local.substitutions < best.substitutions) best = local;
     first = false;
@@ -110,5 +109,10 @@ Encoded2 encode_paper(const Map2& map) {
   }
   return best;
 }
+
+}  // namespace
+
+Encoded2 encode_paper(const Map2& map) { return encoded(map, false); }
+Encoded2 encode_paper_highest_first(const Map2& map) { return encoded(map, true); }
 
 }  // namespace mmverify::impl::vq
