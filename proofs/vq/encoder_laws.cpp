@@ -116,12 +116,12 @@ std::optional<std::string> does_not_keep(const VqSubject& s) {
 
 template <class Format>
 Law on_maps(Law law, std::function<std::uint64_t(const Run&)> count,
-            std::function<Map<Format>(std::uint64_t k, std::uint64_t seed)> number,
+            std::function<Map<Format>(std::uint64_t seed, std::uint64_t k)> number,
             std::function<Finding(const VqSubject&, const Map<Format>&)> check,
             const Lacks& lacks = lacks_encoder<Format>) {
   Cases<Map<Format>> cases;
   cases.count = [=](Level, const Run& run) { return count(run); };
-  cases.number = [=](Level, std::uint64_t k, std::uint64_t seed) { return number(k, seed); };
+  cases.number = [=](Level, std::uint64_t k, std::uint64_t seed) { return number(seed, k); };
   cases.text = text_of_map<Format>;
   cases.read = [](Level n, const std::string& at) {
     const Map<Format> map = map_from_text<Format>(at);
@@ -144,8 +144,8 @@ template <class Format>
 std::function<std::string(const Subject&, Level)> sample_maps() {
   return [](const Subject&, Level) {
     return fmt::format(
-        "maps of {0}x{0} regions: shapes, O beside T, noise, few vectors, turned ones, uniform, "
-        "one odd region",
+        "maps of {0}x{0} regions: shapes, O beside T, turned quadrants, few vectors, uniform, one odd "
+        "region, noise",
         8 * Format::side);
   };
 }
@@ -182,9 +182,7 @@ std::uint32_t looked_up_in(const Format& fields, std::size_t q) {
 auto& code_of(Vq2& fields, std::size_t q, std::uint32_t index) {
   return index < 6 ? fields.shared[index - 3] : fields.own[q][index - 6];
 }
-[[maybe_unused]] auto& code_of(Vq4& fields, std::size_t, std::uint32_t index) {
-  return fields.codebook[index - 3];
-}
+auto& code_of(Vq4& fields, std::size_t, std::uint32_t index) { return fields.codebook[index - 3]; }
 
 /// Under one transform of one quadrant, an entry in use loses its lowest bit: C becomes O or T, or, where the
 /// entry has no C, O becomes T.
@@ -270,7 +268,7 @@ Map<Vq2> alone_number(std::uint64_t k) {
 }
 
 /// A map of one state but for one region of VQ4.
-[[maybe_unused]] Map<Vq4> odd_region_number(std::uint64_t k) {
+Map<Vq4> odd_region_number(std::uint64_t k) {
   Map<Vq4> map;
   map.fill(states[k % 3]);
   map[k / 6] = states[(k % 3 + 1 + k / 3 % 2) % 3];
@@ -293,7 +291,7 @@ Law alone_law() {
        .says = conservative_says,
        .source = section_3,
        .method = Method::exhaustive,
-       .subjects = {"vq2-optimal"},
+       .subjects = {"vq2-optimal", "vq2-paper"},
        .fast_seconds = 1,
        .domain =
            [](const Subject&, Level) {
@@ -307,8 +305,35 @@ Law alone_law() {
                           instead<Vq2>(one(T, 27, {T, C, T, T}), one(T, 27, {T, T, T, T}))),
                    mutant("T for O in a map of C", "vq2-optimal", level_alone<Vq2>,
                           instead<Vq2>(one(C, 36, {C, C, O, C}), one(C, 36, {C, C, T, C})))}},
-      cases_of(3 * 64 * 81, 3 * 64 * 81), [](std::uint64_t k, std::uint64_t) { return alone_number(k); },
+      cases_of(3 * 64 * 81, 3 * 64 * 81), [](std::uint64_t, std::uint64_t k) { return alone_number(k); },
       conservative<Vq2>);
+}
+
+Law odd_region_law() {
+  const auto one = [](State around, std::size_t region, State odd) {
+    Map<Vq4> map;
+    map.fill(around);
+    map[region] = odd;
+    return map;
+  };
+  return on_maps<Vq4>(
+      {.id = "vq4.conservative",
+       .topic = "vq",
+       .says = conservative_says,
+       .source = section_3,
+       .method = Method::exhaustive,
+       .subjects = {"vq4-fast", "vq4-balanced", "vq4-thorough", "vq4-paper"},
+       .fast_seconds = 1,
+       .domain = [](const Subject&,
+                    Level) { return std::string("each region, alone in each state of each uniform map"); },
+       .mutants = {mutant("the last region, O in T, is T", "vq4-fast", level_alone<Vq4>,
+                          instead<Vq4>(one(T, 1023, O), one(T, 1023, T))),
+                   mutant("a C in O is O", "vq4-balanced", level_alone<Vq4>,
+                          instead<Vq4>(one(O, 528, C), one(O, 528, O))),
+                   mutant("an O in C is T", "vq4-fast", level_alone<Vq4>,
+                          instead<Vq4>(one(C, 31, O), one(C, 31, T)))}},
+      cases_of(6 * 1024, 6 * 1024), [](std::uint64_t, std::uint64_t k) { return odd_region_number(k); },
+      conservative<Vq4>);
 }
 
 template <class Format>
@@ -341,7 +366,7 @@ Law lossless_law(const char* id, const char* source, std::vector<std::string> su
                     Level) { return std::string("maps of blocks under all 512 transform triples in turn"); },
        .mutants = std::move(mutants)},
       cases_of(fast, long_run),
-      [](std::uint64_t k, std::uint64_t seed) { return spec::vq::decode(sample_block<Format>(seed, k)); },
+      [](std::uint64_t seed, std::uint64_t k) { return spec::vq::decode(sample_block<Format>(seed, k)); },
       keeps<Format>, does_not_keep<Format>);
 }
 
@@ -391,19 +416,51 @@ Law optimum_law() {
        .method = Method::sample,
        .subjects = {"vq2-optimal"},
        .fast_seconds = 1,
-       .domain = [](const Subject&,
-                    Level) { return std::string("maps of 2 to 5 kinds of vectors, turned or not"); },
-       .mutants = {mutant("gives up a vector under Rotate 180 in TR", "vq2-optimal", level_alone<Vq2>,
-                          gives_up_a_vector<Vq2>(1, 6)),
-                   mutant("gives up a vector under Reflect X=Y in BR", "vq2-optimal", level_alone<Vq2>,
-                          gives_up_a_vector<Vq2>(3, 5)),
+       .domain =
+           [](const Subject&, Level) {
+             return std::string("maps of 16x16 regions: shapes, turned ones, one in 16 of noise");
+           },
+       .mutants = {mutant("gives up a vector under Rotate 90 in TR", "vq2-optimal", level_alone<Vq2>,
+                          gives_up_a_vector<Vq2>(1, 1)),
+                   mutant("gives up a vector under Rotate 90 in BR", "vq2-optimal", level_alone<Vq2>,
+                          gives_up_a_vector<Vq2>(3, 1)),
                    mutant("gives up a vector of TL", "vq2-optimal", level_alone<Vq2>,
                           gives_up_a_vector<Vq2>(0, 0))}},
-      cases_of(48, 10'000), map_of_few_vectors, fewest, [](const VqSubject& s) -> std::optional<std::string> {
+      cases_of(48, 10'000), sample_map<Vq2>, fewest, [](const VqSubject& s) -> std::optional<std::string> {
         if (auto lacks = lacks_encoder<Vq2>(s)) return lacks;
         if (!s.parts.vq2.fewest) return s.name() + " does not promise the fewest substitutions";
         return std::nullopt;
       });
+}
+
+Law bound_law() {
+  const auto vq4 = [](const char* name, const std::function<void(Parts&)>& change) {
+    return mutant(name, "vq4-proved", level_alone<Vq4>, change);
+  };
+  Law law = on_maps<Vq4>(
+      {.id = "vq4.bound",
+       .topic = "vq",
+       .says = "no encoder is below the bound, and the one beside it is not worse than the most effort",
+       .source = section_6,
+       .method = Method::sample,
+       .subjects = {"vq4-proved"},
+       .domain = sample_maps<Vq4>(),
+       .mutants = {vq4("gives up a vector of TL", gives_up_a_vector<Vq4>(0, 0)),
+                   vq4("gives up a vector of BR where it is not turned", gives_up_a_vector<Vq4>(3, 0)),
+                   vq4("a bound that is one too high",
+                       [](Parts& parts) {
+                         parts.vq4.at_least = [real = parts.vq4.at_least](const Map<Vq4>& map) {
+                           return real(map) + 1;
+                         };
+                       })}},
+      cases_of(8, 64), sample_map<Vq4>, keeps_its_promise<Vq4>,
+      [](const VqSubject& s) -> std::optional<std::string> {
+        if (auto lacks = lacks_encoder<Vq4>(s)) return lacks;
+        if (!s.parts.vq4.at_least) return s.name() + " gives no bound";
+        return std::nullopt;
+      });
+  law.long_only = true;
+  return law;
 }
 
 }  // namespace
@@ -412,22 +469,55 @@ std::vector<Law> encoder_laws() {
   const auto vq2 = [](const char* name, const std::function<void(Parts&)>& change) {
     return mutant(name, "vq2-optimal", level_alone<Vq2>, change);
   };
+  const auto vq4 = [](const char* name, const char* base, const std::function<void(Parts&)>& change) {
+    return mutant(name, base, level_alone<Vq4>, change);
+  };
+  const std::vector<std::string> efforts{"vq4-fast", "vq4-balanced", "vq4-thorough"};
   return {
       alone_law(),
       conservative_on_samples<Vq2>(
-          "vq2.conservative_on_samples", {"vq2-optimal"}, 160, 10'000,
+          "vq2.conservative_on_samples", {"vq2-optimal", "vq2-paper"}, 240, 50'000,
           {vq2("loses a C where BR is rotated by 270", loses_a_check<Vq2>(3, 7)),
            vq2("O for T where BL is reflected at X=-Y", opaque_for_transparent<Vq2>(2, 3)),
            vq2("counts one less where TR is rotated by 180", counts_one_less<Vq2>(1, 6))}),
-      lossless_law<Vq2>("vq2.lossless_when_it_fits", section_6, {"vq2-optimal"}, 512, 20'000,
+      lossless_law<Vq2>("vq2.lossless_when_it_fits", section_6, {"vq2-optimal"}, 1'536, 40'000,
                         {vq2("gives up a vector where BR is rotated by 270", gives_up_a_vector<Vq2>(3, 7)),
                          vq2("gives up a vector where BL is rotated by 180", gives_up_a_vector<Vq2>(2, 6)),
                          vq2("loses a C where TR is reflected at X=Y", loses_a_check<Vq2>(1, 5))}),
-      reencode_law<Vq2>("vq2.reencode", section_6, {"vq2-optimal"}, 80, 10'000,
+      reencode_law<Vq2>("vq2.reencode", section_6, {"vq2-optimal"}, 160, 50'000,
                         {vq2("gives up a vector where BR is rotated by 90", gives_up_a_vector<Vq2>(3, 1)),
-                         vq2("gives up a vector where TR is rotated by 270", gives_up_a_vector<Vq2>(1, 7)),
+                         vq2("gives up a vector where TR is rotated by 90", gives_up_a_vector<Vq2>(1, 1)),
                          vq2("loses a C where BL is reflected at X=-Y", loses_a_check<Vq2>(2, 3))}),
-      optimum_law()};
+      effort_law<Vq2>("vq2.effort", "the optimum needs no more substitutions than Algorithm 1",
+                      {"vq2-optimal"}, 160, 20'000,
+                      {vq2("gives up a vector where BR is rotated by 180", gives_up_a_vector<Vq2>(3, 6)),
+                       vq2("gives up a vector where TR is reflected LR", gives_up_a_vector<Vq2>(1, 4)),
+                       vq2("loses a C where BL is rotated by 90", loses_a_check<Vq2>(2, 1))}),
+      optimum_law(),
+      odd_region_law(),
+      conservative_on_samples<Vq4>(
+          "vq4.conservative_on_samples",
+          {"vq4-fast", "vq4-balanced", "vq4-thorough", "vq4-paper", "vq4-paper-free-c"}, 64, 4'000,
+          {vq4("loses a C where BR is rotated by 270", "vq4-fast", loses_a_check<Vq4>(3, 7)),
+           vq4("O for T where BL is rotated by 90", "vq4-fast", opaque_for_transparent<Vq4>(2, 1)),
+           vq4("counts one less where TR is rotated by 180", "vq4-balanced", counts_one_less<Vq4>(1, 6))}),
+      lossless_law<Vq4>(
+          "vq4.lossless_when_it_fits", section_6, efforts, 1'024, 50'000,
+          {vq4("gives up a vector where BR is rotated by 270", "vq4-fast", gives_up_a_vector<Vq4>(3, 7)),
+           vq4("gives up a vector where BL is rotated by 180", "vq4-balanced", gives_up_a_vector<Vq4>(2, 6)),
+           vq4("loses a C where TR is reflected at X=Y", "vq4-thorough", loses_a_check<Vq4>(1, 5))}),
+      reencode_law<Vq4>(
+          "vq4.reencode", section_6, efforts, 64, 4'000,
+          {vq4("gives up a vector where BR is rotated by 90", "vq4-fast", gives_up_a_vector<Vq4>(3, 1)),
+           vq4("gives up a vector where TR is rotated by 90", "vq4-fast", gives_up_a_vector<Vq4>(1, 1)),
+           vq4("loses a C where BL is reflected at X=-Y", "vq4-balanced", loses_a_check<Vq4>(2, 3))}),
+      effort_law<Vq4>(
+          "vq4.effort", "more effort never needs more substitutions", {"vq4-balanced", "vq4-thorough"}, 64,
+          4'000,
+          {vq4("gives up a vector where BR is rotated by 180", "vq4-balanced", gives_up_a_vector<Vq4>(3, 6)),
+           vq4("gives up a vector where TR is reflected LR", "vq4-balanced", gives_up_a_vector<Vq4>(1, 4)),
+           vq4("loses a C where BL is rotated by 90", "vq4-balanced", loses_a_check<Vq4>(2, 1))}),
+      bound_law()};
 }
 
 }  // namespace mmverify::proofs::vq

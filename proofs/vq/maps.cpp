@@ -146,15 +146,22 @@ void put(Map<Format>& map, std::uint32_t vector, const Vector<Format::side>& v) 
 template <class Format>
 Map<Format> sample_map(std::uint64_t seed, std::uint64_t k) {
   Random random(seed, level_of<Format>, k);
-  constexpr std::array families{wide_outline<Format>, sharp<Format>,         two_shapes<Format>,
-                                noise<Format>,        few_vectors<Format>,   symmetric<Format>,
-                                uniform<Format>,      one_odd_region<Format>};
-  return families[k % families.size()](random);
-}
-
-Map<Vq2> map_of_few_vectors(std::uint64_t seed, std::uint64_t k) {
-  Random random(seed, 2, k);
-  return repeated<Vq2>(random, 2 + k % 4, k % 3 == 0);
+  switch (k % 32) {
+    case 31:
+      return noise<Format>(random);
+    case 14:
+    case 30:
+      return few_vectors<Format>(random);
+    case 12:
+      return uniform<Format>(random);
+    case 13:
+    case 29:
+      return one_odd_region<Format>(random);
+    default:
+      break;
+  }
+  constexpr std::array shapes{wide_outline<Format>, sharp<Format>, two_shapes<Format>, symmetric<Format>};
+  return shapes[k % shapes.size()](random);
 }
 
 template <class Format>
@@ -163,7 +170,7 @@ Format sample_block(std::uint64_t seed, std::uint64_t k) {
   Format fields;
   for (std::uint32_t q = 1; q < 4; ++q)
     fields.transforms[q] = Transform::of(static_cast<std::uint32_t>(k >> 3 * (q - 1)) % 8);
-  const bool few = k / 512 % 2 == 1;
+  const bool few = random.below(8) != 0;
   const std::uint64_t kinds = few ? 2 + random.below(3) : 1u << Format::index_bits;
   std::array<std::uint64_t, 4> kind_of{};
   for (auto& kind : kind_of) kind = random.below(1u << Format::index_bits);

@@ -14,16 +14,13 @@ Vector<Format::side> vector_of(const Map<Format>& map, std::uint32_t vector);
 template <class Format>
 void put(Map<Format>& map, std::uint32_t vector, const Vector<Format::side>& v);
 
-/// Sample k of a seed, the same everywhere: by k mod 8 a shape with a wide outline, one with O beside T, two
-/// shapes, noise, a few vectors repeated and turned, a quadrant repeated and turned, a uniform map, one odd
-/// region.
+/// Sample k of a seed, the same everywhere: shapes with a wide outline, with O beside T, two at once, a
+/// quadrant repeated and turned; in each 32, a uniform map, two with one odd region, two of a few vectors
+/// repeated and turned, and noise, which takes encoders longest.
 template <class Format>
 Map<Format> sample_map(std::uint64_t seed, std::uint64_t k);
 
-/// A map of few kinds of vectors, for whom every one costs time.
-Map<Vq2> map_of_few_vectors(std::uint64_t seed, std::uint64_t k);
-
-/// Block k of a seed: its transforms are triple k mod 512; by k / 512, a codebook of any words or of a few.
+/// Block k of a seed: its transforms are triple k mod 512; its indices a few, or in one of 8 blocks any.
 template <class Format>
 Format sample_block(std::uint64_t seed, std::uint64_t k);
 

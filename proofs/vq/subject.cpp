@@ -86,6 +86,14 @@ auto substitutions_of(Encode encode) {
 }
 
 constexpr auto optimal2 = [](const fast::Map2& map) { return fast::encode_optimal(map); };
+constexpr auto paper2 = [](const fast::Map2& map) { return fast::encode_paper(map); };
+constexpr auto paper4 = [](const fast::Map4& map) { return fast::encode_paper(map); };
+constexpr auto free_c4 = [](const fast::Map4& map) { return fast::encode_paper_free_c(map); };
+constexpr auto fast4 = [](const fast::Map4& map) { return fast::encode(map, fast::Effort::fast); };
+constexpr auto balanced4 = [](const fast::Map4& map) { return fast::encode(map, fast::Effort::balanced); };
+constexpr auto thorough4 = [](const fast::Map4& map) { return fast::encode(map, fast::Effort::thorough); };
+constexpr auto proved4 = [](const fast::Map4& map) { return fast::encode_proved(map).encoded; };
+constexpr auto bound4 = [](const Map<Vq4>& map) { return fast::encode_proved(to_fast<Vq4>(map)).least; };
 
 VqSubjectPtr subject(const char* name, const char* about, const Parts& parts) {
   return std::make_shared<VqSubject>(name, about, parts);
@@ -98,9 +106,10 @@ VqSubjectPtr decoding() {
   return subject("vq", "this project's library, its decoders", parts);
 }
 
-VqSubjectPtr encoder(const char* name, const char* about, Codec<Vq2> codec) {
+template <class Format>
+VqSubjectPtr encoder(const char* name, const char* about, Codec<Format> codec) {
   Parts parts;
-  parts.vq2 = std::move(codec);
+  parts.codec<Format>() = std::move(codec);
   return subject(name, about, parts);
 }
 
@@ -110,8 +119,30 @@ const std::vector<VqSubjectPtr>& built_in_subjects() {
   static const std::vector<VqSubjectPtr> all{
       subject("vq-spec", "the specification: vectors, codes, blocks and both decoders", specified()),
       decoding(),
-      encoder("vq2-optimal", "this project's library, the fewest substitutions",
-              {.encode = encoding<Vq2>(optimal2), .keeps_what_fits = true, .fewest = true}),
+      encoder<Vq2>("vq2-optimal", "this project's library, the fewest substitutions",
+                   {.encode = encoding<Vq2>(optimal2),
+                    .keeps_what_fits = true,
+                    .fewest = true,
+                    .at_most = substitutions_of<Vq2>(paper2)}),
+      encoder<Vq2>("vq2-paper", "Algorithm 1 as printed", {.encode = encoding<Vq2>(paper2)}),
+      encoder<Vq4>("vq4-fast", "this project's library, the least effort",
+                   {.encode = encoding<Vq4>(fast4), .keeps_what_fits = true}),
+      encoder<Vq4>("vq4-balanced", "this project's library, more effort",
+                   {.encode = encoding<Vq4>(balanced4),
+                    .keeps_what_fits = true,
+                    .at_most = substitutions_of<Vq4>(fast4)}),
+      encoder<Vq4>("vq4-thorough", "this project's library, the most effort without a bound",
+                   {.encode = encoding<Vq4>(thorough4),
+                    .keeps_what_fits = true,
+                    .at_most = substitutions_of<Vq4>(balanced4)}),
+      encoder<Vq4>("vq4-proved", "this project's library, beside a bound that no block undercuts",
+                   {.encode = encoding<Vq4>(proved4),
+                    .keeps_what_fits = true,
+                    .at_most = substitutions_of<Vq4>(thorough4),
+                    .at_least = bound4}),
+      encoder<Vq4>("vq4-paper", "Algorithm 2 as printed", {.encode = encoding<Vq4>(paper4)}),
+      encoder<Vq4>("vq4-paper-free-c", "Algorithm 2, its all-C partition without an entry",
+                   {.encode = encoding<Vq4>(free_c4)}),
   };
   return all;
 }
