@@ -3,6 +3,7 @@
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/micromap/plugin_subject.hpp"
 #include "proofs/tree/plugin_subject.hpp"
+#include "proofs/vq/plugin_subject.hpp"
 
 namespace mmverify::proofs {
 
@@ -14,11 +15,12 @@ std::vector<PluginSubject> plugin_subjects(const std::string& file, const isolat
   const auto name = [&](const char* kind) { return all.empty() ? file : file + ":" + kind; };
   if (const auto s = tree::plugin_subject(name("tree"), library)) all.push_back({"tree", s});
   if (const auto s = micromap::plugin_subject(name("micromap"), library)) all.push_back({"micromap", s});
+  if (const auto s = vq::plugin_subject(name("vq"), library)) all.push_back({"vq", s});
   return all;
 }
 
 PluginName plugin_name(const std::string& name) {
-  for (const std::string kind : {"f32", "f64", "tree", "micromap"})
+  for (const std::string kind : {"f32", "f64", "tree", "micromap", "vq"})
     if (name.ends_with(":" + kind)) return {name.substr(0, name.size() - kind.size() - 1), kind};
   return {name, {}};
 }

@@ -9,9 +9,9 @@
 
 namespace mmverify::proofs {
 
-/// One of a library's subjects: index in binary32 or binary64, tree, micromap.
+/// One of a library's subjects: index in binary32 or binary64, tree, micromap, vq.
 struct PluginSubject {
-  std::string kind;  ///< f32, f64, tree, micromap
+  std::string kind;  ///< f32, f64, tree, micromap, vq
   SubjectPtr subject;
 };
 

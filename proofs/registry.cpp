@@ -4,6 +4,7 @@
 #include "proofs/index/built_in.hpp"
 #include "proofs/micromap.hpp"
 #include "proofs/tree.hpp"
+#include "proofs/vq.hpp"
 
 namespace mmverify::proofs {
 namespace {
@@ -21,6 +22,7 @@ const std::vector<Law>& laws() {
     append(of_all_topics, index::laws());
     append(of_all_topics, micromap::laws());
     append(of_all_topics, tree::laws());
+    append(of_all_topics, vq::laws());
     return of_all_topics;
   }();
   return all;
@@ -47,6 +49,7 @@ std::vector<SubjectPtr> subjects() {
   append(of_all_topics, index::built_in_subjects());
   append(of_all_topics, micromap::built_in_subjects());
   append(of_all_topics, tree::built_in_subjects());
+  append(of_all_topics, vq::built_in_subjects());
   return of_all_topics;
 }
 

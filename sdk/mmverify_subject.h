@@ -33,6 +33,7 @@ extern "C" {
 /* flags */
 #define MMVERIFY_SINGLE_THREADED 1u
 #define MMVERIFY_TREE_STREAM 2u /* codes of trees are the paper's two bit sequences; see tree_encode */
+#define MMVERIFY_VQ_KEEPS 4u    /* vq2_encode and vq4_encode keep every map that a block can hold */
 
 /* Formats of maps, as Vulkan numbers them; also the bits of one state. */
 #define MMVERIFY_2_STATE 1u
@@ -112,6 +113,24 @@ typedef struct mmverify_subject {
 
   /* What is left of a 4-state map after a lossy codec: encoded and decoded. */
   void (*micromap_substitute)(uint32_t level, const uint8_t* four_state, uint8_t* out);
+
+  /* Square opacity maps and blocks of them (Compressed Opacity Maps): VQ2, 16x16 regions in 32 bytes, and
+   * VQ4, 32x32 in 64. A map has a byte a region, T 0, C 1, O 2, region (x, y) at x + 16 y or x + 32 y: x from
+   * the left, y from the BOTTOM. The order of a block's bits, which the paper does not say, is that of
+   * docs/VQ.md.
+   *   - Every block is one. A decoder writes the whole map; `region` gives the states at (x[k], y[k]), each
+   * below 16 or 32.
+   *   - An encoder takes every map, O beside T included, and writes a whole block; one map has one block.
+   *   - Each stands alone: what the block of an encoder means is found by the specification.
+   */
+  void (*vq2_decode)(const uint8_t* block, uint8_t* map);
+  void (*vq2_region)(const uint8_t* block, const uint32_t* x, const uint32_t* y, uint8_t* state,
+                     size_t count);
+  void (*vq2_encode)(const uint8_t* map, uint8_t* block);
+  void (*vq4_decode)(const uint8_t* block, uint8_t* map);
+  void (*vq4_region)(const uint8_t* block, const uint32_t* x, const uint32_t* y, uint8_t* state,
+                     size_t count);
+  void (*vq4_encode)(const uint8_t* map, uint8_t* block);
 
   /* Arrays and bakers will have their entry points after these. */
 } mmverify_subject_t;

@@ -84,6 +84,7 @@ std::string map_text(std::uint32_t format, std::uint64_t states, std::span<const
 }
 
 std::string code_text(std::uint32_t format, std::span<const std::uint8_t> code) {
+  if (format == 0) return "block:" + fmt::format("{:02x}", fmt::join(code, ""));
   return fmt::format("the {}-state code {}", 1u << format, hex_text(code));
 }
 

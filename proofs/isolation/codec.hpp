@@ -35,7 +35,8 @@ void ask(const Library& library, const Lookup& lookup, std::span<std::uint8_t> o
 
 /// A map as the laws' cases write it up to level 4, above its first bytes, size and checksum.
 std::string map_text(std::uint32_t format, std::uint64_t states, std::span<const std::uint8_t> packed);
-/// "the 2-state code 01 0b": up to 32 bytes, then size and checksum.
+/// "the 2-state code 01 0b": up to 32 bytes, then size and checksum.  Of format 0 "block:010b", all of it, as
+/// the laws' cases write it.
 std::string code_text(std::uint32_t format, std::span<const std::uint8_t> code);
 
 }  // namespace mmverify::proofs::isolation

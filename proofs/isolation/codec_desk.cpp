@@ -39,14 +39,16 @@ std::uint64_t CodecDesk::call(std::byte* out, std::uint64_t room) const {
     return desk_.base + desk_.layout.input_at(number, 0, m.count, input_size(m.call));
   };
   const auto floats = [&](std::size_t number) { return reinterpret_cast<const float*>(array(number)); };
+  const auto numbers = [&](std::size_t number) {
+    return reinterpret_cast<const std::uint32_t*>(array(number));
+  };
   switch (m.call) {
     case Call::tree_encode:
       return s.tree_encode(m.level, m.format, blob, to, room);
     case Call::tree_decode:
       return s.tree_decode(m.level, m.format, blob, m.blob_bytes, to) != 0 ? room : 0;
     case Call::tree_lookup:
-      s.tree_lookup(m.level, m.format, blob, m.blob_bytes, reinterpret_cast<const std::uint32_t*>(array(0)),
-                    to, m.count);
+      s.tree_lookup(m.level, m.format, blob, m.blob_bytes, numbers(0), to, m.count);
       return room;
     case Call::tree_lookup_f32:
       s.tree_lookup_f32(m.level, m.format, blob, m.blob_bytes, floats(0), floats(1), to, m.count);
@@ -74,6 +76,24 @@ std::uint64_t CodecDesk::call(std::byte* out, std::uint64_t room) const {
       return room;
     case Call::micromap_substitute:
       s.micromap_substitute(m.level, blob, to);
+      return room;
+    case Call::vq2_decode:
+      s.vq2_decode(blob, to);
+      return room;
+    case Call::vq2_region:
+      s.vq2_region(blob, numbers(0), numbers(1), to, m.count);
+      return room;
+    case Call::vq2_encode:
+      s.vq2_encode(blob, to);
+      return room;
+    case Call::vq4_decode:
+      s.vq4_decode(blob, to);
+      return room;
+    case Call::vq4_region:
+      s.vq4_region(blob, numbers(0), numbers(1), to, m.count);
+      return room;
+    case Call::vq4_encode:
+      s.vq4_encode(blob, to);
       return room;
     default:
       return 0;

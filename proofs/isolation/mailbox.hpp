@@ -26,9 +26,15 @@ enum class Call : std::uint32_t {
   micromap_up,
   micromap_down,
   micromap_through,
-  micromap_substitute
+  micromap_substitute,
+  vq2_decode,
+  vq2_region,
+  vq2_encode,
+  vq4_decode,
+  vq4_region,
+  vq4_encode
 };
-constexpr std::uint32_t calls = 17;
+constexpr std::uint32_t calls = 23;
 
 /// Whether it is about a map or a code, which lies apart from the slots, and so does its answer.
 constexpr bool of_codec(Call c) { return c >= Call::tree_encode; }
@@ -41,6 +47,8 @@ constexpr std::size_t input_arrays(Call c) {
     case Call::index_f64:
     case Call::row_index_f32:
     case Call::tree_lookup_f32:
+    case Call::vq2_region:
+    case Call::vq4_region:
       return 2;
     case Call::corners:
     case Call::row_corners:
@@ -95,7 +103,7 @@ struct Mailbox {
   std::uint32_t level;
   std::uint32_t one_by_one;  ///< call with one element at a time, to find the one that does it
   std::uint64_t count;
-  std::uint32_t format;      ///< of a map: its states' bits; of micromap_through its mode
+  std::uint32_t format;      ///< of a map: its states' bits; of micromap_through its mode; of a block 0
   std::uint64_t blob_bytes;  ///< of the map or code that is asked about
   std::uint64_t room;        ///< of the answer to it: bytes that must be written, of an encoder that may be
   // From the worker, the first also while it works.

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Writes the seed corpora of the square maps' harnesses: python3 fuzz/make_vq_corpus.py fuzz/corpus
+
+Below it the folders vq_encode and vq_decode; see the head of each harness for what an input is.
+"""
+import pathlib
+import random
+import sys
+
+VQ2, VQ4 = 0, 1
+RUNS, REGIONS, VECTORS, BLOCK = 0, 2, 4, 6  # how the map is drawn, in the first byte
+T, C, O = 0, 1, 2
+
+
+def bits(fields):
+    """Fields of (bits, value), from bit 0 of byte 0 on."""
+    value = at = 0
+    for width, field in fields:
+        assert field >> width == 0
+        value |= field << at
+        at += width
+    return value.to_bytes(at // 8, "little")
+
+
+def block(side, indices, transforms, codes):
+    widths = [5] * 11 if side == 2 else [17] * 3 + [18] * 2 + [20] * 8
+    codes = [code & (1 << width) - 1 for code, width in zip(codes, widths)]
+    return bits([(3 if side == 2 else 4, i) for i in indices] + [(3, t) for t in transforms] + list(zip(widths, codes)))
+
+
+def regions(size, state):
+    packed = bytearray(size * size // 4)
+    for k in range(size * size):
+        packed[k // 4] |= state(k % size, k // size) << 2 * (k % 4)
+    return bytes(packed)
+
+
+def disc(size, outline):
+    def state(x, y):
+        inside = (size * 3 // 8) ** 2 - (x - size / 2 + 0.5) ** 2 - (y - size / 3) ** 2
+        return O if inside > outline else T if inside < -outline else C
+
+    return regions(size, state)
+
+
+rng = random.Random(1)
+EVERY2, EVERY4 = [k % 8 for k in range(64)], [k % 4 + 4 * (k // 8 % 4) for k in range(64)]
+CODES2, CODES4 = [rng.randrange(32) for _ in range(11)], [rng.randrange(1 << 20) for _ in range(13)]
+
+ENCODE = {
+    "vq2_runs": bytes([VQ2 | RUNS, 0] + [k % 3 | (5 * k % 64) << 2 for k in range(24)]),
+    "vq2_disc": bytes([VQ2 | REGIONS, 0]) + disc(16, 10),
+    "vq2_o_beside_t": bytes([VQ2 | REGIONS, 0]) + disc(16, 0),
+    "vq2_few_vectors": bytes([VQ2 | VECTORS, 1, 3, 7, 11, 13]) + bytes(37 * k % 256 for k in range(64)),
+    "vq2_block": bytes([VQ2 | BLOCK, 1]) + block(2, EVERY2, [1, 6, 4], CODES2),
+    "vq2_uniform": bytes([VQ2 | RUNS, 0] + [0b11111110] * 4),
+    "vq4_runs": bytes([VQ4 | RUNS, 1] + [k % 3 | (7 * k % 64) << 2 for k in range(64)]),
+    "vq4_disc": bytes([VQ4 | REGIONS, 1]) + disc(32, 40),
+    "vq4_o_beside_t": bytes([VQ4 | REGIONS, 1]) + disc(32, 0),
+    "vq4_few_vectors": bytes([VQ4 | VECTORS, 1, 4, 8, 16, 23, 42]) + bytes(53 * k % 256 for k in range(64)),
+    "vq4_block": bytes([VQ4 | BLOCK, 3]) + block(4, EVERY4, [2, 5, 3], CODES4),
+    "vq4_algorithm_2": bytes([VQ4 | VECTORS, 8, 2, 9, 20, 31]) + bytes(11 * k % 256 for k in range(64)),
+}
+
+DECODE = {
+    "vq2_zeros": bytes(33),
+    "vq2_ones": bytes([0]) + b"\xff" * 32,
+    "vq2_every_index": bytes([0]) + block(2, EVERY2, [3, 5, 7], CODES2),
+    "vq2_rotated": bytes([1]) + block(2, EVERY2, [1, 6, 7], CODES2[::-1]),
+    "vq4_zeros": bytes([3] + [0] * 64),
+    "vq4_every_index": bytes([0]) + block(4, EVERY4, [3, 5, 7], CODES4),
+    "vq4_rotated": bytes([3]) + block(4, EVERY4, [1, 6, 7], CODES4[::-1]),
+    "vq4_cut": bytes([3]) + block(4, EVERY4, [4, 4, 4], CODES4)[:40],
+}
+
+for name, seeds in {"vq_encode": ENCODE, "vq_decode": DECODE}.items():
+    folder = pathlib.Path(sys.argv[1], name)
+    folder.mkdir(parents=True, exist_ok=True)
+    for seed, data in seeds.items():
+        (folder / seed).write_bytes(data)

@@ -1,0 +1,52 @@
+// What the harnesses of topic vq share: the specification's words for impl's, and how an encoding is judged.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "impl/vq.hpp"
+#include "spec/vq_block.hpp"
+
+namespace mmverify::fuzz {
+
+namespace fast = mmverify::impl::vq;
+namespace slow = mmverify::spec::vq;
+
+template <class Format>
+using States = std::array<fast::State, std::tuple_size_v<slow::Map<Format>>>;
+
+/// What a block means, by the specification.
+template <class Format>
+States<Format> meant(const slow::BlockBytes<Format>& block) {
+  return std::bit_cast<States<Format>>(slow::decode(slow::from_bytes<Format>(block)));
+}
+
+/// Aborts with what did not hold, the format and the region.
+inline void require(bool holds, const std::string& what, std::size_t side, std::size_t region = 0) {
+  if (holds) return;
+  std::fprintf(stderr, "vq%zu: %s, region %zu,%zu\n", side, what.c_str(), region % (8 * side),
+               region / (8 * side));
+  std::abort();
+}
+
+template <class Format>
+void require_same(const States<Format>& expected, const States<Format>& got, const std::string& what) {
+  for (std::size_t k = 0; k < got.size(); ++k) require(got[k] == expected[k], what, Format::side, k);
+}
+
+/// T and O have become themselves or C, C is C; how many substitutions.
+template <class Format>
+std::uint32_t substitutions(const States<Format>& was, const States<Format>& is, const std::string& who) {
+  std::uint32_t count = 0;
+  for (std::size_t k = 0; k < was.size(); ++k) {
+    require(is[k] == was[k] || is[k] == fast::State::C, who + " is not conservative", Format::side, k);
+    count += is[k] != was[k] ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace mmverify::fuzz

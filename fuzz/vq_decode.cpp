@@ -1,0 +1,50 @@
+// Any block: impl's decoders against the specification, and its map encoded again without a substitution.
+//
+// Input: a byte that chooses how, then the block: VQ4 where more than 32 bytes follow, else VQ2; what is
+// missing is 0.  The first byte: of VQ4 the encoder that encodes it again, by its remainder by 4: fast,
+// balanced, thorough, none; of VQ2 none where it is odd.
+#include <algorithm>
+#include <cstddef>
+
+#include "fuzz/vq_both.hpp"
+
+namespace {
+
+using namespace mmverify::fuzz;
+
+template <class Format>
+States<Format> decoded(const slow::BlockBytes<Format>& block) {
+  constexpr auto size = static_cast<std::uint32_t>(8 * Format::side);
+  const States<Format> expected = meant<Format>(block), map = fast::decode(block);
+  require_same<Format>(expected, map, "decode is not the specification's");
+  for (std::uint32_t k = 0; k < map.size(); ++k)
+    require(fast::region(block, k % size, k / size) == expected[k], "region() is not decode()", Format::side,
+            k);
+  return map;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 1) return 0;
+  const std::uint8_t how = *data++;
+  --size;
+  if (size <= 32) {
+    fast::Block2 block{};
+    std::copy(data, data + size, block.begin());
+    const fast::Map2 map = decoded<slow::Vq2>(block);
+    if (how % 2 != 0) return 0;
+    const fast::Encoded2 again = fast::encode_optimal(map);
+    require(again.substitutions == 0, "encoded again, it loses", 2);
+    require_same<slow::Vq2>(map, meant<slow::Vq2>(again.block), "encoded again, it is another map");
+    return 0;
+  }
+  fast::Block4 block{};
+  std::copy(data, data + std::min<std::size_t>(size, 64), block.begin());
+  const fast::Map4 map = decoded<slow::Vq4>(block);
+  if (how % 4 == 3) return 0;
+  const fast::Encoded4 again = fast::encode(map, static_cast<fast::Effort>(how % 4));
+  require(again.substitutions == 0, "encoded again, it loses", 4);
+  require_same<slow::Vq4>(map, meant<slow::Vq4>(again.block), "encoded again, it is another map");
+  return 0;
+}

@@ -1,0 +1,171 @@
+// Any map through every encoder: only O and T become C, as many as it counts; its own block loses nothing
+// more; more effort is never worse.
+//
+// Input: a byte of the format (bit 0: VQ4) and of how the map is drawn (bits 1 and 2), a byte that chooses
+// the encoders (bits: VQ2's optimum, Algorithm 1; VQ4's fast, balanced, thorough, Algorithm 2; none is all),
+// then by how it is drawn
+//   0  runs, a byte each: its low two bits the state (3 is C), the rest, plus one, the length
+//   1  regions, two bits each
+//   2  a byte k, k % 12 + 1 vectors of a byte each that hashes to its code words, then for each of the map's
+//      vectors a byte: which of them, by its low five bits, and the transform it is turned by, the high three
+//   3  a block's bytes: the map is what it means
+// What is missing is T, or the first vector, or 0.
+//
+// With PLANTED the harness's encoders are broken on purpose: where BR is rotated by 270, the first
+// entry in use there has one C less.  A fuzzer that does not find that looks in the wrong place.
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "fuzz/vq_both.hpp"
+
+namespace {
+
+using namespace mmverify::fuzz;
+
+/// The next byte of what is left, or 0.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+  bool left() const { return size_ > 0; }
+  std::uint8_t next() {
+    if (size_ == 0) return 0;
+    --size_;
+    return *data_++;
+  }
+
+ private:
+  const std::uint8_t* data_;
+  std::size_t size_;
+};
+
+template <class Format>
+slow::Vector<Format::side> vector_of(std::uint8_t seed) {
+  const std::uint32_t word = (seed * 0x9E3779B1u) >> 12;  // 20 bits, each depending on the seed
+  if constexpr (Format::side == 2)
+    return slow::decode_mini(seed % 32);
+  else
+    return slow::decode_vector(seed % 2 == 0 ? slow::Code4::generic : slow::Code4::simple,
+                               seed % 2 == 0 ? word : word >> 3);
+}
+
+template <class Format>
+States<Format> drawn(std::uint32_t how, Bytes in) {
+  constexpr std::size_t side = Format::side;
+  States<Format> map;
+  map.fill(fast::State::T);
+  const auto state = [](std::uint32_t bits) {
+    return static_cast<fast::State>(bits % 4 == 3 ? 1 : bits % 4);
+  };
+  if (how == 0) {
+    for (std::size_t k = 0; k < map.size() && in.left();) {
+      const std::uint8_t run = in.next();
+      for (std::uint32_t left = run / 4 + 1u; left > 0 && k < map.size(); --left) map[k++] = state(run);
+    }
+  } else if (how == 1) {
+    for (std::size_t k = 0; k < map.size(); k += 4) {
+      const std::uint8_t four = in.next();
+      for (std::uint32_t r = 0; r < 4; ++r) map[k + r] = state(four >> 2 * r);
+    }
+  } else if (how == 2) {
+    std::vector<slow::Vector<side>> some;
+    for (std::uint32_t left = in.next() % 12 + 1u; left > 0; --left)
+      some.push_back(vector_of<Format>(in.next()));
+    for (std::size_t vector = 0; vector < 64; ++vector) {
+      const std::uint8_t which = in.next();
+      const auto v = slow::applied<side>(slow::Transform::of(which / 32u), some[which % 32u % some.size()]);
+      for (std::size_t k = 0; k < v.size(); ++k)
+        map[side * (vector % 8) + k % side + 8 * side * (side * (vector / 8) + k / side)] =
+            static_cast<fast::State>(v[k]);
+    }
+  } else {
+    slow::BlockBytes<Format> block{};
+    for (auto& byte : block) byte = in.next();
+    map = meant<Format>(block);
+  }
+  return map;
+}
+
+/// What PLANTED does to a block.
+template <class Format>
+slow::BlockBytes<Format> planted(const slow::BlockBytes<Format>& block) {
+#ifdef PLANTED
+  Format fields = slow::from_bytes<Format>(block);
+  if (fields.transforms[3].number() != 7) return block;
+  for (std::uint32_t vector = 0; vector < 64; ++vector) {
+    const std::uint8_t index = fields.indices[vector];
+    if (slow::quadrant_of(vector % 8, vector / 8) != slow::Quadrant::BR || index < 3) continue;
+    if constexpr (Format::side == 2) {
+      auto& code = index < 6 ? fields.shared[index - 3u] : fields.own[3][index - 6u];
+      code = static_cast<std::uint8_t>(code & (code - 1));
+    } else {
+      auto& code = fields.codebook[index - 3u];
+      code &= code - 1;
+    }
+    return slow::bytes(fields);
+  }
+#endif
+  return block;
+}
+
+/// One encoder on one map; gives the number of substitutions.
+template <class Format, class Encode>
+std::uint32_t judge(const States<Format>& map, bool block_holds_it, bool keeps_what_fits,
+                    const std::string& who, Encode encode) {
+  const auto encoded = encode(map);
+  const States<Format> is = meant<Format>(planted<Format>(encoded.block));
+  const std::uint32_t lost = substitutions<Format>(map, is, who);
+  require(lost == encoded.substitutions,
+          who + " counts " + std::to_string(encoded.substitutions) + " of " + std::to_string(lost) +
+              " substitutions",
+          Format::side);
+  if (!keeps_what_fits) return lost;
+  require(!block_holds_it || lost == 0, who + " loses what a block can hold", Format::side);
+  if (!block_holds_it && lost != 0)
+    require(encode(is).substitutions == 0, who + " loses more of its own map", Format::side);
+  return lost;
+}
+
+void vq2(std::uint32_t how, std::uint8_t which, Bytes in) {
+  const fast::Map2 map = drawn<slow::Vq2>(how, in);
+  const bool optimal = (which & 3) != 2, paper = (which & 3) != 1;
+  std::uint32_t least = 0, greedy = 0;
+  if (optimal)
+    least = judge<slow::Vq2>(map, how == 3, true, "the optimum",
+                             [](const fast::Map2& m) { return fast::encode_optimal(m); });
+  if (paper)
+    greedy = judge<slow::Vq2>(map, false, false, "Algorithm 1",
+                              [](const fast::Map2& m) { return fast::encode_paper(m); });
+  if (optimal && paper) require(least <= greedy, "the optimum is worse than Algorithm 1", 2);
+}
+
+void vq4(std::uint32_t how, std::uint8_t which, Bytes in) {
+  const fast::Map4 map = drawn<slow::Vq4>(how, in);
+  if ((which & 15) == 0) which = 15;
+  std::uint32_t before = ~0u;
+  constexpr const char* names[] = {"fast", "balanced", "thorough"};
+  for (std::uint32_t effort = 0; effort < 3; ++effort) {
+    if ((which >> effort & 1) == 0) continue;
+    const std::uint32_t lost = judge<slow::Vq4>(map, how == 3, true, names[effort], [=](const fast::Map4& m) {
+      return fast::encode(m, static_cast<fast::Effort>(effort));
+    });
+    require(lost <= before, std::string(names[effort]) + " is worse than less effort", 4);
+    before = lost;
+  }
+  if ((which & 8) != 0)
+    judge<slow::Vq4>(map, false, false, "Algorithm 2",
+                     [](const fast::Map4& m) { return fast::encode_paper(m); });
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 2) return 0;
+  const Bytes rest(data + 2, size - 2);
+  const std::uint32_t how = data[0] / 2 % 4;
+  if (data[0] % 2 == 0)
+    vq2(how, data[1], rest);
+  else
+    vq4(how, data[1], rest);
+  return 0;
+}

@@ -1,0 +1,14 @@
+#include "proofs/vq.hpp"
+
+#include "proofs/vq/law_groups.hpp"
+
+namespace mmverify::proofs::vq {
+
+std::vector<Law> laws() {
+  std::vector<Law> all;
+  for (const auto& group : {vector_laws(), field_laws(), decoder_laws(), encoder_laws()})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
+}
+
+}  // namespace mmverify::proofs::vq

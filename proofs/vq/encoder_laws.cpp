@@ -1,0 +1,523 @@
+// Laws of encoders: nothing but O and T become C, what fits is kept, more effort does not lose more.
+#include <array>
+
+#include "proofs/vq/law_groups.hpp"
+#include "proofs/vq/law_parts.hpp"
+#include "proofs/vq/least.hpp"
+#include "proofs/vq/maps.hpp"
+#include "proofs/vq/texts.hpp"
+
+namespace mmverify::proofs::vq {
+namespace {
+
+using enum State;
+
+constexpr char section_3[] = "Compressed Opacity Maps, 3";
+constexpr char section_4_2[] = "Compressed Opacity Maps, 4.2, Algorithm 1";
+constexpr char section_5_2[] = "Compressed Opacity Maps, 5.2, Algorithm 2";
+constexpr char section_6[] = "Compressed Opacity Maps, 6 (fewer substitutions); this project's promise";
+
+template <class Format>
+Map<Format> meant(const BlockBytes<Format>& block) {
+  return spec::vq::decode(spec::vq::from_bytes<Format>(block));
+}
+
+template <class Format>
+std::string region_text(std::size_t k) {
+  return fmt::format("region {},{}", k % (8 * Format::side), k / (8 * Format::side));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Checks
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The substitutions between two maps, where they are allowed ones.
+template <class Format>
+Finding substituted(const Map<Format>& was, const Map<Format>& is) {
+  std::uint64_t count = 0;
+  for (std::size_t k = 0; k < was.size(); ++k) {
+    if (is[k] == was[k]) continue;
+    if (is[k] != C)
+      return wrong(
+          fmt::format("{} {}", region_text<Format>(k), was[k] == C ? "C" : letters({&was[k], 1}) + " or C"),
+          letters({&is[k], 1}));
+    ++count;
+  }
+  return {count};
+}
+
+template <class Format>
+Finding conservative(const VqSubject& s, const Map<Format>& map) {
+  const Encoded<Format> encoded = s.parts.codec<Format>().encode(map);
+  Finding found = substituted<Format>(map, meant<Format>(encoded.block));
+  if (!found.holds) return found;
+  if (encoded.substitutions && *encoded.substitutions != found.answer)
+    return wrong(fmt::format("substitutions {}", found.answer), fmt::format("{}", *encoded.substitutions));
+  found.answer = hash_of(encoded.block);
+  return found;
+}
+
+template <class Format>
+Finding keeps(const VqSubject& s, const Map<Format>& map) {
+  const Encoded<Format> encoded = s.parts.codec<Format>().encode(map);
+  const Map<Format> got = meant<Format>(encoded.block);
+  for (std::size_t k = 0; k < map.size(); ++k)
+    if (got[k] != map[k])
+      return wrong(region_text<Format>(k) + " " + letters({&map[k], 1}), letters({&got[k], 1}));
+  return {hash_of(encoded.block)};
+}
+
+template <class Format>
+Finding keeps_what_it_made(const VqSubject& s, const Map<Format>& map) {
+  return keeps<Format>(s, meant<Format>(s.parts.codec<Format>().encode(map).block));
+}
+
+template <class Format>
+Finding keeps_its_promise(const VqSubject& s, const Map<Format>& map) {
+  const Codec<Format>& codec = s.parts.codec<Format>();
+  const Finding found = substituted<Format>(map, meant<Format>(codec.encode(map).block));
+  if (!found.holds) return found;
+  if (codec.at_most)
+    if (const std::uint32_t most = codec.at_most(map); found.answer > most)
+      return wrong(fmt::format("substitutions, at most {}", most), fmt::format("{}", found.answer));
+  if (codec.at_least)
+    if (const std::uint32_t least = codec.at_least(map); found.answer < least)
+      return wrong(fmt::format("substitutions, at least {}", least), fmt::format("{}", found.answer));
+  return found;
+}
+
+Finding fewest(const VqSubject& s, const Map<Vq2>& map) {
+  const Finding found = substituted<Vq2>(map, meant<Vq2>(s.parts.vq2.encode(map).block));
+  if (!found.holds) return found;
+  const std::uint32_t least = least_substitutions(map);
+  return found.answer == least
+             ? found
+             : wrong(fmt::format("substitutions {}", least), fmt::format("{}", found.answer));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Laws of maps
+// ---------------------------------------------------------------------------------------------------------------------
+
+template <class Format>
+std::optional<std::string> lacks_encoder(const VqSubject& s) {
+  if (!s.parts.codec<Format>().encode)
+    return fmt::format("{} has no encoder of VQ{}", s.name(), Format::side);
+  return std::nullopt;
+}
+
+template <class Format>
+std::optional<std::string> does_not_keep(const VqSubject& s) {
+  if (auto lacks = lacks_encoder<Format>(s)) return lacks;
+  if (!s.parts.codec<Format>().keeps_what_fits)
+    return s.name() + " does not promise to keep what a block can hold";
+  return std::nullopt;
+}
+
+template <class Format>
+Law on_maps(Law law, std::function<std::uint64_t(const Run&)> count,
+            std::function<Map<Format>(std::uint64_t seed, std::uint64_t k)> number,
+            std::function<Finding(const VqSubject&, const Map<Format>&)> check,
+            const Lacks& lacks = lacks_encoder<Format>) {
+  Cases<Map<Format>> cases;
+  cases.count = [=](Level, const Run& run) { return count(run); };
+  cases.number = [=](Level, std::uint64_t k, std::uint64_t seed) { return number(seed, k); };
+  cases.text = text_of_map<Format>;
+  cases.read = [](Level n, const std::string& at) {
+    const Map<Format> map = map_from_text<Format>(at);
+    check_level<Format>(n);
+    return map;
+  };
+  cases.check = std::move(check);
+  cases.chunk = 4;
+  law.topic = "vq";
+  law.fast = level_alone<Format>;
+  return over(std::move(law), lacks, cases);
+}
+
+/// As many in the fast tier, as many in the long one.
+std::function<std::uint64_t(const Run&)> cases_of(std::uint64_t fast, std::uint64_t long_run) {
+  return [=](const Run& run) { return run.tier == Tier::fast ? fast : long_run; };
+}
+
+template <class Format>
+std::function<std::string(const Subject&, Level)> sample_maps() {
+  return [](const Subject&, Level) {
+    return fmt::format(
+        "maps of {0}x{0} regions: shapes, O beside T, turned quadrants, few vectors, uniform, one odd "
+        "region, noise",
+        8 * Format::side);
+  };
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Mutants: what an encoder wrote, changed where its transforms are the ones that are meant
+// ---------------------------------------------------------------------------------------------------------------------
+
+template <class Format>
+using Spoil = std::function<void(const Map<Format>&, Encoded<Format>&)>;
+
+template <class Format>
+std::function<void(Parts&)> spoiled(Spoil<Format> spoil) {
+  return [=](Parts& parts) {
+    auto& encode = parts.codec<Format>().encode;
+    encode = [=, real = encode](const Map<Format>& map) {
+      Encoded<Format> encoded = real(map);
+      spoil(map, encoded);
+      return encoded;
+    };
+  };
+}
+
+/// The first vector of a quadrant that is not written as a uniform one; 64 if there is none.
+template <class Format>
+std::uint32_t looked_up_in(const Format& fields, std::size_t q) {
+  std::uint32_t vector = 0;
+  while (vector < 64 && (static_cast<std::size_t>(spec::vq::quadrant_of(vector % 8, vector / 8)) != q ||
+                         fields.indices[vector] < 3))
+    ++vector;
+  return vector;
+}
+
+auto& code_of(Vq2& fields, std::size_t q, std::uint32_t index) {
+  return index < 6 ? fields.shared[index - 3] : fields.own[q][index - 6];
+}
+auto& code_of(Vq4& fields, std::size_t, std::uint32_t index) { return fields.codebook[index - 3]; }
+
+/// Under one transform of one quadrant, an entry in use loses its lowest bit: C becomes O or T, or, where the
+/// entry has no C, O becomes T.
+template <class Format>
+std::function<void(Parts&)> loses_a_check(std::size_t q, std::uint32_t transform) {
+  return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
+    Format fields = spec::vq::from_bytes<Format>(encoded.block);
+    const std::uint32_t vector = looked_up_in(fields, q);
+    if (fields.transforms[q].number() != transform || vector == 64) return;
+    auto& code = code_of(fields, q, fields.indices[vector]);
+    code = static_cast<std::remove_reference_t<decltype(code)>>(code & (code - 1));
+    encoded.block = spec::vq::bytes(fields);
+  });
+}
+
+/// Under one transform of one quadrant, a uniform vector of T becomes O.
+template <class Format>
+std::function<void(Parts&)> opaque_for_transparent(std::size_t q, std::uint32_t transform) {
+  return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
+    Format fields = spec::vq::from_bytes<Format>(encoded.block);
+    if (fields.transforms[q].number() != transform) return;
+    for (std::uint32_t vector = 0; vector < 64; ++vector)
+      if (static_cast<std::size_t>(spec::vq::quadrant_of(vector % 8, vector / 8)) == q &&
+          fields.indices[vector] == 0) {
+        fields.indices[vector] = 2;
+        break;
+      }
+    encoded.block = spec::vq::bytes(fields);
+  });
+}
+
+/// Under one transform of one quadrant, a vector is given up: all C, and so counted.
+template <class Format>
+std::function<void(Parts&)> gives_up_a_vector(std::size_t q, std::uint32_t transform) {
+  return spoiled<Format>([=](const Map<Format>& map, Encoded<Format>& encoded) {
+    Format fields = spec::vq::from_bytes<Format>(encoded.block);
+    const std::uint32_t vector = looked_up_in(fields, q);
+    if (fields.transforms[q].number() != transform || vector == 64) return;
+    fields.indices[vector] = 1;
+    encoded.block = spec::vq::bytes(fields);
+    encoded.substitutions =
+        static_cast<std::uint32_t>(substituted<Format>(map, meant<Format>(encoded.block)).answer);
+  });
+}
+
+template <class Format>
+std::function<void(Parts&)> counts_one_less(std::size_t q, std::uint32_t transform) {
+  return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
+    const Format fields = spec::vq::from_bytes<Format>(encoded.block);
+    if (fields.transforms[q].number() == transform && *encoded.substitutions > 0) --*encoded.substitutions;
+  });
+}
+
+/// One map is encoded as another.
+template <class Format>
+std::function<void(Parts&)> instead(Map<Format> map, Map<Format> other) {
+  return [=](Parts& parts) {
+    auto& encode = parts.codec<Format>().encode;
+    encode = [=, real = encode](const Map<Format>& given) { return real(given == map ? other : given); };
+  };
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The laws
+// ---------------------------------------------------------------------------------------------------------------------
+
+constexpr std::array<State, 3> states{T, C, O};
+
+/// A map of one state but for one vector of VQ2.
+Map<Vq2> alone_number(std::uint64_t k) {
+  Map<Vq2> map;
+  map.fill(states[k % 3]);
+  k /= 3;
+  const auto place = static_cast<std::uint32_t>(k % 64);
+  k /= 64;
+  Vector<2> v;
+  for (State& s : v) {
+    s = states[k % 3];
+    k /= 3;
+  }
+  put<Vq2>(map, place, v);
+  return map;
+}
+
+/// A map of one state but for one region of VQ4.
+Map<Vq4> odd_region_number(std::uint64_t k) {
+  Map<Vq4> map;
+  map.fill(states[k % 3]);
+  map[k / 6] = states[(k % 3 + 1 + k / 3 % 2) % 3];
+  return map;
+}
+
+constexpr char conservative_says[] =
+    "encoding turns O and T into themselves or C, leaves C, and counts its substitutions right";
+
+Law alone_law() {
+  const auto one = [](State around, std::uint32_t place, Vector<2> v) {
+    Map<Vq2> map;
+    map.fill(around);
+    put<Vq2>(map, place, v);
+    return map;
+  };
+  return on_maps<Vq2>(
+      {.id = "vq2.conservative",
+       .topic = "vq",
+       .says = conservative_says,
+       .source = section_3,
+       .method = Method::exhaustive,
+       .subjects = {"vq2-optimal", "vq2-paper"},
+       .fast_seconds = 1,
+       .domain =
+           [](const Subject&, Level) {
+             return std::string(
+                 "each of the 81 vectors of 2x2, O beside T among them, alone at each place of a "
+                 "uniform map");
+           },
+       .mutants = {mutant("O beside T at the last place is O throughout", "vq2-optimal", level_alone<Vq2>,
+                          instead<Vq2>(one(T, 63, {O, T, O, O}), one(T, 63, {O, O, O, O}))),
+                   mutant("one C becomes T", "vq2-optimal", level_alone<Vq2>,
+                          instead<Vq2>(one(T, 27, {T, C, T, T}), one(T, 27, {T, T, T, T}))),
+                   mutant("T for O in a map of C", "vq2-optimal", level_alone<Vq2>,
+                          instead<Vq2>(one(C, 36, {C, C, O, C}), one(C, 36, {C, C, T, C})))}},
+      cases_of(3 * 64 * 81, 3 * 64 * 81), [](std::uint64_t, std::uint64_t k) { return alone_number(k); },
+      conservative<Vq2>);
+}
+
+Law odd_region_law() {
+  const auto one = [](State around, std::size_t region, State odd) {
+    Map<Vq4> map;
+    map.fill(around);
+    map[region] = odd;
+    return map;
+  };
+  return on_maps<Vq4>(
+      {.id = "vq4.conservative",
+       .topic = "vq",
+       .says = conservative_says,
+       .source = section_3,
+       .method = Method::exhaustive,
+       .subjects = {"vq4-fast", "vq4-balanced", "vq4-thorough", "vq4-paper"},
+       .fast_seconds = 1,
+       .domain = [](const Subject&,
+                    Level) { return std::string("each region, alone in each state of each uniform map"); },
+       .mutants = {mutant("the last region, O in T, is T", "vq4-fast", level_alone<Vq4>,
+                          instead<Vq4>(one(T, 1023, O), one(T, 1023, T))),
+                   mutant("a C in O is O", "vq4-balanced", level_alone<Vq4>,
+                          instead<Vq4>(one(O, 528, C), one(O, 528, O))),
+                   mutant("an O in C is T", "vq4-fast", level_alone<Vq4>,
+                          instead<Vq4>(one(C, 31, O), one(C, 31, T)))}},
+      cases_of(6 * 1024, 6 * 1024), [](std::uint64_t, std::uint64_t k) { return odd_region_number(k); },
+      conservative<Vq4>);
+}
+
+template <class Format>
+Law conservative_on_samples(const char* id, std::vector<std::string> subjects, std::uint64_t fast,
+                            std::uint64_t long_run, std::vector<Mutant> mutants) {
+  return on_maps<Format>({.id = id,
+                          .topic = "vq",
+                          .says = conservative_says,
+                          .source = section_3,
+                          .method = Method::sample,
+                          .subjects = std::move(subjects),
+                          .fast_seconds = 1,
+                          .domain = sample_maps<Format>(),
+                          .mutants = std::move(mutants)},
+                         cases_of(fast, long_run), sample_map<Format>, conservative<Format>);
+}
+
+template <class Format>
+Law lossless_law(const char* id, const char* source, std::vector<std::string> subjects, std::uint64_t fast,
+                 std::uint64_t long_run, std::vector<Mutant> mutants) {
+  return on_maps<Format>(
+      {.id = id,
+       .topic = "vq",
+       .says = "the map of a block is encoded without a substitution",
+       .source = source,
+       .method = Method::sample,
+       .subjects = std::move(subjects),
+       .fast_seconds = 1,
+       .domain = [](const Subject&,
+                    Level) { return std::string("maps of blocks under all 512 transform triples in turn"); },
+       .mutants = std::move(mutants)},
+      cases_of(fast, long_run),
+      [](std::uint64_t seed, std::uint64_t k) { return spec::vq::decode(sample_block<Format>(seed, k)); },
+      keeps<Format>, does_not_keep<Format>);
+}
+
+template <class Format>
+Law reencode_law(const char* id, const char* source, std::vector<std::string> subjects, std::uint64_t fast,
+                 std::uint64_t long_run, std::vector<Mutant> mutants) {
+  return on_maps<Format>({.id = id,
+                          .topic = "vq",
+                          .says = "the map of an encoder's own block loses nothing more",
+                          .source = source,
+                          .method = Method::sample,
+                          .subjects = std::move(subjects),
+                          .fast_seconds = 1,
+                          .domain = sample_maps<Format>(),
+                          .mutants = std::move(mutants)},
+                         cases_of(fast, long_run), sample_map<Format>, keeps_what_it_made<Format>,
+                         does_not_keep<Format>);
+}
+
+template <class Format>
+Law effort_law(const char* id, const char* says, std::vector<std::string> subjects, std::uint64_t fast,
+               std::uint64_t long_run, std::vector<Mutant> mutants) {
+  return on_maps<Format>({.id = id,
+                          .topic = "vq",
+                          .says = says,
+                          .source = section_6,
+                          .method = Method::sample,
+                          .subjects = std::move(subjects),
+                          .fast_seconds = 1,
+                          .domain = sample_maps<Format>(),
+                          .mutants = std::move(mutants)},
+                         cases_of(fast, long_run), sample_map<Format>, keeps_its_promise<Format>,
+                         [](const VqSubject& s) -> std::optional<std::string> {
+                           const Codec<Format>& codec = s.parts.codec<Format>();
+                           if (!codec.at_most && !codec.at_least)
+                             return s.name() + " promises nothing of its substitutions";
+                           return lacks_encoder<Format>(s);
+                         });
+}
+
+Law optimum_law() {
+  return on_maps<Vq2>(
+      {.id = "vq2.optimum",
+       .topic = "vq",
+       .says = "no block needs fewer substitutions, by a solver that tries all",
+       .source = section_6,
+       .method = Method::sample,
+       .subjects = {"vq2-optimal"},
+       .fast_seconds = 1,
+       .domain =
+           [](const Subject&, Level) {
+             return std::string("maps of 16x16 regions: shapes, turned ones, one in 16 of noise");
+           },
+       .mutants = {mutant("gives up a vector under Rotate 90 in TR", "vq2-optimal", level_alone<Vq2>,
+                          gives_up_a_vector<Vq2>(1, 1)),
+                   mutant("gives up a vector under Rotate 90 in BR", "vq2-optimal", level_alone<Vq2>,
+                          gives_up_a_vector<Vq2>(3, 1)),
+                   mutant("gives up a vector of TL", "vq2-optimal", level_alone<Vq2>,
+                          gives_up_a_vector<Vq2>(0, 0))}},
+      cases_of(48, 10'000), sample_map<Vq2>, fewest, [](const VqSubject& s) -> std::optional<std::string> {
+        if (auto lacks = lacks_encoder<Vq2>(s)) return lacks;
+        if (!s.parts.vq2.fewest) return s.name() + " does not promise the fewest substitutions";
+        return std::nullopt;
+      });
+}
+
+Law bound_law() {
+  const auto vq4 = [](const char* name, const std::function<void(Parts&)>& change) {
+    return mutant(name, "vq4-proved", level_alone<Vq4>, change);
+  };
+  Law law = on_maps<Vq4>(
+      {.id = "vq4.bound",
+       .topic = "vq",
+       .says = "no encoder is below the bound, and the one beside it is not worse than the most effort",
+       .source = section_6,
+       .method = Method::sample,
+       .subjects = {"vq4-proved"},
+       .domain = sample_maps<Vq4>(),
+       .mutants = {vq4("gives up a vector of TL", gives_up_a_vector<Vq4>(0, 0)),
+                   vq4("gives up a vector of BR where it is not turned", gives_up_a_vector<Vq4>(3, 0)),
+                   vq4("a bound that is one too high",
+                       [](Parts& parts) {
+                         parts.vq4.at_least = [real = parts.vq4.at_least](const Map<Vq4>& map) {
+                           return real(map) + 1;
+                         };
+                       })}},
+      cases_of(8, 64), sample_map<Vq4>, keeps_its_promise<Vq4>,
+      [](const VqSubject& s) -> std::optional<std::string> {
+        if (auto lacks = lacks_encoder<Vq4>(s)) return lacks;
+        if (!s.parts.vq4.at_least) return s.name() + " gives no bound";
+        return std::nullopt;
+      });
+  law.long_only = true;
+  return law;
+}
+
+}  // namespace
+
+std::vector<Law> encoder_laws() {
+  const auto vq2 = [](const char* name, const std::function<void(Parts&)>& change) {
+    return mutant(name, "vq2-optimal", level_alone<Vq2>, change);
+  };
+  const auto vq4 = [](const char* name, const char* base, const std::function<void(Parts&)>& change) {
+    return mutant(name, base, level_alone<Vq4>, change);
+  };
+  const std::vector<std::string> efforts{"vq4-fast", "vq4-balanced", "vq4-thorough"};
+  return {
+      alone_law(),
+      conservative_on_samples<Vq2>(
+          "vq2.conservative_on_samples", {"vq2-optimal", "vq2-paper"}, 240, 50'000,
+          {vq2("loses a C where BR is rotated by 270", loses_a_check<Vq2>(3, 7)),
+           vq2("O for T where BL is reflected at X=-Y", opaque_for_transparent<Vq2>(2, 3)),
+           vq2("counts one less where TR is rotated by 180", counts_one_less<Vq2>(1, 6))}),
+      lossless_law<Vq2>("vq2.lossless_when_it_fits", section_6, {"vq2-optimal"}, 1'536, 40'000,
+                        {vq2("gives up a vector where BR is rotated by 270", gives_up_a_vector<Vq2>(3, 7)),
+                         vq2("gives up a vector where BL is rotated by 180", gives_up_a_vector<Vq2>(2, 6)),
+                         vq2("loses a C where TR is reflected at X=Y", loses_a_check<Vq2>(1, 5))}),
+      reencode_law<Vq2>("vq2.reencode", section_6, {"vq2-optimal"}, 160, 50'000,
+                        {vq2("gives up a vector where BR is rotated by 90", gives_up_a_vector<Vq2>(3, 1)),
+                         vq2("gives up a vector where TR is rotated by 90", gives_up_a_vector<Vq2>(1, 1)),
+                         vq2("loses a C where BL is reflected at X=-Y", loses_a_check<Vq2>(2, 3))}),
+      effort_law<Vq2>("vq2.effort", "the optimum needs no more substitutions than Algorithm 1",
+                      {"vq2-optimal"}, 160, 20'000,
+                      {vq2("gives up a vector where BR is rotated by 180", gives_up_a_vector<Vq2>(3, 6)),
+                       vq2("gives up a vector where TR is reflected LR", gives_up_a_vector<Vq2>(1, 4)),
+                       vq2("loses a C where BL is rotated by 90", loses_a_check<Vq2>(2, 1))}),
+      optimum_law(),
+      odd_region_law(),
+      conservative_on_samples<Vq4>(
+          "vq4.conservative_on_samples",
+          {"vq4-fast", "vq4-balanced", "vq4-thorough", "vq4-paper", "vq4-paper-free-c"}, 64, 4'000,
+          {vq4("loses a C where BR is rotated by 270", "vq4-fast", loses_a_check<Vq4>(3, 7)),
+           vq4("O for T where BL is rotated by 90", "vq4-fast", opaque_for_transparent<Vq4>(2, 1)),
+           vq4("counts one less where TR is rotated by 180", "vq4-balanced", counts_one_less<Vq4>(1, 6))}),
+      lossless_law<Vq4>(
+          "vq4.lossless_when_it_fits", section_6, efforts, 1'024, 50'000,
+          {vq4("gives up a vector where BR is rotated by 270", "vq4-fast", gives_up_a_vector<Vq4>(3, 7)),
+           vq4("gives up a vector where BL is rotated by 180", "vq4-balanced", gives_up_a_vector<Vq4>(2, 6)),
+           vq4("loses a C where TR is reflected at X=Y", "vq4-thorough", loses_a_check<Vq4>(1, 5))}),
+      reencode_law<Vq4>(
+          "vq4.reencode", section_6, efforts, 64, 4'000,
+          {vq4("gives up a vector where BR is rotated by 90", "vq4-fast", gives_up_a_vector<Vq4>(3, 1)),
+           vq4("gives up a vector where TR is rotated by 90", "vq4-fast", gives_up_a_vector<Vq4>(1, 1)),
+           vq4("loses a C where BL is reflected at X=-Y", "vq4-balanced", loses_a_check<Vq4>(2, 3))}),
+      effort_law<Vq4>(
+          "vq4.effort", "more effort never needs more substitutions", {"vq4-balanced", "vq4-thorough"}, 64,
+          4'000,
+          {vq4("gives up a vector where BR is rotated by 180", "vq4-balanced", gives_up_a_vector<Vq4>(3, 6)),
+           vq4("gives up a vector where TR is reflected LR", "vq4-balanced", gives_up_a_vector<Vq4>(1, 4)),
+           vq4("loses a C where BL is rotated by 90", "vq4-balanced", loses_a_check<Vq4>(2, 1))}),
+      bound_law()};
+}
+
+}  // namespace mmverify::proofs::vq

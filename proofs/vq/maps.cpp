@@ -1,0 +1,202 @@
+#include "proofs/vq/maps.hpp"
+
+namespace mmverify::proofs::vq {
+namespace {
+
+using enum State;
+using spec::vq::Quadrant;
+
+State any_state(Random& random) { return static_cast<State>(random.below(3)); }
+Transform any_transform(Random& random) { return Transform::of(static_cast<std::uint32_t>(random.below(8))); }
+
+/// A vector that a codebook may hold.
+template <class Format>
+Vector<Format::side> any_entry(Random& random) {
+  if constexpr (Format::side == 2)
+    return spec::vq::decode_mini(static_cast<std::uint32_t>(random.below(32)));
+  else
+    return spec::vq::decode_vector(static_cast<Code4>(random.below(4)),
+                                   static_cast<std::uint32_t>(random.below(1u << 17)));
+}
+
+/// An ellipse: how far a region is inside (above 0) or outside, in squares of half regions.
+struct Shape {
+  std::int64_t x, y, r, wide, high;
+
+  Shape(std::int64_t size, Random& random)
+      : x(random.between(0, 2 * size)),
+        y(random.between(0, 2 * size)),
+        r(random.between(size / 2, 2 * size)),
+        wide(random.between(1, 4)),
+        high(random.between(1, 4)) {}
+  std::int64_t inside(std::size_t at_x, std::size_t at_y) const {
+    const std::int64_t dx = 2 * static_cast<std::int64_t>(at_x) + 1 - x,
+                       dy = 2 * static_cast<std::int64_t>(at_y) + 1 - y;
+    return r * r - wide * dx * dx - high * dy * dy;
+  }
+};
+
+template <class Format>
+Map<Format> shape(Random& random, std::int64_t outline) {
+  constexpr std::size_t size = 8 * Format::side;
+  const Shape one(size, random);
+  const bool opaque = random.below(4) != 0;
+  Map<Format> map;
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    const std::int64_t in = one.inside(k % size, k / size);
+    map[k] = in > outline * one.r ? (opaque ? O : T) : in < -outline * one.r ? (opaque ? T : O) : C;
+  }
+  return map;
+}
+
+template <class Format>
+Map<Format> wide_outline(Random& random) {
+  return shape<Format>(random, random.between(3, 8));
+}
+
+template <class Format>
+Map<Format> sharp(Random& random) {
+  return shape<Format>(random, 0);
+}
+
+template <class Format>
+Map<Format> two_shapes(Random& random) {
+  constexpr std::size_t size = 8 * Format::side;
+  const Shape a(size, random), b(size, random);
+  Map<Format> map;
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    const std::int64_t in = std::max(a.inside(k % size, k / size), b.inside(k % size, k / size)),
+                       outline = 4 * std::min(a.r, b.r);
+    map[k] = in > outline ? O : in < -outline ? T : C;
+  }
+  return map;
+}
+
+template <class Format>
+Map<Format> noise(Random& random) {
+  Map<Format> map;
+  for (State& s : map) s = any_state(random);
+  return map;
+}
+
+template <class Format>
+Map<Format> repeated(Random& random, std::uint64_t kinds, bool turned) {
+  std::vector<Vector<Format::side>> some;
+  for (std::uint64_t k = 0; k < kinds; ++k) some.push_back(any_entry<Format>(random));
+  Map<Format> map;
+  for (std::uint32_t vector = 0; vector < 64; ++vector) {
+    const auto& v = some[random.below(kinds)];
+    put<Format>(map, vector, turned ? spec::vq::applied<Format::side>(any_transform(random), v) : v);
+  }
+  return map;
+}
+
+template <class Format>
+Map<Format> few_vectors(Random& random) {
+  return repeated<Format>(random, 1 + random.below(12), random.below(2) != 0);
+}
+
+/// What the format is made for: vectors of TL come again in each quadrant, under its transform.
+template <class Format>
+Map<Format> symmetric(Random& random) {
+  const Map<Format> tl = two_shapes<Format>(random);
+  std::array<Transform, 4> transforms{};
+  for (std::size_t q = 1; q < 4; ++q) transforms[q] = any_transform(random);
+  Map<Format> map;
+  for (std::uint32_t vector = 0; vector < 64; ++vector) {
+    const auto q = static_cast<std::size_t>(spec::vq::quadrant_of(vector % 8, vector / 8));
+    const auto from = static_cast<std::uint32_t>(random.below(4) + 8 * (4 + random.below(4)));
+    put<Format>(map, vector, spec::vq::applied<Format::side>(transforms[q], vector_of<Format>(tl, from)));
+  }
+  return map;
+}
+
+template <class Format>
+Map<Format> uniform(Random& random) {
+  Map<Format> map;
+  map.fill(any_state(random));
+  return map;
+}
+
+template <class Format>
+Map<Format> one_odd_region(Random& random) {
+  Map<Format> map = uniform<Format>(random);
+  map[random.below(map.size())] = any_state(random);
+  return map;
+}
+
+}  // namespace
+
+template <class Format>
+Vector<Format::side> vector_of(const Map<Format>& map, std::uint32_t vector) {
+  constexpr std::size_t side = Format::side;
+  Vector<side> v;
+  for (std::size_t k = 0; k < v.size(); ++k)
+    v[k] = map[side * (vector % 8) + k % side + 8 * side * (side * (vector / 8) + k / side)];
+  return v;
+}
+
+template <class Format>
+void put(Map<Format>& map, std::uint32_t vector, const Vector<Format::side>& v) {
+  constexpr std::size_t side = Format::side;
+  for (std::size_t k = 0; k < v.size(); ++k)
+    map[side * (vector % 8) + k % side + 8 * side * (side * (vector / 8) + k / side)] = v[k];
+}
+
+template <class Format>
+Map<Format> sample_map(std::uint64_t seed, std::uint64_t k) {
+  Random random(seed, level_of<Format>, k);
+  switch (k % 32) {
+    case 31:
+      return noise<Format>(random);
+    case 14:
+    case 30:
+      return few_vectors<Format>(random);
+    case 12:
+      return uniform<Format>(random);
+    case 13:
+    case 29:
+      return one_odd_region<Format>(random);
+    default:
+      break;
+  }
+  constexpr std::array shapes{wide_outline<Format>, sharp<Format>, two_shapes<Format>, symmetric<Format>};
+  return shapes[k % shapes.size()](random);
+}
+
+template <class Format>
+Format sample_block(std::uint64_t seed, std::uint64_t k) {
+  Random random(seed, 16 + level_of<Format>, k);
+  Format fields;
+  for (std::uint32_t q = 1; q < 4; ++q)
+    fields.transforms[q] = Transform::of(static_cast<std::uint32_t>(k >> 3 * (q - 1)) % 8);
+  const bool few = random.below(8) != 0;
+  const std::uint64_t kinds = few ? 2 + random.below(3) : 1u << Format::index_bits;
+  std::array<std::uint64_t, 4> kind_of{};
+  for (auto& kind : kind_of) kind = random.below(1u << Format::index_bits);
+  for (auto& index : fields.indices)
+    index = static_cast<std::uint8_t>(few ? kind_of[random.below(kinds)] : random.below(kinds));
+  const auto code = [&](std::uint32_t bits) {
+    return static_cast<std::uint32_t>(random.below(std::uint64_t{1} << bits));
+  };
+  if constexpr (Format::side == 2) {
+    for (auto& c : fields.shared) c = static_cast<std::uint8_t>(code(5));
+    for (auto& pair : fields.own)
+      for (auto& c : pair) c = static_cast<std::uint8_t>(code(5));
+  } else {
+    for (std::uint32_t index = 3; index < 16; ++index)
+      fields.codebook[index - 3] = code(spec::vq::bits_of(Vq4::code_of(index)));
+  }
+  return fields;
+}
+
+template Vector<2> vector_of<Vq2>(const Map<Vq2>&, std::uint32_t);
+template Vector<4> vector_of<Vq4>(const Map<Vq4>&, std::uint32_t);
+template void put<Vq2>(Map<Vq2>&, std::uint32_t, const Vector<2>&);
+template void put<Vq4>(Map<Vq4>&, std::uint32_t, const Vector<4>&);
+template Map<Vq2> sample_map<Vq2>(std::uint64_t, std::uint64_t);
+template Map<Vq4> sample_map<Vq4>(std::uint64_t, std::uint64_t);
+template Vq2 sample_block<Vq2>(std::uint64_t, std::uint64_t);
+template Vq4 sample_block<Vq4>(std::uint64_t, std::uint64_t);
+
+}  // namespace mmverify::proofs::vq

@@ -1,0 +1,123 @@
+// An implementation of topic vq in the dock: what it makes of vectors, blocks and maps, a function each.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+#include "spec/vq_block.hpp"
+
+namespace mmverify::proofs::vq {
+
+using spec::vq::BlockBytes;
+using spec::vq::Code4;
+using spec::vq::Map;
+using spec::vq::State;
+using spec::vq::Transform;
+using spec::vq::Vector;
+using spec::vq::Vq2;
+using spec::vq::Vq4;
+
+/// A map of the format has 2^level regions along each side: 16 and 32.
+template <class Format>
+inline constexpr Level level_of = Format::side == 2 ? 4 : 5;
+
+/// What an encoder made of a map.
+template <class Format>
+struct Encoded {
+  BlockBytes<Format> block;
+  std::optional<std::uint32_t> substitutions = {};  ///< as it counts them, if it does
+};
+
+/// Vectors of side x side regions.
+template <std::size_t side>
+struct Vectors {
+  std::function<bool(const Vector<side>&)> valid = {};
+  std::function<Vector<side>(Transform, const Vector<side>&)> applied = {};
+  /// Domain: the code fits its bits; of 2x2 vectors there is one way to write them, and `how` says nothing.
+  std::function<Vector<side>(Code4 how, std::uint32_t code)> decode = {};
+  std::function<std::optional<std::uint32_t>(Code4 how, const Vector<side>&)> encode = {};
+};
+
+/// Blocks of one format.  Calls may come from several threads at once.
+template <class Format>
+struct Codec {
+  std::function<BlockBytes<Format>(const Format&)> bytes = {};
+  std::function<Format(const BlockBytes<Format>&)> fields = {};
+  std::function<Map<Format>(const BlockBytes<Format>&)> decode = {};
+  /// State k of region (x[k], y[k]).
+  std::function<void(const BlockBytes<Format>&, std::span<const std::uint32_t> x,
+                     std::span<const std::uint32_t> y, std::span<State>)>
+      regions = {};
+  std::function<Encoded<Format>(const Map<Format>&)> encode = {};
+  // What the encoder promises of its substitutions: none where a block can hold the map, no more than any
+  // block needs, no more than another encoder's; and a bound that none can be below.
+  bool keeps_what_fits = false, fewest = false;
+  std::function<std::uint32_t(const Map<Format>&)> at_most = {}, at_least = {};
+};
+
+/// What a subject has; an empty function is an entry point that is missing.
+struct Parts {
+  Vectors<2> of2;
+  Vectors<4> of4;
+  std::function<Transform(Transform then, Transform first)> composed = {};
+  Codec<Vq2> vq2;
+  Codec<Vq4> vq4;
+
+  template <std::size_t side>
+  auto& vectors() {
+    if constexpr (side == 2)
+      return of2;
+    else
+      return of4;
+  }
+  template <class Format>
+  auto& codec() {
+    if constexpr (Format::side == 2)
+      return vq2;
+    else
+      return vq4;
+  }
+  template <std::size_t side>
+  const auto& vectors() const {
+    return const_cast<Parts*>(this)->vectors<side>();
+  }
+  template <class Format>
+  const auto& codec() const {
+    return const_cast<Parts*>(this)->codec<Format>();
+  }
+};
+
+class VqSubject : public Subject {
+ public:
+  VqSubject(std::string name, std::string about, Parts parts, std::string fingerprint = {})
+      : Subject("vq", std::move(name), std::move(about)),
+        parts(std::move(parts)),
+        fingerprint_(std::move(fingerprint)) {}
+  /// Regions have no points between theirs.
+  bool exact() const override { return true; }
+  std::string fingerprint() const override { return fingerprint_; }
+
+  const Parts parts;
+
+ private:
+  std::string fingerprint_;
+};
+using VqSubjectPtr = std::shared_ptr<const VqSubject>;
+
+/// vq-spec, the specification; vq, this project's decoders; and its encoders.
+const std::vector<VqSubjectPtr>& built_in_subjects();
+
+/// The built-in subject of that name.  Domain: there is one.
+VqSubjectPtr the(const std::string& name);
+
+/// A subject with one thing broken on purpose.
+Mutant mutant(const char* name, const std::string& base, Levels levels,
+              const std::function<void(Parts&)>& change);
+
+}  // namespace mmverify::proofs::vq
