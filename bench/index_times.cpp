@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "bench/index_subjects.hpp"
+#include "bench/timing.hpp"
 
 namespace mmverify::bench {
 namespace {
@@ -72,12 +73,6 @@ class Collector : public benchmark::BenchmarkReporter {
  private:
   std::map<std::string, std::vector<double>> ns_;
 };
-
-double median(std::vector<double> x) {
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
-}
 
 /// 4, 10, 16 and, for binary16, 15; of these what was asked for, and the last level asked for.
 std::set<std::uint32_t> timed_levels(const IndexBenchOptions& options) {

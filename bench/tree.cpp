@@ -1,13 +1,12 @@
 #include "bench/tree.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <numeric>
 #include <random>
 #include <stdexcept>
 
 #include "bench/alpha_textures.hpp"
+#include "bench/timing.hpp"
 #include "bench/tree_cache.hpp"
 #include "bench/tree_maps.hpp"
 #include "bench/tree_obvious.hpp"
@@ -26,25 +25,12 @@ using Map = std::vector<std::uint8_t>;
 
 constexpr std::uint64_t modelled = 20'000;  // lookups that the cache model follows
 
-double median(std::vector<double> x) {
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
-}
-
-/// Processor time of this thread in ns: others on the machine take none of it.
-double now_ns() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
-}
-
 /// ns of a call, divided by `parts`.
 template <class Call>
 double timed(double parts, Call call) {
-  const double start = now_ns();
+  const double start = thread_ns();
   call();
-  return (now_ns() - start) / parts;
+  return (thread_ns() - start) / parts;
 }
 
 std::uint8_t flat_state(const Map& map, std::uint64_t index, std::uint32_t b) {

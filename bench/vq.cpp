@@ -1,12 +1,11 @@
 #include "bench/vq.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <map>
 #include <random>
 #include <stdexcept>
 
+#include "bench/timing.hpp"
 #include "impl/vq.hpp"
 
 namespace mmverify::bench {
@@ -18,19 +17,6 @@ using impl::vq::Effort;
 using impl::vq::Map2;
 using impl::vq::Map4;
 using impl::vq::State;
-
-double median(std::vector<double> x) {
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
-}
-
-/// Processor time of this thread in ns.
-double now_ns() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
-}
 
 std::uint32_t transforms_of(const Block2& block) { return (block[24] | std::uint32_t{block[25]} << 8) & 511; }
 std::uint32_t transforms_of(const Block4& block) { return (block[32] | std::uint32_t{block[33]} << 8) & 511; }
@@ -54,9 +40,9 @@ VqEncoded measured(const char* encoder, const std::string& of, const Map& map, s
   std::vector<double> ms;
   VqEncoded result;
   for (std::size_t round = 0; round < rounds; ++round) {
-    const double start = now_ns();
+    const double start = thread_ns();
     const auto encoded = encode(map);
-    ms.push_back((now_ns() - start) / 1e6);
+    ms.push_back((thread_ns() - start) / 1e6);
     if (round == 0) {
       check(encoder, of, map, encoded);
       result.substitutions = encoded.substitutions;
@@ -117,24 +103,24 @@ VqDecodeTimes decode_times(const std::vector<Block>& blocks, std::uint64_t seed,
   std::vector<double> map_ns, by_regions_ns, region_ns;
   std::uint32_t sum = 0;
   for (std::size_t round = 0; round < rounds; ++round) {
-    double start = now_ns();
+    double start = thread_ns();
     for (std::size_t k = 0; k < maps; ++k) {
       const auto map = impl::vq::decode(blocks[k % blocks.size()]);
       asm volatile("" : : "r"(map.data()) : "memory");
     }
-    map_ns.push_back((now_ns() - start) / maps);
-    start = now_ns();
+    map_ns.push_back((thread_ns() - start) / maps);
+    start = thread_ns();
     for (std::size_t k = 0; k < maps / 16; ++k)
       for (std::uint32_t y = 0; y < side; ++y)
         for (std::uint32_t x = 0; x < side; ++x)
           sum += static_cast<std::uint32_t>(impl::vq::region(blocks[k % blocks.size()], x, y));
     keep(sum);
-    by_regions_ns.push_back((now_ns() - start) / (maps / 16));
-    start = now_ns();
+    by_regions_ns.push_back((thread_ns() - start) / (maps / 16));
+    start = thread_ns();
     for (const Hit& hit : at)
       sum += static_cast<std::uint32_t>(impl::vq::region(blocks[hit.block], hit.x, hit.y));
     keep(sum);
-    region_ns.push_back((now_ns() - start) / hits);
+    region_ns.push_back((thread_ns() - start) / hits);
   }
   return {median(map_ns), median(by_regions_ns), median(region_ns)};
 }
