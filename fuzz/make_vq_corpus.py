@@ -53,13 +53,15 @@ ENCODE = {
     "vq2_o_beside_t": bytes([VQ2 | REGIONS, 0]) + disc(16, 0),
     "vq2_few_vectors": bytes([VQ2 | VECTORS, 1, 3, 7, 11, 13]) + bytes(37 * k % 256 for k in range(64)),
     "vq2_block": bytes([VQ2 | BLOCK, 1]) + block(2, EVERY2, [1, 6, 4], CODES2),
+    # What the fuzzer found of the planted encoder, from nothing: BR comes out rotated by 270.
+    "vq2_rotated_by_270": bytes.fromhex("4673010a"),
     "vq2_uniform": bytes([VQ2 | RUNS, 0] + [0b11111110] * 4),
-    "vq4_runs": bytes([VQ4 | RUNS, 1] + [k % 3 | (7 * k % 64) << 2 for k in range(64)]),
-    "vq4_disc": bytes([VQ4 | REGIONS, 1]) + disc(32, 40),
+    "vq4_runs": bytes([VQ4 | RUNS, 0] + [k % 3 | (7 * k % 64) << 2 for k in range(64)]),
+    "vq4_disc": bytes([VQ4 | REGIONS, 13]) + disc(32, 40),
     "vq4_o_beside_t": bytes([VQ4 | REGIONS, 1]) + disc(32, 0),
-    "vq4_few_vectors": bytes([VQ4 | VECTORS, 1, 4, 8, 16, 23, 42]) + bytes(53 * k % 256 for k in range(64)),
-    "vq4_block": bytes([VQ4 | BLOCK, 3]) + block(4, EVERY4, [2, 5, 3], CODES4),
-    "vq4_algorithm_2": bytes([VQ4 | VECTORS, 8, 2, 9, 20, 31]) + bytes(11 * k % 256 for k in range(64)),
+    "vq4_few_vectors": bytes([VQ4 | VECTORS, 61, 4, 8, 16, 23, 42]) + bytes(53 * k % 256 for k in range(64)),
+    "vq4_block": bytes([VQ4 | BLOCK, 13]) + block(4, EVERY4, [2, 5, 3], CODES4),
+    "vq4_algorithm_2": bytes([VQ4 | VECTORS, 48, 2, 9, 20, 31]) + bytes(11 * k % 256 for k in range(64)),
 }
 
 DECODE = {

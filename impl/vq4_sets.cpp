@@ -8,8 +8,6 @@
 namespace mmverify::impl::vq::detail {
 namespace {
 
-constexpr Set4 both(std::uint32_t regions) { return regions | regions << 16; }
-
 /// Whether these regions are of one palette.
 constexpr bool one_palette(Set4 v, std::uint32_t regions) {
   return (v & regions) == 0 || (v & regions << 16) == 0;
