@@ -58,20 +58,19 @@ const std::string replayed_law = "index.equals_reference";
 
 INSTANTIATE_TEST_SUITE_P(
     Program, Usage,
-    testing::Values(Complaint{{}, 2, "subcommand"}, Complaint{{"frobnicate"}, 2, ""},
-                    Complaint{{"--frobnicate"}, 2, ""}, Complaint{{"list", "more"}, 2, "more"},
-                    Complaint{{"bench", "nothing"}, 2, "'nothing'"},
-                    Complaint{{"bench", "tree", "--subject", "step"}, 2, "--subject"},
-                    Complaint{{"bench", "tree", "--sweep"}, 2, "--sweep"},
-                    Complaint{{"bench", "--levels", "3..13"}, 2, "highest level here is 12"},
-                    Complaint{{"bench", "--plot", "x.svg"}, 2, "--plot"},
-                    Complaint{{"bench", "tree", "--samples", "1099511627776"}, 2, "--samples"},
-                    Complaint{{"bench", "vq", "--levels", "3"}, 2, "--levels"},
-                    Complaint{{"bench", "vq", "index", "--textures", "."}, 2, "--textures"},
-                    Complaint{{"bench", "vq", "--textures", "no/such/folder"}, 4, "no/such/folder"},
-                    Complaint{{"prove", "--seed", "18446744073709551616"}, 2, "below 2^64"},
-                    Complaint{
-                        {"bench", "--json", "no/such/folder/x.json", "index"}, 4, "no/such/folder/x.json"}));
+    testing::Values(
+        Complaint{{}, 2, "subcommand"}, Complaint{{"frobnicate"}, 2, ""}, Complaint{{"--frobnicate"}, 2, ""},
+        Complaint{{"list", "more"}, 2, "more"}, Complaint{{"bench", "nothing"}, 2, "'nothing'"},
+        Complaint{{"bench", "tree", "--subject", "step"}, 2, "--subject"},
+        Complaint{{"bench", "tree", "--sweep"}, 2, "--sweep"},
+        Complaint{{"bench", "--levels", "3..13"}, 2, "highest level here is 12"},
+        Complaint{{"bench", "--plot", "x.svg"}, 2, "--plot"},
+        Complaint{{"bench", "tree", "--samples", "1099511627776"}, 2, "--samples"},
+        Complaint{{"bench", "vq", "--levels", "3"}, 2, "--levels"},
+        Complaint{{"bench", "vq", "index", "--textures", "."}, 2, "--textures"},
+        Complaint{{"bench", "vq", "--quiet", "--textures", "no/such/folder"}, 4, "no/such/folder"},
+        Complaint{{"prove", "--seed", "18446744073709551616"}, 2, "below 2^64"},
+        Complaint{{"bench", "--json", "no/such/folder/x.json", "index"}, 4, "no/such/folder/x.json"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Prove, Usage,
