@@ -476,7 +476,7 @@ std::vector<Law> encoder_laws() {
   return {
       alone_law(),
       conservative_on_samples<Vq2>(
-          "vq2.conservative_on_samples", {"vq2-optimal", "vq2-paper"}, 240, 50'000,
+          "vq2.conservative_on_samples", {"vq2-optimal", "vq2-paper", "vq2-paper-highest-first"}, 240, 50'000,
           {vq2("loses a C where BR is rotated by 270", loses_a_check<Vq2>(3, 7)),
            vq2("O for T where BL is reflected at X=-Y", opaque_for_transparent<Vq2>(2, 3)),
            vq2("counts one less where TR is rotated by 180", counts_one_less<Vq2>(1, 6))}),
