@@ -148,6 +148,9 @@ void vq2(std::uint32_t how, std::uint8_t which, Bytes in) {
   if (paper)
     greedy = judge<slow::Vq2>(map, false, false, "Algorithm 1",
                               [](const fast::Map2& m) { return fast::encode_paper(m); });
+  if (paper)
+    judge<slow::Vq2>(map, false, false, "Algorithm 1 read the other way",
+                     [](const fast::Map2& m) { return fast::encode_paper_highest_first(m); });
   if (optimal && paper) require(least <= greedy, "the optimum is worse than Algorithm 1", 2);
 }
 

@@ -87,6 +87,7 @@ auto substitutions_of(Encode encode) {
 
 constexpr auto optimal2 = [](const fast::Map2& map) { return fast::encode_optimal(map); };
 constexpr auto paper2 = [](const fast::Map2& map) { return fast::encode_paper(map); };
+constexpr auto highest_first2 = [](const fast::Map2& map) { return fast::encode_paper_highest_first(map); };
 constexpr auto paper4 = [](const fast::Map4& map) { return fast::encode_paper(map); };
 constexpr auto free_c4 = [](const fast::Map4& map) { return fast::encode_paper_free_c(map); };
 constexpr auto fast4 = [](const fast::Map4& map) { return fast::encode(map, fast::Effort::fast); };
@@ -125,6 +126,8 @@ const std::vector<VqSubjectPtr>& built_in_subjects() {
                     .fewest = true,
                     .at_most = substitutions_of<Vq2>(paper2)}),
       encoder<Vq2>("vq2-paper", "Algorithm 1 as printed", {.encode = encoding<Vq2>(paper2)}),
+      encoder<Vq2>("vq2-paper-highest-first", "Algorithm 1, the vector with the highest score first",
+                   {.encode = encoding<Vq2>(highest_first2)}),
       encoder<Vq4>("vq4-fast", "this project's library, the least effort",
                    {.encode = encoding<Vq4>(fast4), .keeps_what_fits = true}),
       encoder<Vq4>("vq4-balanced", "this project's library, more effort",
