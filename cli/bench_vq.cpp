@@ -119,7 +119,7 @@ template <class Encoder>
 void print_transforms(std::FILE* out, const std::vector<VqRow>& rows, const char* codec, Encoder e) {
   const auto counts = bench::transform_counts(rows, [e](const VqRow& row) { return row.by(e).transforms; });
   const auto once = std::count_if(counts.begin(), counts.end(), [](const auto& c) { return c.second == 1; });
-  fmt::print(out, "{:<5} {:<10} {} of 512 combinations, {} of them once; most often, {} of {}: {}\n", codec,
+  fmt::print(out, "{:<5} {:<14} {} of 512 combinations, {} of them once; most often, {} of {}: {}\n", codec,
              bench::to_string(e), counts.size(), once, counts.front().second, rows.size(),
              name_of(counts.front().first));
 }
