@@ -23,6 +23,16 @@ using Block4 = std::array<std::uint8_t, 64>;
 State region(const Block2& block, std::uint32_t x, std::uint32_t y) noexcept;
 State region(const Block4& block, std::uint32_t x, std::uint32_t y) noexcept;
 
+/// Which triangle of the pair: the lower has the corners (0,0), (1,0), (0,1) of the map's unit square, the
+/// upper (1,1), (0,1), (1,0), each in the order of the barycentrics w, u, v.
+enum class Half : std::uint8_t { lower, upper };
+
+/// The state that a hit with these barycentrics gets: that of the region of (u, v), in the upper triangle of
+/// (1-u, 1-v), times the regions a side, rounded down; exactly, and the far edges belong to the last region.
+/// Domain: u, v >= 0 and u + v <= 1; beyond them, and for NaN, some region's.
+State state_at(const Block2& block, Half half, float u, float v) noexcept;
+State state_at(const Block4& block, Half half, float u, float v) noexcept;
+
 /// The map of a block.
 Map2 decode(const Block2& block) noexcept;
 Map4 decode(const Block4& block) noexcept;
