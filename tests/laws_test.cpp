@@ -70,6 +70,7 @@ TEST_P(EveryLaw, SaysWhatItIs) {
 }
 
 TEST_P(FastLaw, HoldsOfItsOwnSubjectsOverItsWholeDomain) {
+  SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   const Verdict passed = law.method == Method::sample ? Verdict::checked : Verdict::proved;
   const Level last = std::max(std::min(law.fast.last, small), law.fast.first);
   // Each map is decoded dozens of times; the fuzzers do that under sanitizers, too.
@@ -112,6 +113,7 @@ TEST_P(EveryLaw, HasThreeMutantsAndOneThatOnlyHigherLevelsShow) {
 
 TEST_P(FastLaw, KillsEveryMutant) {
   if (!law.at_once.empty()) SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
+  SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   const std::vector<MutantResult> results = run_mutants(law, Asked{});
   ASSERT_EQ(results.size(), law.mutants.size());
   for (std::size_t k = 0; k < results.size(); ++k) {
@@ -123,6 +125,7 @@ TEST_P(FastLaw, KillsEveryMutant) {
 }
 
 TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
+  SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   // Several chunks, so that two threads have something to share; one level less where every case is rational.
   Level n = law.method != Method::exhaustive      ? std::min(law.fast.first + 1, law.fast.last)
             : law.id == "index.fixed_is_rational" ? 8

@@ -40,6 +40,7 @@ void expect_replayed(const Law& law, const Subject& subject, const Result& r) {
 
 TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
   if (!law.at_once.empty()) SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
+  SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   for (const Mutant& mutant : law.mutants)
     for (Level n = mutant.levels.first; n <= mutant.levels.last; ++n) {
       Result r = run_level(law, *mutant.subject, n, keeping(5));
@@ -59,6 +60,7 @@ TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
 
 // Also where an answer is wrong in rounded arithmetic, and where rounding moves the points themselves.
 TEST_P(Replay, ShowsTheCounterexamplesOfEverySubject) {
+  SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   // Representatives of level n have n+2 bits, binary16 holds 11; nested runs on those of level n+1.
   const Level rounded_by_binary16 = law.cases(9, Asked{}) > cell_count(9) ? 9 : 10;
   for (const SubjectPtr& s : subjects()) {

@@ -47,6 +47,7 @@ TEST(VqLaws, CasesAddUpToTheirClosedForms) {
   EXPECT_EQ(cases("vq.vectors", 2), 81u);
   EXPECT_EQ(cases("vq.codes", 2), 131'072u + 2 * 262'144u + 1'048'576u + 4 * 240u);
   EXPECT_EQ(cases("vq2.conservative", 4), 3u * 64 * 81);
+  EXPECT_EQ(cases("vq2.conservative_in_pairs", 4), 6u * 81 * 81);
   EXPECT_EQ(cases("vq4.every_code_word", 5), std::uint64_t{8} << 20);
 }
 
