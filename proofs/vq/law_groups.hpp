@@ -7,8 +7,12 @@
 
 namespace mmverify::proofs::vq {
 
-/// Which vectors there are, the eight transforms, the codes.
-std::vector<Law> vector_laws();
+/// Which vectors there are.
+Law vectors_law();
+/// The eight transforms.
+Law transforms_law();
+/// The codes of vectors.
+Law codes_law();
 /// The bits of blocks.
 std::vector<Law> field_laws();
 /// Both ways to decode a block.

@@ -1,0 +1,102 @@
+// Encoders that are broken on purpose: what one wrote, changed where its transforms are the ones that are
+// meant.
+#pragma once
+
+#include <functional>
+
+#include "proofs/vq/encoder_checks.hpp"
+
+namespace mmverify::proofs::vq {
+
+template <class Format>
+using Spoil = std::function<void(const Map<Format>&, Encoded<Format>&)>;
+
+template <class Format>
+std::function<void(Parts&)> spoiled(Spoil<Format> spoil) {
+  return [=](Parts& parts) {
+    auto& encode = parts.codec<Format>().encode;
+    encode = [=, real = encode](const Map<Format>& map) {
+      Encoded<Format> encoded = real(map);
+      spoil(map, encoded);
+      return encoded;
+    };
+  };
+}
+
+/// The first vector of a quadrant that is not written as a uniform one; 64 if there is none.
+template <class Format>
+std::uint32_t looked_up_in(const Format& fields, std::size_t q) {
+  std::uint32_t vector = 0;
+  while (vector < 64 && (static_cast<std::size_t>(spec::vq::quadrant_of(vector % 8, vector / 8)) != q ||
+                         fields.indices[vector] < 3))
+    ++vector;
+  return vector;
+}
+
+inline auto& code_of(Vq2& fields, std::size_t q, std::uint32_t index) {
+  return index < 6 ? fields.shared[index - 3] : fields.own[q][index - 6];
+}
+inline auto& code_of(Vq4& fields, std::size_t, std::uint32_t index) { return fields.codebook[index - 3]; }
+
+/// Under one transform of one quadrant, an entry in use loses its lowest bit: C becomes O or T, or, where the
+/// entry has no C, O becomes T.
+template <class Format>
+std::function<void(Parts&)> loses_a_check(std::size_t q, std::uint32_t transform) {
+  return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
+    Format fields = spec::vq::from_bytes<Format>(encoded.block);
+    const std::uint32_t vector = looked_up_in(fields, q);
+    if (fields.transforms[q].number() != transform || vector == 64) return;
+    auto& code = code_of(fields, q, fields.indices[vector]);
+    code = static_cast<std::remove_reference_t<decltype(code)>>(code & (code - 1));
+    encoded.block = spec::vq::bytes(fields);
+  });
+}
+
+/// Under one transform of one quadrant, a uniform vector of T becomes O.
+template <class Format>
+std::function<void(Parts&)> opaque_for_transparent(std::size_t q, std::uint32_t transform) {
+  return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
+    Format fields = spec::vq::from_bytes<Format>(encoded.block);
+    if (fields.transforms[q].number() != transform) return;
+    for (std::uint32_t vector = 0; vector < 64; ++vector)
+      if (static_cast<std::size_t>(spec::vq::quadrant_of(vector % 8, vector / 8)) == q &&
+          fields.indices[vector] == 0) {
+        fields.indices[vector] = 2;
+        break;
+      }
+    encoded.block = spec::vq::bytes(fields);
+  });
+}
+
+/// Under one transform of one quadrant, a vector is given up: all C, and so counted.
+template <class Format>
+std::function<void(Parts&)> gives_up_a_vector(std::size_t q, std::uint32_t transform) {
+  return spoiled<Format>([=](const Map<Format>& map, Encoded<Format>& encoded) {
+    Format fields = spec::vq::from_bytes<Format>(encoded.block);
+    const std::uint32_t vector = looked_up_in(fields, q);
+    if (fields.transforms[q].number() != transform || vector == 64) return;
+    fields.indices[vector] = 1;
+    encoded.block = spec::vq::bytes(fields);
+    encoded.substitutions =
+        static_cast<std::uint32_t>(substituted<Format>(map, meant<Format>(encoded.block)).answer);
+  });
+}
+
+template <class Format>
+std::function<void(Parts&)> counts_one_less(std::size_t q, std::uint32_t transform) {
+  return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
+    const Format fields = spec::vq::from_bytes<Format>(encoded.block);
+    if (fields.transforms[q].number() == transform && *encoded.substitutions > 0) --*encoded.substitutions;
+  });
+}
+
+/// One map is encoded as another.
+template <class Format>
+std::function<void(Parts&)> instead(Map<Format> map, Map<Format> other) {
+  return [=](Parts& parts) {
+    auto& encode = parts.codec<Format>().encode;
+    encode = [=, real = encode](const Map<Format>& given) { return real(given == map ? other : given); };
+  };
+}
+
+}  // namespace mmverify::proofs::vq

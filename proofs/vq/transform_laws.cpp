@@ -1,0 +1,151 @@
+// How vectors turn (4.1, table 1): the oracle is signed coordinates.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "proofs/vq/law_groups.hpp"
+#include "proofs/vq/law_parts.hpp"
+#include "proofs/vq/texts.hpp"
+#include "proofs/vq/vector_parts.hpp"
+
+namespace mmverify::proofs::vq {
+namespace {
+
+using enum State;
+
+/// What a result of table 1 does to X, Y counted from the middle, y upwards: (a X + b Y, c X + d Y).
+struct Linear {
+  int a, b, c, d;
+  constexpr bool operator==(const Linear&) const = default;
+  constexpr Linear after(Linear first) const {
+    return {a * first.a + b * first.c, a * first.b + b * first.d, c * first.a + d * first.c,
+            c * first.b + d * first.d};
+  }
+};
+
+struct NamedRow {
+  const char* name;
+  Linear does;
+};
+constexpr std::array<NamedRow, 8> table_1{{{"Identity", {1, 0, 0, 1}},
+                                           {"Rotate 90", {0, -1, 1, 0}},
+                                           {"Reflect TB", {1, 0, 0, -1}},
+                                           {"Reflect X=-Y", {0, -1, -1, 0}},
+                                           {"Reflect LR", {-1, 0, 0, 1}},
+                                           {"Reflect X=Y", {0, 1, 1, 0}},
+                                           {"Rotate 180", {-1, 0, 0, -1}},
+                                           {"Rotate 270", {0, 1, -1, 0}}}};
+
+constexpr std::uint32_t row_that_does(Linear m) {
+  for (std::uint32_t k = 0; k < 8; ++k)
+    if (table_1[k].does == m) return k;
+  return 8;
+}
+
+/// The row `then` after the row `first`; of a single row, `first` is the identity.
+struct Pair {
+  std::uint32_t then, first, side;
+};
+
+/// A vector whose one O must arrive where the matrix says, for each place of it.
+template <std::size_t side>
+Finding moves(const VqSubject& s, const char* what, Linear does, const auto& turned) {
+  constexpr int last = side - 1;
+  for (int y = 0; y <= last; ++y)
+    for (int x = 0; x <= last; ++x) {
+      const int X = 2 * x - last, Y = 2 * y - last;
+      Vector<side> v = spec::vq::uniform<side>(T), expected = v;
+      v[static_cast<std::size_t>(x + (last + 1) * y)] = O;
+      const int to_x = (does.a * X + does.b * Y + last) / 2, to_y = (does.c * X + does.d * Y + last) / 2;
+      expected[static_cast<std::size_t>(to_x + (last + 1) * to_y)] = O;
+      const Vector<side> got = turned(s.parts.vectors<side>(), v);
+      if (got != expected)
+        return wrong(fmt::format("{} of {} {}", what, letters(v), letters(expected)), letters(got));
+    }
+  return {};
+}
+
+template <std::size_t side>
+Finding composes(const VqSubject& s, const Pair& pair) {
+  const Transform then = Transform::of(pair.then), first = Transform::of(pair.first);
+  const Linear both = table_1[pair.then].does.after(table_1[pair.first].does);
+  const std::uint32_t row = row_that_does(both);
+  if (row == 8) return wrong("a row of table 1", "none");
+  if (Finding one = moves<side>(s, table_1[pair.then].name, table_1[pair.then].does,
+                                [&](const auto& of, const auto& v) { return of.applied(then, v); });
+      !one.holds)
+    return one;
+  if (Finding two =
+          moves<side>(s, table_1[row].name, both,
+                      [&](const auto& of, const auto& v) { return of.applied(then, of.applied(first, v)); });
+      !two.holds)
+    return two;
+  const std::uint32_t got = s.parts.composed(then, first).number();
+  if (got != row) return wrong(fmt::format("row {}", row), fmt::format("row {}", got));
+  // Closed under composition and finite; that each row has an inverse among the eight is a case of its own.
+  bool undone = false;
+  for (std::uint32_t k = 0; k < 8; ++k)
+    undone = undone || s.parts.composed(Transform::of(k), then).number() == 0;
+  return undone ? Finding{got} : wrong("an inverse", "none");
+}
+
+}  // namespace
+
+Law transforms_law() {
+  Cases<Pair> cases;
+  cases.count = [](Level, const Run&) { return std::uint64_t{64}; };
+  cases.number = [](Level n, std::uint64_t k, std::uint64_t) {
+    return Pair{static_cast<std::uint32_t>(k / 8), static_cast<std::uint32_t>(k % 8), 1u << n};
+  };
+  cases.text = [](const Pair& p) { return fmt::format("rows:{},{}", p.then, p.first); };
+  cases.read = [](Level n, const std::string& at) {
+    if (at.size() != 8 || !at.starts_with("rows:") || at[6] != ',' || at[5] < '0' || at[5] > '7' ||
+        at[7] < '0' || at[7] > '7')
+      throw BadCase(fmt::format("'{:.60}': write rows:THEN,FIRST, each 0..7", at));
+    return at_side(n, [&](auto side) {
+      return Pair{static_cast<std::uint32_t>(at[5] - '0'), static_cast<std::uint32_t>(at[7] - '0'), side};
+    });
+  };
+  cases.check = [](const VqSubject& s, const Pair& p) {
+    return p.side == 2 ? composes<2>(s, p) : composes<4>(s, p);
+  };
+  const auto turns = [](auto side, std::uint32_t row, auto wrongly) {
+    return [=](Parts& parts) {
+      auto& applied = parts.vectors<side>().applied;
+      applied = [=, real = applied](Transform t, const auto& v) {
+        auto out = real(t, v);
+        if (t.number() == row) wrongly(out);
+        return out;
+      };
+    };
+  };
+  constexpr std::integral_constant<std::size_t, 2> two{};
+  constexpr std::integral_constant<std::size_t, 4> four{};
+  return over(
+      {.id = "vq.transforms",
+       .topic = "vq",
+       .says = "table 1's rows do what it says they result in, and are the symmetries of the square: closed, "
+               "each with its inverse",
+       .source = "Compressed Opacity Maps, 4.1, table 1",
+       .subjects = {"vq-spec"},
+       .fast = both_sides,
+       .fast_seconds = 0.1,
+       .domain =
+           [](const Subject&, Level n) {
+             return fmt::format("all pairs of rows, on every region of {} vectors", n == 1 ? "2x2" : "4x4");
+           },
+       .mutants = {mutant("Rotate 270 leaves two middle regions of 4x4 in each other's place", "vq-spec",
+                          {2, 2}, turns(four, 7, [](auto& v) { std::swap(v[5], v[6]); })),
+                   mutant("Reflect X=-Y is Reflect X=Y", "vq-spec", {1, 1},
+                          turns(two, 3, [](auto& v) { std::swap(v[0], v[3]), std::swap(v[1], v[2]); })),
+                   mutant("Rotate 90 after Reflect LR is another row", "vq-spec", {1, 2},
+                          [](Parts& parts) {
+                            parts.composed = [real = parts.composed](Transform then, Transform first) {
+                              return then.number() == 1 && first.number() == 4 ? Transform::of(5)
+                                                                               : real(then, first);
+                            };
+                          })}},
+      lacks_vectors, cases);
+}
+
+}  // namespace mmverify::proofs::vq

@@ -1,0 +1,40 @@
+// What the laws about vectors share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "proofs/vq/subject.hpp"
+
+namespace mmverify::proofs::vq {
+
+/// 1 and 2: vectors have 2^level regions along a side.
+inline constexpr Levels both_sides{1, 2};
+
+/// f(std::integral_constant<std::size_t, side>) of a level.  Throws BadCase at others.
+template <class F>
+auto at_side(Level n, F f) {
+  if (n == 1) return f(std::integral_constant<std::size_t, 2>());
+  if (n == 2) return f(std::integral_constant<std::size_t, 4>());
+  throw BadCase(fmt::format("level {}: vectors have 2 or 4 regions along a side, levels 1 and 2", n));
+}
+
+inline std::optional<std::string> lacks_vectors(const VqSubject& s) {
+  if (!s.parts.of2.valid || !s.parts.composed)
+    return s.name() + " has no entry point of vectors: they are the specification's";
+  return std::nullopt;
+}
+
+template <std::size_t side>
+Vector<side> to_vector(std::span<const State> states) {
+  Vector<side> v{};
+  std::copy(states.begin(), states.end(), v.begin());
+  return v;
+}
+
+}  // namespace mmverify::proofs::vq
