@@ -102,6 +102,23 @@ TEST(ScenePlan, TheHighestUsefulLevelOfRandomTriangles) {
   }
 }
 
+TEST(ScenePlan, TheHighestUsefulLevelWhereDoublesRound) {
+  // Edges of 2^n texels but for the last bits of a double, along neither axis.
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> unit(0.25f, 0.75f), tiny(0, 0x1p-26f);
+  std::map<unsigned, int> levels;
+  for (int k = 0; k < 3000; ++k) {
+    const Uv a{tiny(random), tiny(random)};
+    const float u = unit(random);
+    const long double x = static_cast<long double>(u) - a[0], y = std::sqrt(1 - x * x);
+    const auto v = static_cast<float>(y);
+    const Uv b{u, v}, close{a[0], static_cast<float>(static_cast<long double>(v) - y)};
+    levels[level_of({close, b, b}, 1, 1).level]++;
+  }
+  EXPECT_GT(levels[0], 1000);
+  EXPECT_GT(levels[1], 1000);
+}
+
 TEST(ScenePlan, Texels) {
   EXPECT_EQ(in_texels({{{0.1f, 1}, {-3, 0.5f}, {up(1), 7}}}, 956, 1113),
             (TexelTriangle{{{956 * double{0.1f}, 1113}, {-2868, 556.5}, {956 * (1 + 0x1p-23), 7791}}}));
@@ -123,6 +140,21 @@ TEST(ScenePlan, Shapes) {
   EXPECT_EQ(uv_shape({{{0, 0}, {greatest, 0}, {1, least}}}), UvShape::area);
   EXPECT_EQ(uv_shape({{{least, 0}, {greatest, 0}, {-1, 0}}}), UvShape::line);
   EXPECT_EQ(uv_shape({{{1, 0}, {greatest, greatest}, {0, down(0)}}}), UvShape::area);
+}
+
+TEST(ScenePlan, ShapesWhereDoublesRound) {
+  // On v = 3 u, of 22 bits each, so far apart that their differences are rounded.
+  std::mt19937 random(13);
+  for (int k = 0; k < 500; ++k) {
+    const auto on_the_line = [&](int exponent) {
+      const float u = std::ldexp(static_cast<float>(random() % 4194304 + 1), exponent);
+      return Uv{u, 3 * u};
+    };
+    UvTriangle uvs{on_the_line(-22), on_the_line(-23), on_the_line(-65)};
+    EXPECT_EQ(uv_shape(uvs), UvShape::line);
+    uvs[2][1] = up(uvs[2][1]);
+    EXPECT_EQ(uv_shape(uvs), UvShape::area);
+  }
 }
 
 TEST(ScenePlan, Duplicates) {
