@@ -1,0 +1,73 @@
+#include "impl/scene/load.hpp"
+
+#include <set>
+
+#include "impl/scene/bad_scene.hpp"
+#include "impl/scene/image.hpp"
+#include "impl/scene/materials.hpp"
+#include "impl/scene/nodes.hpp"
+#include "impl/scene/primitives.hpp"
+
+namespace mmverify::impl::scene {
+namespace {
+
+/// The images whose alpha decides a state.
+std::set<std::size_t> alpha_tested_images(const Scene& scene) {
+  std::set<std::size_t> images;
+  for (const Primitive& primitive : scene.primitives) {
+    const Material& material = scene.material_of(primitive);
+    if (!primitive.triangles.empty() && material.mode != AlphaMode::opaque && material.texture &&
+        material.texture->image)
+      images.insert(*material.texture->image);
+  }
+  return images;
+}
+
+/// All images: that each is there; those of `to_decode`, what is in it.
+std::vector<Image> read_images(const Document& document, const Buffers& buffers,
+                               const std::set<std::size_t>& to_decode) {
+  std::vector<Image> images;
+  const nlohmann::json& listed = member(document.json, "images");
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    const nlohmann::json& given = listed[k];
+    const bool decode = to_decode.contains(k);
+    const std::string uri = given.value("uri", std::string());
+    const bool embedded = uri.empty() || tinygltf::IsDataURI(uri);
+    Image image;
+    image.name = given.value("name", embedded ? std::string() : shown(uri));
+    const std::string at = place("image", k, image.name);
+    if (given.contains("bufferView")) {
+      const auto bytes = buffers.view(given["bufferView"].get<std::size_t>());
+      if (decode) decode_alpha(bytes, image, document.file, at);
+    } else if (uri.empty()) {
+      throw BadScene(document.file, at, "neither a URI nor a bufferView");
+    } else if (embedded) {
+      const Bytes bytes = from_data_uri(uri, document.file, at);
+      if (decode) decode_alpha(bytes, image, document.file, at);
+    } else if (decode) {
+      decode_alpha(read_file(beside(document.file, uri, at), document.file, at), image, document.file, at);
+    } else {
+      check_file(beside(document.file, uri, at), document.file, at);
+    }
+    images.push_back(std::move(image));
+  }
+  return images;
+}
+
+}  // namespace
+
+Scene load(const std::string& file) {
+  const Document document = parse(split(read_file(file, file, ""), file), file);
+  const Buffers buffers(document);
+  Scene scene;
+  scene.file = file;
+  scene.materials = read_materials(document);
+  const std::vector<std::uint64_t> uses = mesh_uses(document);
+  for (std::size_t k = 0; k < uses.size(); ++k)
+    scene.meshes.push_back({document.model.meshes[k].name, uses[k]});
+  scene.primitives = read_primitives(document, buffers, scene.materials);
+  scene.images = read_images(document, buffers, alpha_tested_images(scene));
+  return scene;
+}
+
+}  // namespace mmverify::impl::scene
