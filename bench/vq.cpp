@@ -167,14 +167,17 @@ VqFigures vq_figures(const VqBenchOptions& options) {
   const auto begins = [&](const std::string& what) {
     if (options.progress) options.progress(what);
   };
+  VqFigures figures;
   std::vector<OpacityMaps> all;
   begins(options.textures.empty() ? "generating maps" : "maps of " + options.textures);
-  if (options.textures.empty())
+  if (options.textures.empty()) {
     all = leaf_opacity_maps(options.maps, options.seed);
-  else
-    all = opacity_maps(alpha_textures(options.textures));
+  } else {
+    const std::vector<AlphaTexture> textures = alpha_textures(options.textures);
+    all = opacity_maps(textures);
+    figures.left_out = textures.size() - all.size();
+  }
   if (all.empty()) throw std::runtime_error(options.textures + ": no texture has alpha of 1/2 anywhere");
-  VqFigures figures;
   for (const OpacityMaps& maps : all) {
     begins(maps.of);
     figures.rows.push_back(row_of(maps, options.rounds));

@@ -59,6 +59,7 @@ struct VqDecodeTimes {
 
 struct VqFigures {
   std::vector<VqRow> rows;
+  std::size_t left_out = 0;  ///< textures with no texel of alpha >= 1/2
   VqDecodeTimes vq2, vq4;
 };
 

@@ -175,7 +175,8 @@ Action add_bench(CLI::App& program) {
       ->add_option("--textures", options->textures, "tree, vq: maps of the PNG files in this folder instead")
       ->type_name("FOLDER");
   command->add_option("--maps", options->maps, "vq: how many generated maps")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 16));
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 16))
+      ->excludes(textures);
   command->add_flag("--sweep", options->sweep,
                     "measure sweeps of index.equals_reference instead, level by level");
   command->add_option("--threads", options->threads, "of a sweep; as many as the machine has where not given")

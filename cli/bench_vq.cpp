@@ -170,8 +170,10 @@ Json to_json(const VqFigures& figures, const VqBenchOptions& options) {
            {"compiler", build::compiler},
            {"flags", build::flags},
            {"seed", options.seed},
+           {"rounds", options.rounds},
            {"maps", options.textures.empty() ? "generated" : "textures"},
            {"spec_hash", build::spec_hash}}},
+         {"left_out", figures.left_out},
          {"decode", {{"vq2", to_json(figures.vq2)}, {"vq4", to_json(figures.vq4)}}},
          {"rows", Json::array()}};
   for (const VqRow& row : figures.rows) j["rows"].push_back(to_json(row));
@@ -208,6 +210,8 @@ BenchOutput bench_vq(const VqBenchOptions& given, bool quiet, std::FILE* out) {
       options.textures.empty() ? fmt::format("generated from seed {}", options.seed) : "of alpha textures",
       discontinuous);
   print_rows(out, rows);
+  if (figures.left_out > 0)
+    fmt::print(out, "left out: {} textures with no texel of alpha 1/2 or more\n", figures.left_out);
   fmt::print(out, "\nAll maps together, beside the paper's encoder of the same run\n");
   print_encoders(out, figures);
   fmt::print(out,

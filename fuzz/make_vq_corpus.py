@@ -56,6 +56,15 @@ ENCODE = {
     # What the fuzzer found of the planted encoder, from nothing: BR comes out rotated by 270.
     "vq2_rotated_by_270": bytes.fromhex("4673010a"),
     "vq2_uniform": bytes([VQ2 | RUNS, 0] + [0b11111110] * 4),
+    # Balanced once lost more than fast here: the transforms of symmetric quadrants tie.
+    "vq4_busy_and_symmetric": bytes.fromhex(
+        "0301555555556a005556555555555a015556555555555a011555555555555601005555555555556a00a555555555aa560155"
+        "55555555aa55055555555555aa5515505555555555aaaa565555555555a5a915555555555a55a415555555556a5590055555"
+        "55555a001554555555556a95565555555555aaaa5a9555555555aaaa6aa55501aa165555555555166a0555555555055a5a05"
+        "55555555006a5601555555555500159555555555550055a555555555564055a9555555555a9056aa55555555559556005555"
+        "555555955a40555555556a955a5055555555aa956a9555555555555594015555555555aa94015555555555aaa40155555555"
+        "55aaa50155555555"
+    ),
     "vq4_runs": bytes([VQ4 | RUNS, 0] + [k % 3 | (7 * k % 64) << 2 for k in range(64)]),
     "vq4_disc": bytes([VQ4 | REGIONS, 13]) + disc(32, 40),
     "vq4_o_beside_t": bytes([VQ4 | REGIONS, 1]) + disc(32, 0),

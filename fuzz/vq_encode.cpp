@@ -3,7 +3,8 @@
 //
 // Input: a byte of the format (bit 0: VQ4) and of how the map is drawn (bits 1 and 2), a byte that chooses
 // the encoders (VQ2, by its low two bits: 1 the optimum, 2 Algorithm 1, else both; VQ4: fast unless bit 1,
-// balanced with bit 0 or 1, thorough with bits 2 and 3, Algorithm 2 with bits 4 and 5), then by how it is
+// balanced with bit 0 or 1, thorough with bits 2 and 3, Algorithm 2 with bits 4 and 5, read kindly with bit
+// 6), then by how it is
 // drawn
 //   0  runs, a byte each: its low two bits the state (3 is C), the rest, plus one, the length
 //   1  regions, two bits each
@@ -169,8 +170,9 @@ void vq4(std::uint32_t how, std::uint8_t which, Bytes in) {
     before = lost;
   }
   if ((which & 48) == 48)
-    judge<slow::Vq4>(map, false, false, "Algorithm 2",
-                     [](const fast::Map4& m) { return fast::encode_paper(m); });
+    judge<slow::Vq4>(map, false, false, "Algorithm 2", [=](const fast::Map4& m) {
+      return (which & 64) != 0 ? fast::encode_paper_free_c(m) : fast::encode_paper(m);
+    });
 }
 
 }  // namespace

@@ -20,15 +20,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::int32_t unit = 64;  ///< of a region, and prices are whole
 constexpr std::uint32_t lanes = 64;
 constexpr int rounds = 10;
-constexpr std::size_t most_found = 400;           ///< new entries a round
-constexpr std::uint32_t nodes_a_round = 200'000;  ///< beyond them the bound takes what is open as it is
+constexpr std::size_t most_found = 400;  ///< new entries a round
 
 HWY_INLINE std::int32_t ones(Set4 v) { return static_cast<std::int32_t>(__builtin_popcount(v)); }
 
 class Bound {
  public:
-  Bound(Bounded4& sources, std::uint32_t enough)
-      : enough_(std::int64_t{unit} * (enough + 1)), result_(sources) {
+  Bound(Bounded4& sources, const BoundLimits& limits)
+      : enough_(unit * (std::int64_t{limits.enough} + 1)), nodes_(limits.nodes), result_(sources) {
     for (std::uint32_t k = 0; k < lanes; ++k) {
       v_[k] = sources.v[k];
       most_[k] = unit * sources.most[k];
@@ -180,7 +179,7 @@ class Bound {
     for (std::int32_t more = 16 * unit; more > 0; more /= 2)
       if (bound_if(threshold_ + more) < enough_) threshold_ += more;
     open_ = threshold_;
-    left_ = nodes_a_round;
+    left_ = nodes_;
     found_.clear();
     visit(~Set4{0}, Prices{});
     std::sort(found_.begin(), found_.end(), std::greater<>());
@@ -236,7 +235,8 @@ class Bound {
 
   HWY_ALIGN std::array<Set4, lanes> v_;
   HWY_ALIGN Prices most_, price_;
-  std::int64_t enough_;
+  std::int64_t enough_;  ///< the bound would do below this
+  std::uint32_t nodes_;
   Bounded4& result_;
   std::vector<Candidate> pool_;
   std::int32_t threshold_ = 0, open_ = 0;
@@ -244,8 +244,8 @@ class Bound {
   std::vector<std::pair<std::int32_t, Set4>> found_;
 };
 
-std::uint32_t bound_of(Bounded4& sources, std::vector<Set4>& entries, std::uint32_t enough) {
-  return Bound(sources, enough).run(entries);
+std::uint32_t bound_of(Bounded4& sources, std::vector<Set4>& entries, const BoundLimits& limits) {
+  return Bound(sources, limits).run(entries);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -257,8 +257,8 @@ namespace mmverify::impl::vq::detail {
 
 HWY_EXPORT(bound_of);
 
-std::uint32_t most_kept(Bounded4& sources, std::vector<Set4>& entries, std::uint32_t enough) {
-  return HWY_DYNAMIC_DISPATCH(bound_of)(sources, entries, enough);
+std::uint32_t most_kept(Bounded4& sources, std::vector<Set4>& entries, const BoundLimits& limits) {
+  return HWY_DYNAMIC_DISPATCH(bound_of)(sources, entries, limits);
 }
 
 }  // namespace mmverify::impl::vq::detail

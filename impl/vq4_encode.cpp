@@ -23,29 +23,24 @@ class Search {
     all_ = best_.substitutions;
   }
 
-  /// Choices of transforms by merging, those with the fewest distinct vectors first; the best by exchanging.
+  /// Each effort begins with all that the one below it does, and so is never worse.
   Encoded4 run(Effort effort) {
-    const std::size_t merges = effort == Effort::fast ? 96 : 512;
-    const std::size_t exchanges = effort == Effort::fast ? 2 : effort == Effort::balanced ? 64 : 512;
-    for (const auto& [distinct, number] : by_distinct_vectors()) {
-      // A map that fits has few under some choice, and is found whatever the effort.
-      if (found_.size() >= merges && distinct > stored_entries) break;
-      found_.push_back({merged(sources(number)), number});
-      take(found_.back());
-      if (best_.substitutions == 0) return best_;
-    }
-    std::stable_sort(found_.begin(), found_.end(),
-                     [](const Found& a, const Found& b) { return a.codebook.kept > b.codebook.kept; });
-    for (std::size_t k = 0; k < std::min(exchanges, found_.size()) && best_.substitutions != 0; ++k) {
-      exchange(sources(found_[k].number), found_[k].codebook);
-      take(found_[k]);
-    }
+    order_ = by_distinct_vectors();
+    merge(fast_merges);
+    exchange_best(fast_exchanges);
+    if (effort == Effort::fast) return best_;
+    merge(order_.size());
+    exchange_best(balanced_exchanges);
+    if (effort == Effort::thorough) exchange_best(found_.size());
     return best_;
   }
 
   /// And a bound for every choice, whose prices name entries to begin with once more.
   Proved4 prove() {
     run(Effort::thorough);
+    // Best first: what they find makes the others' bounds easier.
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Found& a, const Found& b) { return a.codebook.kept > b.codebook.kept; });
     std::uint32_t most = 0;
     Bounded4 bounded;
     for (std::size_t k = 0; k < found_.size() && best_.substitutions != 0; ++k) {
@@ -55,17 +50,20 @@ class Search {
         bounded.most[s] = static_cast<std::int32_t>(size(sources_[s].codable[0]));
       }
       Codebook4& codebook = found_[k].codebook;
-      const std::uint32_t bound = most_kept(bounded, codebook.entries, all_ - best_.substitutions);
+      const std::uint32_t bound =
+          most_kept(bounded, codebook.entries, {.enough = all_ - best_.substitutions});
       if (bound > all_ - best_.substitutions) {
         exchange(sources(found_[k].number), codebook);
         take(found_[k]);
       }
       most = std::max(most, bound);
     }
-    return {best_, std::min(best_.substitutions, all_ - std::min(most, all_))};
+    return {best_, best_.substitutions == 0 || most >= all_ ? 0 : all_ - most};
   }
 
  private:
+  static constexpr std::size_t fast_merges = 96, fast_exchanges = 2, balanced_exchanges = 64;
+
   struct Source {
     std::uint32_t quadrant;
     std::array<Set4, 8> stored, codable;  ///< by transform
@@ -80,6 +78,29 @@ class Search {
     Sources4 of;
     for (const Source& source : sources_) of.v[of.count++] = source.codable[transforms[source.quadrant]];
     return of;
+  }
+
+  /// By merging, the choices of transforms that leave the fewest distinct vectors, until there are so many.
+  void merge(std::size_t most) {
+    while (found_.size() < order_.size() && best_.substitutions != 0) {
+      const auto& [distinct, number] = order_[found_.size()];
+      // A map that fits leaves few under some choice, and is found whatever the effort.
+      if (found_.size() >= most && distinct > stored_entries) break;
+      found_.push_back({merged(sources(number)), number});
+      take(found_.back());
+    }
+  }
+
+  /// By exchanging, those that keep most so far.
+  void exchange_best(std::size_t most) {
+    std::vector<Found*> best;
+    for (Found& found : found_) best.push_back(&found);
+    std::stable_sort(best.begin(), best.end(),
+                     [](const Found* a, const Found* b) { return a->codebook.kept > b->codebook.kept; });
+    for (std::size_t k = 0; k < std::min(most, best.size()) && best_.substitutions != 0; ++k) {
+      exchange(sources(best[k]->number), best[k]->codebook);
+      take(*best[k]);
+    }
   }
 
   /// Each choice of transforms with how many distinct vectors it leaves, in that order.
@@ -113,7 +134,8 @@ class Search {
 
   Vectors4 vectors_;
   std::vector<Source> sources_;  ///< of the vectors that are not uniform
-  std::vector<Found> found_;
+  std::vector<std::pair<std::size_t, std::uint32_t>> order_;
+  std::vector<Found> found_;  ///< of the first choices in that order
   Encoded4 best_;
   std::uint32_t all_ = 0;  ///< O and T of the sources
 };

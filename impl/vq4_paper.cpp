@@ -8,10 +8,10 @@
 #include "impl/vq4_sets.hpp"
 
 // Algorithm 2, in its order and with its names.  What the print leaves open: where partitions score alike,
-// the one made first is taken; of splits that score alike, the first one tried.  The partition whose
-// representative is all C costs no entry.  One that has nothing left to split is represented by its only
-// vector.  O beside T is taken apart before (codable), as no representative could hold both.  In the end
-// every vector gets its best representative, as section 4.2 has it.
+// the one made first is taken; of splits that score alike, the first one tried.  A partition that has nothing
+// left to split is represented by its only vector.  O beside T is taken apart before (codable), as no
+// representative could hold both.  In the end every vector gets its best representative, as section 4.2 has
+// it.
 namespace mmverify::impl::vq {
 namespace {
 

@@ -112,7 +112,6 @@ std::optional<Places> places_of(const std::vector<Set4>& entries) {
   places.fill(-1);
   if (entries.size() > stored_entries) return std::nullopt;
   std::size_t next_simple = 0, next_generic = 5;
-  std::vector<std::int8_t> waiting;  // those that may be anywhere
   const auto take = [&](std::size_t place, std::int8_t k) {
     if (places[place] >= 0) return false;
     places[place] = k;

@@ -1,15 +1,14 @@
 // VQ2 and VQ4: blocks of 256 and 512 bits, and the maps of 16x16 and 32x32 regions that they mean.
 //
 // The bits of a block, from bit 0 of byte 0 up.  The order is ours: the figures give the fields alone.
-//            VQ2  bits         VQ4  bits
-//   indices  64 of 3 =  192    64 of 4 =  256   of the vector (X, Y) of the map, X + 8 Y
-//   TR, BL, BR     3 x 3       3 x 3            the quadrants' transforms, by their number in table 1
-//   codebook 11 x 5            247              VQ2: the entries 3, 4, 5, then 6 and 7 of TL, TR, BL, BR;
-//   VQ4: 3..15 by
-//                                               table 2
-//   in all         256               512
+//              VQ2               VQ4
+//   indices    64 of 3 bits      64 of 4       of the vector (X, Y) of the map, X + 8 Y
+//   transforms  3 of 3            3 of 3       of TR, BL and BR, by their number in table 1
+//   codebook   11 of 5           247 bits      VQ2: the entries 3, 4, 5, then 6 and 7 of TL, TR, BL, BR
+//   in all     256               512           VQ4: the entries 3..15 as table 2 has them
 // An index of 0, 1, 2 is the uniform vector of T, C, O.  Quadrants: L has X < 4, B has Y < 4; TL is never
-// transformed. Source: Compressed Opacity Maps, 4, 4.1, 5.1, table 2, figure 11.
+// transformed.
+// Source: Compressed Opacity Maps, 4, 4.1, 5.1, table 2, figure 11.
 #pragma once
 
 #include <array>

@@ -3,10 +3,13 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
+#include <bit>
 #include <random>
 #include <vector>
 
 #include "impl/vq.hpp"
+#include "impl/vq4_bound.hpp"
+#include "impl/vq4_search.hpp"
 #include "spec/vq_block.hpp"
 #include "tests/sanitized.hpp"
 #include "tests/vq_cases.hpp"
@@ -164,6 +167,89 @@ TEST(ImplVq4Encode, FindsAndProvesTheOptimumOfOneQuadrant) {
   }
 }
 
+// The bound alone, without an encoder beside it: never below what every way of grouping shows can be kept,
+// however little it may look, and mostly equal to it where it may look on.
+TEST(ImplVq4Bound, IsNeverBelowTheBestGrouping) {
+  std::mt19937 random(9);
+  std::uint32_t met = 0;
+  constexpr std::uint32_t rounds = 12;
+  for (std::uint32_t round = 0; round < (sanitized ? 3 : rounds); ++round) {
+    detail::Bounded4 sources;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> groups;
+    for (std::uint32_t k = 0; k < 15; ++k) {
+      auto set = static_cast<std::uint32_t>(random() & random());
+      if (round % 2 == 0) set &= 0x0f0f0f0f;
+      set &= ~(set << 16);  // not O and T at once
+      if (set == 0) set = 1;
+      sources.v[k] = set;
+      sources.most[k] = std::popcount(set);
+      sources.price[k] = static_cast<std::int32_t>(random() % 512);
+      groups.push_back({set, 1});
+    }
+    const std::uint32_t most = most_kept_by_groups(groups);
+    for (const std::uint32_t nodes : {0u, 1u, 5u, 20u, 300u, 200'000u}) {
+      detail::Bounded4 now = sources;
+      std::vector<detail::Set4> entries{sources.v[0], sources.v[1]};
+      const std::uint32_t bound = detail::most_kept(now, entries, {.enough = 0, .nodes = nodes});
+      ASSERT_GE(bound, most) << round << ' ' << nodes;
+      met += nodes == 200'000 && bound == most ? 1 : 0;
+    }
+  }
+  EXPECT_GE(met, sanitized ? 1 : rounds / 2);
+}
+
+TEST(ImplVq4Encode, ExchangingKeepsMoreThanMerging) {
+  std::mt19937 random(10);
+  std::uint32_t better = 0;
+  for (int round = 0; round < 20; ++round) {
+    detail::Sources4 sources;
+    for (std::uint32_t k = 0; k < 40; ++k)
+      sources.v[sources.count++] = 1 + static_cast<std::uint32_t>(random() & random()) % 0xfffe;
+    detail::Codebook4 codebook = detail::merged(sources);
+    const std::uint32_t before = codebook.kept;
+    detail::exchange(sources, codebook);
+    ASSERT_GE(codebook.kept, before);
+    better += codebook.kept > before ? 1 : 0;
+  }
+  EXPECT_GT(better, 0u);
+}
+
+// It fits under one choice of transforms alone, with all thirteen entries, and after a hundred choices that
+// leave as many distinct vectors: fast must not end before it.
+TEST(ImplVq4Encode, FastFindsTheOneChoiceThatFits) {
+  using detail::Set4;
+  std::vector<Set4> in_tl;
+  Set4 vertical = 0, turned = 0;
+  for (std::uint32_t y = 0; y < 4; ++y) {
+    vertical |= 1u << (4 * y) | 1u << (16 + 3 + 4 * y);
+    turned |= 1u << (1 + 4 * y) | 1u << (16 + 2 + 4 * y);
+  }
+  turned &= ~(1u << 1);
+  in_tl.push_back(vertical);
+  for (std::uint32_t k = 0; k < 8; ++k) {  // generic codes, all eight
+    Set4 set = 1u << 16 | 1u << 3 | 1u << 12;
+    constexpr std::uint32_t others[] = {5, 10, 11, 14};
+    for (std::uint32_t bit = 0; bit < 4; ++bit)
+      if ((k + 3) >> bit & 1) set |= 1u << (16 + others[bit]);
+    in_tl.push_back(set);
+  }
+  constexpr Set4 simple = 0b0000'0000'0001'0111;
+  const auto as_stored = detail::stored(simple);
+  for (const std::size_t t : {0u, 2u, 7u}) in_tl.push_back(as_stored[t]);
+  Map4 map;
+  map.fill(State::C);
+  const auto put = [&](std::uint32_t x, std::uint32_t y, Set4 set) {
+    for (std::uint32_t k = 0; k < 16; ++k)
+      map[4 * x + k % 4 + 32 * (4 * y + k / 4)] = (set >> k & 1) != 0          ? State::T
+                                                  : (set >> (16 + k) & 1) != 0 ? State::O
+                                                                               : State::C;
+  };
+  for (std::uint32_t k = 0; k < in_tl.size(); ++k) put(k % 4, 4 + k / 4, in_tl[k]);
+  put(4, 0, simple);
+  put(5, 0, turned);
+  for (const Effort effort : efforts) EXPECT_EQ(encode(map, effort).substitutions, 0u);
+}
+
 TEST(ImplVq4Encode, IsTheSameOnEveryTarget) {
   std::mt19937 random(7);
   const Map4 map = blob<Map4>(random, 0.7), noisy = noise<Map4>(random);
@@ -180,6 +266,23 @@ TEST(ImplVq4Encode, IsTheSameOnEveryTarget) {
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().DeInit();
+}
+
+TEST(ImplVq4Encode, DiscontinuousVectorsAreTheOnesThatAreNotValid) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 200; ++round) {
+    Map4 map;
+    map.fill(State::C);
+    for (int k = 0; k < 60; ++k) map[random() % 1024] = static_cast<State>(random() % 3);
+    std::uint32_t expected = 0;
+    for (std::uint32_t vector = 0; vector < 64; ++vector) {
+      spec::Vector<4> v{};
+      for (std::uint32_t k = 0; k < 16; ++k)
+        v[k] = static_cast<spec::State>(map[4 * (vector % 8) + k % 4 + 32 * (4 * (vector / 8) + k / 4)]);
+      expected += spec::valid<4>(v) ? 0 : 1;
+    }
+    ASSERT_EQ(discontinuous_vectors(map), expected);
+  }
 }
 
 TEST(ImplVq4Encode, CountsVectorsThatAreNotContinuous) {

@@ -12,11 +12,13 @@ Transform any_transform(Random& random) { return Transform::of(static_cast<std::
 /// A vector that a codebook may hold.
 template <class Format>
 Vector<Format::side> any_entry(Random& random) {
-  if constexpr (Format::side == 2)
+  if constexpr (Format::side == 2) {
     return spec::vq::decode_mini(static_cast<std::uint32_t>(random.below(32)));
-  else
-    return spec::vq::decode_vector(static_cast<Code4>(random.below(4)),
-                                   static_cast<std::uint32_t>(random.below(1u << 17)));
+  } else {
+    const auto how = static_cast<Code4>(random.below(4));
+    return spec::vq::decode_vector(how,
+                                   static_cast<std::uint32_t>(random.below(1u << spec::vq::bits_of(how))));
+  }
 }
 
 /// An ellipse: how far a region is inside (above 0) or outside, in squares of half regions.
