@@ -171,9 +171,10 @@ Action add_bench(CLI::App& program) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   command->add_option("--subject", options->subject, "measure what judging this library costs instead")
       ->type_name("FILE.so");
-  command
-      ->add_option("--textures", options->textures, "tree, vq: maps of the PNG files in this folder instead")
-      ->type_name("FOLDER");
+  auto* const textures = command
+                             ->add_option("--textures", options->textures,
+                                          "tree, vq: maps of the PNG files in this folder instead")
+                             ->type_name("FOLDER");
   command->add_option("--maps", options->maps, "vq: how many generated maps")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 16))
       ->excludes(textures);
