@@ -1,0 +1,48 @@
+#include "impl/bake_sides.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace mmverify::impl::bake::detail {
+
+Sides::Sides(const AlphaView& texture, Cutoff cutoff, Wrap x, Wrap y, std::uint8_t border)
+    : texture_(texture),
+      width_(texture.width),
+      height_(texture.height),
+      wrap_x_(x),
+      wrap_y_(y),
+      border_(border) {
+  const std::int64_t n = 255 * std::int64_t{cutoff.numerator}, d = cutoff.denominator;
+  const std::int64_t common = std::gcd(n, d);
+  limit = n / common;
+  unit = d / common;
+  least_opaque = static_cast<std::int32_t>(std::min<std::int64_t>(256, (n + d - 1) / d));
+  threshold = static_cast<double>(limit) / static_cast<double>(unit);
+  clearance = std::fabs(threshold - std::round(threshold));
+
+  const std::size_t pitch = std::size_t{texture.width} + 1;
+  sums_.resize(pitch * (std::size_t{texture.height} + 1));
+  for (std::uint32_t row = 0; row < texture.height; ++row) {
+    const std::uint8_t* const texels = texture.texels + row * texture.pitch;
+    const std::uint32_t* const above = sums_.data() + row * pitch;
+    std::uint32_t* const here = sums_.data() + (std::size_t{row} + 1) * pitch;
+    std::uint32_t in_row = 0;
+    for (std::uint32_t k = 0; k < texture.width; ++k) {
+      in_row += texels[k] >= least_opaque;
+      here[k + 1] = above[k + 1] + in_row;
+    }
+  }
+}
+
+Marks Sides::wrapped_around(std::int64_t left, std::int64_t right, std::int64_t top,
+                            std::int64_t bottom) const noexcept {
+  const Runs across = runs(wrap_x_, left, right, width_), down = runs(wrap_y_, top, bottom, height_);
+  Marks marks = 0;
+  if (across.border || down.border) marks = border_ >= least_opaque ? opaque : below;
+  for (int j = 0; j < down.count; ++j)
+    for (int i = 0; i < across.count; ++i)
+      marks = static_cast<Marks>(marks | within(across.from[i], across.to[i], down.from[j], down.to[j]));
+  return marks;
+}
+
+}  // namespace mmverify::impl::bake::detail
