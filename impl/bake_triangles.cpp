@@ -7,6 +7,7 @@
 
 #include "impl/bake_base.hpp"
 #include "impl/bake_filter.hpp"
+#include "impl/bake_inner_box.hpp"
 #include "impl/bake_sides.hpp"
 
 namespace mmverify::impl::bake {
@@ -17,89 +18,87 @@ using namespace detail;
 // Packed codes: T 0, O 1, UT 2, UO 3.
 constexpr std::uint8_t transparent = 0, opaque_code = 1, unknown = 2;
 
-using Corners = std::array<Spot, 3>;
-
-Spot middle(Spot a, Spot b) noexcept { return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5}; }
-
 /// One base triangle, from the whole down the curve: children in the order and with the corners of
 /// impl/index.hpp.
 class Descent {
  public:
-  Descent(const Sides& sides, const Filter& filter, const ExactBase& exact, std::uint8_t* map) noexcept
-      : sides_(sides), filter_(filter), exact_(exact), map_(map) {}
+  /// `inner`: of a micro-triangle that is not turned.
+  Descent(const Sides& sides, const Filter& filter, const InnerBox& inner, const ExactBase& exact,
+          std::uint8_t* map) noexcept
+      : sides_(sides), filter_(filter), exact_(exact), map_(map) {
+    // Shrunk, so that it is within the true triangle: its corners may be 2 delta off.
+    const double d = 4 * filter.delta();
+    inner_[0] = {inner.left + d, inner.right - d, inner.top + d, inner.bottom - d};
+    inner_[1] = {-inner.right + d, -inner.left - d, -inner.bottom + d, -inner.top - d};
+  }
 
   /// Level 0: one state, in the low bits of a byte.
-  void single(const Corners& p) {
-    const Marks all = box(p);
-    *map_ = all != both ? settled(all) : leaf(p, {filter_.g(p[0]), filter_.g(p[1]), filter_.g(p[2])}, 0);
+  void single(const Triangle& p) {
+    Quad quad;
+    *map_ = static_cast<std::uint8_t>(
+        leaf(p, {filter_.g(p[0]), filter_.g(p[1]), filter_.g(p[2])}, false, 0, quad, {own, own, own}));
   }
 
   /// A node of 4^height micro-triangles, the first of them at `index`.  Domain: height > 0.
-  void node(const Corners& p, std::uint32_t height, std::uint32_t index) {
-    const Marks all = box(p);
+  void node(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index) {
+    const Marks all = filter_.box(p);
     if (all != both) {
       std::memset(map_ + index / 4, all == opaque ? 0x55 : 0, std::size_t{1} << (2 * height - 2));
       return;
     }
     const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
     if (height == 1) {
-      four(p, p01, p02, p12, index);
+      four(p, p01, p02, p12, turned, index);
       return;
     }
     const std::uint32_t child = std::uint32_t{1} << (2 * height - 2);
-    node({p[0], p01, p02}, height - 1, index);
-    node({p02, p12, p01}, height - 1, index + child);
-    node({p01, p[1], p12}, height - 1, index + 2 * child);
-    node({p12, p02, p[2]}, height - 1, index + 3 * child);
+    node({p[0], p01, p02}, turned, height - 1, index);
+    node({p02, p12, p01}, !turned, height - 1, index + child);
+    node({p01, p[1], p12}, turned, height - 1, index + 2 * child);
+    node({p12, p02, p[2]}, turned, height - 1, index + 3 * child);
   }
 
   BakeCounts counts;
 
  private:
-  static std::uint8_t settled(Marks all) noexcept { return all == opaque ? opaque_code : transparent; }
+  static unsigned settled(Marks all) noexcept { return all == opaque ? opaque_code : transparent; }
 
-  /// Of all texels of the cells that the box about a triangle meets.
-  Marks box(const Corners& p) const noexcept {
-    const double d = filter_.delta();
-    const double left = std::min(std::min(p[0].x, p[1].x), p[2].x),
-                 right = std::max(std::max(p[0].x, p[1].x), p[2].x),
-                 top = std::min(std::min(p[0].y, p[1].y), p[2].y),
-                 bottom = std::max(std::max(p[0].y, p[1].y), p[2].y);
-    return sides_.of(floored(left - d), floored(right + d) + 1, floored(top - d), floored(bottom + d) + 1);
-  }
+  /// The edges between the four children of a node, each asked at most once: 0 p01 p02, 1 p01 p12, 2 p02 p12.
+  struct Quad {
+    std::array<Marks, 3> edge{};
+  };
+  static constexpr std::size_t own = 3;  ///< an edge of no other child
 
   /// The four children of a node, in one byte; their six corners sampled once.
-  void four(const Corners& p, Spot p01, Spot p02, Spot p12, std::uint32_t index) {
+  void four(const Triangle& p, Spot p01, Spot p02, Spot p12, bool turned, std::uint32_t index) {
     const double g0 = filter_.g(p[0]), g1 = filter_.g(p[1]), g2 = filter_.g(p[2]), g01 = filter_.g(p01),
                  g02 = filter_.g(p02), g12 = filter_.g(p12);
-    const unsigned code = child({p[0], p01, p02}, {g0, g01, g02}, index) |
-                          child({p02, p12, p01}, {g02, g12, g01}, index + 1) << 2 |
-                          child({p01, p[1], p12}, {g01, g1, g12}, index + 2) << 4 |
-                          child({p12, p02, p[2]}, {g12, g02, g2}, index + 3) << 6;
+    Quad quad;
+    const unsigned code = leaf({p[0], p01, p02}, {g0, g01, g02}, turned, index, quad, {own, 0, own}) |
+                          leaf({p02, p12, p01}, {g02, g12, g01}, !turned, index + 1, quad, {2, 1, 0}) << 2 |
+                          leaf({p01, p[1], p12}, {g01, g1, g12}, turned, index + 2, quad, {own, own, 1})
+                              << 4 |
+                          leaf({p12, p02, p[2]}, {g12, g02, g2}, turned, index + 3, quad, {2, own, own}) << 6;
     map_[index / 4] = static_cast<std::uint8_t>(code);
   }
 
-  unsigned child(const Corners& p, const std::array<double, 3>& g, std::uint32_t index) {
-    const Marks at_corners = static_cast<Marks>(filter_.side(g[0]) | filter_.side(g[1]) | filter_.side(g[2]));
-    if (at_corners != both) {
-      const Marks all = box(p);
+  /// `edges`: which of the quad's the edges p0 p1, p1 p2, p2 p0 are.
+  unsigned leaf(const Triangle& p, const std::array<double, 3>& g, bool turned, std::uint32_t index,
+                Quad& quad, const std::array<std::size_t, 3>& edges) {
+    const Spot centroid{(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
+    Marks marks = filter_.usable()
+                      ? static_cast<Marks>(filter_.side(g[0]) | filter_.side(g[1]) | filter_.side(g[2]))
+                      : uncertain;
+    if (marks != both) {
+      const Marks all = filter_.box(p);
       if (all != both) return settled(all);
+      if (marks != uncertain) marks = judged(p, centroid, marks, turned, quad, edges);
     }
-    return leaf(p, g, index);
-  }
-
-  std::uint8_t leaf(const Corners& p, const std::array<double, 3>& g, std::uint32_t index) {
     ++counts.leaves;
-    Marks marks = 0;
-    if (filter_.usable()) {
-      marks = static_cast<Marks>(filter_.side(g[0]) | filter_.side(g[1]) | filter_.side(g[2]));
-      if (marks != both) marks = filter_.sides(p, marks);
-      if (marks == opaque || marks == below) return settled(marks);
-      if (marks == both) {
-        const Marks lean =
-            filter_.side(filter_.g({(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3}));
-        if (lean != 0) return lean == opaque ? unknown | 1 : unknown;
-      }
+    if (marks == opaque || marks == below) return settled(marks);
+    if (marks == both) {
+      const Marks lean = filter_.side(filter_.g(centroid));
+      if (lean != 0) return lean == opaque ? unknown | 1 : unknown;
     }
     ++counts.exact;
     const ExactBase::Answer answer = exact_(index);
@@ -107,9 +106,31 @@ class Descent {
     return answer.centroid == opaque ? unknown | 1 : unknown;
   }
 
+  /// Of a triangle some of whose texels are on either side; `seen` at its corners.
+  Marks judged(const Triangle& p, Spot centroid, Marks seen, bool turned, Quad& quad,
+               const std::array<std::size_t, 3>& edges) {
+    const InnerBox& inner = inner_[turned];
+    const std::int64_t left = -floored(-(centroid.x + inner.left)), right = floored(centroid.x + inner.right),
+                       top = -floored(-(centroid.y + inner.top)), bottom = floored(centroid.y + inner.bottom);
+    if (left <= right && top <= bottom) seen = static_cast<Marks>(seen | sides_.of(left, right, top, bottom));
+    if (seen == both) return both;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Spot a = p[k], b = p[k == 2 ? 0 : k + 1];
+      Marks marks = edges[k] == own ? Marks{0} : quad.edge[edges[k]];
+      if (marks == 0) marks = filter_.edge(a, b);
+      if (edges[k] != own) quad.edge[edges[k]] = marks;
+      seen = static_cast<Marks>(seen | marks);
+      if ((seen & both) == both) return both;
+    }
+    const Marks within = filter_.centres(p);
+    if ((seen & uncertain) == 0 && (seen | within) == seen) return seen;
+    return filter_.centres_are_clear() && ((seen | within) & both) == both ? both : uncertain;
+  }
+
   const Sides& sides_;
   const Filter& filter_;
   const ExactBase& exact_;
+  std::array<InnerBox, 2> inner_;
   std::uint8_t* map_;
 };
 
@@ -131,7 +152,7 @@ BakeCounts TriangleBaker::bake(const BaseTriangle& uv, std::uint32_t level,
   if (level > max_bake_level) throw std::invalid_argument("bake: a level above 12");
   const std::uint64_t count = std::uint64_t{1} << (2 * level);
   if (map.size() != (count + 3) / 4) throw std::invalid_argument("bake: room for another number of states");
-  Corners p;
+  Triangle p;
   double size = 1;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!std::isfinite(uv[k].u) || !std::isfinite(uv[k].v))
@@ -145,11 +166,14 @@ BakeCounts TriangleBaker::bake(const BaseTriangle& uv, std::uint32_t level,
   // Half a unit in the last place for 1/2, and for each level's middle.
   const Filter filter(*sides_, (level + 2) * 0x1p-52 * size);
   const ExactBase exact(*sides_, uv, texture_.width, texture_.height, level);
-  Descent descent(*sides_, filter, exact, map.data());
+  InnerBox inner = inner_box(p);
+  for (double* const side : {&inner.left, &inner.right, &inner.top, &inner.bottom})
+    *side = std::ldexp(*side, -static_cast<int>(level));
+  Descent descent(*sides_, filter, inner, exact, map.data());
   if (level == 0)
     descent.single(p);
   else
-    descent.node(p, level, 0);
+    descent.node(p, false, level, 0);
   descent.counts.micro_triangles = count;
   return descent.counts;
 }
