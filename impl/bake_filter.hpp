@@ -46,6 +46,9 @@ inline constexpr Marks uncertain = 4;
 
 class Filter {
  public:
+  /// Rectangles below this size are asked row by row.
+  static constexpr std::int64_t few = 12;
+
   Filter(const Sides& sides, double delta) noexcept
       : sides_(sides),
         delta_(delta),
@@ -69,81 +72,100 @@ class Filter {
     return static_cast<Marks>((g > bound_ ? opaque : 0) | (g < -bound_ ? below : 0));
   }
 
-  /// Of all texels of the cells that a box meets, exactly.
-  Marks box(double left, double right, double top, double bottom) const noexcept {
-    return sides_.of(floored(left - delta_), floored(right + delta_) + 1, floored(top - delta_),
-                     floored(bottom + delta_) + 1);
-  }
-  Marks box(const Triangle& p) const noexcept {
-    return box(std::min(std::min(p[0].x, p[1].x), p[2].x), std::max(std::max(p[0].x, p[1].x), p[2].x),
-               std::min(std::min(p[0].y, p[1].y), p[2].y), std::max(std::max(p[0].y, p[1].y), p[2].y));
+  /// The texels of the cells that the box about a triangle meets, ends included.
+  struct Box {
+    std::int64_t left, right, top, bottom;
+  };
+  Box box(const Triangle& p) const noexcept {
+    return {floored(std::min(std::min(p[0].x, p[1].x), p[2].x) - delta_),
+            floored(std::max(std::max(p[0].x, p[1].x), p[2].x) + delta_) + 1,
+            floored(std::min(std::min(p[0].y, p[1].y), p[2].y) - delta_),
+            floored(std::max(std::max(p[0].y, p[1].y), p[2].y) + delta_) + 1};
   }
 
-  /// Of a closed edge: halves, until a box settles them or they cross two lines at most.
-  Marks edge(Spot p, Spot q) const noexcept {
+  /// Of all those texels, exactly.
+  Marks texels(const Box& box) const noexcept {
+    return box.right - box.left < few ? sides_.of_few(box.left, box.right, box.top, box.bottom)
+                                      : sides_.of(box.left, box.right, box.top, box.bottom);
+  }
+
+  /// Of a closed edge with g at its ends: halves, until a box settles them or they cross few lines.
+  Marks edge(Spot p, Spot q, double at_p, double at_q) const noexcept {
     const double d = 4 * delta_;
-    const std::int64_t left = floored(std::min(p.x, q.x) - d), right = floored(std::max(p.x, q.x) + d),
-                       top = floored(std::min(p.y, q.y) - d), bottom = floored(std::max(p.y, q.y) + d);
-    const Marks all = sides_.of(left, right + 1, top, bottom + 1);
+    const Box box{floored(std::min(p.x, q.x) - d), floored(std::max(p.x, q.x) + d) + 1,
+                  floored(std::min(p.y, q.y) - d), floored(std::max(p.y, q.y) + d) + 1};
+    const Marks all = texels(box);
     if (all != both) return all;
-    if (right - left + bottom - top <= 2) return pieces(p, q, left, right, top, bottom);
+    if (box.right - box.left + box.bottom - box.top <= 10) return walked(p, q, at_p, at_q);
     const Spot m = middle(p, q);
-    const Marks first = edge(p, m);
-    return (first & both) == both ? both : static_cast<Marks>(first | edge(m, q));
+    const double at_m = g(m);
+    const Marks first = edge(p, m, at_p, at_m);
+    if ((first & both) == both) return both;
+    const Marks all_of_it = static_cast<Marks>(first | edge(m, q, at_m, at_q));
+    return (all_of_it & both) == both ? both : all_of_it;
   }
 
-  /// Of the centres within.
-  Marks centres(const Triangle& p) const noexcept {
-    const double low = std::min(std::min(p[0].y, p[1].y), p[2].y),
-                 high = std::max(std::max(p[0].y, p[1].y), p[2].y);
+  /// Of the centres within, or none where they add nothing to what is seen; `box` is the triangle's.
+  Marks centres(const Triangle& p, const Box& box, Marks seen) const noexcept {
+    // The cells' outer texels are not within.
+    if (box.left + 1 >= box.right || box.top + 1 >= box.bottom) return 0;
+    const Marks about = texels({box.left + 1, box.right - 1, box.top + 1, box.bottom - 1});
+    if ((seen | about) == seen) return 0;
     Marks marks = 0;
-    const std::int64_t last = floored(high);
-    for (std::int64_t j = -floored(-low); j <= last && marks != both; ++j)
+    for (std::int64_t j = box.top + 1; j < box.bottom && marks != both; ++j)
       marks = static_cast<Marks>(marks | centres(p, j));
     return marks;
   }
   bool centres_are_clear() const noexcept { return centres_are_clear_; }
 
  private:
-  Marks pieces(Spot p, Spot q, std::int64_t left, std::int64_t right, std::int64_t top,
-               std::int64_t bottom) const noexcept {
+  /// From cell to cell.  Where it enters a column or row of centres, g is a mean of two texels; in a cell, a
+  /// share s of the way from v to w,
+  ///   g = v + (w - v) s - K s (1 - s),   K = d dx dy of the piece,
+  /// which stands still at s = (1 - (w - v) / K) / 2 if |w - v| < |K|.
+  Marks walked(Spot p, Spot q, double at_p, double at_q) const noexcept {
     const double dx = q.x - p.x, dy = q.y - p.y;
-    double cut[4] = {0, 1, 1, 1};
-    int n = 1;
-    const auto cross = [&](double t) {
-      if (t > 0 && t < 1) cut[n++] = t;
-    };
-    for (std::int64_t i = left + 1; i <= right; ++i) cross((static_cast<double>(i) - p.x) / dx);
-    for (std::int64_t j = top + 1; j <= bottom; ++j) cross((static_cast<double>(j) - p.y) / dy);
-    if (n == 3 && cut[2] < cut[1]) std::swap(cut[1], cut[2]);
-    Marks marks = 0;
-    for (int k = 0; k < n; ++k)
-      marks = static_cast<Marks>(marks | piece(p, dx, dy, cut[k], k + 1 == n ? 1 : cut[k + 1]));
-    return (marks & both) == both ? both : marks;
-  }
-
-  /// Of p + t (dx, dy), t in [from, to]: m + l t + k t^2 in the cell of the middle.
-  Marks piece(Spot p, double dx, double dy, double from, double to) const noexcept {
-    const double half = (from + to) * 0.5;
-    const std::int64_t i = floored(p.x + half * dx), j = floored(p.y + half * dy);
-    const Sides::Four f = sides_.four(i, j);
-    const double x = p.x - static_cast<double>(i), y = p.y - static_cast<double>(j);
-    const double b = f.right - f.a, c = f.below - f.a, d = f.a - f.right - f.below + f.across;
-    const double m = f.a - sides_.threshold + b * x + c * y + d * (x * y),
-                 l = b * dx + c * dy + d * (x * dy + y * dx), k = d * (dx * dy);
-    const double first = m + from * (l + from * k), last = m + to * (l + to * k);
-    double least = std::min(first, last), greatest = std::max(first, last);
-    // The slope changes sign.
-    if ((l + 2 * k * from) * (l + 2 * k * to) < 0) {
-      const double t = -l / (2 * k), still = m + t * (l + t * k);
-      least = std::min(least, still);
-      greatest = std::max(greatest, still);
+    std::int64_t i = floored(p.x), j = floored(p.y);
+    const std::int64_t step_x = dx < 0 ? -1 : 1, step_y = dy < 0 ? -1 : 1;
+    const double per_x = dx == 0 ? 4 : 1 / std::fabs(dx), per_y = dy == 0 ? 4 : 1 / std::fabs(dy);
+    double next_x = dx == 0 ? 4 : std::fabs(static_cast<double>(dx < 0 ? i : i + 1) - p.x) * per_x,
+           next_y = dy == 0 ? 4 : std::fabs(static_cast<double>(dy < 0 ? j : j + 1) - p.y) * per_y;
+    double least = std::min(at_p, at_q), greatest = std::max(at_p, at_q), t = 0, v = at_p;
+    while (true) {
+      const Sides::Four f = sides_.four(i, j);
+      const double d = f.a - f.right - f.below + f.across, from = t;
+      double w = at_q;
+      const std::int64_t i_here = i, j_here = j;
+      if (next_x >= 1 && next_y >= 1) {
+        t = 1;
+      } else if (next_x <= next_y) {
+        t = next_x;
+        const double low = dx < 0 ? f.a : f.right, high = dx < 0 ? f.below : f.across;
+        w = low + (p.y + t * dy - static_cast<double>(j_here)) * (high - low) - sides_.threshold;
+        next_x += per_x;
+        i += step_x;
+      } else {
+        t = next_y;
+        const double low = dy < 0 ? f.a : f.below, high = dy < 0 ? f.right : f.across;
+        w = low + (p.x + t * dx - static_cast<double>(i_here)) * (high - low) - sides_.threshold;
+        next_y += per_y;
+        j += step_y;
+      }
+      least = std::min(least, w);
+      greatest = std::max(greatest, w);
+      const double K = d * (dx * (t - from)) * (dy * (t - from)), rise = w - v;
+      if (std::fabs(rise) < std::fabs(K)) {
+        const double s = 0.5 - rise / (2 * K), still = v + rise * s - K * s * (1 - s);
+        least = std::min(least, still);
+        greatest = std::max(greatest, still);
+      }
+      if (least < -bound_ && greatest > bound_) return both;
+      if (t == 1) break;
+      v = w;
     }
     if (least > bound_) return opaque;
     if (greatest < -bound_) return below;
-    const Marks certain =
-        static_cast<Marks>((greatest > bound_ ? opaque : 0) | (least < -bound_ ? below : 0));
-    return certain == both ? both : static_cast<Marks>(certain | uncertain);
+    return static_cast<Marks>((greatest > bound_ ? opaque : 0) | (least < -bound_ ? below : 0) | uncertain);
   }
 
   /// Of the centres on row j.

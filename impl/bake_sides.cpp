@@ -1,9 +1,12 @@
 #include "impl/bake_sides.hpp"
 
+#include <bit>
 #include <cmath>
 #include <numeric>
 
 namespace mmverify::impl::bake::detail {
+
+static_assert(std::endian::native == std::endian::little, "rows of bits are loaded as little-endian words");
 
 Sides::Sides(const AlphaView& texture, Cutoff cutoff, Wrap x, Wrap y, std::uint8_t border)
     : texture_(texture),
@@ -21,14 +24,20 @@ Sides::Sides(const AlphaView& texture, Cutoff cutoff, Wrap x, Wrap y, std::uint8
   clearance = std::fabs(threshold - std::round(threshold));
 
   const std::size_t pitch = std::size_t{texture.width} + 1;
+  // Room for a word from the last byte of the last row.
+  bytes_ = (std::size_t{texture.width} + 7) / 8;
+  bits_.resize(bytes_ * texture.height + 8);
   sums_.resize(pitch * (std::size_t{texture.height} + 1));
   for (std::uint32_t row = 0; row < texture.height; ++row) {
     const std::uint8_t* const texels = texture.texels + row * texture.pitch;
     const std::uint32_t* const above = sums_.data() + row * pitch;
     std::uint32_t* const here = sums_.data() + (std::size_t{row} + 1) * pitch;
+    std::uint8_t* const bits = bits_.data() + row * bytes_;
     std::uint32_t in_row = 0;
     for (std::uint32_t k = 0; k < texture.width; ++k) {
-      in_row += texels[k] >= least_opaque;
+      const unsigned is_opaque = texels[k] >= least_opaque;
+      bits[k / 8] = static_cast<std::uint8_t>(bits[k / 8] | is_opaque << k % 8);
+      in_row += is_opaque;
       here[k + 1] = above[k + 1] + in_row;
     }
   }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "impl/bake.hpp"
@@ -21,6 +22,24 @@ class Sides {
   Marks of(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
     if (left >= 0 && right < width_ && top >= 0 && bottom < height_) return within(left, right, top, bottom);
     return wrapped_around(left, right, top, bottom);
+  }
+
+  /// The same of few texels, a row of them in one word.  Domain: width at most 56.
+  Marks of_few(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
+    if (left < 0 || right >= width_ || top < 0 || bottom >= height_)
+      return wrapped_around(left, right, top, bottom);
+    const std::uint64_t mask = (std::uint64_t{1} << (right - left + 1)) - 1;
+    std::uint64_t any = 0, all = mask;
+    const std::uint8_t* at =
+        bits_.data() + static_cast<std::size_t>(top) * bytes_ + static_cast<std::size_t>(left / 8);
+    for (std::int64_t j = top; j <= bottom; ++j, at += bytes_) {
+      std::uint64_t row;
+      std::memcpy(&row, at, sizeof row);
+      row >>= left % 8;
+      any |= row;
+      all &= row;
+    }
+    return (any & mask) == 0 ? below : all == mask ? opaque : both;
   }
 
   std::uint8_t byte(std::int64_t i, std::int64_t j) const noexcept {
@@ -75,6 +94,9 @@ class Sides {
   std::uint8_t border_;
   /// How many opaque texels [0, x) x [0, y) holds, at x + (width + 1) y.
   std::vector<std::uint32_t> sums_;
+  /// Whether texel (x, y) is opaque: bit x of the row that begins at byte bytes_ y; words are little-endian.
+  std::size_t bytes_;
+  std::vector<std::uint8_t> bits_;
 };
 
 }  // namespace mmverify::impl::bake::detail

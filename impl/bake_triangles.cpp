@@ -41,7 +41,7 @@ class Descent {
 
   /// A node of 4^height micro-triangles, the first of them at `index`.  Domain: height > 0.
   void node(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index) {
-    const Marks all = filter_.box(p);
+    const Marks all = filter_.texels(filter_.box(p));
     if (all != both) {
       std::memset(map_ + index / 4, all == opaque ? 0x55 : 0, std::size_t{1} << (2 * height - 2));
       return;
@@ -90,9 +90,10 @@ class Descent {
                       ? static_cast<Marks>(filter_.side(g[0]) | filter_.side(g[1]) | filter_.side(g[2]))
                       : uncertain;
     if (marks != both) {
-      const Marks all = filter_.box(p);
+      const Filter::Box box = filter_.box(p);
+      const Marks all = filter_.texels(box);
       if (all != both) return settled(all);
-      if (marks != uncertain) marks = judged(p, centroid, marks, turned, quad, edges);
+      if (marks != uncertain) marks = judged(p, g, box, centroid, marks, turned, quad, edges);
     }
     ++counts.leaves;
     if (marks == opaque || marks == below) return settled(marks);
@@ -107,22 +108,22 @@ class Descent {
   }
 
   /// Of a triangle some of whose texels are on either side; `seen` at its corners.
-  Marks judged(const Triangle& p, Spot centroid, Marks seen, bool turned, Quad& quad,
-               const std::array<std::size_t, 3>& edges) {
+  Marks judged(const Triangle& p, const std::array<double, 3>& g, const Filter::Box& box, Spot centroid,
+               Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) {
     const InnerBox& inner = inner_[turned];
     const std::int64_t left = -floored(-(centroid.x + inner.left)), right = floored(centroid.x + inner.right),
                        top = -floored(-(centroid.y + inner.top)), bottom = floored(centroid.y + inner.bottom);
     if (left <= right && top <= bottom) seen = static_cast<Marks>(seen | sides_.of(left, right, top, bottom));
     if (seen == both) return both;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Spot a = p[k], b = p[k == 2 ? 0 : k + 1];
+      const std::size_t next = k == 2 ? 0 : k + 1;
       Marks marks = edges[k] == own ? Marks{0} : quad.edge[edges[k]];
-      if (marks == 0) marks = filter_.edge(a, b);
+      if (marks == 0) marks = filter_.edge(p[k], p[next], g[k], g[next]);
       if (edges[k] != own) quad.edge[edges[k]] = marks;
       seen = static_cast<Marks>(seen | marks);
       if ((seen & both) == both) return both;
     }
-    const Marks within = filter_.centres(p);
+    const Marks within = filter_.centres(p, box, seen);
     if ((seen & uncertain) == 0 && (seen | within) == seen) return seen;
     return filter_.centres_are_clear() && ((seen | within) & both) == both ? both : uncertain;
   }
