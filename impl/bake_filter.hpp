@@ -47,7 +47,7 @@ inline constexpr Marks uncertain = 4;
 class Filter {
  public:
   /// Rectangles below this size are asked row by row.
-  static constexpr std::int64_t few = 12;
+  static constexpr std::int64_t few = 28;
 
   Filter(const Sides& sides, double delta) noexcept
       : sides_(sides),
@@ -85,8 +85,9 @@ class Filter {
 
   /// Of all those texels, exactly.
   Marks texels(const Box& box) const noexcept {
-    return box.right - box.left < few ? sides_.of_few(box.left, box.right, box.top, box.bottom)
-                                      : sides_.of(box.left, box.right, box.top, box.bottom);
+    return box.right - box.left < few && box.bottom - box.top < few
+               ? sides_.of_few(box.left, box.right, box.top, box.bottom)
+               : sides_.of(box.left, box.right, box.top, box.bottom);
   }
 
   /// Of a closed edge with g at its ends: halves, until a box settles them or they cross few lines.

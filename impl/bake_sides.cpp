@@ -34,12 +34,19 @@ Sides::Sides(const AlphaView& texture, Cutoff cutoff, Wrap x, Wrap y, std::uint8
     std::uint32_t* const here = sums_.data() + (std::size_t{row} + 1) * pitch;
     std::uint8_t* const bits = bits_.data() + row * bytes_;
     std::uint32_t in_row = 0;
-    for (std::uint32_t k = 0; k < texture.width; ++k) {
-      const unsigned is_opaque = texels[k] >= least_opaque;
-      bits[k / 8] = static_cast<std::uint8_t>(bits[k / 8] | is_opaque << k % 8);
-      in_row += is_opaque;
-      here[k + 1] = above[k + 1] + in_row;
-    }
+    const auto eight = [&](std::uint32_t from, std::uint32_t count) {
+      unsigned byte = 0;
+      for (std::uint32_t k = 0; k < count; ++k) {
+        const unsigned is_opaque = texels[from + k] >= least_opaque;
+        byte |= is_opaque << k;
+        in_row += is_opaque;
+        here[from + k + 1] = above[from + k + 1] + in_row;
+      }
+      bits[from / 8] = static_cast<std::uint8_t>(byte);
+    };
+    const std::uint32_t whole = texture.width / 8 * 8;
+    for (std::uint32_t k = 0; k < whole; k += 8) eight(k, 8);
+    if (whole < texture.width) eight(whole, texture.width - whole);
   }
 }
 

@@ -38,6 +38,7 @@ class Sides {
       row >>= left % 8;
       any |= row;
       all &= row;
+      if ((any & mask) != 0 && all != mask) return both;
     }
     return (any & mask) == 0 ? below : all == mask ? opaque : both;
   }

@@ -28,6 +28,7 @@ class Descent {
       : sides_(sides), filter_(filter), exact_(exact), map_(map) {
     // Shrunk, so that it is within the true triangle: its corners may be 2 delta off.
     const double d = 4 * filter.delta();
+    asks_inner_ = (inner.right - inner.left) * (inner.bottom - inner.top) >= 16;
     inner_[0] = {inner.left + d, inner.right - d, inner.top + d, inner.bottom - d};
     inner_[1] = {-inner.right + d, -inner.left - d, -inner.bottom + d, -inner.top - d};
   }
@@ -110,11 +111,15 @@ class Descent {
   /// Of a triangle some of whose texels are on either side; `seen` at its corners.
   Marks judged(const Triangle& p, const std::array<double, 3>& g, const Filter::Box& box, Spot centroid,
                Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) {
-    const InnerBox& inner = inner_[turned];
-    const std::int64_t left = -floored(-(centroid.x + inner.left)), right = floored(centroid.x + inner.right),
-                       top = -floored(-(centroid.y + inner.top)), bottom = floored(centroid.y + inner.bottom);
-    if (left <= right && top <= bottom) seen = static_cast<Marks>(seen | sides_.of(left, right, top, bottom));
-    if (seen == both) return both;
+    if (asks_inner_) {
+      const InnerBox& inner = inner_[turned];
+      const std::int64_t left = -floored(-(centroid.x + inner.left)),
+                         right = floored(centroid.x + inner.right), top = -floored(-(centroid.y + inner.top)),
+                         bottom = floored(centroid.y + inner.bottom);
+      if (left <= right && top <= bottom)
+        seen = static_cast<Marks>(seen | sides_.of(left, right, top, bottom));
+      if (seen == both) return both;
+    }
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = k == 2 ? 0 : k + 1;
       Marks marks = edges[k] == own ? Marks{0} : quad.edge[edges[k]];
@@ -131,7 +136,8 @@ class Descent {
   const Sides& sides_;
   const Filter& filter_;
   const ExactBase& exact_;
-  std::array<InnerBox, 2> inner_;
+  std::array<InnerBox, 2> inner_;  ///< not turned, turned
+  bool asks_inner_;                ///< large enough to hold several texels
   std::uint8_t* map_;
 };
 
