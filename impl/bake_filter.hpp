@@ -124,6 +124,8 @@ class Filter {
   /// share s of the way from v to w,
   ///   g = v + (w - v) s - K s (1 - s),   K = d dx dy of the piece,
   /// which stands still at s = (1 - (w - v) / K) / 2 if |w - v| < |K|.
+  /// dx is 0 or, coordinates being products of 39 bits less 1/2 and halved 12 times, well above 2^-100, so
+  /// that 1/dx is finite; dy likewise.
   Marks walked(Spot p, Spot q, double at_p, double at_q) const noexcept {
     const double dx = q.x - p.x, dy = q.y - p.y;
     std::int64_t i = floored(p.x), j = floored(p.y);

@@ -62,11 +62,6 @@ class Sides {
     }
     return {byte(i, j), byte(i + 1, j), byte(i, j + 1), byte(i + 1, j + 1)};
   }
-  Marks of(const Four& f) const noexcept {
-    const int n = (f.a >= least_opaque) + (f.right >= least_opaque) + (f.below >= least_opaque) +
-                  (f.across >= least_opaque);
-    return n == 0 ? below : n == 4 ? opaque : both;
-  }
 
   /// The least byte that is opaque; 256 if none is.
   std::int32_t least_opaque;
