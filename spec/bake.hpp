@@ -1,11 +1,10 @@
-// Baking: what a closed convex polygon sees of a texture's alpha, bilinearly sampled, with no sampling and no
-// epsilon.
+// Baking: what a closed convex polygon sees of a texture's alpha, with no sampling and no epsilon.
 //
 // Axes.  Coordinates are in texels, x along a row, y DOWN from the first row: texel (i, j) has its centre at
 // (i + 1/2, j + 1/2).  The caller maps (u, v) to (u width, v height).
 // Q is an exact number: Rational, or Rational128 where its limits will do.
-// Source: Vulkan, Image Operations ("Wrapping Operation", "Texel Filtering"); glTF 2.0, samplers.  That alpha
-// so sampled is continuous, and what follows for neighbours: Compressed Opacity Maps, 2.
+// Source: Vulkan, Image Operations ("Texel Filtering"); glTF 2.0, samplers.  That bilinear alpha is
+// continuous, and what follows for neighbours: Compressed Opacity Maps, 2.
 #pragma once
 
 #include <algorithm>
@@ -16,61 +15,10 @@
 #include <utility>
 #include <vector>
 
+#include "spec/bake_texture.hpp"
 #include "spec/rational.hpp"
 
 namespace mmverify::spec::bake {
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Texels
-// ---------------------------------------------------------------------------------------------------------------------
-
-enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge, clamp_to_border };
-
-/// Alpha in 8 bits, byte / 255; texel (i, j) at i + width j, rows from the top.
-struct Texture {
-  std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> alpha = {};
-  Wrap wrap_x = Wrap::clamp_to_edge, wrap_y = Wrap::clamp_to_edge;
-  std::uint8_t border = 0;  ///< what lies outside with clamp_to_border
-};
-
-/// Which texel of a row (or column) of `size` an index means; none is the border.
-///   repeat i mod size; mirrored size-1 - mirror(i mod 2 size - size), mirror(n) = n or, below 0, -(1+n)
-/// Domain: size in 1..2^31.
-inline std::optional<std::uint32_t> wrapped(Wrap wrap, std::int64_t i, std::uint32_t size) {
-  const auto n = static_cast<std::int64_t>(size);
-  const auto mod = [](std::int64_t k, std::int64_t m) { return (k % m + m) % m; };
-  const auto mirror = [](std::int64_t k) { return k >= 0 ? k : -(1 + k); };
-  switch (wrap) {
-    case Wrap::repeat:
-      i = mod(i, n);
-      break;
-    case Wrap::mirrored_repeat:
-      i = n - 1 - mirror(mod(i, 2 * n) - n);
-      break;
-    case Wrap::clamp_to_edge:
-      i = std::clamp<std::int64_t>(i, 0, n - 1);
-      break;
-    case Wrap::clamp_to_border:
-      if (i < 0 || i >= n) return std::nullopt;
-      break;
-  }
-  return static_cast<std::uint32_t>(i);
-}
-
-template <class Q>
-Q fraction(std::int64_t m, std::int64_t n) {
-  return Q(typename Q::int_type(m), typename Q::int_type(n));
-}
-
-/// Alpha of texel (i, j), wrapped: byte / 255.
-template <class Q>
-Q texel(const Texture& t, std::int64_t i, std::int64_t j) {
-  const auto x = wrapped(t.wrap_x, i, t.width), y = wrapped(t.wrap_y, j, t.height);
-  const std::uint8_t byte =
-      x && y ? t.alpha.at(static_cast<std::size_t>(*x) + static_cast<std::size_t>(*y) * t.width) : t.border;
-  return fraction<Q>(byte, 255);
-}
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Cells
@@ -96,7 +44,8 @@ struct Cell {
   std::int64_t i, j;
   Q a, b, c, d;
 
-  Cell(const Texture& t, std::int64_t column, std::int64_t row) : i(column), j(row) {
+  template <class Texel>
+  Cell(const TextureOf<Texel>& t, std::int64_t column, std::int64_t row) : i(column), j(row) {
     const Q right = texel<Q>(t, i + 1, j), below = texel<Q>(t, i, j + 1), across = texel<Q>(t, i + 1, j + 1);
     a = texel<Q>(t, i, j);
     b = right - a;
@@ -118,8 +67,9 @@ std::int64_t cell_at(const Q& x) {
 }
 
 /// Alpha at a point.
-template <class Q>
-Q alpha(const Texture& t, const Place<Q>& p) {
+template <class Q, class Texel>
+Q alpha(const TextureOf<Texel>& t, const Place<Q>& p) {
+  if (t.filter == Filter::nearest) return texel<Q>(t, floored(p.x), floored(p.y));
   const Cell<Q> cell(t, cell_at(p.x), cell_at(p.y));
   return cell.alpha(cell.local(p));
 }
@@ -192,38 +142,65 @@ Range<Q> range(const Cell<Q>& cell, const Polygon<Q>& local) {
   return found;
 }
 
-/// Over any polygon: cell by cell.  Cells that it touches in an edge or a corner alone may be visited or not:
-/// their neighbour has the same alpha there.
+/// The least and greatest whole part of a polygon's coordinates along an axis, each less `offset`.
+template <class Q>
+std::pair<std::int64_t, std::int64_t> ends(const Polygon<Q>& polygon, Q Place<Q>::*axis, const Q& offset) {
+  const auto [low, high] =
+      std::minmax_element(polygon.begin(), polygon.end(),
+                          [axis](const Place<Q>& p, const Place<Q>& q) { return p.*axis < q.*axis; });
+  return {floored((*low).*axis - offset), floored((*high).*axis - offset)};
+}
+
+/// Calls visit(i, j, part) for each closed square [i, i+1] x [j, j+1], moved by (offset, offset), that the
+/// polygon meets and whose low sides it does not lie beyond.  A polygon that meets only the high sides of a
+/// square does not reach it: the square's neighbours, of which those are low sides, are visited.
+/// That is exact, square by square: a convex part that comes below the high side i+1 at one point and below
+/// j+1 at another comes below both midway between.
+template <class Q, class Visit>
+void for_each_square(const Polygon<Q>& polygon, const Q& offset, Visit visit) {
+  const auto [top, bottom] = ends(polygon, &Place<Q>::y, offset);
+  for (std::int64_t j = top; j <= bottom; ++j) {
+    const Polygon<Q> row =
+        clipped(polygon, &Place<Q>::y, fraction<Q>(j, 1) + offset, fraction<Q>(j + 1, 1) + offset);
+    if (row.empty() || ends(row, &Place<Q>::y, offset).first > j) continue;
+    const auto [left, right] = ends(row, &Place<Q>::x, offset);
+    for (std::int64_t i = left; i <= right; ++i) {
+      const Polygon<Q> part =
+          clipped(row, &Place<Q>::x, fraction<Q>(i, 1) + offset, fraction<Q>(i + 1, 1) + offset);
+      if (part.empty() || ends(part, &Place<Q>::x, offset).first > i ||
+          ends(part, &Place<Q>::y, offset).first > j)
+        continue;
+      visit(i, j, part);
+    }
+  }
+}
+
+/// Over any polygon: cell by cell, or of all texels whose half-open squares it meets.
 /// Domain: coordinates below 2^62 in size; the work is that of the cells under its rows.
 /// Errors: std::invalid_argument for a polygon of no corner, or a texture whose texels are not width x height
 /// or none.
-template <class Q>
-Range<Q> range(const Texture& t, const Polygon<Q>& polygon) {
+template <class Q, class Texel>
+Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon) {
   if (polygon.empty()) throw std::invalid_argument("bake: a polygon without corners");
   if (t.alpha.empty() || t.alpha.size() != static_cast<std::size_t>(t.width) * t.height)
     throw std::invalid_argument("bake: the texels are not width x height");
-  const auto ends = [](const Polygon<Q>& of, Q Place<Q>::*axis) {
-    const auto [low, high] = std::minmax_element(
-        of.begin(), of.end(), [axis](const Place<Q>& p, const Place<Q>& q) { return p.*axis < q.*axis; });
-    return std::pair{cell_at((*low).*axis), cell_at((*high).*axis)};
-  };
   std::optional<Range<Q>> found;
-  const auto [top, bottom] = ends(polygon, &Place<Q>::y);
-  for (std::int64_t j = top; j <= bottom; ++j) {
-    const Polygon<Q> row = clipped(polygon, &Place<Q>::y, Cell<Q>::along(j), Cell<Q>::along(j + 1));
-    if (row.empty()) continue;
-    const auto [left, right] = ends(row, &Place<Q>::x);
-    for (std::int64_t i = left; i <= right; ++i) {
-      Polygon<Q> piece = clipped(row, &Place<Q>::x, Cell<Q>::along(i), Cell<Q>::along(i + 1));
-      if (piece.empty()) continue;
+  const auto take = [&found](const Range<Q>& here) {
+    if (!found) found = here;
+    found->take(here.least);
+    found->take(here.greatest);
+  };
+  if (t.filter == Filter::nearest)
+    for_each_square(polygon, Q(0), [&](std::int64_t i, std::int64_t j, const Polygon<Q>&) {
+      take(Range<Q>(texel<Q>(t, i, j)));
+    });
+  else
+    // Cells may leave out their high sides: their neighbours have the same alpha there.
+    for_each_square(polygon, fraction<Q>(1, 2), [&](std::int64_t i, std::int64_t j, Polygon<Q> part) {
       const Cell<Q> cell(t, i, j);
-      for (Place<Q>& p : piece) p = cell.local(p);
-      const Range<Q> here = range(cell, piece);
-      if (!found) found = here;
-      found->take(here.least);
-      found->take(here.greatest);
-    }
-  }
+      for (Place<Q>& p : part) p = cell.local(p);
+      take(range(cell, part));
+    });
   return found.value();
 }
 
@@ -240,8 +217,8 @@ State state(const Range<Q>& alpha, const Q& cutoff) {
   return alpha.least >= cutoff ? State::O : alpha.greatest < cutoff ? State::T : State::C;
 }
 
-template <class Q>
-State state(const Texture& t, const Polygon<Q>& polygon, const Q& cutoff) {
+template <class Q, class Texel>
+State state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Q& cutoff) {
   return state(range(t, polygon), cutoff);
 }
 

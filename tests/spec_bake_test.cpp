@@ -41,7 +41,8 @@ TEST(SpecBake, Wraps) {
   EXPECT_EQ(row(Wrap::mirrored_repeat, 3), (Row{2, 2, 1, 0, 0, 1, 2, 2, 1, 0, 0, 1}));
   EXPECT_EQ(row(Wrap::clamp_to_edge, 3), (Row{0, 0, 0, 0, 0, 1, 2, 2, 2, 2, 2, 2}));
   EXPECT_EQ(row(Wrap::clamp_to_border, 3), (Row{-1, -1, -1, -1, 0, 1, 2, -1, -1, -1, -1, -1}));
-  for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge})
+  EXPECT_EQ(row(Wrap::mirror_once, 3), (Row{2, 2, 1, 0, 0, 1, 2, 2, 2, 2, 2, 2}));
+  for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge, Wrap::mirror_once})
     EXPECT_EQ(row(wrap, 1), Row(12, 0));
 }
 
@@ -157,14 +158,14 @@ TEST(SpecBake, RefusesWhatIsNone) {
 }
 
 constexpr Wrap every_wrap[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge,
-                               Wrap::clamp_to_border};
+                               Wrap::clamp_to_border, Wrap::mirror_once};
 
 Texture random_texture(std::mt19937& random) {
   Texture t{1 + static_cast<std::uint32_t>(random() % 3), 1 + static_cast<std::uint32_t>(random() % 3)};
   t.alpha.resize(std::size_t{t.width} * t.height);
   for (auto& byte : t.alpha) byte = static_cast<std::uint8_t>(random());
-  t.wrap_x = every_wrap[random() % 4];
-  t.wrap_y = every_wrap[random() % 4];
+  t.wrap_x = every_wrap[random() % 5];
+  t.wrap_y = every_wrap[random() % 5];
   t.border = static_cast<std::uint8_t>(random());
   return t;
 }
