@@ -57,7 +57,8 @@ Encoded2 encode_paper(const Map2& map);
 Encoded4 encode_paper(const Map4& map);
 
 /// Algorithm 1 read kindly: it sorts vectors by their sums of C, the highest first, and then takes the
-/// lowest; taken from the front, the frequent ones come first.
+/// lowest; taken from the front, the frequent ones come first (of equal scores still the last of the sorted
+/// list).
 Encoded2 encode_paper_highest_first(const Map2& map);
 
 /// Algorithm 2 read kindly: the partition that stays all C takes none of the 13 entries, as index 1 is all C.
