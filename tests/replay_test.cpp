@@ -41,7 +41,8 @@ void expect_replayed(const Law& law, const Subject& subject, const Result& r) {
 TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
   if (!law.at_once.empty()) SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
   SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
-  for (const Mutant& mutant : law.mutants)
+  for (const Mutant& mutant : law.mutants) {
+    if (sanitized && &mutant != &law.mutants.front()) break;  // the others run the same code
     for (Level n = mutant.levels.first; n <= mutant.levels.last; ++n) {
       Result r = run_level(law, *mutant.subject, n, keeping(5));
       if (r.verdict != Verdict::refuted) continue;
@@ -56,6 +57,7 @@ TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
       }
       break;
     }
+  }
 }
 
 // Also where an answer is wrong in rounded arithmetic, and where rounding moves the points themselves.

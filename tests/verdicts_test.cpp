@@ -12,6 +12,7 @@
 
 #include "proofs/index/judges.hpp"
 #include "tests/every_law.hpp"
+#include "tests/sanitized.hpp"
 
 namespace {
 
@@ -44,6 +45,7 @@ TEST(Readings, AreRefutedWhereTheHandTraceSays) {
 
 // The counterexamples of the run are the simplest ones, whoever found them first.
 TEST(Readings, CountsAndCounterexamplesAreTheSameForOneThreadAndTwo) {
+  if (sanitized) GTEST_SKIP() << "the same runs once more; these sanitizers see nothing of threads";
   const Law& law = *find_law("index.equals_reference");
   for (const char* name : {"step-appendix-middle", "step-appendix-ties", "step-appendix-names"}) {
     const Report one = run_alone(law, find_subject(name), 9, 1, 6),
