@@ -35,7 +35,7 @@ using proofs::RunOptions;
 
 struct Options {
   std::string file, level = "auto", sizes, json, plot, replay, at;
-  std::uint64_t memory = std::uint64_t{1} << 30, samples = 105000, seed = 1;
+  std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0;
   bool exhaustive = false, quiet = false;
   float margin = 0;

@@ -1,10 +1,8 @@
 // The scene's array, and its way from a triangle to its states.
-#include "impl/micromap_reorder.hpp"
 #include "impl/micromap_validate.hpp"
 #include "proofs/scene/law_groups.hpp"
 #include "proofs/scene/law_parts.hpp"
-#include "spec/index.hpp"
-#include "spec/micromap.hpp"
+#include "proofs/scene/other_order.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
@@ -87,23 +85,6 @@ unsigned by_indirection(const Data& data, std::size_t primitive, std::size_t tri
   return data.arrays.array.data[record.offset + bit / 8] >> (bit % 8) & ((1u << b) - 1);
 }
 
-/// Through corners, as the specification has them: the same place in the other order of vertices.
-std::uint32_t in_other_order(std::uint32_t index, Level n, const impl::scene::VertexOrder& order) {
-  // The centroid's barycentrics of the vertices, in thirds of 1/N.
-  std::array<std::uint32_t, 3> mine{};
-  for (const auto& corner : spec::index::corners(index, n)) {
-    mine[1] += corner.i;
-    mine[2] += corner.j;
-  }
-  mine[0] = 3 * spec::side(n) - mine[1] - mine[2];
-  std::array<std::uint32_t, 3> theirs{};
-  for (std::size_t k = 0; k < 3; ++k) theirs[order[k]] = mine[k];
-  // Of a centroid strictly within: the square of the whole parts, in its upper half where both thirds are 2.
-  return spec::index::curve(spec::index::grid_square<std::uint32_t>(theirs[1] / 3, theirs[2] / 3,
-                                                                    theirs[1] % 3 == 2, spec::side(n)),
-                            spec::side(n) - 1);
-}
-
 Law indirection_law(const Data& data) {
   const auto uses = std::make_shared<const Uses>(data);
   return over(
@@ -129,7 +110,7 @@ Law indirection_law(const Data& data) {
              expected = static_cast<unsigned>(*baked.uniform);
            } else {
              const std::size_t b = micromap::bits(baked.format);
-             const std::size_t bit = in_other_order(index, n, use.order) * b;
+             const std::size_t bit = in_planned_order(index, n, use.order) * b;
              expected = baked.map[bit / 8] >> (bit % 8) & ((1u << b) - 1);
            }
            found.answer = found.answer * 31 + got;
