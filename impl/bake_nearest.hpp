@@ -76,9 +76,7 @@ class Nearest {
             floored(std::min({p[0].y, p[1].y, p[2].y}) - d), floored(std::max({p[0].y, p[1].y, p[2].y}) + d)};
   }
   Marks texels(const Box& b) const noexcept {
-    constexpr std::int64_t few = 28;
-    return b.right - b.left < few && b.bottom - b.top < few ? sides_.of_few(b.left, b.right, b.top, b.bottom)
-                                                            : sides_.of(b.left, b.right, b.top, b.bottom);
+    return sides_.of(b.left, b.right, b.top, b.bottom);
   }
 
   /// Of a triangle whose texels bear both marks.

@@ -28,21 +28,6 @@ class Sides {
     return wrapped_around(left, right, top, bottom);
   }
 
-  /// The same of few texels, a row of them in one word.  Domain: width at most 56.
-  Marks of_few(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
-    if (left < 0 || right >= width_ || top < 0 || bottom >= height_)
-      return wrapped_around(left, right, top, bottom);
-    const std::uint64_t mask = (std::uint64_t{1} << (right - left + 1)) - 1;
-    std::uint64_t any = 0, all = mask;
-    for (std::int64_t j = top; j <= bottom; ++j) {
-      const std::uint64_t row = opaque_.row(left, j);
-      any |= limits.blend ? visible_.row(left, j) : row;
-      all &= row;
-      if ((any & mask) != 0 && all != mask) return both;
-    }
-    return static_cast<Marks>(((any & mask) != 0 ? opaque : 0) | (all != mask ? below : 0));
-  }
-
   /// Texel (i, j), before wrapping, as it is stored.
   virtual Binary stored(std::int64_t i, std::int64_t j) const noexcept = 0;
 
@@ -68,10 +53,9 @@ class Sides {
 
  private:
   Marks within(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
-    const std::uint32_t n = opaque_.count(left, right, top, bottom);
-    const std::uint32_t seen = limits.blend ? visible_.count(left, right, top, bottom) : n;
-    const auto area = static_cast<std::uint32_t>((right + 1 - left) * (bottom + 1 - top));
-    return static_cast<Marks>((seen != 0 ? opaque : 0) | (n != area ? below : 0));
+    const Plane::Found found = opaque_.in(left, right, top, bottom);
+    const bool seen = limits.blend ? visible_.in(left, right, top, bottom).some : found.some;
+    return static_cast<Marks>((seen ? opaque : 0) | (found.some_not ? below : 0));
   }
   Marks wrapped_around(std::int64_t left, std::int64_t right, std::int64_t top,
                        std::int64_t bottom) const noexcept;
