@@ -58,9 +58,7 @@ Scene scene_of(const Document& document) {
   Scene scene;
   scene.file = document.file;
   scene.materials = read_materials(document);
-  const std::vector<std::uint64_t> uses = mesh_uses(document);
-  for (std::size_t k = 0; k < uses.size(); ++k)
-    scene.meshes.push_back({document.model.meshes[k].name, uses[k]});
+  scene.meshes = read_meshes(document, buffers);
   scene.primitives = read_primitives(document, buffers, scene.materials);
   scene.images = read_images(document, buffers, alpha_tested_images(scene));
   return scene;
