@@ -41,7 +41,7 @@ constexpr char sample_name[] = "the suite's own scene";
 struct Options {
   std::string file, level = "auto", sizes, json, plot, glb, replay, at;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
-  unsigned threads = 0;
+  unsigned threads = 0, level_limit = finest_level;
   bool exhaustive = false, quiet = false;
   float margin = 0;
   int states = 4;
@@ -75,10 +75,14 @@ Baked baked(const Scene& scene, const Plan& plan, const std::vector<unsigned>& o
   for (const unsigned level : of) total += impl::micromap::micro_triangles(level);
   Progress progress(total, !options.quiet);
   progress.now("bake");
-  return bake(scene, plan, of, {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
-                                  progress.add(done);
-                                  if (proofs::interrupted()) throw Interrupted();
-                                }});
+  try {
+    return bake(scene, plan, of, {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
+                                    progress.add(done);
+                                    if (proofs::interrupted()) throw Interrupted();
+                                  }});
+  } catch (const std::invalid_argument& error) {
+    throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
+  }
 }
 
 /// Encoded as it would be shipped; uniform maps take nothing.
@@ -121,6 +125,7 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
 std::string command(const Options& options) {
   std::string text = "mmverify scene" + (options.file.empty() ? "" : " " + shell_quoted(options.file));
   if (options.level != "auto") text += " --level " + options.level;
+  if (options.level_limit != finest_level) text += fmt::format(" --level-limit {}", options.level_limit);
   if (options.states != 4) text += " --states 2";
   if (options.memory != Options().memory) text += fmt::format(" --memory {}", options.memory);
   if (options.margin != 0) text += fmt::format(" --margin {}", options.margin);
@@ -227,7 +232,7 @@ int scene(const Options& options) {
   auto start = std::chrono::steady_clock::now();
   const Scene loaded = loaded_scene(options);
   const double load_seconds = seconds_since(start);
-  const Plan planned = plan(loaded);
+  const Plan planned = plan(loaded, options.level_limit);
   const impl::scene::Levels levels = chosen_levels(planned, wanted);
   if (options.replay.empty()) print_plan(output.text(), loaded, planned, levels);
   if (planned.triangles.empty()) {
@@ -281,6 +286,8 @@ Action add_scene(CLI::App& program) {
   command->add_option("-o,--output", options->glb, "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
       ->type_name("OUT.glb");
   command->add_option("--level", options->level, "of every triangle; auto: each its highest useful one")->type_name("N|auto");
+  command->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
+      ->check(CLI::Range(0u, finest_level));
   command->add_option("--memory", options->memory, "bytes that all maps may take; levels are lowered to fit")
       ->transform(CLI::AsSizeValue(false));
   command->add_option("--states", options->states, "2: force-2-state of every map")->check(CLI::IsMember({2, 4}));
