@@ -14,6 +14,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/json.hpp"
 #include "cli/output_file.hpp"
+#include "cli/run_identity.hpp"
 #include "cli/text.hpp"
 #include "impl/scene/load.hpp"
 #include "impl/scene/sample_scene.hpp"
@@ -39,7 +40,7 @@ using proofs::RunOptions;
 constexpr char sample_name[] = "the suite's own scene";
 
 struct Options {
-  std::string file, level = "auto", sizes, json, plot, glb, replay, at;
+  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
   bool exhaustive = false, quiet = false;
@@ -269,8 +270,15 @@ int scene(const Options& options) {
   run.seed = options.seed;
   run.show_progress = !options.quiet;
   run.mutants = false;
+  proofs::Identity identity;
+  if (!options.journal.empty()) identity = identity_of(laws.jobs, run);
+  identity.emplace_back("samples", options.exhaustive ? "all" : fmt::format("{}", options.samples));
+  const auto journal = open_journal(options.journal, std::move(identity), {});
+  run.journal = journal.get();
   const Report report = run_jobs(laws.jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, false);
+  if (report.interrupted && journal)
+    fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
   output.plot(figures);
   output.json(report, scene_json(&figures, loaded, planned, laws.left_out));
   return exit_code(report);
@@ -299,6 +307,8 @@ Action add_scene(CLI::App& program) {
   command->add_option("--sizes", options->sizes, "also the sizes with every triangle at each of these levels")->type_name("A..B");
   command->add_option("--plot", options->plot, "draw the sizes as SVG; needs --sizes")->type_name("FILE.svg");
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
+  command->add_option("--journal", options->journal, "keep what the laws have done here; the same command goes on from it")
+      ->type_name("FILE");
   command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
   command->add_option("--threads", options->threads, "worker threads; as many as the machine has where not given")
       ->check(CLI::Range(1u, 1024u));
