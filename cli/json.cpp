@@ -62,7 +62,7 @@ Json result(const Result& r) {
 }  // namespace
 
 std::string to_json(const Report& report, std::uint64_t seed, const std::optional<Shard>& shard,
-                    const Identity& identity) {
+                    const Identity& identity, const std::string& scene) {
   Json j{{"schema", "mmverify.result/1"},
          {"tool",
           {{"version", build::version},
@@ -81,6 +81,7 @@ std::string to_json(const Report& report, std::uint64_t seed, const std::optiona
     j["shard"] = {
         {"number", shard->number}, {"of", shard->of}, {"finished", !report.interrupted}, {"run", run}};
   }
+  if (!scene.empty()) j["scene"] = Json::parse(scene);
   for (const Result& r : report.results) j["results"].push_back(result(r));
   for (const Diagnosis& d : report.diagnoses)
     j["diagnoses"].push_back({{"law", d.law}, {"subject", d.subject}, {"lines", d.lines}});

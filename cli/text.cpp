@@ -22,6 +22,8 @@ Level level_of(const Result& result, const Counterexample& c) {
 }  // namespace
 
 std::string replay_command(const Result& result, const Counterexample& c) {
+  if (!result.replayed_by.empty())
+    return fmt::format("{} --case {}@{}", result.replayed_by, level_of(result, c), c.at);
   const Law* law = find_law(result.law);
   const Level level = level_of(result, c);
   if (result.subject == "standard input")

@@ -1,4 +1,4 @@
-// What every baker works on: alpha in 8 bits, a cutoff, a rectangle of texels.
+// What every baker works on: stored alpha, a cutoff, a rectangle of texels.
 //
 // Axes are the texture's: x along a row, y down from the first row; texel (x, y) covers [x, x+1) x [y, y+1),
 // its centre is at +1/2.  Sampling is bilinear with clamp to edge.
@@ -10,13 +10,16 @@
 
 namespace mmverify::impl::bake {
 
-/// A texture's alpha, not owned: texel (x, y) is texels[x + pitch y], alpha = byte / 255.
-/// Domain of all that is baked from it: width and height in 1..16384.
-struct AlphaView {
-  const std::uint8_t* texels;
+/// A texture's alpha, not owned: texel (x, y) is texels[x + pitch y].
+/// Texel: std::uint8_t, alpha = byte / 255; std::uint16_t, alpha = word / 65535; float, alpha itself.
+/// Domain of all that is baked from it: width and height in 1..16384; floats are finite.
+template <class Texel>
+struct TexelView {
+  const Texel* texels;
   std::uint32_t width, height;
   std::size_t pitch;
 };
+using AlphaView = TexelView<std::uint8_t>;
 
 /// alpha >= numerator / denominator is opaque.  Domain: denominator > 0; numerator <= denominator, or nothing
 /// is opaque.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "impl/bake_binary.hpp"
 #include "impl/bake_sides.hpp"
 #include "impl/bake_triangles.hpp"
 #include "impl/index.hpp"
@@ -12,22 +13,18 @@ namespace mmverify::impl::bake::detail {
 
 class ExactBase {
  public:
-  /// Domain: finite coordinates below 2^20 in size; level in 0..12.
+  /// Domain: finite coordinates below 2^20 in size; level in 0..12; a margin in [0, 2^20).
   ExactBase(const Sides& sides, const BaseTriangle& uv, std::uint32_t width, std::uint32_t height,
-            index::Level level);
+            index::Level level, Filter filter = Filter::bilinear, float margin = 0);
 
   struct Answer {
-    Marks marks, centroid;
+    Marks marks;  ///< both, or what all of it is
+    bool leans_to_opaque;
   };
   /// Of micro-triangle `index` on the curve.
   Answer operator()(std::uint32_t index) const;
 
  private:
-  /// A coordinate of each vertex, m 2^e, m odd or 0.
-  struct Binary {
-    std::int64_t m = 0;
-    int e = 0;
-  };
   using Axis = std::array<Binary, 3>;
 
   template <class Int>
@@ -39,6 +36,8 @@ class ExactBase {
   Axis u_, v_;
   std::uint32_t width_, height_;
   int level_;
+  Filter filter_;
+  Binary margin_;
   int below_point_ = 1;  ///< bits of u and v there, and at least the one of half a texel
   std::int64_t cells_;   ///< that a micro-triangle spans, at most
   int bits_;             ///< that bake_exact.hpp and positions need

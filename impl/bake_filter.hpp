@@ -1,22 +1,23 @@
-// The sides of the cutoff that a closed triangle is on, in binary64, with a bound on every error: where it
-// cannot tell, it says so.  Internal to impl/bake*.
+// What a closed triangle sees of bilinear alpha, in binary64, with a bound on every error: where it cannot
+// tell, it says so.  Internal to impl/bake*.
 //
 // What is judged is the triangle T' whose corners are the computed ones, each within `delta` of those of the
-// true T along either axis.  g = 255 (alpha - cutoff) changes by at most 255 a texel along either axis, so
-// the ranges of g over T and T' differ by less than 2^9 delta.  Over T', g is least and greatest on an edge
-// or at a centre within (bake_exact.hpp), and rounding moves no computed point off its edge by more than
-// delta:
+// true T along either axis.  Let g be sampled stored numbers less the threshold (bake_sides.hpp), all of them
+// within R of each other and of 0.  g changes by at most R a texel along either axis, so the ranges of g over
+// T and T' differ by less than 2 R delta.  Over T', g is least and greatest on an edge or at a centre within
+// (bake_exact.hpp), and rounding moves no computed point off its edge by more than delta:
 //   edges    are cut where they cross rows and columns of centres; a piece is judged by the cell of its
-//   middle.
-//            A cut that is off by a rounding, or a piece that is lost to one, is no longer than some delta,
-//            over which g and the neighbouring cell's g differ by no more than the bound below.
+//            middle.  A cut that is off by a rounding, or a piece that is lost to one, is no longer than some
+//            delta, over which g and the neighbouring cell's g differ by no more than the bound below.
 //   centres  that rounding leaves out, or takes in, are within delta of an edge.  Left out, the edge has
-//   spoken
-//            for them, to within the bound; taken in, they count as seen only if all texels are farther from
-//            the cutoff than the bound.
-// The bound is 2^12 delta + 2^-36: eight times what delta makes, and 2^-53 of 255 for each of the handful of
-// operations, many times over.
+//            spoken for them, to within the bound; taken in, they count as seen only if all texels that bear
+//            the mark are farther from its limit than the bound.
+// The bound is R (2^5 delta + 2^-43): eight times what delta makes, and 2^-53 of R for each of the handful of
+// operations, the rounded threshold's among them, many times over.
 // Boxes are grown by delta and asked of whole texels: what they say is exact.
+//
+// With a margin m the same is said of T' + [-m, m]^2, whose edges are segments as in bake_exact.hpp; moving a
+// corner by m rounds once more, which delta has room for.
 #pragma once
 
 #include <algorithm>
@@ -24,52 +25,54 @@
 #include <cmath>
 #include <cstdint>
 
+#include "impl/bake_codes.hpp"
 #include "impl/bake_sides.hpp"
+#include "impl/bake_spot.hpp"
 
 namespace mmverify::impl::bake::detail {
 
-struct Spot {
-  double x, y;
-};
-using Triangle = std::array<Spot, 3>;
-
-/// floor, without a call where the processor has no instruction for it.  Domain: |x| < 2^62.
-inline std::int64_t floored(double x) noexcept {
-  const auto i = static_cast<std::int64_t>(x);
-  return i - (x < static_cast<double>(i) ? 1 : 0);
-}
-
-inline Spot middle(Spot a, Spot b) noexcept { return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5}; }
-
-/// Beside the marks of sides that are certain: there may be others.
-inline constexpr Marks uncertain = 4;
-
-class Filter {
+template <class Texel>
+class BilinearFilter {
  public:
   /// Rectangles below this size are asked row by row.
   static constexpr std::int64_t few = 28;
 
-  Filter(const Sides& sides, double delta) noexcept
+  BilinearFilter(const SidesOf<Texel>& sides, double delta, double margin) noexcept
       : sides_(sides),
         delta_(delta),
-        bound_(0x1p12 * delta + 0x1p-36),
-        centres_are_clear_(sides.clearance > bound_) {}
+        margin_(margin),
+        reach_(delta + margin),
+        bound_(sides.scale * (0x1p5 * delta + 0x1p-43)),
+        transparent_(sides.gap + bound_),
+        usable_(0x1p5 * delta < 0x1p-10),
+        clear_(static_cast<Marks>((sides.clear_below > bound_ ? below : 0) |
+                                  (sides.clear_opaque > bound_ ? opaque : 0))) {}
 
   /// Where coordinates are too large for binary64, nothing is certain.
-  bool usable() const noexcept { return bound_ < 0.25; }
+  bool usable() const noexcept { return usable_; }
   double delta() const noexcept { return delta_; }
+  double margin() const noexcept { return margin_; }
+  double bound() const noexcept { return bound_; }
 
-  /// 255 (alpha - cutoff).
+  /// Stored numbers, sampled, less the threshold.
   double g(Spot p) const noexcept {
     const std::int64_t i = floored(p.x), j = floored(p.y);
     const double fx = p.x - static_cast<double>(i), fy = p.y - static_cast<double>(j);
-    const Sides::Four f = sides_.four(i, j);
+    const auto f = sides_.four(i, j);
     const double top = f.a + fx * (f.right - f.a), under = f.below + fx * (f.across - f.below);
     return top + fy * (under - top) - sides_.threshold;
   }
-  /// The side that g proves; none if it is too close.
-  Marks side(double g) const noexcept {
-    return static_cast<Marks>((g > bound_ ? opaque : 0) | (g < -bound_ ? below : 0));
+  /// The marks that g proves; there may be others if it is close to a limit.
+  Marks side(double g) const noexcept { return range(g, g); }
+  /// The same of all from the least to the greatest, which occur.
+  Marks range(double least, double greatest) const noexcept {
+    return static_cast<Marks>((greatest > bound_ - sides_.gap ? opaque : 0) | (least < -bound_ ? below : 0));
+  }
+  /// And whether there are no others.
+  Marks range_or_uncertain(double least, double greatest) const noexcept {
+    const bool is_below = least<-bound_, is_opaque = greatest> bound_ - sides_.gap;
+    const bool sure = (is_below || least > bound_) && (is_opaque || greatest < -transparent_);
+    return static_cast<Marks>((is_opaque ? opaque : 0) | (is_below ? below : 0) | (sure ? 0 : uncertain));
   }
 
   /// The texels of the cells that the box about a triangle meets, ends included.
@@ -77,10 +80,10 @@ class Filter {
     std::int64_t left, right, top, bottom;
   };
   Box box(const Triangle& p) const noexcept {
-    return {floored(std::min(std::min(p[0].x, p[1].x), p[2].x) - delta_),
-            floored(std::max(std::max(p[0].x, p[1].x), p[2].x) + delta_) + 1,
-            floored(std::min(std::min(p[0].y, p[1].y), p[2].y) - delta_),
-            floored(std::max(std::max(p[0].y, p[1].y), p[2].y) + delta_) + 1};
+    return {floored(std::min(std::min(p[0].x, p[1].x), p[2].x) - reach_),
+            floored(std::max(std::max(p[0].x, p[1].x), p[2].x) + reach_) + 1,
+            floored(std::min(std::min(p[0].y, p[1].y), p[2].y) - reach_),
+            floored(std::max(std::max(p[0].y, p[1].y), p[2].y) + reach_) + 1};
   }
 
   /// Of all those texels, exactly.
@@ -117,7 +120,8 @@ class Filter {
       marks = static_cast<Marks>(marks | centres(p, j));
     return marks;
   }
-  bool centres_are_clear() const noexcept { return centres_are_clear_; }
+  /// The marks of texels that are clear of their limits.
+  Marks clear() const noexcept { return clear_; }
 
  private:
   /// From cell to cell.  Where it enters a column or row of centres, g is a mean of two texels; in a cell, a
@@ -135,7 +139,7 @@ class Filter {
            next_y = dy == 0 ? 4 : std::fabs(static_cast<double>(dy < 0 ? j : j + 1) - p.y) * per_y;
     double least = std::min(at_p, at_q), greatest = std::max(at_p, at_q), t = 0, v = at_p;
     while (true) {
-      const Sides::Four f = sides_.four(i, j);
+      const auto f = sides_.four(i, j);
       const double d = f.a - f.right - f.below + f.across, from = t;
       double w = at_q;
       const std::int64_t i_here = i, j_here = j;
@@ -162,35 +166,28 @@ class Filter {
         least = std::min(least, still);
         greatest = std::max(greatest, still);
       }
-      if (least < -bound_ && greatest > bound_) return both;
+      if (range(least, greatest) == both) return both;
       if (t == 1) break;
       v = w;
     }
-    if (least > bound_) return opaque;
-    if (greatest < -bound_) return below;
-    return static_cast<Marks>((greatest > bound_ ? opaque : 0) | (least < -bound_ ? below : 0) | uncertain);
+    return range_or_uncertain(least, greatest);
   }
 
   /// Of the centres on row j.
   Marks centres(const Triangle& p, std::int64_t j) const noexcept {
     const auto level = static_cast<double>(j);
-    double from = 1e300, to = -1e300;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Spot a = p[k], b = p[k == 2 ? 0 : k + 1];
-      if ((a.y <= level) == (b.y <= level)) continue;
-      const double x = std::clamp(a.x + (level - a.y) * ((b.x - a.x) / (b.y - a.y)), std::min(a.x, b.x),
-                                  std::max(a.x, b.x));
-      from = std::min(from, x);
-      to = std::max(to, x);
-    }
+    // What is within m of the level along y reaches m beyond it along x.
+    const Reach reach = margin_ == 0 ? at_level(p, level) : between(p, level - margin_, level + margin_);
+    const double from = reach.from - margin_, to = reach.to + margin_;
     if (from > to) return 0;
     const std::int64_t first = -floored(-from), last = floored(to);
     return first > last ? Marks{0} : sides_.of(first, last, j, j);
   }
 
-  const Sides& sides_;
-  double delta_, bound_;
-  bool centres_are_clear_;
+  const SidesOf<Texel>& sides_;
+  double delta_, margin_, reach_, bound_, transparent_;
+  bool usable_;
+  Marks clear_;
 };
 
 }  // namespace mmverify::impl::bake::detail

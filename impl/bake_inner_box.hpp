@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "impl/bake_filter.hpp"
+#include "impl/bake_sides.hpp"
+#include "impl/bake_spot.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -42,5 +43,43 @@ inline InnerBox inner_box(const Triangle& p) noexcept {
     }
   return best;
 }
+
+/// The same of micro-triangles, which are this one moved or turned by half a circle: what texels are within.
+class Within {
+ public:
+  /// `inner`: of one that is not turned.  Shrunk by 4 delta, so that it is within the true triangle, whose
+  /// centroid may be 2 delta off; grown by the margin, as the triangle is.
+  Within(const Sides& sides, const InnerBox& inner, double margin, double delta) noexcept : sides_(sides) {
+    const InnerBox box = inner.left > inner.right ? InnerBox{0, 0, 0, 0} : inner;
+    const double d = 4 * delta - margin;
+    boxes_[0] = {box.left + d, box.right - d, box.top + d, box.bottom - d};
+    boxes_[1] = {-box.right + d, -box.left - d, -box.bottom + d, -box.top - d};
+    worth_it_ = (box.right - box.left + 2 * margin) * (box.bottom - box.top + 2 * margin) >= 16;
+  }
+
+  /// Of the texels whose centres are at whole numbers; of none where it is too small to hold several.
+  Marks centres(Spot centroid, bool turned) const noexcept {
+    if (!worth_it_) return 0;
+    const InnerBox& b = boxes_[turned];
+    return of(-floored(-(centroid.x + b.left)), floored(centroid.x + b.right),
+              -floored(-(centroid.y + b.top)), floored(centroid.y + b.bottom));
+  }
+  /// Of the texels that begin at whole numbers and which it meets.
+  Marks texels(Spot centroid, bool turned) const noexcept {
+    const InnerBox& b = boxes_[turned];
+    if (b.left > b.right || b.top > b.bottom) return 0;
+    return of(floored(centroid.x + b.left), floored(centroid.x + b.right), floored(centroid.y + b.top),
+              floored(centroid.y + b.bottom));
+  }
+
+ private:
+  Marks of(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
+    return left <= right && top <= bottom ? sides_.of(left, right, top, bottom) : Marks{0};
+  }
+
+  const Sides& sides_;
+  std::array<InnerBox, 2> boxes_;  ///< not turned, turned
+  bool worth_it_;
+};
 
 }  // namespace mmverify::impl::bake::detail

@@ -1,60 +1,130 @@
 #include "impl/bake_sides.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
+#include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace mmverify::impl::bake::detail {
+namespace {
 
-static_assert(std::endian::native == std::endian::little, "rows of bits are loaded as little-endian words");
-
-Sides::Sides(const AlphaView& texture, Cutoff cutoff, Wrap x, Wrap y, std::uint8_t border)
-    : texture_(texture),
-      width_(texture.width),
-      height_(texture.height),
-      wrap_x_(x),
-      wrap_y_(y),
-      border_(border) {
-  const std::int64_t n = 255 * std::int64_t{cutoff.numerator}, d = cutoff.denominator;
-  const std::int64_t common = std::gcd(n, d);
-  limit = n / common;
-  unit = d / common;
-  least_opaque = static_cast<std::int32_t>(std::min<std::int64_t>(256, (n + d - 1) / d));
-  threshold = static_cast<double>(limit) / static_cast<double>(unit);
-  clearance = std::fabs(threshold - std::round(threshold));
-
-  const std::size_t pitch = std::size_t{texture.width} + 1;
-  // Room for a word from the last byte of the last row.
-  bytes_ = (std::size_t{texture.width} + 7) / 8;
-  bits_.resize(bytes_ * texture.height + 8);
-  sums_.resize(pitch * (std::size_t{texture.height} + 1));
-  for (std::uint32_t row = 0; row < texture.height; ++row) {
-    const std::uint8_t* const texels = texture.texels + row * texture.pitch;
-    const std::uint32_t* const above = sums_.data() + row * pitch;
-    std::uint32_t* const here = sums_.data() + (std::size_t{row} + 1) * pitch;
-    std::uint8_t* const bits = bits_.data() + row * bytes_;
-    std::uint32_t in_row = 0;
-    const auto eight = [&](std::uint32_t from, std::uint32_t count) {
-      unsigned byte = 0;
-      for (std::uint32_t k = 0; k < count; ++k) {
-        const unsigned is_opaque = texels[from + k] >= least_opaque;
-        byte |= is_opaque << k;
-        in_row += is_opaque;
-        here[from + k + 1] = above[from + k + 1] + in_row;
-      }
-      bits[from / 8] = static_cast<std::uint8_t>(byte);
-    };
-    const std::uint32_t whole = texture.width / 8 * 8;
-    for (std::uint32_t k = 0; k < whole; k += 8) eight(k, 8);
-    if (whole < texture.width) eight(whole, texture.width - whole);
+/// Stored numbers in their order, and what is known of all of one kind.
+template <class Texel>
+struct Kind {
+  static constexpr std::int64_t first = 0, last = std::numeric_limits<Texel>::max();
+  static std::int32_t number(std::int64_t k) noexcept { return static_cast<std::int32_t>(k); }
+  static Binary stored(std::int64_t k) noexcept { return {k, 0}; }
+};
+/// Those of one size and two signs are k and -k.
+template <>
+struct Kind<float> {
+  static constexpr std::int64_t first = -0x7f7fffff, last = 0x7f7fffff;
+  static float number(std::int64_t k) noexcept {
+    const auto size = std::bit_cast<float>(static_cast<std::uint32_t>(k < 0 ? -k : k));
+    return k < 0 ? -size : size;
   }
+  static Binary stored(std::int64_t k) noexcept { return binary(number(k)); }
+};
+
+/// The least stored number that is opaque; one more than the last if none is: heights rise with it.
+template <class Texel>
+auto least_opaque(const Limits& limits) {
+  constexpr int finest = -149;
+  const Height<AnyHeight> height(limits.opaque, finest);
+  std::int64_t low = Kind<Texel>::first, high = Kind<Texel>::last + 1;
+  while (low < high) {
+    const std::int64_t middle = low + (high - low) / 2;
+    if (height(Kind<Texel>::stored(middle)).negative())
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return Kind<Texel>::number(low);
 }
+
+/// Where opaque begins, rounded; infinite where the slope is 0.
+double threshold_of(const Limit& l) noexcept {
+  double slope = 1;
+  for (const Binary& b : l.slope) slope *= rounded(b);
+  const double limit = rounded(l.limit);
+  if (slope == 0) return limit > 0 ? HUGE_VAL : -HUGE_VAL;
+  return limit / slope;
+}
+
+}  // namespace
+
+template <class Texel>
+SidesOf<Texel>::SidesOf(const TexelView<Texel>& texture, const Limits& l, Wrap x, Wrap y, Texel border)
+    : Sides(l, texture.width, texture.height, x, y), texture_(texture), border_(border) {
+  const auto least = least_opaque<Texel>(limits);
+  const auto at = [&texture](std::uint32_t i, std::uint32_t j) {
+    return texture.texels[j * texture.pitch + i];
+  };
+  const bool visible = !limits.zero;
+  threshold = threshold_of(limits.opaque);
+  if constexpr (std::is_same_v<Texel, float>) {
+    double size = 0;
+    clear_below = clear_opaque = HUGE_VAL;
+    finest = 127;
+    most = -149;
+    const auto take = [&](float r) {
+      size = std::max(size, std::fabs(double{r}));
+      if (!(r >= least)) clear_below = std::min(clear_below, threshold - double{r});
+      if (limits.blend ? visible && r > 0 : r >= least)
+        clear_opaque = std::min(clear_opaque, double{r} - (limits.blend ? 0 : threshold));
+      const Binary b = binary(r);
+      if (b.m == 0) return;
+      finest = std::min(finest, b.e);
+      most = std::max(most, b.e + bits(b.m));
+    };
+    for (std::uint32_t j = 0; j < texture.height; ++j)
+      for (std::uint32_t i = 0; i < texture.width; ++i) {
+        if (!std::isfinite(at(i, j)))
+          throw std::invalid_argument("bake: texel (" + std::to_string(i) + ", " + std::to_string(j) +
+                                      ") is not finite");
+        take(at(i, j));
+      }
+    take(border);
+    if (size == 0) finest = most = 0;
+    scale = 2 * size;
+  } else {
+    scale = std::numeric_limits<Texel>::max();
+    most = std::numeric_limits<Texel>::digits;
+    clear_below = threshold - (least - 1);
+    clear_opaque = limits.blend ? 1 : least - threshold;
+  }
+  threshold = std::clamp(threshold, -2 * scale, 2 * scale);
+  gap = limits.blend && visible ? threshold : 0;
+
+  opaque_ = Plane(texture.width, texture.height,
+                  [&](std::uint32_t i, std::uint32_t j) { return at(i, j) >= least; });
+  if (limits.blend)
+    visible_ = Plane(texture.width, texture.height,
+                     [&](std::uint32_t i, std::uint32_t j) { return visible && at(i, j) > 0; });
+  const bool border_opaque = border >= least;
+  border_marks_ = static_cast<Marks>((border_opaque ? 0 : below) |
+                                     ((limits.blend ? visible && border > 0 : border_opaque) ? opaque : 0));
+}
+
+template <class Texel>
+Binary SidesOf<Texel>::stored(std::int64_t i, std::int64_t j) const noexcept {
+  const Texel r = texel(i, j);
+  if constexpr (std::is_same_v<Texel, float>)
+    return binary(r);
+  else
+    return {r, 0};
+}
+
+template class SidesOf<std::uint8_t>;
+template class SidesOf<std::uint16_t>;
+template class SidesOf<float>;
 
 Marks Sides::wrapped_around(std::int64_t left, std::int64_t right, std::int64_t top,
                             std::int64_t bottom) const noexcept {
   const Runs across = runs(wrap_x_, left, right, width_), down = runs(wrap_y_, top, bottom, height_);
-  Marks marks = 0;
-  if (across.border || down.border) marks = border_ >= least_opaque ? opaque : below;
+  Marks marks = across.border || down.border ? border_marks_ : Marks{0};
   for (int j = 0; j < down.count; ++j)
     for (int i = 0; i < across.count; ++i)
       marks = static_cast<Marks>(marks | within(across.from[i], across.to[i], down.from[j], down.to[j]));

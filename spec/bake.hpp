@@ -106,6 +106,47 @@ Polygon<Q> clipped(const Polygon<Q>& polygon, Q Place<Q>::*axis, const Q& low, c
                  [&](const Place<Q>& p) { return high - p.*axis; });
 }
 
+/// The corners of the convex hull of some points, each once; fewer than three where they are on a line.
+/// Domain: any points.  Source: A. M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions.
+template <class Q>
+Polygon<Q> hull(Polygon<Q> points) {
+  const auto before = [](const Place<Q>& p, const Place<Q>& q) {
+    return p.x < q.x || (p.x == q.x && p.y < q.y);
+  };
+  const auto left_of = [](const Place<Q>& p, const Place<Q>& q, const Place<Q>& r) {
+    return (q.x - p.x) * (r.y - p.y) > (q.y - p.y) * (r.x - p.x);
+  };
+  std::sort(points.begin(), points.end(), before);
+  const auto same = [&](const Place<Q>& p, const Place<Q>& q) { return !before(p, q); };
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+  Polygon<Q> corners;
+  for (int chain = 0; chain < 2; ++chain) {
+    const std::size_t begin = corners.size();
+    for (const Place<Q>& p : points) {
+      while (corners.size() >= begin + 2 && !left_of(corners.end()[-2], corners.back(), p))
+        corners.pop_back();
+      corners.push_back(p);
+    }
+    corners.pop_back();  // begins the other chain
+    std::reverse(points.begin(), points.end());
+  }
+  return corners.empty() ? Polygon<Q>{points.at(0)} : corners;
+}
+
+/// All that is within `margin` of the polygon along both axes at once: its sum with [-m, m]^2, which is the
+/// hull of its corners moved by (-m, -m), (-m, m), (m, -m) and (m, m).
+/// Errors: std::invalid_argument for a margin below 0.
+template <class Q>
+Polygon<Q> dilated(const Polygon<Q>& polygon, const Q& margin) {
+  if (margin < 0) throw std::invalid_argument("bake: a margin below 0");
+  if (margin == 0) return polygon;
+  Polygon<Q> points;
+  for (const Place<Q>& p : polygon)
+    for (const Q& x : {Q(p.x - margin), Q(p.x + margin)})
+      for (const Q& y : {Q(p.y - margin), Q(p.y + margin)}) points.push_back({x, y});
+  return hull(points);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Extremes and states
 // ---------------------------------------------------------------------------------------------------------------------

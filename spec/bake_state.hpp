@@ -88,14 +88,18 @@ Place<Q> centroid(const Polygon<Q>& polygon) {
 /// The state of a micro-triangle: O or T if it is that in every mip level that may be sampled; otherwise UO
 /// or UT, as alpha at its centroid is rather opaque or not in the first of them, the largest.
 /// Mips: as sampled, the first first.  2-state maps hold micromap::force2 of this.
-/// Errors: std::invalid_argument without mips.
+/// Margin: in texels of each mip level; O or T must hold on all of the dilated micro-triangle.
+/// Errors: std::invalid_argument without mips, or for a margin below 0.
 template <class Q, class Texel, class Mode>
 micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTriangle<Q>& uv, Level n,
-                            std::uint32_t index, const Mode& mode) {
+                            std::uint32_t index, const Mode& mode, const Q& margin = Q(0)) {
   if (mips.empty()) throw std::invalid_argument("bake: no mip level");
   const auto in = [&](const TextureOf<Texel>& t) { return micro_triangle(uv, n, index, t.width, t.height); };
-  State all = state_in(mode, range(mips[0], in(mips[0])));
-  for (const TextureOf<Texel>& t : mips.subspan(1)) all = merged(all, state_in(mode, range(t, in(t))));
+  const auto state = [&](const TextureOf<Texel>& t) {
+    return state_in(mode, range(t, dilated(in(t), margin)));
+  };
+  State all = state(mips[0]);
+  for (const TextureOf<Texel>& t : mips.subspan(1)) all = merged(all, state(t));
   if (all == State::O) return micromap::State::O;
   if (all == State::T) return micromap::State::T;
   return mode.rather_opaque(alpha(mips[0], centroid(in(mips[0])))) ? micromap::State::UO
@@ -105,8 +109,8 @@ micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTr
 /// Of one texture without mips.
 template <class Q, class Texel, class Mode>
 micromap::State micro_state(const TextureOf<Texel>& texture, const BaseTriangle<Q>& uv, Level n,
-                            std::uint32_t index, const Mode& mode) {
-  return micro_state(std::span<const TextureOf<Texel>>(&texture, 1), uv, n, index, mode);
+                            std::uint32_t index, const Mode& mode, const Q& margin = Q(0)) {
+  return micro_state(std::span<const TextureOf<Texel>>(&texture, 1), uv, n, index, mode, margin);
 }
 
 }  // namespace mmverify::spec::bake

@@ -80,6 +80,7 @@ struct TextureOf {
   Texel border = {};      ///< what lies outside with clamp_to_border
   Binary32 factor = one;  ///< the constant that sampled alpha is multiplied by, as baseColorFactor's
   Filter filter = Filter::bilinear;
+  Binary32 vertex_factor = one;  ///< another, as the alpha that all vertices have
 };
 using Texture = TextureOf<std::uint8_t>;
 
@@ -111,14 +112,16 @@ inline std::optional<std::uint32_t> wrapped(Wrap wrap, std::int64_t i, std::uint
   return static_cast<std::uint32_t>(i);
 }
 
-/// Alpha of texel (i, j), wrapped, times the factor.
+/// Alpha of texel (i, j), wrapped, times the factors.
 template <class Q, class Texel>
 Q texel(const TextureOf<Texel>& t, std::int64_t i, std::int64_t j) {
   const auto x = wrapped(t.wrap_x, i, t.width), y = wrapped(t.wrap_y, j, t.height);
   const Texel stored =
       x && y ? t.alpha.at(static_cast<std::size_t>(*x) + static_cast<std::size_t>(*y) * t.width) : t.border;
-  const Q alpha = number<Q>(stored);
-  return t.factor.bits == one.bits ? alpha : alpha * number<Q>(t.factor);
+  Q alpha = number<Q>(stored);
+  for (const Binary32 factor : {t.factor, t.vertex_factor})
+    if (factor.bits != one.bits) alpha *= number<Q>(factor);
+  return alpha;
 }
 
 }  // namespace mmverify::spec::bake

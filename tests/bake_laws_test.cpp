@@ -40,10 +40,10 @@ TEST(BakeLaws, ALawNeedsItsEntryPointAndItsLevel) {
 
 TEST(BakeLaws, CasesAddUpToTheirClosedForm) {
   const std::uint64_t all = 81 * 25 * 6 + 512 * 5 * 4;
-  EXPECT_EQ(small_families().count(), all);
+  EXPECT_EQ(bilinear_families().count(), all);
   EXPECT_EQ(judged("bake.conservative", "bake", 0).cases_run(), all);
   std::set<std::string> texts;
-  for (std::uint64_t k = 0; k < all; ++k) texts.insert(text_of(small_families().at(k)));
+  for (std::uint64_t k = 0; k < all; ++k) texts.insert(text_of(bilinear_families().at(k)));
   EXPECT_EQ(texts.size(), all) << "no case twice";
 }
 
@@ -51,10 +51,10 @@ TEST(BakeLaws, CasesAddUpToTheirClosedForm) {
 TEST(BakeFamily, ItsTruthIsTheSpecifications) {
   Random random(7, 1, 1);
   for (int round = 0; round < (sanitized ? 8 : 150); ++round) {
-    const std::uint64_t k = random.below(small_families().count());
+    const std::uint64_t k = random.below(bilinear_families().count());
     const auto n = static_cast<Level>(random.below(4));
-    const std::vector<State> truth = small_families().truth(n, k);
-    const Case one = small_families().at(k);
+    const std::vector<State> truth = bilinear_families().truth(n, k);
+    const Case one = bilinear_families().at(k);
     ASSERT_EQ(truth.size(), std::size_t{1} << 2 * n);
     for (std::uint32_t index = 0; index < truth.size();
          index += 1 + static_cast<std::uint32_t>(random.below(3)))

@@ -93,14 +93,15 @@ std::string named(const Picture& picture, Cutoff cutoff, const Addressing& addre
 
 /// What the whole numbers say, asked always.
 int exact_state(const detail::ExactBase& base, std::uint32_t index) {
-  const auto [marks, centroid] = base(index);
-  return marks == detail::both ? (centroid == detail::opaque ? 3 : 2) : marks == detail::opaque ? 1 : 0;
+  const auto [marks, leans_to_opaque] = base(index);
+  return marks == detail::both ? (leans_to_opaque ? 3 : 2) : marks == detail::opaque ? 1 : 0;
 }
 
 void expect_specified(const Picture& picture, Cutoff cutoff, const Addressing& addressing,
                       const BaseTriangle& uv, std::uint32_t level, std::uint32_t step = 1) {
   const Baked baked = bake(picture, cutoff, addressing, uv, level);
-  const detail::Sides sides(picture.view(), cutoff, addressing.u, addressing.v, addressing.border);
+  const detail::SidesOf<std::uint8_t> sides(picture.view(), detail::limits_of(cutoff, {1, 1}, 255),
+                                            addressing.u, addressing.v, addressing.border);
   const detail::ExactBase exact(sides, uv, picture.width, picture.height, level);
   ASSERT_LE(baked.counts.exact, baked.counts.leaves);
   ASSERT_EQ(baked.counts.micro_triangles, baked.codes.size());

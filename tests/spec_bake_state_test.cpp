@@ -47,6 +47,8 @@ TEST(SpecBakeTexture, TheFactorMultipliesWhatIsSampledTheBorderToo) {
   Texture t{1, 1, {255}, Wrap::clamp_to_border, Wrap::clamp_to_border, 51, {0x3f000000}};
   EXPECT_EQ(bake::alpha(t, Place{half, half}), half);
   EXPECT_EQ(bake::alpha(t, Place{7, 7}), q(1, 10));
+  t.vertex_factor = {0x3e800000};
+  EXPECT_EQ(bake::alpha(t, Place{7, 7}), q(1, 40));
   const TextureOf<std::uint16_t> words{2, 1, {0, 65535}};
   EXPECT_EQ(bake::alpha(words, Place{1, half}), half);
   const TextureOf<Binary32> floats{2, 1, {{0x3f800000}, {0xc0000000}}};  // 1, -2
@@ -165,6 +167,21 @@ TEST(SpecBakeState, EveryMipMustAgree) {
   EXPECT_EQ(state({transparent, all}), Micro::UT);
   EXPECT_EQ(state({opaque, all, none}), Micro::UO);
   EXPECT_THROW(state({}), std::invalid_argument);
+}
+
+TEST(SpecBakeState, AMarginIsOfEveryMipsOwnTexels) {
+  // Up to x = 3/2 of four texels; opaque up to x = 2.
+  const Base left{Place{0, 0}, Place{q(3, 8), 0}, Place{0, 1}};
+  const auto state = [&](const std::vector<Texture>& mips, const Rational& margin) {
+    return bake::micro_state(std::span<const Texture>(mips), left, 0, 0, at_half, margin);
+  };
+  EXPECT_EQ(state({left_half}, half), Micro::O);
+  EXPECT_EQ(state({left_half}, q(9, 16)), Micro::UO);
+  // Of two texels, opaque up to x = 1, it comes to 3/4.
+  const Texture coarse{2, 1, {255, 0}};
+  EXPECT_EQ(state({left_half, coarse}, q(1, 4)), Micro::O);
+  EXPECT_EQ(state({left_half, coarse}, half), Micro::UO);
+  EXPECT_THROW(state({left_half}, q(-1, 2)), std::invalid_argument);
 }
 
 constexpr Wrap every_wrap[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge,

@@ -1,8 +1,11 @@
 // spec/bake.hpp: wrapping, bilinear alpha and the extremes of polygons by hand, and against points.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "spec/bake.hpp"
@@ -222,6 +225,49 @@ TEST(SpecBake, PartsHaveTheExtremesOfTheWhole) {
     ASSERT_EQ(all.least, parts->least) << round;
     ASSERT_EQ(all.greatest, parts->greatest) << round;
   }
+}
+
+TEST(SpecBake, HullsHaveEachCornerOnce) {
+  const auto corners = [](Polygon points) { return bake::hull(std::move(points)).size(); };
+  EXPECT_EQ(corners({{1, 2}}), 1u);
+  EXPECT_EQ(corners({{1, 2}, {1, 2}, {1, 2}}), 1u);
+  EXPECT_EQ(corners({{1, 2}, {3, 3}, {1, 2}}), 2u);
+  EXPECT_EQ(corners({{0, 0}, {2, 2}, {1, 1}, {2, 2}}), 2u);
+  EXPECT_EQ(corners({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}, {0, 1}}), 4u);
+  const Polygon square = bake::hull(Polygon{{0, 0}, {0, 1}, {1, 0}, {1, 1}});
+  for (std::size_t k = 0; k < 4; ++k) {  // in order: each is beside the next
+    const Place &p = square.at(k), &q = square.at((k + 1) % 4);
+    EXPECT_TRUE(p.x == q.x || p.y == q.y);
+  }
+}
+
+// By support: what is farthest in a direction (a, b) comes |a| m + |b| m farther.
+TEST(SpecBake, DilatedByASquare) {
+  std::mt19937 random(4);
+  const auto farthest = [](const Polygon& p, const Rational& a, const Rational& b) {
+    Rational most = a * p.at(0).x + b * p.at(0).y;
+    for (const Place& corner : p) most = std::max<Rational>(most, a * corner.x + b * corner.y);
+    return most;
+  };
+  for (int round = 0; round < 60; ++round) {
+    Polygon triangle;
+    for (int k = 0; k < 3; ++k)
+      triangle.push_back({q(static_cast<int>(random() % 9), 4), q(static_cast<int>(random() % 9), 4)});
+    const Rational m = q(1 + static_cast<int>(random() % 9), 8);
+    const Polygon dilated = bake::dilated(triangle, m);
+    EXPECT_LE(dilated.size(), 7u);
+    for (int a = -4; a <= 4; ++a)
+      for (int b = -4; b <= 4; ++b)
+        ASSERT_EQ(farthest(dilated, a, b), farthest(triangle, a, b) + (std::abs(a) + std::abs(b)) * m);
+  }
+  const Polygon triangle{{0, 0}, {1, 0}, {0, 1}};
+  EXPECT_EQ(bake::dilated(triangle, q(0)).size(), 3u);
+  EXPECT_THROW(bake::dilated(triangle, q(-1)), std::invalid_argument);
+  // An opaque texel half a texel off.
+  const Texture t{
+      2, 1, {0, 255}, Wrap::clamp_to_edge, Wrap::clamp_to_edge, 0, bake::one, bake::Filter::nearest};
+  EXPECT_EQ(bake::range(t, bake::dilated(Polygon{{half, half}}, q(3, 8))).greatest, 0);
+  EXPECT_EQ(bake::range(t, bake::dilated(Polygon{{half, half}}, half)).greatest, 1);
 }
 
 // The two number types, on the same polygons.

@@ -120,6 +120,7 @@ std::string text_of(const Case& one) {
     text += fmt::format(",border={:0{}x}", one.border, digits);
   if (one.filter == Filter::nearest) text += ",filter=nearest";
   if (one.factor != 1) text += fmt::format(",factor={:a}", one.factor);
+  if (one.vertex_factor != 1) text += fmt::format(",vertex={:a}", one.vertex_factor);
   text += one.blend ? std::string(",cutoff=blend")
                     : fmt::format(",cutoff={}/{}", one.cutoff.numerator, one.cutoff.denominator);
   if (one.margin != 0) text += fmt::format(",margin={:a}", one.margin);
@@ -161,6 +162,8 @@ Case case_from(const std::string& text) {
     one.filter = value == "nearest" ? Filter::nearest : Filter::bilinear;
   }
   if (const auto value = take("factor"); !value.empty()) one.factor = finite(value);
+  if (const auto value = take("vertex"); !value.empty()) one.vertex_factor = finite(value);
+  if (one.factor < 0 || one.vertex_factor < 0) bad(text, "a factor below 0");
   read_cutoff(one, take("cutoff"));
   if (const auto value = take("margin"); !value.empty()) one.margin = finite(value);
   if (one.margin < 0) bad(text, "a margin below 0");

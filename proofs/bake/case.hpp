@@ -29,8 +29,8 @@ struct Case {
   Filter filter = Filter::bilinear;
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   std::uint32_t border = 0;
-  float factor = 1;
-  bool blend = false;  ///< else MASK, with the cutoff
+  float factor = 1, vertex_factor = 1;  ///< alpha is what is sampled, times both
+  bool blend = false;                   ///< else MASK, with the cutoff
   Cutoff cutoff = {};
   float margin = 0;           ///< in texels
   std::array<float, 6> uv{};  ///< of the three vertices
@@ -40,10 +40,10 @@ struct Case {
 std::uint64_t texels_of(std::uint32_t width, std::uint32_t height, std::uint32_t mips);
 
 /// "texels=u8:2x2:00ff80ff,wrap=repeat:clamp,cutoff=1/2,uv=0x0p+0:...", one word of a shell.  What is as it
-/// is by default (one mip, bilinear, MASK, factor 1, no margin) is left out.
+/// is by default (one mip, bilinear, MASK, factors 1, no margin) is left out.
 std::string text_of(const Case& one);
 /// Throws BadCase, also for what no baker can be asked: a side of 0 or above 16384, a number that is not
-/// finite, a cutoff over 0.
+/// finite, a cutoff over 0, a factor or margin below 0.
 Case case_from(const std::string& text);
 
 }  // namespace mmverify::proofs::bake

@@ -40,6 +40,7 @@ std::vector<spec::bake::TextureOf<Stored>> textures(const Case& one) {
     t.wrap_y = one.wrap_v;
     t.border = stored_as<Stored>(one.border);
     t.factor = {std::bit_cast<std::uint32_t>(one.factor)};
+    t.vertex_factor = {std::bit_cast<std::uint32_t>(one.vertex_factor)};
     t.filter = one.filter;
     mips.push_back(std::move(t));
   }

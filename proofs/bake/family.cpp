@@ -16,8 +16,10 @@ namespace bake = spec::bake;
 // The triangles are given in few bits.
 using Q = Rational64;
 
+/// What some point of a part is not, and whether it is rather opaque where it has but one.
 using Marks = std::uint8_t;
-constexpr Marks below = 1, opaque = 2, known = 4;
+constexpr Marks not_opaque = 1, not_transparent = 2, rather_opaque = 4, known = 8;
+constexpr Marks mixed = not_opaque | not_transparent;
 
 std::uint64_t power(std::uint64_t base, std::uint32_t exponent) {
   std::uint64_t result = 1;
@@ -25,8 +27,8 @@ std::uint64_t power(std::uint64_t base, std::uint32_t exponent) {
   return result;
 }
 
-/// What one cell shows of a polygon, or one texel where filtering is nearest: it has the sides of the cutoff
-/// that alpha takes on it, for each values of its texels.
+/// What one cell shows of a polygon, or one texel where filtering is nearest: for each values of its texels
+/// the marks that alpha leaves.
 struct Part {
   std::int64_t i, j;
   bake::Polygon<Q> local;  ///< in the cell's coordinates; empty where filtering is nearest
@@ -89,15 +91,20 @@ struct Enumerated::Geometry {
                                 ? values[0]
                                 : values[0] + base * (values[1] + base * (values[2] + base * values[3]));
     Marks found = part.marks[key].load(std::memory_order_relaxed);
-    if (found != 0) return found & ~known;
+    if (found != 0) return found;
     bake::Texture texels{2, 2};
     for (const std::uint8_t value : values) texels.alpha.push_back(f.alphabet[value]);
-    const Q cutoff = bake::fraction<Q>(f.cutoff.numerator, f.cutoff.denominator);
     const bake::Range<Q> range = f.filter == Filter::nearest
                                      ? bake::Range<Q>(bake::texel<Q>(texels, 0, 0))
                                      : bake::range(bake::Cell<Q>(texels, 0, 0), part.local);
-    found = static_cast<Marks>((range.least < cutoff ? below : 0) | (range.greatest >= cutoff ? opaque : 0));
-    part.marks[key].store(found | known, std::memory_order_relaxed);
+    const auto marked = [&](const auto& mode) {
+      return static_cast<Marks>(known | (mode.opaque(range.least) ? 0 : not_opaque) |
+                                (mode.transparent(range.greatest) ? 0 : not_transparent) |
+                                (mode.rather_opaque(range.greatest) ? rather_opaque : 0));
+    };
+    found = f.blend ? marked(bake::Blend<Q>{})
+                    : marked(bake::Mask<Q>{bake::fraction<Q>(f.cutoff.numerator, f.cutoff.denominator)});
+    part.marks[key].store(found, std::memory_order_relaxed);
     return found;
   }
 };
@@ -134,6 +141,7 @@ Case Enumerated::at(std::uint64_t k) const {
   std::tie(one.wrap_u, one.wrap_v) = family_.wraps[number.wrap];
   one.border = family_.alphabet.front();
   one.cutoff = family_.cutoff;
+  one.blend = family_.blend;
   one.uv = family_.triangles[number.triangle];
   return one;
 }
@@ -158,21 +166,24 @@ std::vector<State> Enumerated::truth(Level n, std::uint64_t k) const {
     Marks all = 0;
     for (const Part& part : micro.parts) {
       all = static_cast<Marks>(all | marks(part));
-      if (all == (below | opaque)) break;
+      if ((all & mixed) == mixed) break;
     }
-    if (all != (below | opaque))
-      states.push_back(all == opaque ? State::O : State::T);
+    if ((all & mixed) != mixed)
+      states.push_back((all & not_opaque) == 0 ? State::O : State::T);
     else
-      states.push_back(marks(micro.centroid.front()) == opaque ? State::UO : State::UT);
+      states.push_back((marks(micro.centroid.front()) & rather_opaque) != 0 ? State::UO : State::UT);
   }
   return states;
 }
 
 std::string Enumerated::domain() const {
   return fmt::format(
-      "all {} {}x{} textures over {}/255, cutoff {}/{}, {} pairs of addressing modes, {} UV triangles",
-      textures_, family_.side, family_.side, fmt::join(family_.alphabet, ", "), family_.cutoff.numerator,
-      family_.cutoff.denominator, family_.wraps.size(), family_.triangles.size());
+      "all {} {}x{} textures over {}/255, {}, {}, {} pairs of addressing modes, {} UV triangles", textures_,
+      family_.side, family_.side, fmt::join(family_.alphabet, ", "),
+      family_.filter == Filter::nearest ? "nearest" : "bilinear",
+      family_.blend ? std::string("BLEND")
+                    : fmt::format("cutoff {}/{}", family_.cutoff.numerator, family_.cutoff.denominator),
+      family_.wraps.size(), family_.triangles.size());
 }
 
 Families::Families(std::vector<Family> families) {
@@ -209,33 +220,57 @@ std::string Families::domain() const {
   return text;
 }
 
-const Families& small_families() {
+namespace {
+
+std::vector<std::pair<Wrap, Wrap>> pairs(bool alike) {
   constexpr Wrap every[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge, Wrap::clamp_to_border,
                             Wrap::mirror_once};
-  static const Families families = [&] {
-    std::vector<std::pair<Wrap, Wrap>> pairs, alike;
-    for (const Wrap u : every)
-      for (const Wrap v : every) {
-        pairs.emplace_back(u, v);
-        if (u == v) alike.emplace_back(u, v);
-      }
-    // Half of the texture; across texel lines; turned over and beyond every edge; far below 0; on a line; in
-    // a point, a texel's centre.
-    Family two{2, {0, 128, 255}, {128, 255}, Filter::bilinear, pairs, {}};
-    two.triangles = {{0, 0, 1, 0, 0, 1},
-                     {0.125f, 0.1875f, 1, 0.25f, 0.375f, 0.875f},
-                     {1.25f, -0.25f, -0.5f, 0.5f, 0.75f, 1.5f},
-                     {-3, -2, -2.25f, -2, -3, -1.25f},
-                     {0, 0.25f, 0.5f, 0.5f, 1, 0.75f},
-                     {0.25f, 0.25f, 0.25f, 0.25f, 0.25f, 0.25f}};
-    // A cutoff that alpha meets midway between texels.
-    Family three{3, {0, 255}, {1, 2}, Filter::bilinear, alike, {}};
-    three.triangles = {{0, 0, 1, 0, 0, 1},
-                       {0.125f, 0.125f, 0.9375f, 0.25f, 0.25f, 0.875f},
-                       {1.25f, -0.25f, -0.25f, 0.5f, 0.75f, 1.25f},
-                       {0, 0.5f, 1, 0.53125f, 1, 0.5f}};
-    return Families({two, three});
-  }();
+  std::vector<std::pair<Wrap, Wrap>> chosen;
+  for (const Wrap u : every)
+    for (const Wrap v : every)
+      if (!alike || u == v) chosen.emplace_back(u, v);
+  return chosen;
+}
+
+/// Half of the texture; across texel lines; turned over and beyond every edge; far below 0; on a line; in a
+/// point, a texel's centre.
+std::vector<Triangle> on_two() {
+  return {{0, 0, 1, 0, 0, 1},
+          {0.125f, 0.1875f, 1, 0.25f, 0.375f, 0.875f},
+          {1.25f, -0.25f, -0.5f, 0.5f, 0.75f, 1.5f},
+          {-3, -2, -2.25f, -2, -3, -1.25f},
+          {0, 0.25f, 0.5f, 0.5f, 1, 0.75f},
+          {0.25f, 0.25f, 0.25f, 0.25f, 0.25f, 0.25f}};
+}
+/// The same kinds, and a sliver.
+std::vector<Triangle> on_three() {
+  return {{0, 0, 1, 0, 0, 1},
+          {0.125f, 0.125f, 0.9375f, 0.25f, 0.25f, 0.875f},
+          {1.25f, -0.25f, -0.25f, 0.5f, 0.75f, 1.25f},
+          {0, 0.5f, 1, 0.53125f, 1, 0.5f}};
+}
+
+constexpr Cutoff met_by_texels{128, 255}, met_midway{1, 2};
+
+}  // namespace
+
+const Families& bilinear_families() {
+  static const Families families(
+      {{2, {0, 128, 255}, met_by_texels, Filter::bilinear, false, pairs(false), on_two()},
+       {3, {0, 255}, met_midway, Filter::bilinear, false, pairs(true), on_three()}});
+  return families;
+}
+
+const Families& nearest_families() {
+  static const Families families(
+      {{2, {0, 128, 255}, met_by_texels, Filter::nearest, false, pairs(false), on_two()},
+       {3, {0, 255}, met_midway, Filter::nearest, false, pairs(true), on_three()}});
+  return families;
+}
+
+const Families& blend_families() {
+  static const Families families({{2, {0, 128, 255}, {}, Filter::bilinear, true, pairs(true), on_two()},
+                                  {2, {0, 128, 255}, {}, Filter::nearest, true, pairs(true), on_two()}});
   return families;
 }
 

@@ -22,6 +22,7 @@ struct Family {
   std::vector<std::uint8_t> alphabet;
   Cutoff cutoff;
   Filter filter = Filter::bilinear;
+  bool blend = false;
   std::vector<std::pair<Wrap, Wrap>> wraps;
   std::vector<Triangle> triangles;
 };
@@ -70,7 +71,9 @@ class Families {
   std::vector<Enumerated> all_;
 };
 
-/// Those of the fast tier: bilinear.
-const Families& small_families();
+/// Those of the fast tier: bilinear and MASK; nearest and MASK; bilinear and nearest, BLEND.
+const Families& bilinear_families();
+const Families& nearest_families();
+const Families& blend_families();
 
 }  // namespace mmverify::proofs::bake

@@ -35,7 +35,7 @@ std::vector<std::uint8_t> blob_of(const Case& one, Level n, Format format) {
   what.wrap_u = static_cast<std::uint32_t>(one.wrap_u);
   what.wrap_v = static_cast<std::uint32_t>(one.wrap_v);
   what.factor = one.factor;
-  what.vertex_factor = 1;
+  what.vertex_factor = one.vertex_factor;
   what.alpha_mode = one.blend ? MMVERIFY_BLEND : MMVERIFY_MASK;
   what.cutoff_numerator = one.cutoff.numerator;
   what.cutoff_denominator = one.cutoff.denominator;

@@ -197,6 +197,23 @@ Finding keeps_cutoffs(const BakeSubject& s, const Case& one, Level n) {
   return {hash};
 }
 
+Finding keeps_margins(const BakeSubject& s, const Case& one, Level n) {
+  std::vector<State> before;
+  std::uint64_t hash = 0;
+  for (const float margin : {0.0f, 0x1p-8f, 0.5f, 3.0f}) {
+    Case other = one;
+    other.margin = margin;
+    std::vector<State> map = map_of(s, other, n);
+    for (std::size_t k = 0; k < before.size(); ++k)
+      if (!unknown(map[k]) && map[k] != before[k])
+        return wrong(fmt::format("margin {}: micro-triangle {} {} or unknown", margin, k, name_of(before[k])),
+                     name_of(map[k]));
+    before = std::move(map);
+    hash = hash * 31 + hash_of(before);
+  }
+  return {hash};
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Mutants
 // ---------------------------------------------------------------------------------------------------------------------
@@ -245,6 +262,9 @@ std::vector<Law> relation_laws() {
   const auto at_one = [](const Case& one) {
     return one.cutoff.numerator == 1 && one.cutoff.denominator == 1;
   };
+  const auto wide = [](const Case& one) { return one.margin == 3; };
+  const auto narrow = [](const Case& one) { return one.margin == 0 && one.height % 2 == 0; };
+  const auto hairy = [](const Case& one) { return one.margin == 0x1p-8f; };
   const auto never = [](const Case& one) { return one.cutoff.numerator == 256; };
   return {
       relation(
@@ -303,6 +323,16 @@ std::vector<Law> relation_laws() {
                                State::UT),
                        changed("one of those with a cutoff above 1", {4, 4}, never, State::T, State::O)}},
           large_sample, keeps_cutoffs),
+      relation({.id = "bake.margin",
+                .topic = "bake",
+                .says = "a wider margin settles nothing: what is O or T with it is so without",
+                .source = "a dilated micro-triangle holds it; spec/bake_state.hpp",
+                .subjects = {"bake"},
+                .mutants = {changed("an unknown at a margin of 3", {5, 5}, wide, State::UO, State::O),
+                            changed("a transparent one without a margin, an even number of rows", {3, 3},
+                                    narrow, State::T, State::UT),
+                            changed("an unknown at a margin of 1/256", {4, 4}, hairy, State::UT, State::T)}},
+               large_sample, keeps_margins),
   };
 }
 

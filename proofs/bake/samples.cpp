@@ -1,6 +1,7 @@
 #include "proofs/bake/samples.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -113,6 +114,44 @@ Case sample(std::uint64_t seed, std::uint64_t k) {
                                                place_below,    repeat_often};
   place[k % 8](random, one);
   return one;
+}
+
+namespace {
+
+std::uint32_t in_texels_of(Texel texel, std::uint32_t byte, Random& random) {
+  if (texel == Texel::unorm8) return byte;
+  const auto word = static_cast<std::uint32_t>(
+      std::clamp<std::int64_t>(257 * std::int64_t{byte} + random.between(-1, 1), 0, 65535));
+  if (texel == Texel::unorm16) return word;
+  const float steps[] = {0, 1, -0.25f, 1.5f};
+  return std::bit_cast<std::uint32_t>(random.below(4) == 0 ? steps[random.below(4)]
+                                                           : static_cast<float>(byte) / 255);
+}
+
+}  // namespace
+
+Case featured_sample(std::uint64_t seed, std::uint64_t k) {
+  Case one = sample(seed, k);
+  Random random(seed, stream + 2, k);
+  one.filter = static_cast<Filter>(random.below(2));
+  one.texel = static_cast<Texel>(random.below(3));
+  one.blend = random.below(3) == 0;
+  constexpr float factors[] = {1, 1, 0.5f, 1.25f, 0.3f, 0}, margins[] = {0, 0, 0.00390625f, 0.25f, 1.5f};
+  one.factor = factors[random.below(6)];
+  one.vertex_factor = factors[random.below(4)];
+  one.margin = margins[random.below(5)];
+  one.mips = random.below(4) == 0 ? 2 : 1;
+  for (std::uint64_t texels = texels_of(one.width, one.height, one.mips); one.alpha.size() < texels;)
+    one.alpha.push_back(random.below(2) != 0 ? one.alpha[random.below(one.alpha.size())] : 255);
+  for (std::uint32_t& bits : one.alpha) bits = in_texels_of(one.texel, bits, random);
+  one.border = in_texels_of(one.texel, one.border, random);
+  return one;
+}
+
+const char* featured_samples_text() {
+  return "the same cases bilinear and nearest, MASK and BLEND, of 8 and 16 bits and binary32, with factors, "
+         "margins "
+         "and a second mip; 64 micro-triangles of each";
 }
 
 Case large_sample(std::uint64_t seed, std::uint64_t k) {

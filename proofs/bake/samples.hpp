@@ -16,7 +16,12 @@ Case sample(std::uint64_t seed, std::uint64_t k);
 /// What the domain of a law says of them.
 const char* samples_text();
 
-/// The same of textures of up to 24x24 texels, discs and noise, on triangles within [-1, 1]^2.
+/// The same, sampled in every way: bilinear or nearest, MASK or BLEND, of 8 or 16 bits or binary32 (below 0
+/// and above 1, too), with factors, margins and a second mip.
+Case featured_sample(std::uint64_t seed, std::uint64_t k);
+const char* featured_samples_text();
+
+/// The same as `sample` of textures of up to 24x24 texels, discs and noise, on triangles within [-1, 1]^2.
 Case large_sample(std::uint64_t seed, std::uint64_t k);
 const char* large_samples_text();
 

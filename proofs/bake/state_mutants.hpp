@@ -34,6 +34,32 @@ inline void shrunk(Case& one) {
   for (std::size_t k = 2; k < 6; ++k) one.uv[k] = (one.uv[k] + one.uv[k % 2]) / 2;
 }
 
+/// By a hair: a place on a line of texels falls to the texel before it.
+inline void high_sides(Case& one) {
+  for (float& x : one.uv) x -= 0x1p-18f;
+}
+inline Mistake masked_at(const Cutoff& cutoff) {
+  return [=](Case& one) {
+    one.blend = false;
+    one.cutoff = cutoff;
+  };
+}
+inline void quarter_margin_as_none(Case& one) {
+  if (one.margin <= 0.25f) one.margin = 0;
+}
+inline void more_margin(Case& one) { one.margin += 0.0625f; }
+inline void first_mip_alone(Case& one) {
+  one.mips = 1;
+  one.alpha.resize(texels_of(one.width, one.height, 1));
+}
+inline void without_vertex_factor(Case& one) { one.vertex_factor = 1; }
+inline void other_filter(Case& one) {
+  one.filter = one.filter == Filter::nearest ? Filter::bilinear : Filter::nearest;
+}
+inline void blended_above_half(Case& one) {
+  if (one.blend) masked_at({2, 3})(one);
+}
+
 /// The map of another case in the place of this one's.
 inline Mutant asked_for_another(const char* name, Levels levels, const Mistake& mistake) {
   return mutant(name, "bake", levels, [&](Parts& parts) {
@@ -94,6 +120,13 @@ inline Spoil unsettles_one(const Texels& texels, State kind) {
   return [=](const Case& one, Level, std::vector<State>& states) {
     if (one.alpha == texels && one.wrap_u == Wrap::clamp_to_edge && one.wrap_v == Wrap::mirrored_repeat &&
         one.uv[0] == 0.125f)
+      change_last(
+          states, [kind](State s) { return s == kind; }, spec::micromap::as_unknown);
+  };
+}
+inline Spoil unsettles_last(const Texels& texels, State kind) {
+  return [=](const Case& one, Level, std::vector<State>& states) {
+    if (one.alpha == texels && one.wrap_u == Wrap::clamp_to_edge)
       change_last(
           states, [kind](State s) { return s == kind; }, spec::micromap::as_unknown);
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <stdexcept>
+#include <type_traits>
 
 #include "impl/bake_triangles.hpp"
 #include "proofs/bake/exact_texture.hpp"
@@ -48,26 +49,56 @@ static_assert(static_cast<int>(fast::Wrap::mirrored_repeat) == static_cast<int>(
               static_cast<int>(fast::Wrap::clamp_to_border) == static_cast<int>(Wrap::clamp_to_border) &&
               static_cast<int>(fast::Wrap::mirror_once) == static_cast<int>(Wrap::mirror_once));
 
-bool supported(const Case& one, Level n) {
-  const auto small = [](float x) { return x > -0x1p20f && x < 0x1p20f; };
-  return n <= fast::max_bake_level && one.mips == 1 && one.texel == Texel::unorm8 &&
-         one.filter == Filter::bilinear && one.factor == 1 && !one.blend && one.margin == 0 &&
-         std::all_of(one.uv.begin(), one.uv.end(), small);
+template <class Stored>
+Stored stored_number(std::uint32_t bits) {
+  if constexpr (std::is_same_v<Stored, float>)
+    return std::bit_cast<float>(bits);
+  else
+    return static_cast<Stored>(bits);
 }
 
-std::optional<Baked> baked_by_impl(const Case& one, Level n, Format format) {
-  if (!supported(one, n)) return std::nullopt;
-  const std::vector<std::uint8_t> alpha(one.alpha.begin(), one.alpha.end());
-  const fast::TriangleBaker baker({alpha.data(), one.width, one.height, one.width},
-                                  {one.cutoff.numerator, one.cutoff.denominator},
-                                  {static_cast<fast::Wrap>(one.wrap_u), static_cast<fast::Wrap>(one.wrap_v),
-                                   static_cast<std::uint8_t>(one.border)});
+template <class Stored>
+std::optional<Baked> baked_from(const Case& one, Level n, Format format) {
+  std::vector<Stored> alpha(one.alpha.size());
+  std::transform(one.alpha.begin(), one.alpha.end(), alpha.begin(), stored_number<Stored>);
+  std::vector<fast::Texels> mips;
+  std::size_t from = 0;
+  for (std::uint32_t k = 0; k < one.mips; ++k) {
+    const std::uint32_t width = std::max(1u, one.width >> k), height = std::max(1u, one.height >> k);
+    mips.push_back(fast::TexelView<Stored>{alpha.data() + from, width, height, width});
+    from += std::size_t{width} * height;
+  }
+  fast::AlphaMode mode = fast::Blend{};
+  if (!one.blend) mode = fast::Cutoff{one.cutoff.numerator, one.cutoff.denominator};
+  const fast::TriangleBaker baker(
+      mips, mode,
+      {static_cast<fast::Wrap>(one.wrap_u),
+       static_cast<fast::Wrap>(one.wrap_v),
+       one.filter == Filter::nearest ? fast::Filter::nearest : fast::Filter::bilinear,
+       static_cast<float>(stored_number<Stored>(one.border)),
+       {one.factor, one.vertex_factor},
+       one.margin});
   std::vector<std::uint8_t> map((count_at(n) + 3) / 4);
   baker.bake({{{one.uv[0], one.uv[1]}, {one.uv[2], one.uv[3]}, {one.uv[4], one.uv[5]}}}, n, map);
   std::vector<State> states(count_at(n));
   for (std::size_t k = 0; k < states.size(); ++k)
     states[k] = static_cast<State>(map[k / 4] >> 2 * (k % 4) & 3);
   return in_format(std::move(states), format);
+}
+
+std::optional<Baked> baked_by_impl(const Case& one, Level n, Format format) {
+  const auto small = [](float x) { return x > -0x1p20f && x < 0x1p20f; };
+  if (n > fast::max_bake_level || !std::all_of(one.uv.begin(), one.uv.end(), small) || !small(one.margin))
+    return std::nullopt;
+  switch (one.texel) {
+    case Texel::unorm16:
+      return baked_from<std::uint16_t>(one, n, format);
+    case Texel::float32:
+      return baked_from<float>(one, n, format);
+    case Texel::unorm8:
+      break;
+  }
+  return baked_from<std::uint8_t>(one, n, format);
 }
 
 Parts this_projects() { return {baked_by_impl, true}; }

@@ -18,7 +18,8 @@ State state_in(const Case& one, Level n, std::uint32_t index) {
   const auto uv = base_triangle<Q>(one);
   return with_textures(one, [&]<class Stored>(const std::vector<bake::TextureOf<Stored>>& mips) {
     return with_mode<Q>(one, [&](const auto& mode) {
-      return bake::micro_state(std::span<const bake::TextureOf<Stored>>(mips), uv, n, index, mode);
+      const Q margin = bake::number<Q>(bake::Binary32{std::bit_cast<std::uint32_t>(one.margin)});
+      return bake::micro_state(std::span<const bake::TextureOf<Stored>>(mips), uv, n, index, mode, margin);
     });
   });
 }
@@ -43,7 +44,6 @@ void candidates(const bake::TextureOf<Stored>& t, std::int64_t i, std::int64_t j
 }  // namespace
 
 State true_state(const Case& one, Level n, std::uint32_t index) {
-  if (one.margin != 0) throw BadCase("margins are not specified yet");
   return in_smallest([&]<class Q>() { return state_in<Q>(one, n, index); });
 }
 
@@ -88,7 +88,9 @@ bake::Polygon<Rational> corners_of(const Case& one, Level n, std::uint32_t index
 }
 
 Extremes extremes(const Case& one, Level n, std::uint32_t index) {
-  const bake::Polygon<Rational> polygon = corners_of(one, n, index);
+  const bake::Polygon<Rational> polygon =
+      bake::dilated(corners_of(one, n, index),
+                    bake::number<Rational>(bake::Binary32{std::bit_cast<std::uint32_t>(one.margin)}));
   return with_textures(one, [&](const auto& mips) {
     const auto& t = mips.front();
     std::optional<Extremes> found;

@@ -29,7 +29,7 @@ struct Extreme {
 struct Extremes {
   Extreme least, greatest;
 };
-/// Of mip 0, without a margin.
+/// Of mip 0, over the micro-triangle dilated by the margin.
 Extremes extremes(const Case& one, Level n, std::uint32_t index);
 
 /// The corners of a micro-triangle, in texels of mip 0.

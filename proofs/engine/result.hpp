@@ -49,6 +49,7 @@ struct Result {
   std::string at_once;  ///< "all levels": what the result is about in the place of a level; mostly empty
   std::string proof;    ///< "induction": how, beside the verdict `proved`; empty where every case was run
   std::string method, domain;
+  std::string replayed_by;  ///< as the law's
   Verdict verdict = Verdict::incomplete;
   std::string reason;  ///< why broken, not applicable or incomplete
   std::uint64_t cases_expected = 0;

@@ -101,6 +101,7 @@ std::optional<Level> first_refuted(const Report& report, const Job& job) {
 
 void name_proof(Result& r, const Law& law) {
   r.at_once = law.at_once;
+  r.replayed_by = law.replayed_by;
   if (law.method == Method::induction || law.method == Method::bit_vectors) r.proof = to_string(law.method);
 }
 
