@@ -66,7 +66,7 @@ TEST(SceneSample, ThePlan) {
   EXPECT_EQ(by_mesh["plant"].first, 48u);
   EXPECT_EQ(by_mesh["plant"].second.size(), 8u);  // two leaves, each cut along either diagonal
   EXPECT_EQ(by_mesh["fence panel"].first, 8u);
-  EXPECT_EQ(by_mesh["fence panel"].second.size(), 2u);
+  EXPECT_EQ(by_mesh["fence panel"].second.size(), 2u);  // but for whole repeats of the texture
   EXPECT_EQ(by_mesh["flower"].first, 8u);
   EXPECT_EQ(by_mesh["grass"].first, 4u);
   EXPECT_EQ(by_mesh["pond"].first, 2u);

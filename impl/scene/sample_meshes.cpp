@@ -72,7 +72,9 @@ SampleMesh fence_panel() {
   SampleMesh mesh;
   for (int column = 0; column < 4; ++column) {
     const double left = -1 + 0.5 * column, right = left + 0.5;
-    mesh.add_quad({point(left, 0, 0), point(right, 0, 0), point(right, 1, 0), point(left, 1, 0)}, corners);
+    std::array<Uv, 4> uvs = corners;
+    for (Uv& uv : uvs) uv[0] += static_cast<float>(column);
+    mesh.add_quad({point(left, 0, 0), point(right, 0, 0), point(right, 1, 0), point(left, 1, 0)}, uvs);
   }
   return mesh;
 }
