@@ -16,6 +16,9 @@
 #include "cli/output_file.hpp"
 #include "cli/text.hpp"
 #include "impl/scene/load.hpp"
+#include "impl/scene/sample_scene.hpp"
+#include "impl/scene/validate_micromaps.hpp"
+#include "impl/scene/write_glb.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 
@@ -33,10 +36,12 @@ using proofs::Report;
 using proofs::Result;
 using proofs::RunOptions;
 
+constexpr char sample_name[] = "the suite's own scene";
+
 struct Options {
-  std::string file, level = "auto", sizes, json, plot, replay, at;
+  std::string file, level = "auto", sizes, json, plot, glb, replay, at;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
-  unsigned threads = 0;
+  unsigned threads = 0, level_limit = finest_level;
   bool exhaustive = false, quiet = false;
   float margin = 0;
   int states = 4;
@@ -70,10 +75,14 @@ Baked baked(const Scene& scene, const Plan& plan, const std::vector<unsigned>& o
   for (const unsigned level : of) total += impl::micromap::micro_triangles(level);
   Progress progress(total, !options.quiet);
   progress.now("bake");
-  return bake(scene, plan, of, {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
-                                  progress.add(done);
-                                  if (proofs::interrupted()) throw Interrupted();
-                                }});
+  try {
+    return bake(scene, plan, of, {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
+                                    progress.add(done);
+                                    if (proofs::interrupted()) throw Interrupted();
+                                  }});
+  } catch (const std::invalid_argument& error) {
+    throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
+  }
 }
 
 /// Encoded as it would be shipped; uniform maps take nothing.
@@ -114,8 +123,9 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
 
 /// The arguments that decide what is baked, for a command that shows a case again.
 std::string command(const Options& options) {
-  std::string text = fmt::format("mmverify scene {}", shell_quoted(options.file));
+  std::string text = "mmverify scene" + (options.file.empty() ? "" : " " + shell_quoted(options.file));
   if (options.level != "auto") text += " --level " + options.level;
+  if (options.level_limit != finest_level) text += fmt::format(" --level-limit {}", options.level_limit);
   if (options.states != 4) text += " --states 2";
   if (options.memory != Options().memory) text += fmt::format(" --memory {}", options.memory);
   if (options.margin != 0) text += fmt::format(" --margin {}", options.margin);
@@ -159,9 +169,31 @@ Report nothing_to_bake() {
   return report;
 }
 
+/// Without a file the scene of our own.
+Scene loaded_scene(const Options& options) {
+  if (!options.file.empty()) return load(options.file);
+  const Bytes bytes = sample_scene();
+  return load(sample_name, bytes);
+}
+
+/// The file with the micromaps; our own validator finds nothing in it.
+Bytes with_micromaps(const Options& options, const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
+  std::vector<PrimitiveMicromaps> primitives;
+  for (std::size_t k = 0; k < arrays.primitives.size(); ++k) {
+    const Primitive& primitive = scene.primitives[plan.primitives[k].primitive];
+    primitives.push_back({primitive.mesh, primitive.number, 0, arrays.encoding, arrays.primitives[k].geometry.indices, 0});
+  }
+  const Micromaps micromaps{std::span(&arrays.array, primitives.empty() ? 0 : 1), primitives};
+  const Bytes bytes = options.file.empty() ? to_glb(sample_name, sample_scene(), micromaps) : to_glb(options.file, micromaps);
+  const auto violations = validate_micromaps(options.glb, bytes);
+  if (!violations.empty()) throw std::logic_error("what would be written breaks a rule: " + describe(violations.front()));
+  return bytes;
+}
+
 class Output {
  public:
   explicit Output(const Options& options) : options_(options), out_(options.json == "-" ? stderr : stdout) {
+    if (!options.glb.empty()) glb_.emplace(options.glb);
     if (!options.json.empty() && options.json != "-") json_.emplace(options.json);
     if (!options.plot.empty()) plot_.emplace(options.plot);
   }
@@ -174,6 +206,12 @@ class Output {
     else
       fmt::print("{}", all);
   }
+  void glb(const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
+    if (!glb_) return;
+    const Bytes bytes = with_micromaps(options_, plan, scene, arrays);
+    glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    fmt::print(out_, "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written", options_.glb, grouped(bytes.size()));
+  }
   void plot(const SceneFigures& figures) {
     if (plot_) plot_->commit(run_gnuplot(sizes_plot_script(figures)));
   }
@@ -181,7 +219,7 @@ class Output {
  private:
   const Options& options_;
   std::FILE* out_;
-  std::optional<OutputFile> json_, plot_;
+  std::optional<OutputFile> json_, plot_, glb_;
 };
 
 int scene(const Options& options) {
@@ -192,12 +230,13 @@ int scene(const Options& options) {
   Output output(options);
   const LevelRequest wanted = request(options);
   auto start = std::chrono::steady_clock::now();
-  const Scene loaded = load(options.file);
+  const Scene loaded = loaded_scene(options);
   const double load_seconds = seconds_since(start);
-  const Plan planned = plan(loaded);
+  const Plan planned = plan(loaded, options.level_limit);
   const impl::scene::Levels levels = chosen_levels(planned, wanted);
   if (options.replay.empty()) print_plan(output.text(), loaded, planned, levels);
   if (planned.triangles.empty()) {
+    output.glb(planned, loaded, {});
     output.json(nothing_to_bake(), scene_json(nullptr, loaded, planned, {}));
     return complete;
   }
@@ -220,6 +259,7 @@ int scene(const Options& options) {
                        vq_figures(squares.vq4, [](const auto& map) { return impl::vq::encode(map); }),
                        load_seconds, bake_seconds, at_levels(loaded, planned, options)};
   print_figures(output.text(), figures);
+  output.glb(planned, loaded, array);
 
   fmt::print(output.text(), "\nlaws on this scene\n");
   std::fflush(output.text());
@@ -241,8 +281,13 @@ int scene(const Options& options) {
 Action add_scene(CLI::App& program) {
   auto* command = program.add_subcommand("scene", "plan and bake the micromaps of a glTF scene, and run the laws on them");
   auto options = std::make_shared<Options>();
-  command->add_option("file", options->file, "the scene")->type_name("FILE.gltf|FILE.glb")->required();
+  command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
+      ->type_name("FILE.gltf|FILE.glb");
+  command->add_option("-o,--output", options->glb, "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
+      ->type_name("OUT.glb");
   command->add_option("--level", options->level, "of every triangle; auto: each its highest useful one")->type_name("N|auto");
+  command->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
+      ->check(CLI::Range(0u, finest_level));
   command->add_option("--memory", options->memory, "bytes that all maps may take; levels are lowered to fit")
       ->transform(CLI::AsSizeValue(false));
   command->add_option("--states", options->states, "2: force-2-state of every map")->check(CLI::IsMember({2, 4}));

@@ -124,8 +124,8 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
                                   100 * share(vq->substitutions, vq->regions), grouped(vq->substitutions)));
   }
   if (f.sizes.empty()) return;
-  fmt::print(out, "\nall triangles at one level\n  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n", "level", "micromaps", "special",
-             "2-st. data", "tree", "data/tree", "4-st. data", "tree", "data/tree", "any-hit");
+  fmt::print(out, "\nall triangles at one level; asks: share of the placed area where the any-hit shader is called\n  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n", "level", "micromaps", "special",
+             "2-st. data", "tree", "data/tree", "4-st. data", "tree", "data/tree", "asks");
   for (const auto& at : f.sizes) {
     const Footprint& p = at.footprint;
     fmt::print(out, "  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10.2f}{:>12}{:>12}{:>10.2f}{:>9.2f} %\n", at.level, grouped(p.records), grouped(p.special),

@@ -84,9 +84,7 @@ class BilinearFilter {
   }
 
   /// Of all those texels, exactly.
-  Marks texels(const Box& box) const noexcept {
-    return sides_.of(box.left, box.right, box.top, box.bottom);
-  }
+  Marks texels(const Box& box) const noexcept { return sides_.of(box.left, box.right, box.top, box.bottom); }
 
   /// Of a closed edge with g at its ends: halves, until a box settles them or they cross few lines.
   Marks edge(Spot p, Spot q, double at_p, double at_q) const noexcept {

@@ -2,14 +2,18 @@
 // to impl/bake*.
 //
 // Texels are bits, in tiles of 8x8 of a word each; of tiles, rows of bits say which hold some and which hold
-// nothing else.  A megabyte of texels takes 132 kB, which stays in a cache where their sums would not.
+// nothing else.  A megabyte of texels takes 260 kB, which stays in a cache where their sums would not.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace mmverify::impl::bake::detail {
+
+static_assert(std::endian::native == std::endian::little, "rows of bits are loaded as little-endian words");
 
 class Plane {
  public:
@@ -23,11 +27,13 @@ class Plane {
     tiles_.resize(tiles_across_ * tiles_down);
     some_.resize(words_ * tiles_down);
     some_not_.resize(words_ * tiles_down);
+    bytes_.resize(tiles_across_ * height + 8);  // room for a word from the last byte of the last row
     for (std::uint32_t y = 0; y < height; ++y)
       for (std::uint32_t x = 0; x < width; x += 8) {
         std::uint64_t byte = 0;
         const std::uint32_t count = width - x < 8 ? width - x : 8;
         for (std::uint32_t k = 0; k < count; ++k) byte |= std::uint64_t{has(x + k, y)} << k;
+        bytes_[tiles_across_ * y + x / 8] = static_cast<std::uint8_t>(byte);
         tiles_[tiles_across_ * (y / 8) + x / 8] |= byte << (8 * (y % 8));
       }
     for (std::size_t j = 0; j < tiles_down; ++j)
@@ -39,6 +45,15 @@ class Plane {
         if (tile != 0) some_[words_ * j + i / 64] |= bit;
         if (tile != real) some_not_[words_ * j + i / 64] |= bit;
       }
+  }
+
+  /// Of texel x of row y and those to its right, the lowest bits; those beyond the row's end mean nothing.
+  std::uint32_t row(std::int64_t x, std::int64_t y) const noexcept {
+    std::uint64_t word;
+    std::memcpy(&word,
+                bytes_.data() + tiles_across_ * static_cast<std::size_t>(y) + static_cast<std::size_t>(x / 8),
+                sizeof word);
+    return static_cast<std::uint32_t>(word >> (x % 8));
   }
 
   struct Found {
@@ -97,6 +112,8 @@ class Plane {
   std::size_t tiles_across_ = 0, words_ = 0;
   /// Tile (i, j) at i + tiles_across j; texel (x, y) of it is bit x + 8 y.
   std::vector<std::uint64_t> tiles_;
+  /// The same rows by rows.
+  std::vector<std::uint8_t> bytes_;
   /// Bit i of row j, words_ to a row: whether tile (i, j) has some that have it; and some that have not.
   std::vector<std::uint64_t> some_, some_not_;
 };

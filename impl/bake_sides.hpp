@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "impl/bake.hpp"
@@ -90,6 +91,35 @@ class SidesOf final : public Sides {
       return {p[0], p[1], p[texture_.pitch], p[texture_.pitch + 1]};
     }
     return {texel(i, j), texel(i + 1, j), texel(i, j + 1), texel(i + 1, j + 1)};
+  }
+
+  /// Somewhere, texels [left, right] x [top, bottom] that lie in one picture as they are: the first of them.
+  /// Four bytes from each of them can be read.
+  struct InOnePicture {
+    const Texel* first;
+    std::int64_t left, top;  ///< of the picture
+  };
+  std::optional<InOnePicture> in_one_picture(std::int64_t left, std::int64_t right, std::int64_t top,
+                                             std::int64_t bottom) const noexcept {
+    const std::int64_t x = wrap_x_ == Wrap::repeat ? modulo(left, width_) : left,
+                       y = wrap_y_ == Wrap::repeat ? modulo(top, height_) : top, end_x = x + (right - left),
+                       end_y = y + (bottom - top);
+    if (x < 0 || end_x >= width_ || y < 0 || end_y >= height_) return std::nullopt;
+    constexpr std::size_t beyond = 4 / sizeof(Texel) - 1;
+    const auto at = [this](std::int64_t i, std::int64_t j) {
+      return static_cast<std::size_t>(j) * texture_.pitch + static_cast<std::size_t>(i);
+    };
+    if (at(end_x, end_y) + beyond > at(width_ - 1, height_ - 1)) return std::nullopt;
+    return InOnePicture{texture_.texels + at(x, y), x, y};
+  }
+  std::size_t pitch() const noexcept { return texture_.pitch; }
+  /// Rows of 32 texels from (x, y) of the picture down.  Domain: they are within it.
+  void rows(std::int64_t x, std::int64_t y, std::size_t count, std::uint32_t* opaque_rows,
+            std::uint32_t* visible_rows) const noexcept {
+    for (std::size_t k = 0; k < count; ++k) opaque_rows[k] = opaque_.row(x, y + static_cast<std::int64_t>(k));
+    if (!limits.blend) return;
+    for (std::size_t k = 0; k < count; ++k)
+      visible_rows[k] = visible_.row(x, y + static_cast<std::int64_t>(k));
   }
 
  private:

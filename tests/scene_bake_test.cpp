@@ -233,7 +233,7 @@ std::map<std::string, proofs::Verdict> verdicts(const proofs::Report& report) {
 TEST(SceneLaws, HoldOfOurOwnMaps) {
   using enum proofs::Verdict;
   const Made made;
-  for (const auto& [law, verdict] : verdicts(judged(made.data())))
+  for (const auto& [law, verdict] : verdicts(judged(made.data(), 40)))
     EXPECT_EQ(verdict, law == "vq.square_map" || law.starts_with("bake.") ? checked : proved) << law;
   for (const auto& [law, verdict] : verdicts(judged(made.data(), std::nullopt)))
     EXPECT_EQ(verdict, law == "vq.square_map" ? checked : proved) << law;

@@ -36,7 +36,8 @@ struct BakeOptions {
 /// Bakes each distinct triangle once; a map that has no unknown state is 2-state.  The same for any number of
 /// threads.
 /// Domain: a plan of this scene; a level for each of its triangles, at most bake::max_bake_level.
-/// Errors: std::invalid_argument, naming the image, for what cannot be baked; what `done` throws.
+/// Errors: std::invalid_argument, naming the image, for what cannot be baked: see bake::TriangleBaker; what
+/// `done` throws.
 Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> levels,
            const BakeOptions& options = {});
 

@@ -167,7 +167,7 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   };
   law.unfit = [total, claim](const Subject&, Level n) -> std::optional<std::string> {
     if (total(n) != 0) return std::nullopt;
-    return fmt::format("no micro-triangle of level {} is {}", n, claim.known ? "T or O" : "unknown");
+    return fmt::format("no micro-triangle is {}", claim.known ? "T or O" : "unknown");
   };
   law.judge = [claim, &data, exact, whole, cases](const Subject&, Level n, const Run& run) {
     const OfLevel of(data, exact, n);

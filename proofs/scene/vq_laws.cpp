@@ -54,8 +54,8 @@ Finding exact_region(const ExactSurfaces& exact, const impl::scene::Pair& pair, 
   return {marks, {}, {}};
 }
 
-/// Regions of pairs that are looked at: micro-triangles of level 4 span many texels.
-constexpr std::uint64_t regions = 128;
+/// Regions that are looked at: they span thousands of texels each.
+constexpr std::uint64_t regions = 32;
 
 }  // namespace
 
@@ -83,14 +83,17 @@ std::vector<Law> vq_laws(const Data& data) {
                       .topic = "vq",
                       .says = "a pair's square map is C where its region is mixed, and T or O where all of it is",
                       .source = "Compressed Opacity Maps, 3; spec/bake_state.hpp"},
-                     {"regions drawn from the pairs' maps", [pairs](Level n) { return n == 4 && pairs() != 0 ? regions : 0; },
+                     {"regions drawn from the pairs' maps",
+                      [pairs](Level n) { return (n == 4 || n == 5) && pairs() != 0 ? regions : 0; },
                       [&data, exact, pairs](Level n, std::uint64_t k) {
                         Random random(1, 73, k);
                         const std::uint64_t number = random.below(pairs());
-                        const auto x = static_cast<std::uint32_t>(random.below(16)),
-                                   y = static_cast<std::uint32_t>(random.below(16));
+                        const std::uint32_t side = spec::side(n);
+                        const auto x = static_cast<std::uint32_t>(random.below(side)),
+                                   y = static_cast<std::uint32_t>(random.below(side));
                         return exact_region(*exact, data.pairs.distinct[number], n, x, y,
-                                            data.squares.vq2[number][x + 16 * y]);
+                                            n == 4 ? data.squares.vq2[number][x + side * y]
+                                                   : data.squares.vq4[number][x + side * y]);
                       }});
   squares.method = Method::sample;
   laws.push_back(std::move(squares));
