@@ -79,10 +79,17 @@ SampleMesh fence_panel() {
   return mesh;
 }
 
-SampleMesh lying_square(float half, float high) {
+SampleMesh lying_square(float half, float high, int cells) {
   SampleMesh mesh;
-  mesh.add_quad({Position{-half, high, half}, {half, high, half}, {half, high, -half}, {-half, high, -half}},
-                corners);
+  const auto part = [&](int k) { return static_cast<float>(k) / static_cast<float>(cells); };
+  const auto at = [&](int x, int y) {
+    return Position{half * (2 * part(x) - 1), high, half * (2 * part(y) - 1)};
+  };
+  const auto uv = [&](int x, int y) { return Uv{part(x), part(y)}; };
+  for (int y = 0; y < cells; ++y)
+    for (int x = 0; x < cells; ++x)
+      mesh.add_quad({at(x, y + 1), at(x + 1, y + 1), at(x + 1, y), at(x, y)},
+                    {uv(x, y + 1), uv(x + 1, y + 1), uv(x + 1, y), uv(x, y)});
   return mesh;
 }
 
