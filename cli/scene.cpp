@@ -14,8 +14,12 @@
 #include "cli/exit_code.hpp"
 #include "cli/json.hpp"
 #include "cli/output_file.hpp"
+#include "cli/run_identity.hpp"
 #include "cli/text.hpp"
 #include "impl/scene/load.hpp"
+#include "impl/scene/sample_scene.hpp"
+#include "impl/scene/validate_micromaps.hpp"
+#include "impl/scene/write_glb.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 
@@ -24,8 +28,8 @@ namespace {
 
 using namespace impl::scene;
 using proofs::BadCase;
-using proofs::Interrupted;
 using proofs::InterruptGuard;
+using proofs::Interrupted;
 using proofs::Job;
 using proofs::Progress;
 using proofs::Replayed;
@@ -33,10 +37,12 @@ using proofs::Report;
 using proofs::Result;
 using proofs::RunOptions;
 
+constexpr char sample_name[] = "the suite's own scene";
+
 struct Options {
-  std::string file, level = "auto", sizes, json, plot, replay, at;
-  std::uint64_t memory = std::uint64_t{1} << 30, samples = 105000, seed = 1;
-  unsigned threads = 0;
+  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at;
+  std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
+  unsigned threads = 0, level_limit = finest_level;
   bool exhaustive = false, quiet = false;
   float margin = 0;
   int states = 4;
@@ -60,8 +66,8 @@ Levels chosen_levels(const Plan& plan, const LevelRequest& wanted) {
   try {
     return levels(plan, wanted);
   } catch (const std::invalid_argument&) {
-    throw UsageError(fmt::format("--memory {}: not a byte for each of the {} distinct triangles",
-                                 wanted.memory, plan.triangles.size()));
+    throw UsageError(fmt::format("--memory {}: not a byte for each of the {} distinct triangles", wanted.memory,
+                                 plan.triangles.size()));
   }
 }
 
@@ -70,11 +76,14 @@ Baked baked(const Scene& scene, const Plan& plan, const std::vector<unsigned>& o
   for (const unsigned level : of) total += impl::micromap::micro_triangles(level);
   Progress progress(total, !options.quiet);
   progress.now("bake");
-  return bake(scene, plan, of,
-              {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
-                 progress.add(done);
-                 if (proofs::interrupted()) throw Interrupted();
-               }});
+  try {
+    return bake(scene, plan, of, {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
+                                    progress.add(done);
+                                    if (proofs::interrupted()) throw Interrupted();
+                                  }});
+  } catch (const std::invalid_argument& error) {
+    throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
+  }
 }
 
 /// Encoded as it would be shipped; uniform maps take nothing.
@@ -108,16 +117,16 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
   for (unsigned level = range.first; level <= range.last; ++level) {
     const std::vector<unsigned> of(plan.triangles.size(), level);
     const Baked maps = baked(scene, plan, of, options);
-    all.push_back(
-        {level, footprint(scene, plan, arrays(plan, maps), options.threads), saved(scene, plan, maps)});
+    all.push_back({level, footprint(scene, plan, arrays(plan, maps), options.threads), saved(scene, plan, maps)});
   }
   return all;
 }
 
 /// The arguments that decide what is baked, for a command that shows a case again.
 std::string command(const Options& options) {
-  std::string text = fmt::format("mmverify scene {}", shell_quoted(options.file));
+  std::string text = "mmverify scene" + (options.file.empty() ? "" : " " + shell_quoted(options.file));
   if (options.level != "auto") text += " --level " + options.level;
+  if (options.level_limit != finest_level) text += fmt::format(" --level-limit {}", options.level_limit);
   if (options.states != 4) text += " --states 2";
   if (options.memory != Options().memory) text += fmt::format(" --memory {}", options.memory);
   if (options.margin != 0) text += fmt::format(" --margin {}", options.margin);
@@ -136,15 +145,14 @@ int replayed(const proofs::scene::SceneLaws& laws, const Options& options) {
     if (job.levels.first != level) continue;
     try {
       const Replayed r = job.law->replay(*job.subject, level, at);
-      fmt::print("{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id,
-                 level, at, r.expected, r.got);
+      fmt::print("{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id, level, at,
+                 r.expected, r.got);
       return r.holds ? complete : failed;
     } catch (const BadCase& bad) {
       throw UsageError(fmt::format("--case {}", bad.what()));
     }
   }
-  throw UsageError(
-      fmt::format("--replay {}: no law of that name has cases of that level in this scene", options.replay));
+  throw UsageError(fmt::format("--replay {}: no law of that name has cases of that level in this scene", options.replay));
 }
 
 /// The report of a scene that has no case for any law.
@@ -162,9 +170,31 @@ Report nothing_to_bake() {
   return report;
 }
 
+/// Without a file the scene of our own.
+Scene loaded_scene(const Options& options) {
+  if (!options.file.empty()) return load(options.file);
+  const Bytes bytes = sample_scene();
+  return load(sample_name, bytes);
+}
+
+/// The file with the micromaps; our own validator finds nothing in it.
+Bytes with_micromaps(const Options& options, const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
+  std::vector<PrimitiveMicromaps> primitives;
+  for (std::size_t k = 0; k < arrays.primitives.size(); ++k) {
+    const Primitive& primitive = scene.primitives[plan.primitives[k].primitive];
+    primitives.push_back({primitive.mesh, primitive.number, 0, arrays.encoding, arrays.primitives[k].geometry.indices, 0});
+  }
+  const Micromaps micromaps{std::span(&arrays.array, primitives.empty() ? 0 : 1), primitives};
+  const Bytes bytes = options.file.empty() ? to_glb(sample_name, sample_scene(), micromaps) : to_glb(options.file, micromaps);
+  const auto violations = validate_micromaps(options.glb, bytes);
+  if (!violations.empty()) throw std::logic_error("what would be written breaks a rule: " + describe(violations.front()));
+  return bytes;
+}
+
 class Output {
  public:
   explicit Output(const Options& options) : options_(options), out_(options.json == "-" ? stderr : stdout) {
+    if (!options.glb.empty()) glb_.emplace(options.glb);
     if (!options.json.empty() && options.json != "-") json_.emplace(options.json);
     if (!options.plot.empty()) plot_.emplace(options.plot);
   }
@@ -177,6 +207,12 @@ class Output {
     else
       fmt::print("{}", all);
   }
+  void glb(const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
+    if (!glb_) return;
+    const Bytes bytes = with_micromaps(options_, plan, scene, arrays);
+    glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    fmt::print(out_, "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written", options_.glb, grouped(bytes.size()));
+  }
   void plot(const SceneFigures& figures) {
     if (plot_) plot_->commit(run_gnuplot(sizes_plot_script(figures)));
   }
@@ -184,7 +220,7 @@ class Output {
  private:
   const Options& options_;
   std::FILE* out_;
-  std::optional<OutputFile> json_, plot_;
+  std::optional<OutputFile> json_, plot_, glb_;
 };
 
 int scene(const Options& options) {
@@ -195,12 +231,13 @@ int scene(const Options& options) {
   Output output(options);
   const LevelRequest wanted = request(options);
   auto start = std::chrono::steady_clock::now();
-  const Scene loaded = load(options.file);
+  const Scene loaded = loaded_scene(options);
   const double load_seconds = seconds_since(start);
-  const Plan planned = plan(loaded);
+  const Plan planned = plan(loaded, options.level_limit);
   const impl::scene::Levels levels = chosen_levels(planned, wanted);
   if (options.replay.empty()) print_plan(output.text(), loaded, planned, levels);
   if (planned.triangles.empty()) {
+    output.glb(planned, loaded, {});
     output.json(nothing_to_bake(), scene_json(nullptr, loaded, planned, {}));
     return complete;
   }
@@ -209,8 +246,7 @@ int scene(const Options& options) {
   const double bake_seconds = seconds_since(start);
   const SceneArrays array = arrays(planned, maps);
   const Pairs found = pairs(loaded, planned);
-  const SquareMaps squares =
-      square_maps(loaded, planned, found, {options.threads, false, options.margin, {}});
+  const SquareMaps squares = square_maps(loaded, planned, found, {options.threads, false, options.margin, {}});
   const proofs::scene::Data data{loaded, planned, maps, array, found, squares, options.margin};
   proofs::scene::BakeSample sample;
   if (!options.exhaustive) sample.size = options.samples;
@@ -218,20 +254,13 @@ int scene(const Options& options) {
   if (!options.replay.empty()) return replayed(laws, options);
   print_left_out(output.text(), laws.left_out);
 
-  SceneFigures figures{loaded,
-                       planned,
-                       levels,
-                       maps,
-                       array,
-                       found,
-                       footprint(loaded, planned, array, options.threads),
+  SceneFigures figures{loaded, planned, levels, maps, array, found, footprint(loaded, planned, array, options.threads),
                        saved(loaded, planned, maps),
                        vq_figures(squares.vq2, [](const auto& map) { return impl::vq::encode_optimal(map); }),
                        vq_figures(squares.vq4, [](const auto& map) { return impl::vq::encode(map); }),
-                       load_seconds,
-                       bake_seconds,
-                       at_levels(loaded, planned, options)};
+                       load_seconds, bake_seconds, at_levels(loaded, planned, options)};
   print_figures(output.text(), figures);
+  output.glb(planned, loaded, array);
 
   fmt::print(output.text(), "\nlaws on this scene\n");
   std::fflush(output.text());
@@ -241,8 +270,15 @@ int scene(const Options& options) {
   run.seed = options.seed;
   run.show_progress = !options.quiet;
   run.mutants = false;
+  proofs::Identity identity;
+  if (!options.journal.empty()) identity = identity_of(laws.jobs, run);
+  identity.emplace_back("samples", options.exhaustive ? "all" : fmt::format("{}", options.samples));
+  const auto journal = open_journal(options.journal, std::move(identity), {});
+  run.journal = journal.get();
   const Report report = run_jobs(laws.jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, false);
+  if (report.interrupted && journal)
+    fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
   output.plot(figures);
   output.json(report, scene_json(&figures, loaded, planned, laws.left_out));
   return exit_code(report);
@@ -251,33 +287,32 @@ int scene(const Options& options) {
 }  // namespace
 
 Action add_scene(CLI::App& program) {
-  auto* command = program.add_subcommand(
-      "scene", "plan and bake the micromaps of a glTF scene, and run the laws on them");
+  auto* command = program.add_subcommand("scene", "plan and bake the micromaps of a glTF scene, and run the laws on them");
   auto options = std::make_shared<Options>();
-  command->add_option("file", options->file, "the scene")->type_name("FILE.gltf|FILE.glb")->required();
-  command->add_option("--level", options->level, "of every triangle; auto: each its highest useful one")
-      ->type_name("N|auto");
+  command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
+      ->type_name("FILE.gltf|FILE.glb");
+  command->add_option("-o,--output", options->glb, "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
+      ->type_name("OUT.glb");
+  command->add_option("--level", options->level, "of every triangle; auto: each its highest useful one")->type_name("N|auto");
+  command->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
+      ->check(CLI::Range(0u, finest_level));
   command->add_option("--memory", options->memory, "bytes that all maps may take; levels are lowered to fit")
       ->transform(CLI::AsSizeValue(false));
-  command->add_option("--states", options->states, "2: force-2-state of every map")
-      ->check(CLI::IsMember({2, 4}));
-  command
-      ->add_option("--margin", options->margin, "texels by which micro-triangles are dilated along both axes")
+  command->add_option("--states", options->states, "2: force-2-state of every map")->check(CLI::IsMember({2, 4}));
+  command->add_option("--margin", options->margin, "texels by which micro-triangles are dilated along both axes")
       ->check(finite_within(0, 1024));
   command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   command->add_flag("--exhaustive", options->exhaustive, "run the laws of baking on all micro-triangles");
-  command->add_option("--sizes", options->sizes, "also the sizes with every triangle at each of these levels")
-      ->type_name("A..B");
+  command->add_option("--sizes", options->sizes, "also the sizes with every triangle at each of these levels")->type_name("A..B");
   command->add_option("--plot", options->plot, "draw the sizes as SVG; needs --sizes")->type_name("FILE.svg");
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
+  command->add_option("--journal", options->journal, "keep what the laws have done here; the same command goes on from it")
+      ->type_name("FILE");
   command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
-  command
-      ->add_option("--threads", options->threads,
-                   "worker threads; as many as the machine has where not given")
+  command->add_option("--threads", options->threads, "worker threads; as many as the machine has where not given")
       ->check(CLI::Range(1u, 1024u));
-  command->add_option("--replay", options->replay, "show one case of a law again; needs --case")
-      ->type_name("LAW");
+  command->add_option("--replay", options->replay, "show one case of a law again; needs --case")->type_name("LAW");
   command->add_option("--case", options->at, "the case of --replay")->type_name("LEVEL@CASE");
   command->add_flag("--quiet", options->quiet, "no progress");
   return [options] { return scene(*options); };

@@ -1,15 +1,20 @@
 // How a bilinearly sampled micro-triangle is judged.  Internal to impl/bake*.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "impl/bake_base.hpp"
 #include "impl/bake_codes.hpp"
 #include "impl/bake_filter.hpp"
 #include "impl/bake_inner_box.hpp"
 #include "impl/bake_sides.hpp"
+#include "impl/bake_sixteen.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -22,7 +27,8 @@ class Bilinear {
   /// `inner`: of a micro-triangle that is not turned.
   Bilinear(const SidesOf<Texel>& sides, const ExactBase& exact, const InnerBox& inner, double delta,
            double margin) noexcept
-      : filter_(sides, delta, margin),
+      : sides_(sides),
+        filter_(sides, delta, margin),
         exact_(exact),
         inner_(sides, inner, margin, delta),
         lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {}
@@ -48,12 +54,89 @@ class Bilinear {
            leaf({p12, p02, p[2]}, {g12, g02, g2}, turned, index + 3, quad, {2, own, own}, counts) << 6;
   }
 
+  /// The sixteen of a node, in four bytes: those that SIMD decides, and one by one those that it does not.
+  std::uint32_t sixteen(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    SixteenMarks marks;
+    if constexpr (!std::is_same_v<Texel, float>) marks = asked(p);
+    const std::uint32_t unknowns = marks.below & marks.opaque;
+    const std::uint32_t settled = marks.lacks_below | marks.lacks_opaque,
+                        decided = settled | (unknowns & marks.leans);
+    counts.leaves += static_cast<std::uint64_t>(std::popcount(decided & ~marks.by_texels));
+    std::uint32_t codes =
+        2 * spread(unknowns) | spread((unknowns & marks.leans_to_opaque) | marks.lacks_below);
+    if (decided == 0xffff) return codes;
+    const auto child = [&](const Triangle& q, bool is_turned, std::uint32_t first) {
+      const std::uint32_t left = ~decided >> first & 15;
+      if (left == 0) return;
+      const Spot q01 = middle(q[0], q[1]), q02 = middle(q[0], q[2]), q12 = middle(q[1], q[2]);
+      const std::array<Triangle, 4> of{
+          Triangle{q[0], q01, q02}, {q02, q12, q01}, {q01, q[1], q12}, {q12, q02, q[2]}};
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        if ((left >> k & 1) == 0) continue;
+        const std::uint32_t shift = 2 * (first + k);
+        codes = (codes & ~(std::uint32_t{3} << shift)) |
+                single(of[k], k == 1 ? !is_turned : is_turned, index + first + k, counts) << shift;
+      }
+    };
+    const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
+    child({p[0], p01, p02}, turned, 0);
+    child({p02, p12, p01}, !turned, 4);
+    child({p01, p[1], p12}, turned, 8);
+    child({p12, p02, p[2]}, turned, 12);
+    return codes;
+  }
+
  private:
   /// The edges between the four children of a node, each asked at most once: 0 p01 p02, 1 p01 p12, 2 p02 p12.
   struct Quad {
     std::array<Marks, 3> edge{};
   };
   static constexpr std::size_t own = 3;  ///< an edge of no other child
+
+  /// Bit k to bit 2k.
+  static std::uint32_t spread(std::uint32_t x) noexcept {
+    x = (x | x << 8) & 0x00ff00ff;
+    x = (x | x << 4) & 0x0f0f0f0f;
+    x = (x | x << 2) & 0x33333333;
+    return (x | x << 1) & 0x55555555;
+  }
+
+  /// Nothing where it is too large, wrapped around, or dilated.
+  SixteenMarks asked(const Triangle& p) const {
+    if (!filter_.usable() || filter_.margin() != 0) return {};
+    // One more all round, for what binary32 is off.
+    auto box = filter_.box(p);
+    const std::int64_t left = box.left - 1, right = box.right + 1, top = box.top - 1, bottom = box.bottom + 1;
+    const std::int64_t width = right - left + 1, height = bottom - top + 1;
+    const std::int64_t size = std::max(width, height);
+    if (size > 256 || sides_.pitch() > std::size_t{1} << 20) return {};
+    const auto picture = sides_.in_one_picture(left, right, top, bottom);
+    if (!picture) return {};
+    const auto x = static_cast<double>(left), y = static_cast<double>(top);
+    const double delta = filter_.delta() + 0x1p-20 * static_cast<double>(size);
+    SixteenInput in;
+    in.texels = picture->first;
+    in.pitch = static_cast<std::int32_t>(sides_.pitch());
+    in.p0 = {static_cast<float>(p[0].x - x), static_cast<float>(p[0].y - y)};
+    in.p01 = {static_cast<float>(p[1].x - p[0].x), static_cast<float>(p[1].y - p[0].y)};
+    in.p02 = {static_cast<float>(p[2].x - p[0].x), static_cast<float>(p[2].y - p[0].y)};
+    in.threshold = static_cast<float>(sides_.threshold);
+    in.gap = static_cast<float>(sides_.gap);
+    in.lean = static_cast<float>(lean_);
+    in.bound = static_cast<float>(sides_.scale * (2 * delta + 0x1p-19));
+    in.edge_bound = static_cast<float>(sides_.scale * (16 * delta + 0x1p-17));
+    in.delta = static_cast<float>(delta);
+    in.centres_are_clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
+    std::array<std::uint32_t, sixteen_window> opaque_rows, visible_rows;
+    in.rows_opaque = nullptr;
+    if (size <= sixteen_window) {
+      sides_.rows(picture->left, picture->top, static_cast<std::size_t>(height), opaque_rows.data(),
+                  visible_rows.data());
+      in.rows_opaque = opaque_rows.data();
+      in.rows_visible = sides_.limits.blend ? visible_rows.data() : opaque_rows.data();
+    }
+    return detail::sixteen<Texel>(in);
+  }
 
   /// `edges`: which of the quad's the edges p0 p1, p1 p2, p2 p0 are.
   unsigned leaf(const Triangle& p, const std::array<double, 3>& g, bool turned, std::uint32_t index,
@@ -123,6 +206,7 @@ class Bilinear {
     return seen;
   }
 
+  const SidesOf<Texel>& sides_;
   BilinearFilter<Texel> filter_;
   const ExactBase& exact_;
   Within inner_;

@@ -28,6 +28,11 @@ class Descent {
       std::memset(map_ + index / 4, all == opaque ? 0x55 : 0, std::size_t{1} << (2 * height - 2));
       return;
     }
+    if (height == 2) {
+      const std::uint32_t codes = judge_.sixteen(p, turned, index, counts);
+      for (std::uint32_t k = 0; k < 4; ++k) map_[index / 4 + k] = static_cast<std::uint8_t>(codes >> (8 * k));
+      return;
+    }
     const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
     if (height == 1) {
       map_[index / 4] = static_cast<std::uint8_t>(judge_.four(p, p01, p02, p12, turned, index, counts));

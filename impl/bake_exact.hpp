@@ -229,8 +229,9 @@ class Exact {
   void texels(std::int64_t j) {
     const Int level = Int(j) * unit_, next = level + unit_;
     std::int64_t first = cells_ + 2, last = -1;
-    for (auto [from, to] : outline_.segments) {
-      if (y_[to] < y_[from]) std::swap(from, to);
+    for (const auto& [one, other] : outline_.segments) {
+      const bool down = !(y_[other] < y_[one]);
+      const std::size_t from = down ? one : other, to = down ? other : one;
       if (y_[to] < level || !(y_[from] < next)) continue;
       const Int dx = x_[to] - x_[from], dy = y_[to] - y_[from];
       const auto reach = [&](const Int& at, const Int& size, bool attained) {

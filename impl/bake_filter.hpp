@@ -34,9 +34,6 @@ namespace mmverify::impl::bake::detail {
 template <class Texel>
 class BilinearFilter {
  public:
-  /// Rectangles below this size are asked row by row.
-  static constexpr std::int64_t few = 28;
-
   BilinearFilter(const SidesOf<Texel>& sides, double delta, double margin) noexcept
       : sides_(sides),
         delta_(delta),
@@ -87,11 +84,7 @@ class BilinearFilter {
   }
 
   /// Of all those texels, exactly.
-  Marks texels(const Box& box) const noexcept {
-    return box.right - box.left < few && box.bottom - box.top < few
-               ? sides_.of_few(box.left, box.right, box.top, box.bottom)
-               : sides_.of(box.left, box.right, box.top, box.bottom);
-  }
+  Marks texels(const Box& box) const noexcept { return sides_.of(box.left, box.right, box.top, box.bottom); }
 
   /// Of a closed edge with g at its ends: halves, until a box settles them or they cross few lines.
   Marks edge(Spot p, Spot q, double at_p, double at_q) const noexcept {

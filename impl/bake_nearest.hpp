@@ -66,6 +66,16 @@ class Nearest {
            single({p12, p02, p[2]}, turned, index + 3, counts) << 6;
   }
 
+  std::uint32_t sixteen(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
+    const auto child = [&](const Triangle& q, bool is_turned, std::uint32_t first) {
+      return four(q, middle(q[0], q[1]), middle(q[0], q[2]), middle(q[1], q[2]), is_turned, first, counts);
+    };
+    return child({p[0], p01, p02}, turned, index) | child({p02, p12, p01}, !turned, index + 4) << 8 |
+           child({p01, p[1], p12}, turned, index + 8) << 16 |
+           child({p12, p02, p[2]}, turned, index + 12) << 24;
+  }
+
  private:
   struct Box {
     std::int64_t left, right, top, bottom;
@@ -75,11 +85,7 @@ class Nearest {
     return {floored(std::min({p[0].x, p[1].x, p[2].x}) - d), floored(std::max({p[0].x, p[1].x, p[2].x}) + d),
             floored(std::min({p[0].y, p[1].y, p[2].y}) - d), floored(std::max({p[0].y, p[1].y, p[2].y}) + d)};
   }
-  Marks texels(const Box& b) const noexcept {
-    constexpr std::int64_t few = 28;
-    return b.right - b.left < few && b.bottom - b.top < few ? sides_.of_few(b.left, b.right, b.top, b.bottom)
-                                                            : sides_.of(b.left, b.right, b.top, b.bottom);
-  }
+  Marks texels(const Box& b) const noexcept { return sides_.of(b.left, b.right, b.top, b.bottom); }
 
   /// Of a triangle whose texels bear both marks.
   Marks judged(const Triangle& p, const Box& around, Spot centroid, bool turned) const noexcept {

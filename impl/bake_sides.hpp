@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "impl/bake.hpp"
@@ -26,21 +27,6 @@ class Sides {
   Marks of(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
     if (left >= 0 && right < width_ && top >= 0 && bottom < height_) return within(left, right, top, bottom);
     return wrapped_around(left, right, top, bottom);
-  }
-
-  /// The same of few texels, a row of them in one word.  Domain: width at most 56.
-  Marks of_few(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
-    if (left < 0 || right >= width_ || top < 0 || bottom >= height_)
-      return wrapped_around(left, right, top, bottom);
-    const std::uint64_t mask = (std::uint64_t{1} << (right - left + 1)) - 1;
-    std::uint64_t any = 0, all = mask;
-    for (std::int64_t j = top; j <= bottom; ++j) {
-      const std::uint64_t row = opaque_.row(left, j);
-      any |= limits.blend ? visible_.row(left, j) : row;
-      all &= row;
-      if ((any & mask) != 0 && all != mask) return both;
-    }
-    return static_cast<Marks>(((any & mask) != 0 ? opaque : 0) | (all != mask ? below : 0));
   }
 
   /// Texel (i, j), before wrapping, as it is stored.
@@ -68,10 +54,9 @@ class Sides {
 
  private:
   Marks within(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
-    const std::uint32_t n = opaque_.count(left, right, top, bottom);
-    const std::uint32_t seen = limits.blend ? visible_.count(left, right, top, bottom) : n;
-    const auto area = static_cast<std::uint32_t>((right + 1 - left) * (bottom + 1 - top));
-    return static_cast<Marks>((seen != 0 ? opaque : 0) | (n != area ? below : 0));
+    const Plane::Found found = opaque_.in(left, right, top, bottom);
+    const bool seen = limits.blend ? visible_.in(left, right, top, bottom).some : found.some;
+    return static_cast<Marks>((seen ? opaque : 0) | (found.some_not ? below : 0));
   }
   Marks wrapped_around(std::int64_t left, std::int64_t right, std::int64_t top,
                        std::int64_t bottom) const noexcept;
@@ -106,6 +91,35 @@ class SidesOf final : public Sides {
       return {p[0], p[1], p[texture_.pitch], p[texture_.pitch + 1]};
     }
     return {texel(i, j), texel(i + 1, j), texel(i, j + 1), texel(i + 1, j + 1)};
+  }
+
+  /// Somewhere, texels [left, right] x [top, bottom] that lie in one picture as they are: the first of them.
+  /// Four bytes from each of them can be read.
+  struct InOnePicture {
+    const Texel* first;
+    std::int64_t left, top;  ///< of the picture
+  };
+  std::optional<InOnePicture> in_one_picture(std::int64_t left, std::int64_t right, std::int64_t top,
+                                             std::int64_t bottom) const noexcept {
+    const std::int64_t x = wrap_x_ == Wrap::repeat ? modulo(left, width_) : left,
+                       y = wrap_y_ == Wrap::repeat ? modulo(top, height_) : top, end_x = x + (right - left),
+                       end_y = y + (bottom - top);
+    if (x < 0 || end_x >= width_ || y < 0 || end_y >= height_) return std::nullopt;
+    constexpr std::size_t beyond = 4 / sizeof(Texel) - 1;
+    const auto at = [this](std::int64_t i, std::int64_t j) {
+      return static_cast<std::size_t>(j) * texture_.pitch + static_cast<std::size_t>(i);
+    };
+    if (at(end_x, end_y) + beyond > at(width_ - 1, height_ - 1)) return std::nullopt;
+    return InOnePicture{texture_.texels + at(x, y), x, y};
+  }
+  std::size_t pitch() const noexcept { return texture_.pitch; }
+  /// Rows of 32 texels from (x, y) of the picture down.  Domain: they are within it.
+  void rows(std::int64_t x, std::int64_t y, std::size_t count, std::uint32_t* opaque_rows,
+            std::uint32_t* visible_rows) const noexcept {
+    for (std::size_t k = 0; k < count; ++k) opaque_rows[k] = opaque_.row(x, y + static_cast<std::int64_t>(k));
+    if (!limits.blend) return;
+    for (std::size_t k = 0; k < count; ++k)
+      visible_rows[k] = visible_.row(x, y + static_cast<std::int64_t>(k));
   }
 
  private:

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <map>
+#include <variant>
+
+#include "proofs/scene/law_parts.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
@@ -33,7 +37,24 @@ void add_formats(SceneLaws& all, const Data& data) {
   if (!four) all.left_out.push_back({"4-state", "no map has both an unknown and another state"});
 }
 
+std::string fingerprint_of(const Data& data) {
+  std::uint64_t hash = hash_of(data.arrays.array.data);
+  for (const auto& primitive : data.arrays.primitives) hash = hash * 31 + hash_of(primitive.geometry.indices);
+  for (const auto& image : data.scene.images)
+    hash = hash * 31 + std::visit([](const auto& alpha) { return hash_of(alpha); }, image.alpha);
+  for (const auto& triangle : data.plan.triangles)
+    for (const auto& uv : triangle.uvs)
+      for (const float x : uv) hash = hash * 31 + std::bit_cast<std::uint32_t>(x);
+  return fmt::format("{} {:016x} margin {}", data.scene.file, hash, data.margin);
+}
+
 }  // namespace
+
+/// Of all that the laws look at; a second's work, so done once.
+std::string SceneSubject::fingerprint() const {
+  std::call_once(asked_, [this] { fingerprint_ = fingerprint_of(data_); });
+  return fingerprint_;
+}
 
 SceneLaws scene_laws(const Data& data, const BakeSample& sample, const std::string& command) {
   SceneLaws all;

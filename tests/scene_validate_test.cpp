@@ -7,6 +7,7 @@
 
 #include "impl/scene/validate_micromaps.hpp"
 #include "impl/scene/write_glb.hpp"
+#include "tests/folder.hpp"
 #include "tests/gltf_file.hpp"
 
 namespace {
@@ -230,6 +231,18 @@ TEST(SceneValidate, EveryRuleHasAPlantedBreach) {
   }
   for (const Breach& breach : breaches()) planted.insert(breach.rule);
   EXPECT_EQ(planted, ids);
+}
+
+TEST(SceneValidate, TheDocumentListsTheRules) {
+  const std::string document = text_of(MMVERIFY_DOCUMENT);
+  std::size_t from = 0;
+  for (const FileRule& rule : file_rules()) {
+    const std::string row = std::string("\n| `") + rule.id + "` | " + rule.says + " | " + rule.source + " |";
+    const std::size_t at = document.find(row, from);
+    ASSERT_NE(at, std::string::npos) << row;
+    from = at + row.size();
+  }
+  EXPECT_EQ(document.find("\n| `", from), std::string::npos);
 }
 
 TEST(SceneValidate, WhatIsAllowed) {

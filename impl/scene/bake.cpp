@@ -63,20 +63,25 @@ Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> level
     const std::uint64_t count = micromap::micro_triangles(baked.level);
     micromap::Bytes map(micromap::packed_bytes(count, Format::four_state));
     const auto& uv = planned.uvs;
-    counts[number] = bakers[planned.surface].bake(
-        {{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}}, baked.level, map);
+    try {
+      counts[number] = bakers[planned.surface].bake(
+          {{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}}, baked.level, map);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(error.what() + std::string(": UVs (") + std::to_string(uv[0][0]) + ", " +
+                                  std::to_string(uv[0][1]) + ") on image " +
+                                  scene.images[plan.surfaces[planned.surface].image].name);
+    }
     keep(baked, std::move(map), options.two_state);
     if (options.done) options.done(count);
   };
   oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
                                                      : static_cast<int>(options.threads));
   arena.execute([&] {
-    oneapi::tbb::parallel_for(
-        oneapi::tbb::blocked_range<std::size_t>(0, order.size(), 1),
-        [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-          for (std::size_t k = range.begin(); k != range.end(); ++k) one(order[k]);
-        },
-        oneapi::tbb::simple_partitioner());
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, order.size(), 1),
+                              [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+                                for (std::size_t k = range.begin(); k != range.end(); ++k) one(order[k]);
+                              },
+                              oneapi::tbb::simple_partitioner());
   });
   for (const bake::BakeCounts& c : counts) {
     all.counts.micro_triangles += c.micro_triangles;

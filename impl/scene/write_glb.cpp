@@ -78,6 +78,9 @@ class Writer {
       if (primitive.micromap >= micromaps.arrays.size()) bad("its array is not there");
       add(primitive);
     }
+    // Views of no bytes at all want a buffer all the same.
+    constexpr unsigned char zero = 0;
+    if (binary_.bytes().empty() && !member(json_, "bufferViews").empty()) binary_.append({&zero, 1});
     return glb(std::move(json_), binary_);
   }
 

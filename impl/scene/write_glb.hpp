@@ -40,7 +40,7 @@ struct Micromaps {
 ///   known type; std::invalid_argument where `micromaps` does not fit the scene: a primitive that is not
 ///   there, has no triangles, or comes twice, indices that are not one a triangle, an array that is not
 ///   there; std::length_error where the file would have 2^32 bytes or more.
-/// Source: EXT_mesh_opacity_micromap, draft of 2026 (KhronosGroup/glTF, pull request 2623); docs/SCENE.md.
+/// Source: EXT_mesh_opacity_micromap, draft of 2026 (KhronosGroup/glTF, pull request 2623); docs/GLTF.md.
 Bytes to_glb(const std::string& file, const Micromaps& micromaps);
 Bytes to_glb(const std::string& name, std::span<const unsigned char> bytes, const Micromaps& micromaps);
 

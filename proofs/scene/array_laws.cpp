@@ -1,10 +1,8 @@
 // The scene's array, and its way from a triangle to its states.
-#include "impl/micromap_reorder.hpp"
 #include "impl/micromap_validate.hpp"
 #include "proofs/scene/law_groups.hpp"
 #include "proofs/scene/law_parts.hpp"
-#include "spec/index.hpp"
-#include "spec/micromap.hpp"
+#include "proofs/scene/other_order.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
@@ -31,22 +29,23 @@ micromap::Input input_of(const Data& data, std::size_t primitive, const micromap
 }
 
 Law valid_law(const Data& data) {
-  return over(
-      {.id = "micromap.valid",
-       .topic = "micromap",
-       .says = "the array and each primitive's indices and counts break no rule of EXT, KHR, DXR and glTF",
-       .source = "VK_EXT_opacity_micromap, VK_KHR_opacity_micromap, DXR 1.2, EXT_mesh_opacity_micromap; "
-                 "spec/micromap_rules.hpp"},
-      {"primitives with micromaps", [&data](Level n) { return n == 0 ? data.plan.primitives.size() : 0; },
-       [&data](Level, std::uint64_t k) -> Finding {
-         const micromap::Bytes records = micromap::record_buffer(data.arrays.array.records);
-         const std::vector<micromap::UsageCount> counts = micromap::usage_counts(data.arrays.array.records);
-         micromap::Input in = input_of(data, k, records);
-         in.array_counts = counts;
-         const auto violations = micromap::validate(in);
-         if (violations.empty()) return {in.triangles, {}, {}};
-         return {0, "no violation", micromap::describe(violations.front())};
-       }});
+  return over({.id = "micromap.valid",
+               .topic = "micromap",
+               .says = "the array and each primitive's indices and counts break no rule of EXT, KHR, DXR and glTF",
+               .source = "VK_EXT_opacity_micromap, VK_KHR_opacity_micromap, DXR 1.2, EXT_mesh_opacity_micromap; "
+                         "spec/micromap_rules.hpp"},
+              {"primitives with micromaps",
+               [&data](Level n) { return n == 0 ? data.plan.primitives.size() : 0; },
+               [&data](Level, std::uint64_t k) -> Finding {
+                 const micromap::Bytes records = micromap::record_buffer(data.arrays.array.records);
+                 const std::vector<micromap::UsageCount> counts =
+                     micromap::usage_counts(data.arrays.array.records);
+                 micromap::Input in = input_of(data, k, records);
+                 in.array_counts = counts;
+                 const auto violations = micromap::validate(in);
+                 if (violations.empty()) return {in.triangles, {}, {}};
+                 return {0, "no violation", micromap::describe(violations.front())};
+               }});
 }
 
 /// The uses of planned triangles that have this level, each distinct triangle and order of vertices once.
@@ -76,7 +75,8 @@ unsigned by_indirection(const Data& data, std::size_t primitive, std::size_t tri
   const auto& bytes = data.arrays.primitives[primitive].geometry.indices;
   const std::size_t width = micromap::width(data.arrays.encoding) / 8;
   std::uint32_t code = 0;
-  for (std::size_t k = 0; k < width; ++k) code |= std::uint32_t{bytes[triangle * width + k]} << (8 * k);
+  for (std::size_t k = 0; k < width; ++k)
+    code |= std::uint32_t{bytes[triangle * width + k]} << (8 * k);
   if (const auto state = micromap::special_state(code, data.arrays.encoding))
     return static_cast<unsigned>(*state);
   const micromap::Record& record = data.arrays.array.records[code];
@@ -85,31 +85,13 @@ unsigned by_indirection(const Data& data, std::size_t primitive, std::size_t tri
   return data.arrays.array.data[record.offset + bit / 8] >> (bit % 8) & ((1u << b) - 1);
 }
 
-/// Through corners, as the specification has them: the same place in the other order of vertices.
-std::uint32_t in_other_order(std::uint32_t index, Level n, const impl::scene::VertexOrder& order) {
-  // The centroid's barycentrics of the vertices, in thirds of 1/N.
-  std::array<std::uint32_t, 3> mine{};
-  for (const auto& corner : spec::index::corners(index, n)) {
-    mine[1] += corner.i;
-    mine[2] += corner.j;
-  }
-  mine[0] = 3 * spec::side(n) - mine[1] - mine[2];
-  std::array<std::uint32_t, 3> theirs{};
-  for (std::size_t k = 0; k < 3; ++k) theirs[order[k]] = mine[k];
-  // Of a centroid strictly within: the square of the whole parts, in its upper half where both thirds are 2.
-  return spec::index::curve(spec::index::grid_square<std::uint32_t>(theirs[1] / 3, theirs[2] / 3,
-                                                                    theirs[1] % 3 == 2, spec::side(n)),
-                            spec::side(n) - 1);
-}
-
 Law indirection_law(const Data& data) {
   const auto uses = std::make_shared<const Uses>(data);
   return over(
       {.id = "micromap.indirection",
        .topic = "micromap",
-       .says =
-           "a triangle's code, record and data give the states that were baked for it, in its own order of "
-           "vertices",
+       .says = "a triangle's code, record and data give the states that were baked for it, in its own order of "
+               "vertices",
        .source = "VkAccelerationStructureTrianglesOpacityMicromapKHR; VkMicromapTriangleKHR"},
       {"triangles with a map and order of their own", [uses](Level n) { return uses->of[n].size(); },
        [&data, uses](Level n, std::uint64_t k) -> Finding {
@@ -128,13 +110,12 @@ Law indirection_law(const Data& data) {
              expected = static_cast<unsigned>(*baked.uniform);
            } else {
              const std::size_t b = micromap::bits(baked.format);
-             const std::size_t bit = in_other_order(index, n, use.order) * b;
+             const std::size_t bit = in_planned_order(index, n, use.order) * b;
              expected = baked.map[bit / 8] >> (bit % 8) & ((1u << b) - 1);
            }
            found.answer = found.answer * 31 + got;
            if (got != expected)
-             return {0,
-                     fmt::format("state {} of micro-triangle {} of triangle {}", expected, index, triangle),
+             return {0, fmt::format("state {} of micro-triangle {} of triangle {}", expected, index, triangle),
                      fmt::format("{}", got)};
          }
          return found;

@@ -34,7 +34,7 @@ inline Law over(Law law, Parts parts) {
   };
   law.unfit = [parts](const Subject&, Level n) -> std::optional<std::string> {
     if (parts.count(n) != 0) return std::nullopt;
-    return fmt::format("no {} of level {}", parts.what, n);
+    return fmt::format("no {}", parts.what);
   };
   law.judge = [parts](const Subject&, Level n, const Run& run) {
     return sweep(run, parts.count(n), 1, [&](Chunk chunk, Tally& tally) {

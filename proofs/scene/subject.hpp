@@ -1,6 +1,9 @@
 // A scene's own data in the dock: what was baked from it and built of that.
 #pragma once
 
+#include <mutex>
+#include <string>
+
 #include "impl/scene/arrays.hpp"
 #include "impl/scene/square_maps.hpp"
 #include "proofs/engine/law.hpp"
@@ -21,11 +24,14 @@ struct Data {
 class SceneSubject : public Subject {
  public:
   SceneSubject(const Data& data, const std::string& topic)
-      : Subject(topic, "impl", "what this project bakes, packs and codes of a scene"), data_(data) {}
+      : Subject(topic, "impl", "what this project bakes, packs and codes of a scene") , data_(data) {}
   bool exact() const override { return true; }
+  std::string fingerprint() const override;
 
  private:
   Data data_;
+  mutable std::once_flag asked_;
+  mutable std::string fingerprint_;
 };
 
 }  // namespace mmverify::proofs::scene
