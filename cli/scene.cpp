@@ -28,8 +28,8 @@ namespace {
 
 using namespace impl::scene;
 using proofs::BadCase;
-using proofs::InterruptGuard;
 using proofs::Interrupted;
+using proofs::InterruptGuard;
 using proofs::Job;
 using proofs::Progress;
 using proofs::Replayed;
@@ -66,8 +66,8 @@ Levels chosen_levels(const Plan& plan, const LevelRequest& wanted) {
   try {
     return levels(plan, wanted);
   } catch (const std::invalid_argument&) {
-    throw UsageError(fmt::format("--memory {}: not a byte for each of the {} distinct triangles", wanted.memory,
-                                 plan.triangles.size()));
+    throw UsageError(fmt::format("--memory {}: not a byte for each of the {} distinct triangles",
+                                 wanted.memory, plan.triangles.size()));
   }
 }
 
@@ -77,10 +77,11 @@ Baked baked(const Scene& scene, const Plan& plan, const std::vector<unsigned>& o
   Progress progress(total, !options.quiet);
   progress.now("bake");
   try {
-    return bake(scene, plan, of, {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
-                                    progress.add(done);
-                                    if (proofs::interrupted()) throw Interrupted();
-                                  }});
+    return bake(scene, plan, of,
+                {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
+                   progress.add(done);
+                   if (proofs::interrupted()) throw Interrupted();
+                 }});
   } catch (const std::invalid_argument& error) {
     throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
   }
@@ -117,7 +118,8 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
   for (unsigned level = range.first; level <= range.last; ++level) {
     const std::vector<unsigned> of(plan.triangles.size(), level);
     const Baked maps = baked(scene, plan, of, options);
-    all.push_back({level, footprint(scene, plan, arrays(plan, maps), options.threads), saved(scene, plan, maps)});
+    all.push_back(
+        {level, footprint(scene, plan, arrays(plan, maps), options.threads), saved(scene, plan, maps)});
   }
   return all;
 }
@@ -145,14 +147,15 @@ int replayed(const proofs::scene::SceneLaws& laws, const Options& options) {
     if (job.levels.first != level) continue;
     try {
       const Replayed r = job.law->replay(*job.subject, level, at);
-      fmt::print("{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id, level, at,
-                 r.expected, r.got);
+      fmt::print("{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id,
+                 level, at, r.expected, r.got);
       return r.holds ? complete : failed;
     } catch (const BadCase& bad) {
       throw UsageError(fmt::format("--case {}", bad.what()));
     }
   }
-  throw UsageError(fmt::format("--replay {}: no law of that name has cases of that level in this scene", options.replay));
+  throw UsageError(
+      fmt::format("--replay {}: no law of that name has cases of that level in this scene", options.replay));
 }
 
 /// The report of a scene that has no case for any law.
@@ -178,16 +181,20 @@ Scene loaded_scene(const Options& options) {
 }
 
 /// The file with the micromaps; our own validator finds nothing in it.
-Bytes with_micromaps(const Options& options, const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
+Bytes with_micromaps(const Options& options, const Plan& plan, const Scene& scene,
+                     const SceneArrays& arrays) {
   std::vector<PrimitiveMicromaps> primitives;
   for (std::size_t k = 0; k < arrays.primitives.size(); ++k) {
     const Primitive& primitive = scene.primitives[plan.primitives[k].primitive];
-    primitives.push_back({primitive.mesh, primitive.number, 0, arrays.encoding, arrays.primitives[k].geometry.indices, 0});
+    primitives.push_back(
+        {primitive.mesh, primitive.number, 0, arrays.encoding, arrays.primitives[k].geometry.indices, 0});
   }
   const Micromaps micromaps{std::span(&arrays.array, primitives.empty() ? 0 : 1), primitives};
-  const Bytes bytes = options.file.empty() ? to_glb(sample_name, sample_scene(), micromaps) : to_glb(options.file, micromaps);
+  const Bytes bytes =
+      options.file.empty() ? to_glb(sample_name, sample_scene(), micromaps) : to_glb(options.file, micromaps);
   const auto violations = validate_micromaps(options.glb, bytes);
-  if (!violations.empty()) throw std::logic_error("what would be written breaks a rule: " + describe(violations.front()));
+  if (!violations.empty())
+    throw std::logic_error("what would be written breaks a rule: " + describe(violations.front()));
   return bytes;
 }
 
@@ -211,7 +218,8 @@ class Output {
     if (!glb_) return;
     const Bytes bytes = with_micromaps(options_, plan, scene, arrays);
     glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    fmt::print(out_, "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written", options_.glb, grouped(bytes.size()));
+    fmt::print(out_, "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written",
+               options_.glb, grouped(bytes.size()));
   }
   void plot(const SceneFigures& figures) {
     if (plot_) plot_->commit(run_gnuplot(sizes_plot_script(figures)));
@@ -246,7 +254,8 @@ int scene(const Options& options) {
   const double bake_seconds = seconds_since(start);
   const SceneArrays array = arrays(planned, maps);
   const Pairs found = pairs(loaded, planned);
-  const SquareMaps squares = square_maps(loaded, planned, found, {options.threads, false, options.margin, {}});
+  const SquareMaps squares =
+      square_maps(loaded, planned, found, {options.threads, false, options.margin, {}});
   const proofs::scene::Data data{loaded, planned, maps, array, found, squares, options.margin};
   proofs::scene::BakeSample sample;
   if (!options.exhaustive) sample.size = options.samples;
@@ -254,11 +263,19 @@ int scene(const Options& options) {
   if (!options.replay.empty()) return replayed(laws, options);
   print_left_out(output.text(), laws.left_out);
 
-  SceneFigures figures{loaded, planned, levels, maps, array, found, footprint(loaded, planned, array, options.threads),
+  SceneFigures figures{loaded,
+                       planned,
+                       levels,
+                       maps,
+                       array,
+                       found,
+                       footprint(loaded, planned, array, options.threads),
                        saved(loaded, planned, maps),
                        vq_figures(squares.vq2, [](const auto& map) { return impl::vq::encode_optimal(map); }),
                        vq_figures(squares.vq4, [](const auto& map) { return impl::vq::encode(map); }),
-                       load_seconds, bake_seconds, at_levels(loaded, planned, options)};
+                       load_seconds,
+                       bake_seconds,
+                       at_levels(loaded, planned, options)};
   print_figures(output.text(), figures);
   output.glb(planned, loaded, array);
 
@@ -287,32 +304,45 @@ int scene(const Options& options) {
 }  // namespace
 
 Action add_scene(CLI::App& program) {
-  auto* command = program.add_subcommand("scene", "plan and bake the micromaps of a glTF scene, and run the laws on them");
+  auto* command = program.add_subcommand(
+      "scene", "plan and bake the micromaps of a glTF scene, and run the laws on them");
   auto options = std::make_shared<Options>();
   command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
-  command->add_option("-o,--output", options->glb, "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
+  command
+      ->add_option("-o,--output", options->glb,
+                   "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
       ->type_name("OUT.glb");
-  command->add_option("--level", options->level, "of every triangle; auto: each its highest useful one")->type_name("N|auto");
-  command->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
+  command->add_option("--level", options->level, "of every triangle; auto: each its highest useful one")
+      ->type_name("N|auto");
+  command
+      ->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
       ->check(CLI::Range(0u, finest_level));
   command->add_option("--memory", options->memory, "bytes that all maps may take; levels are lowered to fit")
       ->transform(CLI::AsSizeValue(false));
-  command->add_option("--states", options->states, "2: force-2-state of every map")->check(CLI::IsMember({2, 4}));
-  command->add_option("--margin", options->margin, "texels by which micro-triangles are dilated along both axes")
+  command->add_option("--states", options->states, "2: force-2-state of every map")
+      ->check(CLI::IsMember({2, 4}));
+  command
+      ->add_option("--margin", options->margin, "texels by which micro-triangles are dilated along both axes")
       ->check(finite_within(0, 1024));
   command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   command->add_flag("--exhaustive", options->exhaustive, "run the laws of baking on all micro-triangles");
-  command->add_option("--sizes", options->sizes, "also the sizes with every triangle at each of these levels")->type_name("A..B");
+  command->add_option("--sizes", options->sizes, "also the sizes with every triangle at each of these levels")
+      ->type_name("A..B");
   command->add_option("--plot", options->plot, "draw the sizes as SVG; needs --sizes")->type_name("FILE.svg");
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
-  command->add_option("--journal", options->journal, "keep what the laws have done here; the same command goes on from it")
+  command
+      ->add_option("--journal", options->journal,
+                   "keep what the laws have done here; the same command goes on from it")
       ->type_name("FILE");
   command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
-  command->add_option("--threads", options->threads, "worker threads; as many as the machine has where not given")
+  command
+      ->add_option("--threads", options->threads,
+                   "worker threads; as many as the machine has where not given")
       ->check(CLI::Range(1u, 1024u));
-  command->add_option("--replay", options->replay, "show one case of a law again; needs --case")->type_name("LAW");
+  command->add_option("--replay", options->replay, "show one case of a law again; needs --case")
+      ->type_name("LAW");
   command->add_option("--case", options->at, "the case of --replay")->type_name("LEVEL@CASE");
   command->add_flag("--quiet", options->quiet, "no progress");
   return [options] { return scene(*options); };

@@ -17,9 +17,9 @@ namespace mmverify::cli {
 
 /// How the square maps of a scene's pairs fare.
 struct VqFigures {
-  std::uint64_t maps = 0, uniform = 0;                       ///< distinct pairs; those of one state
-  std::uint64_t bytes = 0;                                   ///< of the others' blocks
-  std::uint64_t regions = 0, unknown = 0, substitutions = 0; ///< C before encoding; and O or T that became C
+  std::uint64_t maps = 0, uniform = 0;                        ///< distinct pairs; those of one state
+  std::uint64_t bytes = 0;                                    ///< of the others' blocks
+  std::uint64_t regions = 0, unknown = 0, substitutions = 0;  ///< C before encoding; and O or T that became C
 };
 
 /// Everything that was found, in the order in which it was.
@@ -54,8 +54,8 @@ void print_figures(std::FILE* out, const SceneFigures& figures);
 void print_left_out(std::FILE* out, const std::vector<proofs::scene::LeftOutLaw>& left_out);
 
 /// The member "scene" of the results.
-std::string scene_json(const SceneFigures* figures, const impl::scene::Scene& scene, const impl::scene::Plan& plan,
-                       const std::vector<proofs::scene::LeftOutLaw>& left_out);
+std::string scene_json(const SceneFigures* figures, const impl::scene::Scene& scene,
+                       const impl::scene::Plan& plan, const std::vector<proofs::scene::LeftOutLaw>& left_out);
 
 /// The gnuplot script of figure 5: above, bytes by level; below, how often smaller the tree is.
 std::string sizes_plot_script(const SceneFigures& figures);

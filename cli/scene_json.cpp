@@ -77,7 +77,8 @@ Json plan_json(const Scene& scene, const Plan& plan) {
 std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& plan,
                        const std::vector<proofs::scene::LeftOutLaw>& left_out) {
   Json j{{"file", scene.file}, {"plan", plan_json(scene, plan)}};
-  for (const auto& [what, why] : left_out) j["plan"]["left_out_laws"].push_back({{"what", what}, {"why", why}});
+  for (const auto& [what, why] : left_out)
+    j["plan"]["left_out_laws"].push_back({{"what", what}, {"why", why}});
   if (f == nullptr) return j.dump();
   Json levels = Json::object();
   impl::micromap::StateCounts states{};
@@ -96,13 +97,15 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
                {"bake_seconds", f->bake_seconds}};
   j["saved"] = to_json(f->saved);
   j["footprint"] = to_json(f->footprint);
-  j["pairs"] = {{"pairs", f->pairs.unique}, {"distinct", f->pairs.distinct.size()}, {"unpaired", f->pairs.unpaired}};
+  j["pairs"] = {
+      {"pairs", f->pairs.unique}, {"distinct", f->pairs.distinct.size()}, {"unpaired", f->pairs.unpaired}};
   if (f->pairs.unique != 0) {
     j["vq2"] = to_json(f->vq2);
     j["vq4"] = to_json(f->vq4);
   }
   for (const auto& at : f->sizes)
-    j["sizes"].push_back({{"level", at.level}, {"footprint", to_json(at.footprint)}, {"saved", to_json(at.saved)}});
+    j["sizes"].push_back(
+        {{"level", at.level}, {"footprint", to_json(at.footprint)}, {"saved", to_json(at.saved)}});
   return j.dump();
 }
 

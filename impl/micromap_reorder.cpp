@@ -53,8 +53,7 @@ constexpr Step step(std::uint8_t order, int child) {
 constexpr std::array<std::array<Step, 4>, 6> steps = [] {
   std::array<std::array<Step, 4>, 6> all{};
   for (std::uint8_t order = 0; order < 6; ++order)
-    for (int child = 0; child < 4; ++child)
-      all[order][static_cast<std::size_t>(child)] = step(order, child);
+    for (int child = 0; child < 4; ++child) all[order][static_cast<std::size_t>(child)] = step(order, child);
   return all;
 }();
 

@@ -39,8 +39,8 @@ TEST(CliScene, OfOurOwnPlansBakesAndJudges) {
     EXPECT_TRUE(one["verdict"] == "proved" || one["verdict"] == "checked") << one;
     EXPECT_EQ(one["cases_run"], one["cases_expected"]);
   }
-  for (const char* law : {"bake.conservative", "bake.tight", "micromap.valid", "micromap.indirection", "tree.round_trip",
-                          "vq2.conservative", "vq4.conservative", "vq.square_map"})
+  for (const char* law : {"bake.conservative", "bake.tight", "micromap.valid", "micromap.indirection",
+                          "tree.round_trip", "vq2.conservative", "vq4.conservative", "vq.square_map"})
     EXPECT_TRUE(laws.contains(law)) << law;
   const json& scene = all["scene"];
   EXPECT_GT(scene["plan"]["left_out"].size(), 5u);
@@ -95,7 +95,8 @@ TEST(CliScene, RunsAllOfASmallScene) {
 TEST(CliScene, OfABadFileIsOneLineAnd4) {
   Folder folder;
   write(folder / "bad.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": 7}");
-  const Outcome r = program({"scene", folder / "bad.gltf", "--json", folder / "r.json", "-o", folder / "o.glb"});
+  const Outcome r =
+      program({"scene", folder / "bad.gltf", "--json", folder / "r.json", "-o", folder / "o.glb"});
   EXPECT_EQ(r.exit_code, 4);
   EXPECT_THAT(r.err, HasSubstr("bad.gltf: "));
   EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
@@ -119,7 +120,8 @@ TEST(CliScene, WithNothingToBakeIs0) {
 
 TEST(CliScene, InterruptedIs3AndLeavesNoFile) {
   Folder folder;
-  Process process(program_with({"scene", "--level", "12", "-o", folder / "o.glb", "--json", folder / "r.json"}));
+  Process process(
+      program_with({"scene", "--level", "12", "-o", folder / "o.glb", "--json", folder / "r.json"}));
   ASSERT_TRUE(process.says("bake"));
   process.send(SIGINT);
   const Outcome r = process.wait();
@@ -131,13 +133,15 @@ TEST(CliScene, InterruptedIs3AndLeavesNoFile) {
 TEST(CliScene, RealScenesRunToAReport) {
   const std::filesystem::path scenes = MMVERIFY_SCENES;
   if (!std::filesystem::is_directory(scenes)) GTEST_SKIP() << "no scenes at " << scenes;
-  for (const char* file : {"avocado/Avocado.gltf", "materials_variants_shoe/MaterialsVariantsShoe.gltf", "flight_helmet/FlightHelmet_noleather.gltf",
-                           "littlest_tokyo/littlest_tokyo.gltf", "lattice_fence/lattice_fence.gltf", "scatter_grove/scatter_grove.gltf",
+  for (const char* file : {"avocado/Avocado.gltf", "materials_variants_shoe/MaterialsVariantsShoe.gltf",
+                           "flight_helmet/FlightHelmet_noleather.gltf", "littlest_tokyo/littlest_tokyo.gltf",
+                           "lattice_fence/lattice_fence.gltf", "scatter_grove/scatter_grove.gltf",
                            "ez_forest/ez_forest.gltf", "shapespark_garden/shapespark_garden.gltf"}) {
     const Outcome r = program({"scene", scenes / file, "--quiet", "--level", "3", "--samples", "20"});
     EXPECT_EQ(r.exit_code, 0) << file << r.err;
   }
-  for (const char* file : {"flight_helmet/FlightHelmet.gltf", "littlest_tokyo/LittlestTokyo_original_draco.glb"}) {
+  for (const char* file :
+       {"flight_helmet/FlightHelmet.gltf", "littlest_tokyo/LittlestTokyo_original_draco.glb"}) {
     const Outcome r = program({"scene", scenes / file});
     EXPECT_EQ(r.exit_code, 4) << file;
     EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;

@@ -35,8 +35,8 @@ Image disc() {
   return image;
 }
 
-/// Two quads with the texture on: one as two triangles that share an edge, one whose triangles are the same UVs
-/// with other orders of vertices, and an opaque corner of it, which is uniform.
+/// Two quads with the texture on: one as two triangles that share an edge, one whose triangles are the same
+/// UVs with other orders of vertices, and an opaque corner of it, which is uniform.
 Scene scene() {
   Scene s;
   s.file = "made.gltf";
@@ -89,15 +89,18 @@ TEST(MicromapReorder, NamesTheSamePlaces) {
 
 TEST(MicromapReorder, RefusesWhatIsNone) {
   micromap::Bytes map(1), out(1), large(2);
-  EXPECT_THROW(micromap::reorder(map, 1, micromap::Format::four_state, {0, 1, 1}, out), std::invalid_argument);
-  EXPECT_THROW(micromap::reorder(map, 1, micromap::Format::four_state, {0, 1, 2}, large), std::invalid_argument);
-  EXPECT_THROW(micromap::reorder(map, 17, micromap::Format::four_state, {0, 1, 2}, out), std::invalid_argument);
+  EXPECT_THROW(micromap::reorder(map, 1, micromap::Format::four_state, {0, 1, 1}, out),
+               std::invalid_argument);
+  EXPECT_THROW(micromap::reorder(map, 1, micromap::Format::four_state, {0, 1, 2}, large),
+               std::invalid_argument);
+  EXPECT_THROW(micromap::reorder(map, 17, micromap::Format::four_state, {0, 1, 2}, out),
+               std::invalid_argument);
 }
 
 TEST(SceneLevels, LowersTheFinestUntilTheyFit) {
   const Scene s = scene();
   const Plan p = plan(s);
-  ASSERT_EQ(p.triangles.size(), 3u);  // two halves of the quad, and the corner
+  ASSERT_EQ(p.triangles.size(), 3u);                    // two halves of the quad, and the corner
   EXPECT_THAT(levels(p, {}).of, ElementsAre(5, 5, 1));  // diagonal 22.6 texels, 1.1 texels
   EXPECT_THAT(levels(p, {3, 1 << 20}).of, ElementsAre(3, 3, 3));
   const Levels lowered = levels(p, {{}, 2 * 64 + 1});
@@ -119,13 +122,18 @@ struct Made {
   Pairs q;
   SquareMaps m;
   explicit Made(std::optional<unsigned> level = {}, const BakeOptions& options = {})
-      : l(levels(p, {level, 1 << 20})), b(bake(s, p, l.of, options)), a(arrays(p, b)), q(pairs(s, p)), m(square_maps(s, p, q)) {}
+      : l(levels(p, {level, 1 << 20})),
+        b(bake(s, p, l.of, options)),
+        a(arrays(p, b)),
+        q(pairs(s, p)),
+        m(square_maps(s, p, q)) {}
   proofs::scene::Data data() const { return {s, p, b, a, q, m, 0}; }
 };
 
 TEST(SceneBake, IsTheSameForAnyNumberOfThreads) {
   const Made one({}, {1, false, 0, {}}), three({}, {3, false, 0, {}});
-  for (std::size_t k = 0; k < one.b.triangles.size(); ++k) EXPECT_EQ(one.b.triangles[k].map, three.b.triangles[k].map);
+  for (std::size_t k = 0; k < one.b.triangles.size(); ++k)
+    EXPECT_EQ(one.b.triangles[k].map, three.b.triangles[k].map);
   EXPECT_EQ(one.a.array.data, three.a.array.data);
 }
 
@@ -167,7 +175,9 @@ TEST(ScenePairs, ShareAnEdgeAndLieInTheUnitSquare) {
   EXPECT_EQ(pair.unique, 1u);
   EXPECT_EQ(pair.placed, 2u);
   // The shared edge joins (1,0) and (0,1) of the map; both triangles name its ends alike.
-  const auto uv = [&](const TriangleUse& use, std::size_t k) { return made.p.triangles[use.triangle].uvs[use.order[k]]; };
+  const auto uv = [&](const TriangleUse& use, std::size_t k) {
+    return made.p.triangles[use.triangle].uvs[use.order[k]];
+  };
   EXPECT_EQ(uv(pair.lower, 1), uv(pair.upper, 2));
   EXPECT_EQ(uv(pair.lower, 2), uv(pair.upper, 1));
   EXPECT_NE(uv(pair.lower, 0), uv(pair.upper, 0));
@@ -179,7 +189,8 @@ TEST(SceneSquareMaps, AreTheTwoTrianglesTogether) {
   std::vector<impl::vq::State> states(4);
   square_map(lower, upper, 1, states);
   using enum impl::vq::State;
-  // (0,0): children 0 (T) and 1 (O) of the lower; (1,0): child 2 (T) and an O of the upper; (0,1): child 3 (UO).
+  // (0,0): children 0 (T) and 1 (O) of the lower; (1,0): child 2 (T) and an O of the upper; (0,1): child 3
+  // (UO).
   EXPECT_THAT(states, ElementsAre(C, C, C, O));
   const std::vector<std::uint8_t> all_t{0};
   square_map(all_t, all_t, 1, states);
@@ -214,7 +225,8 @@ TEST(SceneSaved, IsByAreaAndPlacement) {
 }
 
 proofs::Report judged(const proofs::scene::Data& data, std::optional<std::uint64_t> samples = 400) {
-  const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(data, {samples}, "mmverify scene made.gltf");
+  const proofs::scene::SceneLaws laws =
+      proofs::scene::scene_laws(data, {samples}, "mmverify scene made.gltf");
   proofs::RunOptions run;
   run.show_progress = false;
   run.mutants = false;

@@ -77,11 +77,12 @@ Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> level
   oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
                                                      : static_cast<int>(options.threads));
   arena.execute([&] {
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, order.size(), 1),
-                              [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-                                for (std::size_t k = range.begin(); k != range.end(); ++k) one(order[k]);
-                              },
-                              oneapi::tbb::simple_partitioner());
+    oneapi::tbb::parallel_for(
+        oneapi::tbb::blocked_range<std::size_t>(0, order.size(), 1),
+        [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t k = range.begin(); k != range.end(); ++k) one(order[k]);
+        },
+        oneapi::tbb::simple_partitioner());
   });
   for (const bake::BakeCounts& c : counts) {
     all.counts.micro_triangles += c.micro_triangles;

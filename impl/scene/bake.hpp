@@ -15,9 +15,9 @@ namespace mmverify::impl::scene {
 struct BakedTriangle {
   unsigned level = 0;
   micromap::Format format = micromap::Format::four_state;
-  micromap::StateCounts states{};           ///< micro-triangles by 4-state code
-  std::optional<micromap::State> uniform;   ///< of all of them; then there is no map
-  micromap::Bytes map;                      ///< packed
+  micromap::StateCounts states{};          ///< micro-triangles by 4-state code
+  std::optional<micromap::State> uniform;  ///< of all of them; then there is no map
+  micromap::Bytes map;                     ///< packed
 };
 
 struct Baked {
@@ -26,9 +26,9 @@ struct Baked {
 };
 
 struct BakeOptions {
-  unsigned threads = 0;                    ///< 0: as many as the machine has
-  bool two_state = false;                  ///< force-2-state of every map
-  float margin = 0;                        ///< in texels; see bake::Sampling
+  unsigned threads = 0;    ///< 0: as many as the machine has
+  bool two_state = false;  ///< force-2-state of every map
+  float margin = 0;        ///< in texels; see bake::Sampling
   /// Told of micro-triangles done, from any thread; what it throws ends the baking.
   std::function<void(std::uint64_t)> done = {};
 };

@@ -58,7 +58,8 @@ Footprint footprint(const Scene& scene, const Plan& plan, const SceneArrays& arr
     size.index_bytes += primitive.geometry.indices.size();
 
   std::vector<std::array<ModeFootprint, 2>> each(arrays.array.records.size());
-  oneapi::tbb::task_arena arena(threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads));
+  oneapi::tbb::task_arena arena(threads == 0 ? oneapi::tbb::task_arena::automatic
+                                             : static_cast<int>(threads));
   arena.execute([&] {
     oneapi::tbb::parallel_for(std::size_t{0}, each.size(), [&](std::size_t k) {
       each[k] = of_record(arrays.array, arrays.array.records[k]);

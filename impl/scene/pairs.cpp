@@ -30,7 +30,8 @@ TriangleUse reordered(const TriangleUse& use, const VertexOrder& order) {
 
 class Matcher {
  public:
-  Matcher(const Primitive& primitive, const PlannedPrimitive& planned) : primitive_(primitive), planned_(planned) {}
+  Matcher(const Primitive& primitive, const PlannedPrimitive& planned)
+      : primitive_(primitive), planned_(planned) {}
 
   /// Calls found(lower, upper) with the uses of each pair; returns how many triangles are left.
   template <class Found>
@@ -109,8 +110,8 @@ Pairs pairs(const Scene& scene, const Plan& plan) {
     const Primitive& primitive = scene.primitives[planned.primitive];
     const std::uint64_t uses = scene.meshes[primitive.mesh].uses;
     all.unpaired += Matcher(primitive, planned).each([&](const TriangleUse& lower, const TriangleUse& upper) {
-      const auto [entry, is_new] = known.try_emplace(
-          {lower.triangle, lower.order, upper.triangle, upper.order}, all.distinct.size());
+      const auto [entry, is_new] =
+          known.try_emplace({lower.triangle, lower.order, upper.triangle, upper.order}, all.distinct.size());
       if (is_new) all.distinct.push_back({lower, upper, 0, 0});
       Pair& pair = all.distinct[entry->second];
       ++pair.unique;

@@ -12,7 +12,7 @@ struct Saved {
   double area = 0;         ///< in the scene's units, squared
   double transparent = 0;  ///< share in 0..1
   double opaque = 0;
-  double unknown = 0;      ///< where the any-hit shader is still called
+  double unknown = 0;  ///< where the any-hit shader is still called
   double known() const { return transparent + opaque; }
 };
 

@@ -106,7 +106,7 @@ using Placement = std::array<double, 9>;
 
 /// What the uses of a mesh do to areas.
 struct Placements {
-  double similar = 0;             ///< the sum of the squared scales of those that keep all angles
+  double similar = 0;  ///< the sum of the squared scales of those that keep all angles
   struct Times {
     Placement linear;
     double times;

@@ -19,8 +19,7 @@ constexpr unsigned seen[4] = {not_opaque, not_transparent, not_opaque | not_tran
 
 std::vector<bool> in_pairs(const Plan& plan, const Pairs& pairs) {
   std::vector<bool> wanted(plan.triangles.size(), false);
-  for (const Pair& pair : pairs.distinct)
-    wanted[pair.lower.triangle] = wanted[pair.upper.triangle] = true;
+  for (const Pair& pair : pairs.distinct) wanted[pair.lower.triangle] = wanted[pair.upper.triangle] = true;
   return wanted;
 }
 

@@ -34,7 +34,7 @@ bake::TriangleBaker surface_baker(const Scene& scene, const Surface& surface, fl
   sampling.factors = {surface.base_color_alpha, surface.vertex_alpha};
   sampling.margin = margin;
   const bake::AlphaMode mode = surface.mode == AlphaMode::mask ? bake::AlphaMode(bake::Mask{surface.cutoff})
-                                                                : bake::AlphaMode(bake::Blend{});
+                                                               : bake::AlphaMode(bake::Blend{});
   return bake::TriangleBaker(std::span(&texels, 1), mode, sampling);
 }
 

@@ -108,7 +108,8 @@ struct Law {
   bool long_only = false;  ///< no part of the fast tier, unless asked for by its id
   bool on_lines = true;    ///< its domain has points on grid lines, which a run may leave out
   bool general = true;     ///< about any subject that fits; otherwise about the ones it names only
-  /// The command that shows a counterexample of it again, but for --case LEVEL@CASE; empty: `mmverify replay`.
+  /// The command that shows a counterexample of it again, but for --case LEVEL@CASE; empty: `mmverify
+  /// replay`.
   std::string replayed_by = {};
   /// Runs with it on a float subject, for which cells decide nothing else.
   std::string float_companion = {};

@@ -29,23 +29,22 @@ micromap::Input input_of(const Data& data, std::size_t primitive, const micromap
 }
 
 Law valid_law(const Data& data) {
-  return over({.id = "micromap.valid",
-               .topic = "micromap",
-               .says = "the array and each primitive's indices and counts break no rule of EXT, KHR, DXR and glTF",
-               .source = "VK_EXT_opacity_micromap, VK_KHR_opacity_micromap, DXR 1.2, EXT_mesh_opacity_micromap; "
-                         "spec/micromap_rules.hpp"},
-              {"primitives with micromaps",
-               [&data](Level n) { return n == 0 ? data.plan.primitives.size() : 0; },
-               [&data](Level, std::uint64_t k) -> Finding {
-                 const micromap::Bytes records = micromap::record_buffer(data.arrays.array.records);
-                 const std::vector<micromap::UsageCount> counts =
-                     micromap::usage_counts(data.arrays.array.records);
-                 micromap::Input in = input_of(data, k, records);
-                 in.array_counts = counts;
-                 const auto violations = micromap::validate(in);
-                 if (violations.empty()) return {in.triangles, {}, {}};
-                 return {0, "no violation", micromap::describe(violations.front())};
-               }});
+  return over(
+      {.id = "micromap.valid",
+       .topic = "micromap",
+       .says = "the array and each primitive's indices and counts break no rule of EXT, KHR, DXR and glTF",
+       .source = "VK_EXT_opacity_micromap, VK_KHR_opacity_micromap, DXR 1.2, EXT_mesh_opacity_micromap; "
+                 "spec/micromap_rules.hpp"},
+      {"primitives with micromaps", [&data](Level n) { return n == 0 ? data.plan.primitives.size() : 0; },
+       [&data](Level, std::uint64_t k) -> Finding {
+         const micromap::Bytes records = micromap::record_buffer(data.arrays.array.records);
+         const std::vector<micromap::UsageCount> counts = micromap::usage_counts(data.arrays.array.records);
+         micromap::Input in = input_of(data, k, records);
+         in.array_counts = counts;
+         const auto violations = micromap::validate(in);
+         if (violations.empty()) return {in.triangles, {}, {}};
+         return {0, "no violation", micromap::describe(violations.front())};
+       }});
 }
 
 /// The uses of planned triangles that have this level, each distinct triangle and order of vertices once.
@@ -75,8 +74,7 @@ unsigned by_indirection(const Data& data, std::size_t primitive, std::size_t tri
   const auto& bytes = data.arrays.primitives[primitive].geometry.indices;
   const std::size_t width = micromap::width(data.arrays.encoding) / 8;
   std::uint32_t code = 0;
-  for (std::size_t k = 0; k < width; ++k)
-    code |= std::uint32_t{bytes[triangle * width + k]} << (8 * k);
+  for (std::size_t k = 0; k < width; ++k) code |= std::uint32_t{bytes[triangle * width + k]} << (8 * k);
   if (const auto state = micromap::special_state(code, data.arrays.encoding))
     return static_cast<unsigned>(*state);
   const micromap::Record& record = data.arrays.array.records[code];
@@ -90,8 +88,9 @@ Law indirection_law(const Data& data) {
   return over(
       {.id = "micromap.indirection",
        .topic = "micromap",
-       .says = "a triangle's code, record and data give the states that were baked for it, in its own order of "
-               "vertices",
+       .says =
+           "a triangle's code, record and data give the states that were baked for it, in its own order of "
+           "vertices",
        .source = "VkAccelerationStructureTrianglesOpacityMicromapKHR; VkMicromapTriangleKHR"},
       {"triangles with a map and order of their own", [uses](Level n) { return uses->of[n].size(); },
        [&data, uses](Level n, std::uint64_t k) -> Finding {
@@ -115,7 +114,8 @@ Law indirection_law(const Data& data) {
            }
            found.answer = found.answer * 31 + got;
            if (got != expected)
-             return {0, fmt::format("state {} of micro-triangle {} of triangle {}", expected, index, triangle),
+             return {0,
+                     fmt::format("state {} of micro-triangle {} of triangle {}", expected, index, triangle),
                      fmt::format("{}", got)};
          }
          return found;

@@ -65,7 +65,8 @@ constexpr Claim tight{"bake.tight", "a micro-triangle is unknown only where it i
 
 std::string text(const Place& p) { return fmt::format("t{}:i{}", p.triangle, p.index); }
 
-void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::uint64_t number, Tally& tally) {
+void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::uint64_t number,
+           Tally& tally) {
   constexpr const char* names[] = {"T", "O", "UT", "UO"};
   const unsigned code = code_of(of.data.baked.triangles[p.triangle], p.index);
   const State truly = of.exact->state(p.triangle, n, p.index);
@@ -74,8 +75,9 @@ void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::
   if (claim.holds(code, truly)) return;
   tally.mismatch(Kind::interior, {n, number, 0}, [&] {
     const std::string expected = truly == State::T ? "T" : truly == State::O ? "O" : "unknown";
-    return Counterexample{{n, number, 0}, n, text(p), {}, expected + " (" + of.exact->text(p.triangle, n, p.index) + ")",
-                          names[code]};
+    return Counterexample{
+        {n, number, 0}, n, text(p), {}, expected + " (" + of.exact->text(p.triangle, n, p.index) + ")",
+        names[code]};
   });
 }
 
@@ -101,8 +103,8 @@ Place drawn(const Claim& claim, const OfLevel& of, const std::vector<std::size_t
 }
 
 /// Node `index` of depth m, all of whose 4^(n-m) micro-triangles are in the chunk.
-void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangle, Level m, std::uint32_t index,
-             std::uint64_t base, Tally& tally) {
+void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangle, Level m,
+             std::uint32_t index, std::uint64_t base, Tally& tally) {
   const std::uint32_t first = index << (2 * (n - m));
   const std::uint64_t count = std::uint64_t{1} << (2 * (n - m));
   const BakedTriangle& baked = of.data.baked.triangles[triangle];
@@ -149,8 +151,8 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   };
   std::uint64_t levels = 0;
   for (Level n = 0; n <= 12; ++n) levels += total(n) != 0;
-  const std::uint64_t most =
-      sample.size && levels != 0 ? (*sample.size + levels - 1) / levels : std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t most = sample.size && levels != 0 ? (*sample.size + levels - 1) / levels
+                                                        : std::numeric_limits<std::uint64_t>::max();
   const auto cases = [total, most](Level n) { return std::min(most, total(n)); };
   law.cases = [cases](Level n, const Run&) { return cases(n); };
   const auto whole = [total, most](Level n) { return total(n) <= most; };
@@ -201,8 +203,10 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
     const State truly = exact->state(triangle, n, index);
     Replayed replayed;
     replayed.holds = !claim.about(code) || claim.holds(code, truly);
-    replayed.expected = std::string(truly == State::T ? "T" : truly == State::O ? "O" : "unknown") + " (" +
-                        exact->text(triangle, n, index) + ")";
+    replayed.expected = std::string(truly == State::T   ? "T"
+                                    : truly == State::O ? "O"
+                                                        : "unknown") +
+                        " (" + exact->text(triangle, n, index) + ")";
     replayed.got = names[code];
     return replayed;
   };

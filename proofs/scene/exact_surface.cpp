@@ -48,7 +48,7 @@ TextureOf<Texel> texture_of(const scene::Image& image, const scene::Surface& sur
   t.factor = bits(surface.base_color_alpha);
   t.vertex_factor = bits(surface.vertex_alpha);
   t.filter = surface.sampler.magnification == scene::Filter::nearest ? spec::bake::Filter::nearest
-                                                                       : spec::bake::Filter::bilinear;
+                                                                     : spec::bake::Filter::bilinear;
   return t;
 }
 
@@ -80,8 +80,8 @@ class ExactSurfaces::OfSurface {
   Range<Q> range(const scene::UvTriangle& uv, Level n, std::uint32_t index) const {
     return std::visit(
         [&](const auto& t) {
-          return spec::bake::range(t, dilated(micro_triangle(base<Q>(uv), n, index, t.width, t.height),
-                                              number<Q>(bits(margin_))));
+          return spec::bake::range(
+              t, dilated(micro_triangle(base<Q>(uv), n, index, t.width, t.height), number<Q>(bits(margin_))));
         },
         texture_);
   }
@@ -118,18 +118,21 @@ bool ExactSurfaces::OfSurface::near_change(const scene::UvTriangle& uv, Level n,
         for (const spec::index::Vertex& v : spec::index::corners(index, n)) {
           const double i = v.i * step, j = v.j * step;
           const auto along = [&](std::size_t axis) {
-            return uv[0][axis] + i * (double{uv[1][axis]} - uv[0][axis]) + j * (double{uv[2][axis]} - uv[0][axis]);
+            return uv[0][axis] + i * (double{uv[1][axis]} - uv[0][axis]) +
+                   j * (double{uv[2][axis]} - uv[0][axis]);
           };
           const double x = along(0) * t.width, y = along(1) * t.height;
           low_x = std::min(low_x, x), high_x = std::max(high_x, x);
           low_y = std::min(low_y, y), high_y = std::max(high_y, y);
         }
         const auto whole = [](double x) { return static_cast<std::int64_t>(std::floor(x)); };
-        if (high_x - low_x > 64 || high_y - low_y > 64) return true;  // of so many texels hardly one side alone
+        if (high_x - low_x > 64 || high_y - low_y > 64)
+          return true;  // of so many texels hardly one side alone
         const double most = std::is_same_v<decltype(t.alpha[0]), const std::uint8_t&> ? 255 : 65535;
-        const double limit = surface_.mode == scene::AlphaMode::mask
-                                 ? surface_.cutoff * most / (double{surface_.base_color_alpha} * surface_.vertex_alpha)
-                                 : most / 2;
+        const double limit =
+            surface_.mode == scene::AlphaMode::mask
+                ? surface_.cutoff * most / (double{surface_.base_color_alpha} * surface_.vertex_alpha)
+                : most / 2;
         bool some = false, others = false;
         for (std::int64_t j = whole(low_y - 1); j <= whole(high_y + 1); ++j)
           for (std::int64_t i = whole(low_x - 1); i <= whole(high_x + 1); ++i) {

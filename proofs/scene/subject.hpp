@@ -24,7 +24,7 @@ struct Data {
 class SceneSubject : public Subject {
  public:
   SceneSubject(const Data& data, const std::string& topic)
-      : Subject(topic, "impl", "what this project bakes, packs and codes of a scene") , data_(data) {}
+      : Subject(topic, "impl", "what this project bakes, packs and codes of a scene"), data_(data) {}
   bool exact() const override { return true; }
   std::string fingerprint() const override;
 
