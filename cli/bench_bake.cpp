@@ -86,10 +86,10 @@ Json to_json(const BakeFigures& figures, const BakeBenchOptions& options) {
            {"spec_hash", build::spec_hash}}},
          {"textures", figures.textures.size()},
          {"compared", figures.compared},
-         {"levels", Json::array()},
+         {"rows", Json::array()},
          {"sizes", Json::array()},
          {"margins", Json::array()}};
-  for (const BakeLevel& level : figures.levels) j["levels"].push_back(to_json(level));
+  for (const BakeLevel& level : figures.levels) j["rows"].push_back(to_json(level));
   for (const bench::BakeSize& s : figures.sizes)
     j["sizes"].push_back(
         {{"texels", s.size}, {"ns", s.ns}, {"binary64_ns", s.ns_rasterised}, {"ready_ms", s.ready_ms}});

@@ -63,20 +63,21 @@ TEST(BakeFamily, ItsTruthIsTheSpecifications) {
   }
 }
 
-TEST(BakeFamily, NearestTexelsToo) {
-  const Enumerated family(
-      {2,
-       {0, 255},
-       {1, 2},
-       Filter::nearest,
-       {{Wrap::repeat, Wrap::clamp_to_border}, {Wrap::mirror_once, Wrap::mirrored_repeat}},
-       {{0, 0, 1, 0, 0, 1}, {-0.5f, 0.25f, 1.25f, 0.5f, 0.5f, 1.5f}}});
-  EXPECT_EQ(family.count(), 64u);
-  for (std::uint64_t k = 0; k < family.count(); k += sanitized ? 9 : 1) {
-    const std::vector<State> truth = family.truth(2, k);
-    for (std::uint32_t index = 0; index < 16; ++index)
-      ASSERT_EQ(truth[index], true_state(family.at(k), 2, index)) << text_of(family.at(k)) << " " << index;
-  }
+TEST(BakeFamily, NearestAndBlendedToo) {
+  const std::vector<std::pair<Wrap, Wrap>> wraps{{Wrap::repeat, Wrap::clamp_to_border},
+                                                 {Wrap::mirror_once, Wrap::mirrored_repeat}};
+  const std::vector<Triangle> triangles{{0, 0, 1, 0, 0, 1}, {-0.5f, 0.25f, 1.25f, 0.5f, 0.5f, 1.5f}};
+  for (const Filter filter : {Filter::nearest, Filter::bilinear})
+    for (const bool blended : {false, true}) {
+      const Enumerated family(Family{2, {0, 255}, {1, 2}, filter, blended, wraps, triangles});
+      EXPECT_EQ(family.count(), 64u);
+      for (std::uint64_t k = 0; k < family.count(); k += sanitized ? 9 : 3) {
+        const std::vector<State> truth = family.truth(2, k);
+        for (std::uint32_t index = 0; index < 16; ++index)
+          ASSERT_EQ(truth[index], true_state(family.at(k), 2, index))
+              << text_of(family.at(k)) << " " << index;
+      }
+    }
 }
 
 TEST(BakeCase, IsReadBack) {

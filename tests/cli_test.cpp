@@ -401,11 +401,27 @@ TEST(Bench, WithNoTopicIsOfAllAndItsJsonAList) {
       program({"bench", "--levels", "3", "--samples", "2000", "--maps", "1", "--quiet", "--json", "-"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   const json benches = parsed(r.out);
-  ASSERT_EQ(benches.size(), 3u);
+  ASSERT_EQ(benches.size(), 4u);
+  EXPECT_EQ(benches[3]["topic"], "bake");
   EXPECT_EQ(benches[2]["topic"], "vq");
   EXPECT_EQ(benches[0]["topic"], "index");
   EXPECT_EQ(benches[1]["topic"], "tree");
   for (const json& bench : benches) EXPECT_FALSE(bench["rows"].empty());
+}
+
+TEST(Bench, BakeSaysWhatEachBakerGetsWrongBesideTheExactStates) {
+  const Outcome r = program({"bench", "bake", "--levels", "5", "--maps", "1", "--quiet", "--json", "-"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const json bench = parsed(r.out);
+  EXPECT_EQ(bench["topic"], "bake");
+  ASSERT_EQ(bench["rows"].size(), 1u);
+  const json& bakers = bench["rows"][0]["bakers"];
+  ASSERT_EQ(bakers.size(), 6u);
+  EXPECT_GT(bakers[0]["wrong"], 0);
+  EXPECT_EQ(bakers[4]["baker"], "ours, exact");
+  EXPECT_EQ(bakers[4]["wrong"], 0);
+  EXPECT_EQ(bakers[4]["needless"], 0);
+  EXPECT_TRUE(says(r.err, "Margins")) << "the table";
 }
 
 TEST(Bench, VqSaysWhatEachEncoderLosesAndItsBound) {

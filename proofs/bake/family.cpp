@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <tuple>
 
 #include "proofs/bake/exact_texture.hpp"
 #include "proofs/bake/narrow.hpp"
@@ -271,6 +272,21 @@ const Families& nearest_families() {
 const Families& blend_families() {
   static const Families families({{2, {0, 128, 255}, {}, Filter::bilinear, true, pairs(true), on_two()},
                                   {2, {0, 128, 255}, {}, Filter::nearest, true, pairs(true), on_two()}});
+  return families;
+}
+
+const Families& grid_families() {
+  static const Families families = [] {
+    // Off the lines of texels and centres, on one of their centres, on the texture's edge.
+    constexpr float along[] = {-0.1875f, 0.25f, 1};
+    Family f{2, {0, 128, 255}, met_by_texels, Filter::bilinear, false, pairs(false), {}};
+    const auto point = [&](std::uint32_t k) { return std::pair{along[k % 3], along[k / 3]}; };
+    for (std::uint32_t k = 0; k < 9 * 9 * 9; ++k) {
+      const auto [p, q, r] = std::tuple{point(k % 9), point(k / 9 % 9), point(k / 81)};
+      f.triangles.push_back({p.first, p.second, q.first, q.second, r.first, r.second});
+    }
+    return Families({f});
+  }();
   return families;
 }
 

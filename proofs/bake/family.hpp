@@ -75,5 +75,7 @@ class Families {
 const Families& bilinear_families();
 const Families& nearest_families();
 const Families& blend_families();
+/// Of the long tier: every triangle on nine points.
+const Families& grid_families();
 
 }  // namespace mmverify::proofs::bake

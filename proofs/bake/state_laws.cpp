@@ -22,6 +22,7 @@ using Denies = bool (*)(State got, State truth);
 
 bool not_conservative(State got, State truth) { return !unknown(got) && got != truth; }
 bool not_tight(State got, State truth) { return unknown(got) && !unknown(truth); }
+bool differs(State got, State truth) { return got != truth; }
 bool wrong_side(State got, State truth) { return unknown(got) && force2(got) != force2(truth); }
 
 /// The states with those that the law does not deny made right.
@@ -48,7 +49,7 @@ struct Domain {
   Case (*drawn)(std::uint64_t seed, std::uint64_t k) = nullptr;
   const char* (*says)() = nullptr;  ///< of samples
 };
-constexpr Domain bilinear{bilinear_families}, nearest{nearest_families}, blend{blend_families},
+constexpr Domain bilinear{bilinear_families}, nearest{nearest_families}, blend{blend_families}, grid{grid_families},
     plain_samples{nullptr, sample, samples_text},
     all_samples{nullptr, featured_sample, featured_samples_text};
 
@@ -107,8 +108,18 @@ Law state_law(const char* id, const char* says, Denies denies, const Domain& dom
                                  Level) { return whole ? domain.families().domain() : domain.says(); },
        .mutants = std::move(mutants)},
       cases, judged_by(denies, domain), drawn_by(denies),
-      denies == wrong_side ? has_another_rule
+      denies == wrong_side || denies == differs ? has_another_rule
                            : [](const BakeSubject&) -> std::optional<std::string> { return std::nullopt; });
+}
+
+Law grid_law() {
+  Law law = state_law("bake.equals_spec", "every state is the specification's", differs, grid,
+                      {spoiled("one micro-triangle of one texture on one line", "bake", {3, 3},
+                               settles_one({0, 128, 255, 0}, Wrap::repeat, Wrap::clamp_to_edge, -0.1875f)),
+                       asked_for_another("mirror-once is clamped to the edge", {0, 1}, mirror_once_as_clamp),
+                       unknown_where_another_differs("alpha at the cutoff is unknown", {0, 0}, above_the_cutoff)});
+  law.long_only = true;
+  return law;
 }
 
 }  // namespace
@@ -196,6 +207,7 @@ std::vector<Law> state_laws() {
                                  blended_above_half),
                  side_of_another("the side is that without the factor of the vertices", {4, 5},
                                  without_vertex_factor)}),
+      grid_law(),
   };
 }
 
