@@ -318,6 +318,8 @@ HWY_INLINE SixteenMarks sixteen_of(const SixteenInput& in) {
     marks.below |= bits_of(hn::Lt(hn::Min(g0, hn::Min(g1, g2)), set(-in.bound)), k);
     marks.opaque |= bits_of(hn::Gt(hn::Max(g0, hn::Max(g1, g2)), set(in.bound - in.gap)), k);
   }
+  const auto enough = [&] { return in.as_one && marks.below != 0 && marks.opaque != 0; };
+  if (enough()) return marks;
   if (in.rows_opaque != nullptr && (marks.below & marks.opaque) != 0xffff) {
     std::uint32_t within_lack_below = 0, within_lack_opaque = 0;
     for (std::size_t k = 0; k < 16; k += step) {
@@ -332,10 +334,12 @@ HWY_INLINE SixteenMarks sixteen_of(const SixteenInput& in) {
       marks.below |= ~within_lack_below & 0xffff;
       marks.opaque |= ~within_lack_opaque & 0xffff;
     }
+    if (enough()) return marks;
     const std::uint32_t undecided = ~(marks.by_texels | (marks.below & marks.opaque)) & 0xffff;
     if (undecided != 0) ask_edges<Texel>(in, v, undecided, within_lack_below, within_lack_opaque, marks);
   }
-  if ((marks.below & marks.opaque) != 0)
+  // Where only samples are taken, others may yet turn out to bear both.
+  if (!in.as_one && ((marks.below & marks.opaque) != 0 || in.rows_opaque == nullptr))
     for (std::size_t k = 0; k < 16; k += step) {
       const Float i = lanes(sixteen_lanes.centroid_i, k), j = lanes(sixteen_lanes.centroid_j, k);
       const Float at = hn::Sub(sampled<Texel>(in, place(in, 0, i, j), place(in, 1, i, j)), set(in.lean));

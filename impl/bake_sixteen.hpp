@@ -40,6 +40,8 @@ struct SixteenInput {
   /// Bit x of row y: opaque; not transparent.  None where the window is too small.
   const std::uint32_t *rows_opaque, *rows_visible;
   bool centres_are_clear;
+  /// Whether only the union of the sixteen is asked for: no more than `below` and `opaque` where both are borne.
+  bool as_one;
 };
 
 /// Bit k of each: micro-triangle k of the sixteen.
@@ -47,7 +49,7 @@ struct SixteenMarks {
   std::uint32_t below = 0, opaque = 0;              ///< certain
   std::uint32_t lacks_below = 0, lacks_opaque = 0;  ///< certainly no alpha of it bears the mark
   std::uint32_t by_texels = 0;                      ///< of these, those whose texels said so
-  std::uint32_t leans_to_opaque = 0, leans = 0;     ///< of those that bear both: how; that it is certain
+  std::uint32_t leans_to_opaque = 0, leans = 0;     ///< of those that bear both, how; that it is certain
 };
 
 /// Texel: std::uint8_t or std::uint16_t.
