@@ -63,7 +63,8 @@ class Bilinear {
         Triangle{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}};
     std::uint32_t codes = 0, left = 0xffff;
     if (marks) {
-      const std::uint32_t unknowns = marks->below & marks->opaque, leaning = unknowns & marks->leans_to_opaque;
+      const std::uint32_t unknowns = marks->below & marks->opaque,
+                          leaning = unknowns & marks->leans_to_opaque;
       const std::uint32_t decided = marks->lacks_below | marks->lacks_opaque | (unknowns & marks->leans);
       counts.leaves += static_cast<std::uint64_t>(std::popcount(decided & ~marks->by_texels));
       codes = spread(decided & (leaning | marks->lacks_below)) | spread(decided & unknowns) << 1;
@@ -128,7 +129,7 @@ class Bilinear {
     in.bound = static_cast<float>(sides_.scale * (2 * delta + 0x1p-19));
     in.edge_bound = static_cast<float>(sides_.scale * (16 * delta + 0x1p-17));
     in.delta = static_cast<float>(delta);
-    in.centres_are_clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
+    in.clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
     in.as_one = as_one;
     std::array<std::uint32_t, sixteen_window> opaque_rows, visible_rows;
     in.rows_opaque = in.rows_visible = nullptr;
@@ -137,13 +138,18 @@ class Bilinear {
                   visible_rows.data());
       in.rows_opaque = opaque_rows.data();
       in.rows_visible = sides_.limits.blend ? visible_rows.data() : opaque_rows.data();
+    } else {
+      in.bits_opaque = sides_.opaque_plane().row_bytes(picture->top);
+      in.bits_visible = sides_.visible_plane().row_bytes(picture->top);
+      in.bit_x = static_cast<std::int32_t>(picture->left);
+      in.bit_pitch = static_cast<std::int32_t>(sides_.opaque_plane().row_pitch());
     }
     return detail::sixteen<Texel>(in);
   }
 
   /// Micro-triangle k of a node that was asked and left it undecided.
-  unsigned lone(const Triangle& p, bool turned, std::uint32_t index, const SixteenMarks& node, std::uint32_t k,
-                BakeCounts& counts) const {
+  unsigned lone(const Triangle& p, bool turned, std::uint32_t index, const SixteenMarks& node,
+                std::uint32_t k, BakeCounts& counts) const {
     const Box box = filter_.box(p);
     const Marks all = filter_.texels(box);
     if (all != both) return settled(all);
@@ -217,9 +223,8 @@ class Bilinear {
   }
 
   /// Of a triangle whose texels bear both marks; `seen` at its corners.
-  Marks judged(const Triangle& p, const std::array<double, 3>& g,
-               const Box& box, Spot centroid, Marks seen, bool turned,
-               Quad& quad, const std::array<std::size_t, 3>& edges) const {
+  Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, Spot centroid, Marks seen,
+               bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
     seen = static_cast<Marks>(seen | inner_.centres(centroid, turned));
     if (seen == both) return both;
     if (filter_.margin() != 0) {

@@ -113,6 +113,8 @@ class SidesOf final : public Sides {
     return InOnePicture{texture_.texels + at(x, y), x, y};
   }
   std::size_t pitch() const noexcept { return texture_.pitch; }
+  const Plane& opaque_plane() const noexcept { return opaque_; }
+  const Plane& visible_plane() const noexcept { return limits.blend ? visible_ : opaque_; }
   /// Rows of 32 texels from (x, y) of the picture down.  Domain: they are within it.
   void rows(std::int64_t x, std::int64_t y, std::size_t count, std::uint32_t* opaque_rows,
             std::uint32_t* visible_rows) const noexcept {
