@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/arguments.hpp"
+#include "cli/bench_bake.hpp"
 #include "cli/bench_index.hpp"
 #include "cli/bench_plot.hpp"
 #include "cli/bench_subject.hpp"
@@ -24,7 +25,7 @@ struct Options {
   std::vector<std::string> topics;
   std::string json, plot, levels, subject, textures;
   bench::IndexBenchOptions index;
-  std::size_t maps = bench::VqBenchOptions{}.maps;
+  std::size_t maps = 0;  ///< the topic's own number
   bool quiet = false, sweep = false;
   unsigned threads = 0;
 };
@@ -59,6 +60,8 @@ proofs::Levels levels_or(const Options& options, const proofs::Levels& otherwise
 /// Domain: a topic with levels.
 proofs::Levels levels_of(const Options& options, const std::string& topic) {
   const bench::TreeBenchOptions tree;
+  const bench::BakeBenchOptions bake;
+  if (topic == "bake") return levels_or(options, {bake.first, bake.last}, 12);
   return topic == "index" ? levels_or(options, {options.index.first, options.index.last})
                           : levels_or(options, {tree.first, tree.last}, tree.last);
 }
@@ -87,9 +90,18 @@ BenchOutput bench_topic(const Options& options, const std::string& topic, std::F
     return bench_index(index, options.quiet, out);
   }
   if (topic == "vq")
-    return bench_vq({.seed = options.index.seed, .maps = options.maps, .textures = options.textures},
+    return bench_vq({.seed = options.index.seed,
+                     .maps = options.maps == 0 ? bench::VqBenchOptions{}.maps : options.maps,
+                     .textures = options.textures},
                     options.quiet, out);
   const proofs::Levels levels = levels_of(options, topic);
+  if (topic == "bake")
+    return bench_bake({.first = levels.first,
+                       .last = levels.last,
+                       .seed = options.index.seed,
+                       .maps = options.maps == 0 ? bench::BakeBenchOptions{}.maps : options.maps,
+                       .textures = options.textures},
+                      options.quiet, out);
   return bench_tree({.first = levels.first,
                      .last = levels.last,
                      .seed = options.index.seed,
@@ -131,7 +143,7 @@ int run_topics(const Options& options, const std::vector<std::string>& topics) {
 }
 
 int run_bench(const Options& options) {
-  const std::vector<std::string> all{"index", "tree", "vq"};
+  const std::vector<std::string> all{"index", "tree", "vq", "bake"};
   std::vector<std::string> topics;
   for (const std::string& topic : all)
     if (options.topics.empty() ||
@@ -145,11 +157,11 @@ int run_bench(const Options& options) {
     const char* const option = options.sweep ? "--sweep" : "--subject";
     if (topics.front() != "index" || options.topics.size() > 1)
       throw UsageError(fmt::format("{}: for bench index", option));
-    if (!options.textures.empty()) throw UsageError("--textures: for bench tree and bench vq");
+    if (!options.textures.empty()) throw UsageError("--textures: for bench tree, bench vq and bench bake");
     return options.sweep ? run_sweep_bench(options) : run_subject_bench(options);
   }
   if (!options.textures.empty() && std::find(topics.begin(), topics.end(), "index") != topics.end())
-    throw UsageError("--textures: for bench tree and bench vq");
+    throw UsageError("--textures: for bench tree, bench vq and bench bake");
   return run_topics(options, topics);
 }
 
@@ -159,11 +171,11 @@ Action add_bench(CLI::App& program) {
   auto* command =
       program.add_subcommand("bench", "error against run time, the fast way beside the obvious one");
   auto options = std::make_shared<Options>();
-  command->add_option("topic", options->topics, "index, tree or vq; all where none is given")
+  command->add_option("topic", options->topics, "index, tree, vq or bake; all where none is given")
       ->type_name("TOPIC");
   command
       ->add_option("--levels", options->levels,
-                   "levels A..B, both included; 1..16, of tree 3..12, where not given")
+                   "levels A..B, both included; 1..16, of tree 3..12, of bake 3..9, where not given")
       ->type_name("A..B");
   command
       ->add_option("--samples", options->index.samples,
@@ -173,9 +185,9 @@ Action add_bench(CLI::App& program) {
       ->type_name("FILE.so");
   auto* const textures = command
                              ->add_option("--textures", options->textures,
-                                          "tree, vq: maps of the PNG files in this folder instead")
+                                          "tree, vq, bake: the PNG files in this folder instead")
                              ->type_name("FOLDER");
-  command->add_option("--maps", options->maps, "vq: how many generated maps")
+  command->add_option("--maps", options->maps, "vq, bake: how many generated maps or textures")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 16))
       ->excludes(textures);
   command->add_flag("--sweep", options->sweep,

@@ -34,8 +34,10 @@ Json counterexample(const Result& r, const Counterexample& c) {
 Json result(const Result& r) {
   Json by_kind;
   constexpr const char* names[] = {"vertex", "edge", "interior"};
-  for (std::size_t k = 0; k < kinds; ++k)
+  for (std::size_t k = 0; k < kinds; ++k) {
     by_kind[names[k]] = {{"cases", r.by_kind[k].cases}, {"mismatches", r.by_kind[k].mismatches}};
+    if (r.by_kind[k].declined != 0) by_kind[names[k]]["declined"] = r.by_kind[k].declined;
+  }
   Json j{{"law", r.law},       {"topic", r.topic},   {"subject", r.subject},           {"level", r.level},
          {"method", r.method}, {"domain", r.domain}, {"verdict", to_string(r.verdict)}};
   if (!r.at_once.empty()) j["level"] = nullptr;
@@ -60,7 +62,7 @@ Json result(const Result& r) {
 }  // namespace
 
 std::string to_json(const Report& report, std::uint64_t seed, const std::optional<Shard>& shard,
-                    const Identity& identity) {
+                    const Identity& identity, const std::string& scene) {
   Json j{{"schema", "mmverify.result/1"},
          {"tool",
           {{"version", build::version},
@@ -79,6 +81,7 @@ std::string to_json(const Report& report, std::uint64_t seed, const std::optiona
     j["shard"] = {
         {"number", shard->number}, {"of", shard->of}, {"finished", !report.interrupted}, {"run", run}};
   }
+  if (!scene.empty()) j["scene"] = Json::parse(scene);
   for (const Result& r : report.results) j["results"].push_back(result(r));
   for (const Diagnosis& d : report.diagnoses)
     j["diagnoses"].push_back({{"law", d.law}, {"subject", d.subject}, {"lines", d.lines}});

@@ -60,18 +60,6 @@ std::optional<Shard> parse_shard(const std::string& text) {
   return shard;
 }
 
-/// The journal of this run and shard; null where none is asked for.
-std::unique_ptr<Journal> open_journal(const std::string& path, Identity identity,
-                                      const std::optional<Shard>& shard) {
-  if (path.empty()) return nullptr;
-  identity.emplace_back("shard", shard ? fmt::format("{}/{}", shard->number, shard->of) : "none");
-  auto journal = std::make_unique<Journal>(path, std::move(identity));
-  if (journal->dropped() != 0)
-    fmt::print(stderr, "{}: {} of its bytes are no whole line; what they were about is done again\n", path,
-               journal->dropped());
-  return journal;
-}
-
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
   return !b.empty() &&

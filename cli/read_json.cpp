@@ -51,6 +51,7 @@ Result result(const Json& j) {
     const Json& kind = j.at("by_kind").at(names[k]);
     kind.at("cases").get_to(r.by_kind[k].cases);
     kind.at("mismatches").get_to(r.by_kind[k].mismatches);
+    r.by_kind[k].declined = kind.value("declined", std::uint64_t{0});
   }
   if (!j.at("counterexample").is_null()) r.counterexamples.push_back(counterexample(j.at("counterexample")));
   if (j.contains("more_counterexamples"))

@@ -29,4 +29,15 @@ Identity identity_of(const std::vector<Job>& jobs, const RunOptions& options) {
   return identity;
 }
 
+std::unique_ptr<Journal> open_journal(const std::string& path, Identity identity,
+                                      const std::optional<Shard>& shard) {
+  if (path.empty()) return nullptr;
+  identity.emplace_back("shard", shard ? fmt::format("{}/{}", shard->number, shard->of) : "none");
+  auto journal = std::make_unique<Journal>(path, std::move(identity));
+  if (journal->dropped() != 0)
+    fmt::print(stderr, "{}: {} of its bytes are no whole line; what they were about is done again\n", path,
+               journal->dropped());
+  return journal;
+}
+
 }  // namespace mmverify::cli

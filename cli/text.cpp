@@ -22,6 +22,8 @@ Level level_of(const Result& result, const Counterexample& c) {
 }  // namespace
 
 std::string replay_command(const Result& result, const Counterexample& c) {
+  if (!result.replayed_by.empty())
+    return fmt::format("{} --case {}@{}", result.replayed_by, level_of(result, c), c.at);
   const Law* law = find_law(result.law);
   const Level level = level_of(result, c);
   if (result.subject == "standard input")
@@ -81,11 +83,12 @@ void TextReport::line(const std::vector<Result>& results) {
   if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
   const Result& first = results.front();
   const Verdict verdict = verdict_of(results);
-  std::uint64_t cases = 0, resumed = 0;
+  std::uint64_t cases = 0, resumed = 0, declined = 0;
   double seconds = 0;
   for (const Result& r : results) {
     cases += r.cases_run();
     resumed += r.resumed;
+    declined += r.declined();
     seconds += r.seconds;
   }
   if (verdict == Verdict::not_applicable) {
@@ -101,6 +104,9 @@ void TextReport::line(const std::vector<Result>& results) {
       levels_text(results), grouped(cases), seconds, first.at_once.empty() ? rate : "");
   if (by_level_)
     say(out_, "           domain: {}; {}; digest {:016x}\n", first.domain, first.method, first.digest);
+  if (declined != 0)
+    say(out_, "           declined: {} of these cases, which it does not claim to support\n",
+        grouped(declined));
   if (resumed != 0) say(out_, "           resumed: {} of these cases by the journal\n", grouped(resumed));
   for (const Result& r : results)
     if (by_level_ && r.share)

@@ -1,5 +1,6 @@
 #include "proofs/plugin.hpp"
 
+#include "proofs/bake/plugin_subject.hpp"
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/micromap/plugin_subject.hpp"
 #include "proofs/tree/plugin_subject.hpp"
@@ -16,11 +17,12 @@ std::vector<PluginSubject> plugin_subjects(const std::string& file, const isolat
   if (const auto s = tree::plugin_subject(name("tree"), library)) all.push_back({"tree", s});
   if (const auto s = micromap::plugin_subject(name("micromap"), library)) all.push_back({"micromap", s});
   if (const auto s = vq::plugin_subject(name("vq"), library)) all.push_back({"vq", s});
+  if (const auto s = bake::plugin_subject(name("bake"), library)) all.push_back({"bake", s});
   return all;
 }
 
 PluginName plugin_name(const std::string& name) {
-  for (const std::string kind : {"f32", "f64", "tree", "micromap", "vq"})
+  for (const std::string kind : {"f32", "f64", "tree", "micromap", "vq", "bake"})
     if (name.ends_with(":" + kind)) return {name.substr(0, name.size() - kind.size() - 1), kind};
   return {name, {}};
 }

@@ -1,5 +1,6 @@
 #include "proofs/registry.hpp"
 
+#include "proofs/bake.hpp"
 #include "proofs/index.hpp"
 #include "proofs/index/built_in.hpp"
 #include "proofs/micromap.hpp"
@@ -23,6 +24,7 @@ const std::vector<Law>& laws() {
     append(of_all_topics, micromap::laws());
     append(of_all_topics, tree::laws());
     append(of_all_topics, vq::laws());
+    append(of_all_topics, bake::laws());
     return of_all_topics;
   }();
   return all;
@@ -50,6 +52,7 @@ std::vector<SubjectPtr> subjects() {
   append(of_all_topics, micromap::built_in_subjects());
   append(of_all_topics, tree::built_in_subjects());
   append(of_all_topics, vq::built_in_subjects());
+  append(of_all_topics, bake::built_in_subjects());
   return of_all_topics;
 }
 

@@ -32,12 +32,48 @@ extern "C" {
 
 /* flags */
 #define MMVERIFY_SINGLE_THREADED 1u
-#define MMVERIFY_TREE_STREAM 2u /* codes of trees are the paper's two bit sequences; see tree_encode */
-#define MMVERIFY_VQ_KEEPS 4u    /* vq2_encode and vq4_encode keep every map that a block can hold */
+#define MMVERIFY_TREE_STREAM 2u   /* codes of trees are the paper's two bit sequences; see tree_encode */
+#define MMVERIFY_VQ_KEEPS 4u      /* vq2_encode and vq4_encode keep every map that a block can hold */
+#define MMVERIFY_BAKE_CENTROID 8u /* bake's unknown states are those of the centroid; see bake */
 
 /* Formats of maps, as Vulkan numbers them; also the bits of one state. */
 #define MMVERIFY_2_STATE 1u
 #define MMVERIFY_4_STATE 2u
+
+/* What is baked. */
+#define MMVERIFY_UNORM8 1u  /* alpha = byte / 255 */
+#define MMVERIFY_UNORM16 2u /* alpha = word / 65535 */
+#define MMVERIFY_FLOAT32 3u
+#define MMVERIFY_BILINEAR 0u
+#define MMVERIFY_NEAREST 1u
+#define MMVERIFY_REPEAT 0u
+#define MMVERIFY_MIRRORED_REPEAT 1u
+#define MMVERIFY_CLAMP_TO_EDGE 2u
+#define MMVERIFY_CLAMP_TO_BORDER 3u
+#define MMVERIFY_MIRROR_CLAMP_TO_EDGE 4u
+#define MMVERIFY_MASK 0u
+#define MMVERIFY_BLEND 1u
+
+/* One base triangle on one texture's alpha.  `size` bytes of it are there; later headers add at its end, and
+ * a subject that is asked for a case that it does not know whole declines it. */
+typedef struct mmverify_bake_case {
+  uint32_t size;   /* sizeof(mmverify_bake_case) */
+  uint32_t level;  /* 4^level micro-triangles, up to 12 */
+  uint32_t format; /* MMVERIFY_2_STATE or MMVERIFY_4_STATE */
+
+  uint32_t width, height; /* of mip 0; of mip k max(1, width >> k) and max(1, height >> k) */
+  uint32_t mips;          /* 1 or more */
+  uint32_t texel;         /* MMVERIFY_UNORM8, ... */
+  uint32_t border;        /* the texel that lies outside with MMVERIFY_CLAMP_TO_BORDER, by its bits */
+  const void* texels; /* rows from the top, without gaps, mip after mip; aligned as one texel asks for it */
+
+  uint32_t filter, wrap_u, wrap_v; /* Vulkan's; texel (i, j) has its centre at (i + 1/2, j + 1/2) */
+  float factor, vertex_factor;     /* alpha is what is sampled, times both */
+  uint32_t alpha_mode;             /* MMVERIFY_MASK or MMVERIFY_BLEND */
+  uint32_t cutoff_numerator, cutoff_denominator; /* of MMVERIFY_MASK: one over the other, exactly */
+  float margin; /* texels by which each micro-triangle is grown to either side, along x and along y */
+  float uv[6];  /* u and v of the three vertices; (0, 0) and (1, 1) are outer corners of the texture */
+} mmverify_bake_case_t;
 
 typedef struct mmverify_subject {
   uint32_t abi;       /* MMVERIFY_SUBJECT_ABI */
@@ -132,7 +168,19 @@ typedef struct mmverify_subject {
                      size_t count);
   void (*vq4_encode)(const uint8_t* map, uint8_t* block);
 
-  /* Arrays and bakers will have their entry points after these. */
+  /* The map of a base triangle: of level and format `what->level` and `what->format`, its micro-triangles in
+   * the order of the index, packed as maps are, the bits after the last state zero. Nonzero if it is baked; 0
+   * if the subject does not support the case, and then what lies in `map` does not count. Cases that it
+   * declines are counted and never held for right.
+   *   - O: alpha, as it is sampled, is opaque on the whole closed micro-triangle, and in each mip. MASK:
+   * alpha
+   * >= cutoff; BLEND: alpha >= 1. T: transparent on all of it. MASK: alpha < cutoff; BLEND: alpha <= 0.
+   *   - Anything may be unknown; how much of it has to be is for the law bake.tight to say.
+   *   - With the flag MMVERIFY_BAKE_CENTROID an unknown one is UO where alpha at its centroid, in mip 0, is
+   * >= cutoff (BLEND: >= 1/2), else UT.  A map in 2-state has O for O and UO, T for T and UT. */
+  int (*bake)(const mmverify_bake_case_t* what, uint8_t* map);
+
+  /* Arrays will have their entry points after these. */
 } mmverify_subject_t;
 
 /* The one exported symbol. The result must stay valid for the life of the process; null is an error. */

@@ -47,10 +47,10 @@ inline std::string outcome(const Report& report) {
   return text;
 }
 
-/// Exhaustive laws of blocks have one level, and so no smaller one to run where each case takes tens of times
-/// as long; the fuzzers call the same code of ours under sanitizers.
+/// Exhaustive laws of blocks and bakers have as many cases at each level, and so no smaller one to run where
+/// each case takes tens of times as long; the fuzzers call the same code of ours under sanitizers.
 inline bool too_long_under_sanitizers(const Law& law) {
-  return sanitized && law.topic == "vq" &&
+  return sanitized && (law.topic == "vq" || law.topic == "bake") &&
          (law.id == "vq.vectors" || law.cases(law.fast.last, Asked{}) > 5'000);
 }
 #define SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law) \

@@ -125,6 +125,23 @@ struct GltfFile {
   }
 };
 
+/// A GLB of two chunks, taken apart by their lengths alone.
+inline GltfFile taken_apart(const std::vector<unsigned char>& glb) {
+  const std::string file(glb.begin(), glb.end());
+  const auto word = [&](std::size_t at) {
+    std::uint32_t value;
+    std::memcpy(&value, file.data() + at, 4);
+    return value;
+  };
+  GltfFile parts;
+  const std::size_t json = word(12);
+  parts.json = Json::parse(file.substr(20, json));
+  parts.bytes = file.substr(28 + json, word(20 + json));
+  return parts;
+}
+
+inline std::vector<unsigned char> as_bytes(const std::string& text) { return {text.begin(), text.end()}; }
+
 /// Two triangles of a unit square under an alpha-tested 2 x 2 texture, all in buffer 0.
 inline GltfFile square() {
   GltfFile file;

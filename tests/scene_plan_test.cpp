@@ -58,6 +58,15 @@ UsefulLevel level_of(const UvTriangle& uvs, std::uint32_t width, std::uint32_t h
   return level;
 }
 
+/// docs/ERRATA.md: edges of 3, 4 and 5 texels.
+TEST(SceneUsefulLevel, TheTwoSidesOfEquationOneDisagree) {
+  const UvTriangle triangle{Uv{0, 0}, Uv{3.0f / 16, 0}, Uv{0, 0.25f}};
+  EXPECT_EQ(level_of(triangle, 16, 16).level, 3u);  // 5 <= 2^3, the smallest
+  EXPECT_EQ(std::floor(std::log2(5.0)), 2.0);       // 2^2 <= 5, the largest
+  // The longest edge a power of two: both say the same.
+  EXPECT_EQ(level_of({Uv{0, 0}, Uv{0.25f, 0}, Uv{0.125f, 0}}, 16, 16).level, 2u);
+}
+
 TEST(ScenePlan, TheHighestUsefulLevel) {
   // Edges of 1, 1 and sqrt 2 texels; of 2^n, and one float more.
   EXPECT_EQ(level_of({{{0, 0}, {1, 0}, {0, 1}}}, 1, 1), (UsefulLevel{1, false}));

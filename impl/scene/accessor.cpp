@@ -55,6 +55,12 @@ class Reader {
     if (accessor_.count == 0) bad("no elements; at least one is due");
   }
 
+  void check_unsigned(int type) const {
+    if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+        type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+      bad("unsigned integers are due, not component type " + std::to_string(type));
+  }
+
   Elements elements(int components) const {
     if (accessor_.bufferView < 0) return {nullptr, 0, accessor_.count, accessor_.componentType, 0};
     const auto view = static_cast<std::size_t>(accessor_.bufferView);
@@ -75,6 +81,7 @@ class Reader {
                    static_cast<std::size_t>(accessor_.sparse.count), accessor_.componentType, components);
   }
 
+  /// Domain: a type that check_unsigned() takes.
   std::uint32_t unsigned_at(const Elements& elements, std::size_t k) const {
     const unsigned char* bytes = elements.first + k * elements.stride;
     switch (elements.component_type) {
@@ -82,10 +89,8 @@ class Reader {
         return *bytes;
       case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
         return load_as<std::uint16_t>(bytes);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        return load_as<std::uint32_t>(bytes);
       default:
-        bad("unsigned integers are due, not component type " + std::to_string(elements.component_type));
+        return load_as<std::uint32_t>(bytes);
     }
   }
 
@@ -94,6 +99,7 @@ class Reader {
   void for_each_sparse(const Callback& callback) const {
     if (!accessor_.sparse.isSparse) return;
     const Elements indices = sparse_indices();
+    check_unsigned(indices.component_type);
     for (std::size_t k = 0; k < indices.count; ++k) {
       const std::uint32_t where = unsigned_at(indices, k);
       if (where >= accessor_.count)
@@ -199,6 +205,7 @@ std::vector<std::uint32_t> read_indices(const Document& document, const Buffers&
                                         const std::string& at) {
   const Reader reader(document, buffers, index, at);
   reader.check_shape(1);
+  reader.check_unsigned(reader.accessor().componentType);
   const Elements elements = reader.elements(1);
   std::vector<std::uint32_t> values(elements.count, 0);
   if (elements.first != nullptr)

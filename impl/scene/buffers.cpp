@@ -1,6 +1,7 @@
 #include "impl/scene/buffers.hpp"
 
 #include "impl/scene/bad_scene.hpp"
+#include "impl/scene/resource.hpp"
 
 namespace mmverify::impl::scene {
 namespace {
@@ -12,21 +13,10 @@ Bytes read_buffer(const Document& document, std::size_t index, const nlohmann::j
     if (index == 0 && document.binary) return *document.binary;
     throw BadScene(document.file, at, "no URI, and no BIN chunk of a GLB to take its place");
   }
-  const std::string& name = uri->get_ref<const std::string&>();
-  return tinygltf::IsDataURI(name) ? from_data_uri(name, document.file, at)
-                                   : read_file(beside(document.file, name, at), document.file, at);
+  return read_resource(document, uri->get_ref<const std::string&>(), at);
 }
 
 }  // namespace
-
-Bytes from_data_uri(const std::string& uri, const std::string& file, const std::string& place) {
-  Bytes bytes;
-  std::string mime_type;
-  if (!tinygltf::DecodeDataURI(&bytes, mime_type, uri, 0, false))
-    throw BadScene(file, place,
-                   "'" + shown(uri.substr(0, 40)) + "...' is no base64 data URI of a known type");
-  return bytes;
-}
 
 Buffers::Buffers(const Document& document) : document_(&document) {
   const nlohmann::json& buffers = member(document.json, "buffers");

@@ -17,12 +17,12 @@ class Buffers {
   /// The bytes of bufferViews[view].  Errors: BadScene where they lie outside their buffer.
   std::span<const unsigned char> view(std::size_t view) const;
 
+  /// Whole buffers, each of its byteLength.
+  const std::vector<Bytes>& all() const { return buffers_; }
+
  private:
   const Document* document_;
   std::vector<Bytes> buffers_;
 };
-
-/// What a base64 data URI holds.  Errors: BadScene where it is none.
-Bytes from_data_uri(const std::string& uri, const std::string& file, const std::string& place);
 
 }  // namespace mmverify::impl::scene

@@ -68,7 +68,7 @@ Document parse(Container parts, const std::string& file) {
   constexpr int deepest = 64;
   if (!nests_at_most(parts.json, deepest))
     throw BadScene(file, "JSON", "nested more than " + std::to_string(deepest) + " deep");
-  Document document{file, {}, {}, std::move(parts.binary)};
+  Document document{file, false, {}, {}, std::move(parts.binary)};
   try {
     document.json = Json::parse(parts.json);
   } catch (const Json::exception& error) {
@@ -86,6 +86,19 @@ Document parse(Container parts, const std::string& file) {
                                   static_cast<unsigned>(text.size()), "") ||
       !error.empty())
     throw BadScene(file, "JSON", "tinygltf: " + shown(error));
+  return document;
+}
+
+Document open_document(const std::string& file) {
+  return parse(split(read_file(file, file, ""), file), file);
+}
+
+Document open_document(const std::string& name, std::span<const unsigned char> bytes) {
+  if (bytes.empty()) throw BadScene(name, "", "no bytes");
+  if (bytes.size() > largest_file)
+    throw BadScene(name, "", std::to_string(bytes.size()) + " bytes; at most 2^31 - 1 are read");
+  Document document = parse(split(bytes, name), name);
+  document.in_memory = true;
   return document;
 }
 

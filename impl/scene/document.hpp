@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "impl/scene/file.hpp"
@@ -13,6 +14,7 @@ namespace mmverify::impl::scene {
 
 struct Document {
   std::string file;
+  bool in_memory = false;       ///< then there are no files beside it
   nlohmann::json json;          ///< all of it, checked
   tinygltf::Model model;        ///< what is read of it below; without buffers, images and animations
   std::optional<Bytes> binary;  ///< GLB's BIN chunk
@@ -24,6 +26,10 @@ struct Document {
 /// and images are read by buffers.hpp, and extensions from the JSON.
 /// Errors: BadScene.
 Document parse(Container parts, const std::string& file);
+
+/// The document of a file, or of a file's bytes, for which `name` stands in messages.  Errors: BadScene.
+Document open_document(const std::string& file);
+Document open_document(const std::string& name, std::span<const unsigned char> bytes);
 
 /// The place in messages: "material 3 (leaf)".
 std::string place(const char* kind, std::size_t index, const std::string& name = {});

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cstring>
 #include <fstream>
-#include <limits>
 
 #include "impl/scene/bad_scene.hpp"
 
@@ -13,10 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest_file = std::numeric_limits<std::int32_t>::max();
-
 /// Little-endian, as all of glTF.
-std::uint32_t word(const Bytes& bytes, std::size_t at) {
+std::uint32_t word(std::span<const unsigned char> bytes, std::size_t at) {
   return bytes[at] | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
          std::uint32_t{bytes[at + 3]} << 24;
 }
@@ -68,7 +65,7 @@ Bytes read_file(const fs::path& path, const std::string& file, const std::string
   return bytes;
 }
 
-Container split(const Bytes& bytes, const std::string& file) {
+Container split(std::span<const unsigned char> bytes, const std::string& file) {
   if (bytes.size() < 4 || std::memcmp(bytes.data(), "glTF", 4) != 0)
     return {std::string(bytes.begin(), bytes.end()), {}};
   constexpr std::size_t header = 12, chunk_header = 8;

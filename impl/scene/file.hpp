@@ -3,13 +3,18 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace mmverify::impl::scene {
 
 using Bytes = std::vector<unsigned char>;
+
+/// Of what is read.  Sizes and offsets within it are below 2^31, so that the sum of two is no overflow.
+inline constexpr std::uintmax_t largest_file = std::numeric_limits<std::int32_t>::max();
 
 /// All of a file.  `place` is who asks for it, for the message.
 /// Errors: BadScene where it is missing, no regular file (a pipe would block, a device never end), empty or
@@ -27,7 +32,7 @@ struct Container {
 };
 
 /// Errors: BadScene where a GLB's header or chunks are not as glTF 2.0, 4.4 says.
-Container split(const Bytes& bytes, const std::string& file);
+Container split(std::span<const unsigned char> bytes, const std::string& file);
 
 /// The path that a relative URI names, beside `file`: percent-decoded.
 /// Errors: BadScene for a URI with a scheme, or an absolute one.

@@ -7,6 +7,7 @@
 #include "impl/scene/materials.hpp"
 #include "impl/scene/nodes.hpp"
 #include "impl/scene/primitives.hpp"
+#include "impl/scene/resource.hpp"
 
 namespace mmverify::impl::scene {
 namespace {
@@ -32,7 +33,7 @@ std::vector<Image> read_images(const Document& document, const Buffers& buffers,
     const nlohmann::json& given = listed[k];
     const bool decode = to_decode.contains(k);
     const std::string uri = given.value("uri", std::string());
-    const bool embedded = uri.empty() || tinygltf::IsDataURI(uri);
+    const bool embedded = uri.empty() || is_data_uri(uri);
     Image image;
     image.name = given.value("name", embedded ? std::string() : shown(uri));
     const std::string at = place("image", k, image.name);
@@ -41,33 +42,34 @@ std::vector<Image> read_images(const Document& document, const Buffers& buffers,
       if (decode) decode_alpha(bytes, image, document.file, at);
     } else if (uri.empty()) {
       throw BadScene(document.file, at, "neither a URI nor a bufferView");
-    } else if (embedded) {
-      const Bytes bytes = from_data_uri(uri, document.file, at);
+    } else if (decode || embedded) {
+      const Bytes bytes = read_resource(document, uri, at);
       if (decode) decode_alpha(bytes, image, document.file, at);
-    } else if (decode) {
-      decode_alpha(read_file(beside(document.file, uri, at), document.file, at), image, document.file, at);
     } else {
-      check_file(beside(document.file, uri, at), document.file, at);
+      check_resource(document, uri, at);
     }
     images.push_back(std::move(image));
   }
   return images;
 }
 
-}  // namespace
-
-Scene load(const std::string& file) {
-  const Document document = parse(split(read_file(file, file, ""), file), file);
+Scene scene_of(const Document& document) {
   const Buffers buffers(document);
   Scene scene;
-  scene.file = file;
+  scene.file = document.file;
   scene.materials = read_materials(document);
-  const std::vector<std::uint64_t> uses = mesh_uses(document);
-  for (std::size_t k = 0; k < uses.size(); ++k)
-    scene.meshes.push_back({document.model.meshes[k].name, uses[k]});
+  scene.meshes = read_meshes(document, buffers);
   scene.primitives = read_primitives(document, buffers, scene.materials);
   scene.images = read_images(document, buffers, alpha_tested_images(scene));
   return scene;
+}
+
+}  // namespace
+
+Scene load(const std::string& file) { return scene_of(open_document(file)); }
+
+Scene load(const std::string& name, std::span<const unsigned char> bytes) {
+  return scene_of(open_document(name, bytes));
 }
 
 }  // namespace mmverify::impl::scene

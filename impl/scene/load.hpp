@@ -1,6 +1,7 @@
 // Reads glTF 2.0.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "impl/scene/scene.hpp"
@@ -25,5 +26,9 @@ namespace mmverify::impl::scene {
 ///   - an image to decode is neither PNG nor JPEG, damaged, empty or beyond 16384 texels a side;
 ///   - it is larger than 2^31 - 1 bytes a file, or than 2^26 vertices and triangles in all.
 Scene load(const std::string& file);
+
+/// The same of a file's bytes in memory; `name` stands for the file in messages.
+/// Errors: as above, and BadScene where a URI names a file.
+Scene load(const std::string& name, std::span<const unsigned char> bytes);
 
 }  // namespace mmverify::impl::scene

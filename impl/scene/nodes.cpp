@@ -1,13 +1,16 @@
 #include "impl/scene/nodes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "impl/scene/accessor.hpp"
 #include "impl/scene/bad_scene.hpp"
 
 namespace mmverify::impl::scene {
 namespace {
 
-void check_trees(const Document& document) {
+/// Node numbers, parents before children.
+std::vector<std::size_t> checked_trees(const Document& document) {
   constexpr std::size_t none = SIZE_MAX;
   const auto& nodes = document.model.nodes;
   std::vector<std::size_t> parent(nodes.size(), none);
@@ -25,28 +28,101 @@ void check_trees(const Document& document) {
     if (parent[k] == none) reached.push_back(k);
   for (std::size_t k = 0; k < reached.size(); ++k)
     for (const int child : nodes[reached[k]].children) reached.push_back(static_cast<std::size_t>(child));
-  if (reached.size() == nodes.size()) return;
+  if (reached.size() == nodes.size()) return reached;
   std::sort(reached.begin(), reached.end());
   std::size_t first = 0;
   while (first < reached.size() && reached[first] == first) ++first;
   throw BadScene(document.file, place("node", first), "its ancestors form a circle");
 }
 
+constexpr Placement identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+Placement product(const Placement& a, const Placement& b) {
+  Placement c{};
+  for (std::size_t column = 0; column < 3; ++column)
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t k = 0; k < 3; ++k) c[row + 3 * column] += a[row + 3 * k] * b[k + 3 * column];
+  return c;
+}
+
+/// Rotation times scale, or the matrix.  Source: glTF 2.0, 3.5.3.
+Placement linear_part(const tinygltf::Node& node) {
+  if (node.matrix.size() == 16) {
+    Placement m{};
+    for (std::size_t k = 0; k < 9; ++k) m[k] = node.matrix[4 * (k / 3) + k % 3];
+    return m;
+  }
+  Placement m = identity;
+  if (node.rotation.size() == 4) {
+    const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
+    m = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
+         2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
+         2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y)};
+  }
+  if (node.scale.size() == 3)
+    for (std::size_t k = 0; k < 9; ++k) m[k] *= node.scale[k / 3];
+  return m;
+}
+
+/// The squared scale of a transform that keeps all angles, to within a millionth; or -1.
+double similar_scale(const Placement& m) {
+  const auto dot = [&m](std::size_t a, std::size_t b) {
+    return m[3 * a] * m[3 * b] + m[3 * a + 1] * m[3 * b + 1] + m[3 * a + 2] * m[3 * b + 2];
+  };
+  const double scale = (dot(0, 0) + dot(1, 1) + dot(2, 2)) / 3, slack = 1e-6 * scale;
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b)
+      if (!(std::abs(dot(a, b) - (a == b ? scale : 0)) <= slack)) return -1;
+  return scale;
+}
+
+void place_once(Mesh& mesh, const Placement& m, double times = 1) {
+  if (const double scale = similar_scale(m); scale >= 0)
+    mesh.placements.similar += times * scale;
+  else
+    mesh.placements.others.push_back({m, times});
+}
+
+/// The instances of EXT_mesh_gpu_instancing.  Their rotations are left out: they change areas only under a
+/// node that stretches.
+void place_instances(const Document& document, const Buffers& buffers, const nlohmann::json& attributes,
+                     const std::string& at, const Placement& m, Mesh& mesh) {
+  const auto instances = document.model.accessors[attributes.begin()->get<std::size_t>()].count;
+  mesh.uses += instances;
+  const auto scales = attributes.find("SCALE");
+  if (scales == attributes.end()) return place_once(mesh, m, static_cast<double>(instances));
+  const std::vector<float> scale =
+      read_floats(document, buffers, scales->get<std::size_t>(), 3, Integers::none, at + " SCALE");
+  for (std::size_t k = 0; k + 2 < scale.size(); k += 3) {
+    Placement s{};
+    for (std::size_t axis = 0; axis < 3; ++axis) s[4 * axis] = scale[k + axis];
+    place_once(mesh, product(m, s));
+  }
+}
+
 }  // namespace
 
-std::vector<std::uint64_t> mesh_uses(const Document& document) {
-  check_trees(document);
-  std::vector<std::uint64_t> uses(document.model.meshes.size(), 0);
-  for (std::size_t k = 0; k < document.model.nodes.size(); ++k) {
-    const int mesh = document.model.nodes[k].mesh;
-    if (mesh < 0) continue;
+std::vector<Mesh> read_meshes(const Document& document, const Buffers& buffers) {
+  const std::vector<std::size_t> order = checked_trees(document);
+  const auto& nodes = document.model.nodes;
+  std::vector<Placement> placements(nodes.size(), identity);
+  std::vector<Mesh> meshes;
+  for (const tinygltf::Mesh& mesh : document.model.meshes) meshes.push_back({mesh.name, 0, {}});
+  for (const std::size_t k : order) {
+    // Until now the parent's.
+    placements[k] = product(placements[k], linear_part(nodes[k]));
+    for (const int child : nodes[k].children) placements[static_cast<std::size_t>(child)] = placements[k];
+    if (nodes[k].mesh < 0) continue;
+    Mesh& mesh = meshes[static_cast<std::size_t>(nodes[k].mesh)];
     const nlohmann::json& instancing = extension(document.json["nodes"][k], "EXT_mesh_gpu_instancing");
-    std::uint64_t instances = 1;
-    if (const nlohmann::json& attributes = member(instancing, "attributes"); !attributes.empty())
-      instances = document.model.accessors[attributes.begin()->get<std::size_t>()].count;
-    uses[static_cast<std::size_t>(mesh)] += instances;
+    if (const nlohmann::json& attributes = member(instancing, "attributes"); !attributes.empty()) {
+      place_instances(document, buffers, attributes, place("node", k), placements[k], mesh);
+    } else {
+      ++mesh.uses;
+      place_once(mesh, placements[k]);
+    }
   }
-  return uses;
+  return meshes;
 }
 
 }  // namespace mmverify::impl::scene

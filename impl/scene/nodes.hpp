@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "impl/scene/document.hpp"
+#include "impl/scene/buffers.hpp"
+#include "impl/scene/scene.hpp"
 
 namespace mmverify::impl::scene {
 
-/// Uses of each mesh: nodes that name it, each times the instances of EXT_mesh_gpu_instancing.
-/// Errors: BadScene where a node has two parents or is its own ancestor: nodes are trees (glTF 2.0, 3.5.2).
-std::vector<std::uint64_t> mesh_uses(const Document& document);
+/// The meshes, with their uses: nodes that name one, each times the instances of EXT_mesh_gpu_instancing.
+/// Errors: BadScene where a node has two parents or is its own ancestor: nodes are trees (glTF 2.0, 3.5.2);
+/// for scales of instances as of read_floats().
+std::vector<Mesh> read_meshes(const Document& document, const Buffers& buffers);
 
 }  // namespace mmverify::impl::scene

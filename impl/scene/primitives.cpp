@@ -63,6 +63,7 @@ class Reader {
     primitive.triangles = triangles(*drawn, vertices);
     primitive.uvs = uvs(primitive);
     primitive.vertex_alpha = vertex_alpha(primitive);
+    count_unheld();
     count(primitive.positions.size() + primitive.triangles.size());
     return primitive;
   }
@@ -172,6 +173,21 @@ class Reader {
     return all;
   }
 
+  /// Accessors without a view are zeros, which cost the file nothing.
+  void count_unheld() {
+    constexpr std::size_t most = std::size_t{1} << 22;
+    const auto add = [&](int accessor) {
+      const tinygltf::Accessor& its = document_.model.accessors[static_cast<std::size_t>(accessor)];
+      if (its.bufferView >= 0) return;
+      if (its.count > most - unheld_)
+        throw BadScene(document_.file, at_,
+                       "more than 2^22 elements in all that no bufferView holds; that much is not read");
+      unheld_ += its.count;
+    };
+    if (given_->indices >= 0) add(given_->indices);
+    for (const auto& [name, accessor] : given_->attributes) add(accessor);
+  }
+
   /// Many primitives may share one accessor, so that a small file says a large scene.
   void count(std::size_t more) {
     constexpr std::size_t most = std::size_t{1} << 26;
@@ -185,7 +201,7 @@ class Reader {
   const Buffers& buffers_;
   const std::vector<Material>& materials_;
   bool quantised_ = false;
-  std::size_t counted_ = 0;
+  std::size_t counted_ = 0, unheld_ = 0;
   const tinygltf::Primitive* given_ = nullptr;
   std::string at_;
 };

@@ -101,9 +101,23 @@ struct Primitive {
   bool morphs_uvs = false;  ///< a morph target moves the UVs or COLOR_0
 };
 
+/// The linear part of a node's transform to its scene's coordinates, column by column.
+using Placement = std::array<double, 9>;
+
+/// What the uses of a mesh do to areas.
+struct Placements {
+  double similar = 0;  ///< the sum of the squared scales of those that keep all angles
+  struct Times {
+    Placement linear;
+    double times;
+  };
+  std::vector<Times> others;  ///< the rest
+};
+
 struct Mesh {
   std::string name;
   std::uint64_t uses = 0;  ///< nodes that place it, each as often as EXT_mesh_gpu_instancing says
+  Placements placements = {};
 };
 
 struct Scene {

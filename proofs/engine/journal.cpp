@@ -63,7 +63,7 @@ Counterexample counterexample(const Json& j) {
 
 Json to_json(const Journal::Piece& piece) {
   Json counts = Json::array(), found = Json::array();
-  for (const Count& c : piece.tally.by_kind()) counts.push_back({c.cases, c.mismatches});
+  for (const Count& c : piece.tally.by_kind()) counts.push_back({c.cases, c.mismatches, c.declined});
   for (const Counterexample& c : piece.tally.found()) found.push_back(to_json(c));
   Json json{{"about", piece.about},  {"from", piece.units.begin},
             {"to", piece.units.end}, {"of", piece.of},
@@ -77,6 +77,7 @@ Journal::Piece piece(const Json& j) {
   for (std::size_t k = 0; k < kinds; ++k) {
     j.at("counts").at(k).at(0).get_to(counts[k].cases);
     j.at("counts").at(k).at(1).get_to(counts[k].mismatches);
+    j.at("counts").at(k).at(2).get_to(counts[k].declined);
   }
   std::vector<Counterexample> found;
   if (j.contains("found"))

@@ -81,8 +81,8 @@ struct Law {
   std::string id, topic;
   std::string says = {}, source = {};
   Method method = Method::exhaustive;
-  std::vector<std::string>
-      subjects;  ///< built-in subjects of a run that names none: those that the law is true of
+  std::vector<std::string> subjects =
+      {};  ///< built-in subjects of a run that names none: those that the law is true of
   Levels fast = {}, long_run = {};
   /// Where one run settles many levels: which, in words.  It is then run once, as level 0, whatever levels
   /// are asked for, and its counterexamples and mutants name levels of their own.  Empty: a run settles its
@@ -108,6 +108,9 @@ struct Law {
   bool long_only = false;  ///< no part of the fast tier, unless asked for by its id
   bool on_lines = true;    ///< its domain has points on grid lines, which a run may leave out
   bool general = true;     ///< about any subject that fits; otherwise about the ones it names only
+  /// The command that shows a counterexample of it again, but for --case LEVEL@CASE; empty: `mmverify
+  /// replay`.
+  std::string replayed_by = {};
   /// Runs with it on a float subject, for which cells decide nothing else.
   std::string float_companion = {};
 };

@@ -32,4 +32,22 @@ std::uint64_t Result::mismatches() const {
   return sum;
 }
 
+std::uint64_t Result::declined() const {
+  std::uint64_t sum = 0;
+  for (const Count& c : by_kind) sum += c.declined;
+  return sum;
+}
+
+void settle(Result& r, bool sample) {
+  const std::uint64_t declined = r.declined();
+  if (r.mismatches() != 0) {
+    r.verdict = Verdict::refuted;
+  } else if (declined != 0 && declined == r.cases_run()) {
+    r.verdict = Verdict::not_applicable;
+    r.reason = "it supports none of the cases";
+  } else {
+    r.verdict = sample || declined != 0 ? Verdict::checked : Verdict::proved;
+  }
+}
+
 }  // namespace mmverify::proofs

@@ -13,16 +13,18 @@
 namespace mmverify::proofs {
 namespace {
 
-Verdict judged(const Law& law, const Result& r, bool finished) {
-  if (r.mismatches() != 0) return Verdict::refuted;
-  // A part of a domain is never more than checked; the parts together may be (shards.hpp).
-  if (r.share && !r.share->whole()) return finished ? Verdict::checked : Verdict::incomplete;
-  if (r.cases_run() != r.cases_expected) {
-    if (interrupted()) return Verdict::incomplete;
+void judge(const Law& law, Result& r, bool finished) {
+  const bool whole = !r.share || r.share->whole();
+  if (whole) finished = r.cases_run() == r.cases_expected;
+  if (whole && !finished && r.mismatches() == 0 && !interrupted())
     throw std::logic_error(fmt::format("{} level {}: {} cases run, {} expected", law.id, r.level,
                                        r.cases_run(), r.cases_expected));
-  }
-  return law.method == Method::sample ? Verdict::checked : Verdict::proved;
+  if (r.mismatches() == 0 && !finished)
+    r.verdict = Verdict::incomplete;
+  else if (r.mismatches() == 0 && !whole)  // never more than checked; the parts together may be (shards.hpp)
+    r.verdict = Verdict::checked;
+  else
+    settle(r, law.method == Method::sample);
 }
 
 Result named(const Law& law, const Subject& subject, Level level, const Run& run) {
@@ -99,6 +101,7 @@ std::optional<Level> first_refuted(const Report& report, const Job& job) {
 
 void name_proof(Result& r, const Law& law) {
   r.at_once = law.at_once;
+  r.replayed_by = law.replayed_by;
   if (law.method == Method::induction || law.method == Method::bit_vectors) r.proof = to_string(law.method);
 }
 
@@ -129,7 +132,7 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
     r.counterexamples = tally.found();
     for (Counterexample& c : r.counterexamples) c.level = law.at_once.empty() ? level : c.level;
     r.digest = tally.digest();
-    r.verdict = judged(law, r, finished);
+    judge(law, r, finished);
     if (r.verdict == Verdict::incomplete) r.reason = "interrupted";
   } catch (const Interrupted&) {
     r.verdict = Verdict::incomplete;

@@ -124,9 +124,7 @@ Result merged(const Parts& parts, const Result& like, std::size_t errors, const 
   if (sum.cases_run() != sum.cases_expected)
     throw ShardsDoNotAddUp(
         fmt::format("{}: {} cases in all, {} expected", text(like), sum.cases_run(), sum.cases_expected));
-  sum.verdict = sum.mismatches() != 0          ? Verdict::refuted
-                : law.method == Method::sample ? Verdict::checked
-                                               : Verdict::proved;
+  settle(sum, law.method == Method::sample);
   return sum;
 }
 

@@ -23,6 +23,13 @@ class Tally {
     return tally;
   }
 
+  /// Counts one case that the subject does not claim to support: it is run, and says nothing.
+  void decline(Kind kind) {
+    Count& count = by_kind_[static_cast<std::size_t>(kind)];
+    ++count.cases;
+    ++count.declined;
+  }
+
   void count(Kind kind, std::uint64_t cases) { by_kind_[static_cast<std::size_t>(kind)].cases += cases; }
 
   /// Adds one answer to the digest:  sum over cases of (answer+1) * weight(case)  modulo 2^64.
@@ -46,6 +53,7 @@ class Tally {
     for (std::size_t k = 0; k < kinds; ++k) {
       by_kind_[k].cases += other.by_kind_[k].cases;
       by_kind_[k].mismatches += other.by_kind_[k].mismatches;
+      by_kind_[k].declined += other.by_kind_[k].declined;
     }
     digest_ += other.digest_;
     for (const Counterexample& c : other.found_) keep(c);

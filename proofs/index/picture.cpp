@@ -5,10 +5,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <pugixml.hpp>
-#include <sstream>
 #include <vector>
 
+#include "proofs/canvas.hpp"
 #include "spec/index.hpp"
 
 namespace mmverify::proofs::index {
@@ -16,15 +15,10 @@ namespace {
 
 using spec::index::Corners;
 
-// Okabe and Ito's colours: told apart by the colour-blind too; the wrong answer is hatched besides.
-constexpr char blue[] = "#0072B2", vermilion[] = "#D55E00", grey[] = "#9a9a9a", ink[] = "#222222";
-constexpr double width = 760, drawing = 600, left = 80, top = 96;
+using drawing::blue, drawing::Canvas, drawing::grey, drawing::ink, drawing::Pixel, drawing::vermilion;
+constexpr double width = 760, drawing_size = 600, left = 80, top = 96;
 constexpr double slope = std::numbers::sqrt3 / 2;
 constexpr std::uint32_t widest = 8;  // squares to a side that can be read with numbers in them
-
-struct Pixel {
-  double x, y;
-};
 
 /// Grid coordinates (in squares of the level, from the window's origin) to pixels: w left below, u right, v
 /// on top.
@@ -35,83 +29,6 @@ struct View {
     const double a = (i - i0) / span, b = (j - j0) / span;
     return {x0 + size * (a + b / 2), y0 + size * slope * (1 - b)};
   }
-};
-
-class Canvas {
- public:
-  Canvas(double w, double h, const std::string& title) {
-    svg_ = document_.append_child("svg");
-    svg_.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
-    svg_.append_attribute("viewBox") = fmt::format("0 0 {:.0f} {:.0f}", w, h).c_str();
-    svg_.append_attribute("width") = w;
-    svg_.append_attribute("height") = h;
-    svg_.append_attribute("font-family") = "sans-serif";
-    svg_.append_attribute("role") = "img";
-    svg_.append_child("title").text() = title.c_str();
-    auto defs = svg_.append_child("defs");
-    auto hatch = defs.append_child("pattern");
-    set(hatch, {{"id", "hatch"},
-                {"width", "7"},
-                {"height", "7"},
-                {"patternUnits", "userSpaceOnUse"},
-                {"patternTransform", "rotate(45)"}});
-    auto line = hatch.append_child("rect");
-    set(line, {{"width", "3"}, {"height", "7"}, {"fill", vermilion}, {"fill-opacity", "0.75"}});
-    auto ground = svg_.append_child("rect");
-    set(ground, {{"width", "100%"}, {"height", "100%"}, {"fill", "#ffffff"}});
-  }
-
-  void polygon(const std::vector<Pixel>& points, const std::string& fill, const std::string& stroke,
-               double stroke_width, double opacity = 1, bool closed = true) {
-    std::string text;
-    for (const Pixel& p : points) text += fmt::format("{:.2f},{:.2f} ", p.x, p.y);
-    auto node = svg_.append_child(closed ? "polygon" : "polyline");
-    set(node, {{"points", text},
-               {"fill", fill},
-               {"fill-opacity", fmt::format("{}", opacity)},
-               {"stroke", stroke},
-               {"stroke-width", fmt::format("{}", stroke_width)},
-               {"stroke-linejoin", "round"}});
-  }
-
-  void dot(const Pixel& p, double radius, const std::string& fill, const std::string& stroke) {
-    auto node = svg_.append_child("circle");
-    set(node, {{"cx", fmt::format("{:.2f}", p.x)},
-               {"cy", fmt::format("{:.2f}", p.y)},
-               {"r", fmt::format("{}", radius)},
-               {"fill", fill},
-               {"stroke", stroke},
-               {"stroke-width", "2"}});
-  }
-
-  void text(const Pixel& p, const std::string& words, double size, const std::string& fill = ink,
-            const std::string& anchor = "start", bool bold = false) {
-    // The white halo keeps words readable on a hatched ground.
-    auto node = svg_.append_child("text");
-    set(node, {{"x", fmt::format("{:.2f}", p.x)},
-               {"y", fmt::format("{:.2f}", p.y)},
-               {"font-size", fmt::format("{}", size)},
-               {"fill", fill},
-               {"text-anchor", anchor},
-               {"font-weight", bold ? "bold" : "normal"},
-               {"paint-order", "stroke"},
-               {"stroke", "#ffffff"},
-               {"stroke-width", "3"}});
-    node.text() = words.c_str();
-  }
-
-  std::string str() const {
-    std::ostringstream out;
-    document_.save(out, "  ");
-    return out.str();
-  }
-
- private:
-  static void set(pugi::xml_node node, const std::vector<std::pair<const char*, std::string>>& attributes) {
-    for (const auto& [name, value] : attributes) node.append_attribute(name) = value.c_str();
-  }
-  pugi::xml_document document_;
-  pugi::xml_node svg_;
 };
 
 Corners corners_of(std::uint32_t index, Level n, Order order) {
@@ -147,7 +64,7 @@ View window(Level n, double pi, double pj) {
     i0 -= from_i;
     j0 -= std::min(j0, over - from_i);
   }
-  return {i0, j0, span, left, top, drawing};
+  return {i0, j0, span, left, top, drawing_size};
 }
 
 void draw_grid(Canvas& canvas, const View& view) {
@@ -218,7 +135,7 @@ std::string picture(Level n, const RationalPoint& p, std::uint32_t expected, std
             : fmt::format("belongs to micro-triangle {}; the answer was {}{}.", expected, got,
                           in_range ? "" : fmt::format(", but the last one is {}", triangle_count(n) - 1));
 
-  Canvas canvas(width, top + drawing * slope + 130, title);
+  Canvas canvas(width, top + drawing_size * slope + 130, title);
   canvas.text({24, 34}, title, 19, ink, "start", true);
   canvas.text({24, 60}, line, 17);
 
@@ -262,7 +179,7 @@ std::string picture(Level n, const RationalPoint& p, std::uint32_t expected, std
     canvas.text({small(0, 0).x + 80, small(0, 0).y + 16}, "the whole triangle", 12, ink, "middle");
   }
 
-  const double y = top + drawing * slope + 58;
+  const double y = top + drawing_size * slope + 58;
   canvas.dot({34, y}, 6, "#000000", "#ffffff");
   canvas.text({48, y + 5}, "the point", 14);
   canvas.polygon({{140, y - 8}, {158, y - 8}, {158, y + 8}, {140, y + 8}}, blue, blue, 2, 0.25);

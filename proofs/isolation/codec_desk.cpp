@@ -95,6 +95,12 @@ std::uint64_t CodecDesk::call(std::byte* out, std::uint64_t room) const {
     case Call::vq4_encode:
       s.vq4_encode(blob, to);
       return room;
+    case Call::bake: {
+      mmverify_bake_case_t what;
+      std::memcpy(&what, blob, sizeof what);
+      what.texels = blob + sizeof what;
+      return s.bake(&what, to) != 0 ? room : 0;
+    }
     default:
       return 0;
   }

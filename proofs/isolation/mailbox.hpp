@@ -32,9 +32,10 @@ enum class Call : std::uint32_t {
   vq2_encode,
   vq4_decode,
   vq4_region,
-  vq4_encode
+  vq4_encode,
+  bake
 };
-constexpr std::uint32_t calls = 23;
+constexpr std::uint32_t calls = 24;
 
 /// Whether it is about a map or a code, which lies apart from the slots, and so does its answer.
 constexpr bool of_codec(Call c) { return c >= Call::tree_encode; }
@@ -103,7 +104,7 @@ struct Mailbox {
   std::uint32_t level;
   std::uint32_t one_by_one;  ///< call with one element at a time, to find the one that does it
   std::uint64_t count;
-  std::uint32_t format;      ///< of a map: its states' bits; of micromap_through its mode; of a block 0
+  std::uint32_t format;  ///< of a map: its states' bits; of micromap_through its mode; of a block or a case 0
   std::uint64_t blob_bytes;  ///< of the map or code that is asked about
   std::uint64_t room;        ///< of the answer to it: bytes that must be written, of an encoder that may be
   // From the worker, the first also while it works.

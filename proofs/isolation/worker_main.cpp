@@ -300,7 +300,7 @@ std::string cannot_load(Description& description, const char* library, mmverify_
       given(s.index_f32, s.index_f64, s.corners, s.row_index_f32, s.row_corners, s.tree_encode, s.tree_decode,
             s.tree_lookup, s.tree_lookup_f32, s.micromap_pack, s.micromap_unpack, s.micromap_force2,
             s.micromap_widen, s.micromap_up, s.micromap_down, s.micromap_through, s.micromap_substitute,
-            s.vq2_decode, s.vq2_region, s.vq2_encode, s.vq4_decode, s.vq4_region, s.vq4_encode);
+            s.vq2_decode, s.vq2_region, s.vq2_encode, s.vq4_decode, s.vq4_region, s.vq4_encode, s.bake);
   description.has = 0;
   for (std::uint32_t c = 0; c < calls; ++c) description.has |= has[c] ? 1u << c : 0u;
   if (description.has == 0) return "all its entry points are null";

@@ -1,0 +1,21 @@
+// What a URI in a document names.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "impl/scene/document.hpp"
+
+namespace mmverify::impl::scene {
+
+/// Whether the URI holds its bytes itself.
+bool is_data_uri(const std::string& uri);
+
+/// The bytes that a URI names: its own, in base64, or those of a file beside the document.
+/// Errors: BadScene where it holds or names none, and for a file beside a document in memory.
+Bytes read_resource(const Document& document, const std::string& uri, const std::string& place);
+
+/// The same errors, but for what a data URI holds, without reading.
+void check_resource(const Document& document, const std::string& uri, const std::string& place);
+
+}  // namespace mmverify::impl::scene

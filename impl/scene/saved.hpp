@@ -1,0 +1,23 @@
+// How many any-hit calls micromaps save.
+#pragma once
+
+#include <cstdint>
+
+#include "impl/scene/bake.hpp"
+
+namespace mmverify::impl::scene {
+
+/// Shares of the placed area of the planned triangles, each micro-triangle 4^-level of its triangle's.
+struct Saved {
+  double area = 0;         ///< in the scene's units, squared
+  double transparent = 0;  ///< share in 0..1
+  double opaque = 0;
+  double unknown = 0;  ///< where the any-hit shader is still called
+  double known() const { return transparent + opaque; }
+};
+
+/// Of rays that meet the triangles evenly over their area; a triangle counts as often, and as large, as nodes
+/// place it.  In double precision.  Where no area is placed, all shares are 0.
+Saved saved(const Scene& scene, const Plan& plan, const Baked& baked);
+
+}  // namespace mmverify::impl::scene

@@ -1,0 +1,277 @@
+#include "proofs/bake/family.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include "proofs/bake/exact_texture.hpp"
+#include "proofs/bake/narrow.hpp"
+
+namespace mmverify::proofs::bake {
+namespace {
+
+namespace bake = spec::bake;
+// The triangles are given in few bits.
+using Q = Rational64;
+
+/// What some point of a part is not, and whether it is rather opaque where it has but one.
+using Marks = std::uint8_t;
+constexpr Marks not_opaque = 1, not_transparent = 2, rather_opaque = 4, known = 8;
+constexpr Marks mixed = not_opaque | not_transparent;
+
+std::uint64_t power(std::uint64_t base, std::uint32_t exponent) {
+  std::uint64_t result = 1;
+  while (exponent-- > 0) result *= base;
+  return result;
+}
+
+/// What one cell shows of a polygon, or one texel where filtering is nearest: for each values of its texels
+/// the marks that alpha leaves.
+struct Part {
+  std::int64_t i, j;
+  bake::Polygon<Q> local;  ///< in the cell's coordinates; empty where filtering is nearest
+  mutable std::vector<std::atomic<Marks>> marks;
+
+  Part(std::int64_t column, std::int64_t row, bake::Polygon<Q> polygon, std::size_t kinds)
+      : i(column), j(row), local(std::move(polygon)), marks(kinds) {}
+};
+
+struct Micro {
+  std::vector<Part> parts;
+  std::vector<Part> centroid;  ///< one: a point
+};
+using Micros = std::vector<Micro>;
+
+}  // namespace
+
+struct Enumerated::Geometry {
+  static constexpr Level levels = 13;
+  struct Slot {
+    std::once_flag once;
+    Micros micros;
+  };
+  std::vector<Slot> slots;
+
+  explicit Geometry(std::size_t triangles) : slots(triangles * levels) {}
+
+  static std::vector<Part> parts_of(const Family& f, const bake::Polygon<Q>& polygon) {
+    std::vector<Part> parts;
+    const bool nearest = f.filter == Filter::nearest;
+    const std::size_t kinds = power(f.alphabet.size(), nearest ? 1 : 4);
+    bake::for_each_square(polygon, nearest ? Q(0) : bake::fraction<Q>(1, 2),
+                          [&](std::int64_t i, std::int64_t j, bake::Polygon<Q> part) {
+                            for (auto& p : part)
+                              p = {p.x - bake::Cell<Q>::along(i), p.y - bake::Cell<Q>::along(j)};
+                            if (nearest) part.clear();
+                            parts.emplace_back(i, j, std::move(part), kinds);
+                          });
+    return parts;
+  }
+
+  const Micros& of(const Family& f, std::size_t triangle, Level n) {
+    Slot& slot = slots[triangle * levels + n];
+    std::call_once(slot.once, [&] {
+      Case one;
+      one.uv = f.triangles[triangle];
+      const auto uv = base_triangle<Q>(one);
+      for (std::uint32_t index = 0; index < std::uint32_t{1} << 2 * n; ++index) {
+        const auto polygon = bake::micro_triangle(uv, n, index, f.side, f.side);
+        slot.micros.push_back({parts_of(f, polygon), parts_of(f, {bake::centroid(polygon)})});
+      }
+    });
+    return slot.micros;
+  }
+
+  /// Domain: values of the cell's texels, in the order (0,0), (1,0), (0,1), (1,1); of nearest filtering one.
+  static Marks marks(const Family& f, const Part& part, const std::array<std::uint8_t, 4>& values) {
+    const std::size_t base = f.alphabet.size();
+    const std::size_t key = f.filter == Filter::nearest
+                                ? values[0]
+                                : values[0] + base * (values[1] + base * (values[2] + base * values[3]));
+    Marks found = part.marks[key].load(std::memory_order_relaxed);
+    if (found != 0) return found;
+    bake::Texture texels{2, 2};
+    for (const std::uint8_t value : values) texels.alpha.push_back(f.alphabet[value]);
+    const bake::Range<Q> range = f.filter == Filter::nearest
+                                     ? bake::Range<Q>(bake::texel<Q>(texels, 0, 0))
+                                     : bake::range(bake::Cell<Q>(texels, 0, 0), part.local);
+    const auto marked = [&](const auto& mode) {
+      return static_cast<Marks>(known | (mode.opaque(range.least) ? 0 : not_opaque) |
+                                (mode.transparent(range.greatest) ? 0 : not_transparent) |
+                                (mode.rather_opaque(range.greatest) ? rather_opaque : 0));
+    };
+    found = f.blend ? marked(bake::Blend<Q>{})
+                    : marked(bake::Mask<Q>{bake::fraction<Q>(f.cutoff.numerator, f.cutoff.denominator)});
+    part.marks[key].store(found, std::memory_order_relaxed);
+    return found;
+  }
+};
+
+Enumerated::Enumerated(Family family)
+    : family_(std::move(family)),
+      textures_(power(family_.alphabet.size(), family_.side * family_.side)),
+      geometry_(std::make_unique<Geometry>(family_.triangles.size())) {}
+Enumerated::~Enumerated() = default;
+Enumerated::Enumerated(Enumerated&&) noexcept = default;
+
+std::uint64_t Enumerated::count() const {
+  return textures_ * family_.wraps.size() * family_.triangles.size();
+}
+
+Enumerated::Number Enumerated::parts(std::uint64_t k) const {
+  const std::uint64_t wraps = family_.wraps.size();
+  return {k % textures_, k / textures_ % wraps, k / textures_ / wraps};
+}
+
+std::uint8_t Enumerated::value(std::uint64_t texture, std::uint32_t texel) const {
+  const std::uint64_t base = family_.alphabet.size();
+  return static_cast<std::uint8_t>(texture / power(base, texel) % base);
+}
+
+Case Enumerated::at(std::uint64_t k) const {
+  const Number number = parts(k);
+  Case one;
+  one.width = one.height = family_.side;
+  one.alpha.clear();
+  for (std::uint32_t texel = 0; texel < family_.side * family_.side; ++texel)
+    one.alpha.push_back(family_.alphabet[value(number.texture, texel)]);
+  one.filter = family_.filter;
+  std::tie(one.wrap_u, one.wrap_v) = family_.wraps[number.wrap];
+  one.border = family_.alphabet.front();
+  one.cutoff = family_.cutoff;
+  one.blend = family_.blend;
+  one.uv = family_.triangles[number.triangle];
+  return one;
+}
+
+std::vector<State> Enumerated::truth(Level n, std::uint64_t k) const {
+  const Number number = parts(k);
+  const auto [wrap_u, wrap_v] = family_.wraps[number.wrap];
+  const auto value_at = [&, u = wrap_u, v = wrap_v](std::int64_t i, std::int64_t j) -> std::uint8_t {
+    const auto x = bake::wrapped(u, i, family_.side), y = bake::wrapped(v, j, family_.side);
+    return x && y ? value(number.texture, *x + family_.side * *y) : std::uint8_t{0};
+  };
+  const auto marks = [&](const Part& p) {
+    return Geometry::marks(
+        family_, p,
+        family_.filter == Filter::nearest
+            ? std::array<std::uint8_t, 4>{value_at(p.i, p.j)}
+            : std::array<std::uint8_t, 4>{value_at(p.i, p.j), value_at(p.i + 1, p.j), value_at(p.i, p.j + 1),
+                                          value_at(p.i + 1, p.j + 1)});
+  };
+  std::vector<State> states;
+  for (const Micro& micro : geometry_->of(family_, number.triangle, n)) {
+    Marks all = 0;
+    for (const Part& part : micro.parts) {
+      all = static_cast<Marks>(all | marks(part));
+      if ((all & mixed) == mixed) break;
+    }
+    if ((all & mixed) != mixed)
+      states.push_back((all & not_opaque) == 0 ? State::O : State::T);
+    else
+      states.push_back((marks(micro.centroid.front()) & rather_opaque) != 0 ? State::UO : State::UT);
+  }
+  return states;
+}
+
+std::string Enumerated::domain() const {
+  return fmt::format(
+      "all {} {}x{} textures over {}/255, {}, {}, {} pairs of addressing modes, {} UV triangles", textures_,
+      family_.side, family_.side, fmt::join(family_.alphabet, ", "),
+      family_.filter == Filter::nearest ? "nearest" : "bilinear",
+      family_.blend ? std::string("BLEND")
+                    : fmt::format("cutoff {}/{}", family_.cutoff.numerator, family_.cutoff.denominator),
+      family_.wraps.size(), family_.triangles.size());
+}
+
+Families::Families(std::vector<Family> families) {
+  for (Family& f : families) all_.emplace_back(std::move(f));
+}
+
+std::pair<const Enumerated*, std::uint64_t> Families::find(std::uint64_t k) const {
+  for (const Enumerated& e : all_) {
+    if (k < e.count()) return {&e, k};
+    k -= e.count();
+  }
+  throw std::out_of_range("no such case of a family");
+}
+
+std::uint64_t Families::count() const {
+  std::uint64_t sum = 0;
+  for (const Enumerated& e : all_) sum += e.count();
+  return sum;
+}
+
+Case Families::at(std::uint64_t k) const {
+  const auto [family, number] = find(k);
+  return family->at(number);
+}
+
+std::vector<State> Families::truth(Level n, std::uint64_t k) const {
+  const auto [family, number] = find(k);
+  return family->truth(n, number);
+}
+
+std::string Families::domain() const {
+  std::string text;
+  for (const Enumerated& e : all_) text += (text.empty() ? "" : "; ") + e.domain();
+  return text;
+}
+
+namespace {
+
+std::vector<std::pair<Wrap, Wrap>> pairs(bool alike) {
+  constexpr Wrap every[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge, Wrap::clamp_to_border,
+                            Wrap::mirror_once};
+  std::vector<std::pair<Wrap, Wrap>> chosen;
+  for (const Wrap u : every)
+    for (const Wrap v : every)
+      if (!alike || u == v) chosen.emplace_back(u, v);
+  return chosen;
+}
+
+/// Half of the texture; across texel lines; turned over and beyond every edge; far below 0; on a line; in a
+/// point, a texel's centre.
+std::vector<Triangle> on_two() {
+  return {{0, 0, 1, 0, 0, 1},
+          {0.125f, 0.1875f, 1, 0.25f, 0.375f, 0.875f},
+          {1.25f, -0.25f, -0.5f, 0.5f, 0.75f, 1.5f},
+          {-3, -2, -2.25f, -2, -3, -1.25f},
+          {0, 0.25f, 0.5f, 0.5f, 1, 0.75f},
+          {0.25f, 0.25f, 0.25f, 0.25f, 0.25f, 0.25f}};
+}
+/// The same kinds, and a sliver.
+std::vector<Triangle> on_three() {
+  return {{0, 0, 1, 0, 0, 1},
+          {0.125f, 0.125f, 0.9375f, 0.25f, 0.25f, 0.875f},
+          {1.25f, -0.25f, -0.25f, 0.5f, 0.75f, 1.25f},
+          {0, 0.5f, 1, 0.53125f, 1, 0.5f}};
+}
+
+constexpr Cutoff met_by_texels{128, 255}, met_midway{1, 2};
+
+}  // namespace
+
+const Families& bilinear_families() {
+  static const Families families(
+      {{2, {0, 128, 255}, met_by_texels, Filter::bilinear, false, pairs(false), on_two()},
+       {3, {0, 255}, met_midway, Filter::bilinear, false, pairs(true), on_three()}});
+  return families;
+}
+
+const Families& nearest_families() {
+  static const Families families(
+      {{2, {0, 128, 255}, met_by_texels, Filter::nearest, false, pairs(false), on_two()},
+       {3, {0, 255}, met_midway, Filter::nearest, false, pairs(true), on_three()}});
+  return families;
+}
+
+const Families& blend_families() {
+  static const Families families({{2, {0, 128, 255}, {}, Filter::bilinear, true, pairs(true), on_two()},
+                                  {2, {0, 128, 255}, {}, Filter::nearest, true, pairs(true), on_two()}});
+  return families;
+}
+
+}  // namespace mmverify::proofs::bake

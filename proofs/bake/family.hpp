@@ -1,0 +1,79 @@
+// Families of cases that are enumerated whole: every texture of a few texels over a few values of alpha,
+// under every addressing and some triangles, with the truth about each.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proofs/bake/case.hpp"
+
+namespace mmverify::proofs::bake {
+
+using spec::micromap::State;
+using Triangle = std::array<float, 6>;
+
+/// All textures of side x side texels over an alphabet of bytes, the first of which is the border's too.
+/// Domain: at most 4 values.
+struct Family {
+  std::uint32_t side;
+  std::vector<std::uint8_t> alphabet;
+  Cutoff cutoff;
+  Filter filter = Filter::bilinear;
+  bool blend = false;
+  std::vector<std::pair<Wrap, Wrap>> wraps;
+  std::vector<Triangle> triangles;
+};
+
+/// Cases by number: triangle by triangle, addressing by addressing, texture by texture.
+class Enumerated {
+ public:
+  explicit Enumerated(Family family);
+  ~Enumerated();
+  Enumerated(Enumerated&&) noexcept;
+
+  std::uint64_t count() const;
+  Case at(std::uint64_t k) const;
+  /// The specification's state of every micro-triangle.  What a texture's cells do to one is worked out once
+  /// for each four values at their corners (spec::bake::range), and looked up for the textures that have
+  /// them.
+  std::vector<State> truth(Level n, std::uint64_t k) const;
+  /// "all 81 2x2 textures over 0, 128, 255, ..."
+  std::string domain() const;
+
+ private:
+  struct Geometry;
+  struct Number {
+    std::uint64_t texture, wrap, triangle;
+  };
+  Number parts(std::uint64_t k) const;
+  std::uint8_t value(std::uint64_t texture, std::uint32_t texel) const;  ///< its place in the alphabet
+
+  Family family_;
+  std::uint64_t textures_;
+  std::unique_ptr<Geometry> geometry_;
+};
+
+/// Several, one after the other.
+class Families {
+ public:
+  explicit Families(std::vector<Family> families);
+
+  std::uint64_t count() const;
+  Case at(std::uint64_t k) const;
+  std::vector<State> truth(Level n, std::uint64_t k) const;
+  std::string domain() const;
+
+ private:
+  std::pair<const Enumerated*, std::uint64_t> find(std::uint64_t k) const;
+  std::vector<Enumerated> all_;
+};
+
+/// Those of the fast tier: bilinear and MASK; nearest and MASK; bilinear and nearest, BLEND.
+const Families& bilinear_families();
+const Families& nearest_families();
+const Families& blend_families();
+
+}  // namespace mmverify::proofs::bake

@@ -1,0 +1,63 @@
+// What the laws of topic bake are put together from: a check of one case, and the cases that it is run on.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "proofs/bake/subject.hpp"
+
+namespace mmverify::proofs::bake {
+
+struct Said {
+  std::string expected, got;
+};
+
+/// What a check of one case found: a number for the digest, and what was wrong, worked out only where
+/// somebody reads it; `declined` where the subject does not support the case.
+struct Finding {
+  std::uint64_t answer = 0;
+  bool holds = true, declined = false;
+  std::function<Said()> said = {};
+};
+
+inline Finding wrong(std::function<Said()> said) { return {0, false, false, std::move(said)}; }
+inline Finding wrong(std::string expected, std::string got) {
+  return wrong([=] { return Said{expected, got}; });
+}
+inline Finding unsupported() { return {0, true, true}; }
+
+/// Order-dependent hash of states, for digests.
+inline std::uint64_t hash_of(const std::vector<State>& states) {
+  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a
+  for (const State s : states) hash = (hash ^ static_cast<std::uint8_t>(s)) * 0x100000001B3u;
+  return hash;
+}
+
+inline const char* name_of(State s) {
+  constexpr const char* names[] = {"T", "O", "UT", "UO"};
+  return names[static_cast<std::size_t>(s)];
+}
+
+/// What a law ranges over.  `number` gives case k of the level; a family knows its case's number, and its
+/// check may ask for the truth by it.
+struct Cases {
+  std::function<std::uint64_t(Level, const Run&)> count;
+  std::function<Case(Level, std::uint64_t k, std::uint64_t seed)> number;
+  std::uint64_t chunk = 16;
+};
+
+/// Judges a case; `number` says which of the law's it is, none where it was read from a text.
+using Check = std::function<Finding(const BakeSubject&, const Case&, Level,
+                                    const std::optional<std::uint64_t>& number)>;
+/// Draws it.
+using Draw = std::function<std::string(const BakeSubject&, const Case&, Level)>;
+
+/// The law, case by case.  Its levels are those of `fast`, unless `long_run` is said.  `lacks`: why a subject
+/// does not fit, if so.
+Law over(Law law, const Cases& cases, const Check& check, const Draw& draw = {},
+         const std::function<std::optional<std::string>(const BakeSubject&)>& lacks = {});
+
+}  // namespace mmverify::proofs::bake

@@ -1,0 +1,339 @@
+// Laws between the maps of one texture: nothing has to be known of them but that they fit together, so that
+// textures and levels may be larger than the specification's pace allows.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <mutex>
+
+#include "proofs/bake/law_groups.hpp"
+#include "proofs/bake/law_parts.hpp"
+#include "proofs/bake/samples.hpp"
+
+namespace mmverify::proofs::bake {
+namespace {
+
+using spec::micromap::force2;
+using spec::micromap::unknown;
+
+constexpr Levels small{3, 6};
+
+/// The first micro-triangle whose state is another, if there is one.
+std::optional<Finding> differ(const char* of, const std::vector<State>& expected,
+                              const std::vector<State>& got) {
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    if (got.at(k) != expected[k])
+      return wrong(fmt::format("{} micro-triangle {} {}", of, k, name_of(expected[k])), name_of(got[k]));
+  return std::nullopt;
+}
+
+/// Bakes in 4-state, or stops the check.
+struct Declined {};
+std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n,
+                          Format format = Format::four_state) {
+  std::optional<Baked> baked = s.parts.bake(one, n, format);
+  if (!baked) throw Declined();
+  return std::move(baked->states);
+}
+
+Law relation(Law law, Case (*number)(std::uint64_t seed, std::uint64_t k),
+             Finding (*holds)(const BakeSubject&, const Case&, Level)) {
+  law.method = Method::sample;
+  law.fast = small;
+  law.long_run = {0, 8};
+  law.fast_seconds = 0.3;
+  law.domain = [](const Subject&, Level) { return std::string(large_samples_text()); };
+  Cases cases;
+  cases.count = [](Level, const Run& run) -> std::uint64_t { return run.tier == Tier::fast ? 32 : 20'000; };
+  cases.number = [number](Level, std::uint64_t k, std::uint64_t seed) { return number(seed, k); };
+  cases.chunk = 4;
+  return over(std::move(law), cases,
+              [holds](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>&) {
+                try {
+                  return holds(s, one, n);
+                } catch (const Declined&) {
+                  return unsupported();
+                }
+              });
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Shifts
+// ---------------------------------------------------------------------------------------------------------------------
+
+Case periodic_sample(std::uint64_t seed, std::uint64_t k) {
+  Case one = large_sample(seed, k);
+  one.wrap_u = k % 2 == 0 ? Wrap::repeat : Wrap::mirrored_repeat;
+  one.wrap_v = k / 2 % 2 == 0 ? Wrap::repeat : Wrap::mirrored_repeat;
+  return one;
+}
+
+Case shifted(Case one, float u, float v) {
+  for (std::size_t k = 0; k < 6; k += 2) one.uv[k] += u, one.uv[k + 1] += v;
+  return one;
+}
+
+bool same_coordinates(const Case& a, const Case& b) { return a.uv == b.uv; }
+
+Finding keeps_shifts(const BakeSubject& s, const Case& one, Level n) {
+  const auto period = [](Wrap w) {
+    return w == Wrap::repeat ? 1.0f : w == Wrap::mirrored_repeat ? 2.0f : 0.0f;
+  };
+  const float u = period(one.wrap_u), v = period(one.wrap_v);
+  const std::vector<State> map = map_of(s, one, n);
+  for (const auto& [x, y] : {std::pair{u, 0.0f}, {0.0f, -v}, {-3 * u, 5 * v}, {40 * u, -70 * v}}) {
+    const Case other = shifted(one, x, y);
+    if (!same_coordinates(shifted(other, -x, -y), one)) continue;  // rounded, and so another triangle
+    if (const auto wrong =
+            differ(fmt::format("shifted by {:g}, {:g}:", x, y).c_str(), map, map_of(s, other, n)))
+      return *wrong;
+  }
+  return {hash_of(map)};
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The order of the vertices
+// ---------------------------------------------------------------------------------------------------------------------
+
+using Order = std::array<std::size_t, 3>;
+constexpr std::array<Order, 5> orders{{{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+
+/// Three times the weights of a micro-triangle's centroid, over 3N: of the first, second and third vertex.
+using Weights = std::array<std::uint32_t, 3>;
+Weights weights_of(std::uint32_t index, Level n) {
+  Weights w{3 * spec::side(n), 0, 0};
+  for (const spec::index::Vertex& corner : spec::index::corners(index, n)) {
+    w[1] += corner.i;
+    w[2] += corner.j;
+  }
+  w[0] -= w[1] + w[2];
+  return w;
+}
+
+/// Which micro-triangle of the triangle itself each one of the triangle with its vertices in that order is.
+std::vector<std::uint32_t> places(const Order& order, Level n) {
+  std::map<Weights, std::uint32_t> by_weights;
+  const std::uint32_t count = std::uint32_t{1} << 2 * n;
+  for (std::uint32_t k = 0; k < count; ++k) by_weights.emplace(weights_of(k, n), k);
+  std::vector<std::uint32_t> places(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Weights w = weights_of(k, n);
+    Weights original{};
+    for (std::size_t vertex = 0; vertex < 3; ++vertex) original[order[vertex]] = w[vertex];
+    places[k] = by_weights.at(original);
+  }
+  return places;
+}
+
+const std::vector<std::uint32_t>& known_places(std::size_t order, Level n) {
+  static std::mutex lock;
+  static std::map<std::pair<std::size_t, Level>, std::vector<std::uint32_t>> known;
+  const std::lock_guard hold(lock);
+  auto& found = known[{order, n}];
+  if (found.empty()) found = places(orders.at(order), n);
+  return found;
+}
+
+Finding keeps_orders(const BakeSubject& s, const Case& one, Level n) {
+  const std::vector<State> map = map_of(s, one, n);
+  for (std::size_t order = 0; order < orders.size(); ++order) {
+    Case other = one;
+    for (std::size_t k = 0; k < 3; ++k) {
+      other.uv[2 * k] = one.uv[2 * orders[order][k]];
+      other.uv[2 * k + 1] = one.uv[2 * orders[order][k] + 1];
+    }
+    const auto& place = known_places(order, n);
+    std::vector<State> expected(map.size());
+    for (std::size_t k = 0; k < map.size(); ++k) expected[k] = map[place[k]];
+    const auto& o = orders[order];
+    if (const auto wrong = differ(fmt::format("vertices {}, {}, {}:", o[0], o[1], o[2]).c_str(), expected,
+                                  map_of(s, other, n)))
+      return *wrong;
+  }
+  return {hash_of(map)};
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Formats, levels, cutoffs
+// ---------------------------------------------------------------------------------------------------------------------
+
+Finding keeps_formats(const BakeSubject& s, const Case& one, Level n) {
+  std::vector<State> forced = map_of(s, one, n);
+  for (State& state : forced) state = force2(state);
+  const std::vector<State> two = map_of(s, one, n, Format::two_state);
+  if (const auto wrong = differ("2-state", forced, two)) return *wrong;
+  return {hash_of(two)};
+}
+
+Finding keeps_levels(const BakeSubject& s, const Case& one, Level n) {
+  const std::vector<State> parents = map_of(s, one, n), children = map_of(s, one, n + 1);
+  for (std::size_t k = 0; k < parents.size(); ++k) {
+    const auto four = children.begin() + static_cast<std::ptrdiff_t>(4 * k);
+    const bool uniform = !unknown(*four) && std::count(four, four + 4, *four) == 4;
+    if (unknown(parents[k]) ? uniform : !uniform || *four != parents[k])
+      return wrong(fmt::format("micro-triangle {} {}", k, uniform ? name_of(*four) : "unknown"),
+                   name_of(parents[k]));
+  }
+  return {hash_of(children)};
+}
+
+Finding keeps_cutoffs(const BakeSubject& s, const Case& one, Level n) {
+  // As bytes over 255, so that alpha meets them.
+  constexpr std::array<Cutoff, 6> rising{{{0, 1}, {1, 255}, {1, 2}, {128, 255}, {1, 1}, {256, 255}}};
+  std::vector<State> before;
+  std::uint64_t hash = 0;
+  for (const Cutoff& cutoff : rising) {
+    Case other = one;
+    other.cutoff = cutoff;
+    std::vector<State> map = map_of(s, other, n);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const std::string what =
+          fmt::format("cutoff {}/{}: micro-triangle {}", cutoff.numerator, cutoff.denominator, k);
+      if (map[k] == State::O && before[k] != State::O) return wrong(what + " not O", "O");
+      if (before[k] == State::T && map[k] != State::T) return wrong(what + " T", name_of(map[k]));
+    }
+    before = std::move(map);
+    hash = hash * 31 + hash_of(before);
+  }
+  return {hash};
+}
+
+Finding keeps_margins(const BakeSubject& s, const Case& one, Level n) {
+  std::vector<State> before;
+  std::uint64_t hash = 0;
+  for (const float margin : {0.0f, 0x1p-8f, 0.5f, 3.0f}) {
+    Case other = one;
+    other.margin = margin;
+    std::vector<State> map = map_of(s, other, n);
+    for (std::size_t k = 0; k < before.size(); ++k)
+      if (!unknown(map[k]) && map[k] != before[k])
+        return wrong(fmt::format("margin {}: micro-triangle {} {} or unknown", margin, k, name_of(before[k])),
+                     name_of(map[k]));
+    before = std::move(map);
+    hash = hash * 31 + hash_of(before);
+  }
+  return {hash};
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Mutants
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The last of one state in a map of that level becomes another.
+Spoil changes(Level level, bool (*meant)(const Case&), State from, State to) {
+  return [=](const Case& one, Level n, std::vector<State>& states) {
+    if (n != level || !meant(one)) return;
+    const auto last = std::find(states.rbegin(), states.rend(), from);
+    if (last != states.rend()) *last = to;
+  };
+}
+
+Mutant changed(const char* name, Levels levels, bool (*meant)(const Case&), State from, State to) {
+  return spoiled(name, "bake", levels, changes(levels.first, meant, from, to));
+}
+
+/// The last state of a map in 2-state is the other one.
+std::function<void(Parts&)> in_two_state(bool (*meant)(const Case&)) {
+  return [meant](Parts& parts) {
+    parts.bake = [meant, real = parts.bake](const Case& one, Level n, Format format) {
+      auto baked = real(one, n, format);
+      if (baked && format == Format::two_state && meant(one))
+        baked->states.back() = baked->states.back() == State::O ? State::T : State::O;
+      return baked;
+    };
+  };
+}
+
+}  // namespace
+
+std::vector<Law> relation_laws() {
+  const auto far = [](const Case& one) { return one.uv[0] > 30; };
+  const auto left = [](const Case& one) { return one.uv[0] < -4 && one.wrap_u == Wrap::mirrored_repeat; };
+  const auto above = [](const Case& one) { return one.uv[1] < -30 && one.wrap_v == Wrap::mirrored_repeat; };
+  const auto clockwise = [](const Case& one) {
+    const auto& p = one.uv;
+    return (p[2] - p[0]) * (p[5] - p[1]) < (p[3] - p[1]) * (p[4] - p[0]);
+  };
+  const auto rising = [](const Case& one) { return one.uv[1] < one.uv[3] && one.uv[3] < one.uv[5]; };
+  const auto v_first = [](const Case& one) { return one.uv[4] < one.uv[0] && one.uv[4] < one.uv[2]; };
+  const auto odd = [](const Case& one) { return one.width % 2 == 1; };
+  const auto tall = [](const Case& one) { return one.height > 2 * one.width; };
+  const auto any = [](const Case&) { return true; };
+  const auto at_128 = [](const Case& one) { return one.cutoff.numerator == 128; };
+  const auto at_one = [](const Case& one) {
+    return one.cutoff.numerator == 1 && one.cutoff.denominator == 1;
+  };
+  const auto wide = [](const Case& one) { return one.margin == 3; };
+  const auto narrow = [](const Case& one) { return one.margin == 0 && one.height % 2 == 0; };
+  const auto hairy = [](const Case& one) { return one.margin == 0x1p-8f; };
+  const auto never = [](const Case& one) { return one.cutoff.numerator == 256; };
+  return {
+      relation(
+          {.id = "bake.shift",
+           .topic = "bake",
+           .says =
+               "whole repeats of the texture change nothing: any number along a repeated axis, an even one "
+               "along a mirrored one",
+           .source = "Vulkan, Wrapping Operation",
+           .subjects = {"bake"},
+           .mutants = {changed("an unknown beyond 30 repeats", {4, 4}, far, State::UO, State::O),
+                       changed("an unknown left of 4 mirrored ones", {3, 3}, left, State::UT, State::T),
+                       changed("a transparent one 30 above", {5, 5}, above, State::T, State::UT)}},
+          periodic_sample, keeps_shifts),
+      relation(
+          {.id = "bake.order",
+           .topic = "bake",
+           .says =
+               "the vertices in another order give the same states, each to the micro-triangle that is where "
+               "it was",
+           .source = "VK_KHR_opacity_micromap, barycentrics to micro-triangles; spec/index.hpp",
+           .subjects = {"bake"},
+           .mutants = {changed("an unknown of clockwise triangles", {4, 4}, clockwise, State::UO, State::UT),
+                       changed("a transparent one of triangles that descend", {3, 3}, rising, State::T,
+                               State::UT),
+                       changed("an opaque one where the third vertex is the leftmost", {5, 5}, v_first,
+                               State::O, State::UO)}},
+          large_sample, keeps_orders),
+      relation(
+          {.id = "bake.force2",
+           .topic = "bake",
+           .says = "a map in 2-state is force-2-state of the one in 4-state",
+           .source = "VK_KHR_opacity_micromap, force-2-state; spec/micromap.hpp",
+           .subjects = {"bake"},
+           .mutants = {mutant("the last of odd textures in 2-state", "bake", {5, 5}, in_two_state(odd)),
+                       mutant("the last of tall textures in 2-state", "bake", {3, 3}, in_two_state(tall)),
+                       mutant("the last in 2-state", "bake", {4, 4}, in_two_state(any))}},
+          large_sample, keeps_formats),
+      relation({.id = "bake.nested",
+                .topic = "bake",
+                .says = "a micro-triangle is O, or T, exactly where its four children are",
+                .source = "a closed micro-triangle is the union of its children; spec/bake_state.hpp",
+                .subjects = {"bake"},
+                .mutants = {changed("an unknown of level 4, odd textures", {4, 4}, odd, State::UO, State::O),
+                            changed("a transparent one of tall textures", {3, 3}, tall, State::T, State::UT),
+                            changed("an opaque one", {5, 5}, any, State::O, State::UO)}},
+               large_sample, keeps_levels),
+      relation(
+          {.id = "bake.cutoff",
+           .topic = "bake",
+           .says = "a higher cutoff makes nothing O, and nothing that is T anything else",
+           .source = "glTF 2.0, Alpha Coverage",
+           .subjects = {"bake"},
+           .mutants = {changed("an unknown that is O at cutoff 128/255", {5, 5}, at_128, State::UT, State::O),
+                       changed("a transparent one that is unknown at cutoff 1", {3, 3}, at_one, State::T,
+                               State::UT),
+                       changed("one of those with a cutoff above 1", {4, 4}, never, State::T, State::O)}},
+          large_sample, keeps_cutoffs),
+      relation({.id = "bake.margin",
+                .topic = "bake",
+                .says = "a wider margin settles nothing: what is O or T with it is so without",
+                .source = "a dilated micro-triangle holds it; spec/bake_state.hpp",
+                .subjects = {"bake"},
+                .mutants = {changed("an unknown at a margin of 3", {5, 5}, wide, State::UO, State::O),
+                            changed("a transparent one without a margin, an even number of rows", {3, 3},
+                                    narrow, State::T, State::UT),
+                            changed("an unknown at a margin of 1/256", {4, 4}, hairy, State::UT, State::T)}},
+               large_sample, keeps_margins),
+  };
+}
+
+}  // namespace mmverify::proofs::bake

@@ -1,0 +1,202 @@
+// Laws of states: O and T are true of all of their micro-triangle, an unknown is one, and on the right side.
+#include "proofs/bake/family.hpp"
+#include "proofs/bake/law_groups.hpp"
+#include "proofs/bake/law_parts.hpp"
+#include "proofs/bake/offender.hpp"
+#include "proofs/bake/picture.hpp"
+#include "proofs/bake/samples.hpp"
+#include "proofs/bake/state_mutants.hpp"
+
+namespace mmverify::proofs::bake {
+namespace {
+
+using spec::micromap::force2;
+using spec::micromap::unknown;
+
+constexpr char source[] =
+    "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake_state.hpp";
+constexpr Levels enumerated{0, 3}, sampled{2, 5};
+
+/// Whether a state is wrong by a law, given the true one.
+using Denies = bool (*)(State got, State truth);
+
+bool not_conservative(State got, State truth) { return !unknown(got) && got != truth; }
+bool not_tight(State got, State truth) { return unknown(got) && !unknown(truth); }
+bool wrong_side(State got, State truth) { return unknown(got) && force2(got) != force2(truth); }
+
+/// The states with those that the law does not deny made right.
+std::optional<Offender> offender(const Case& one, Level n, std::vector<State> got,
+                                 const std::vector<State>& truth, Denies denies) {
+  const auto& at = judged_at(n);
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (!denies(got[at[k]], truth[k])) got[at[k]] = truth[k];
+  return worst(one, n, got, at, truth);
+}
+
+std::string place_text(const Place& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
+
+Said said(const Offender& o) {
+  const Extreme& e = contradiction(o);
+  return {fmt::format("micro-triangle {} {}, alpha {} at texel {}", o.index, name_of(o.is), text_of(e.alpha),
+                      place_text(e.at)),
+          name_of(o.said)};
+}
+
+/// What a law ranges over: a family, all of it, or samples.
+struct Domain {
+  const Families& (*families)() = nullptr;
+  Case (*drawn)(std::uint64_t seed, std::uint64_t k) = nullptr;
+  const char* (*says)() = nullptr;  ///< of samples
+};
+constexpr Domain bilinear{bilinear_families}, nearest{nearest_families}, blend{blend_families},
+    plain_samples{nullptr, sample, samples_text},
+    all_samples{nullptr, featured_sample, featured_samples_text};
+
+Check judged_by(Denies denies, const Domain& domain) {
+  return [=](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>& number) {
+    const std::optional<Baked> baked = s.parts.bake(one, n, Format::four_state);
+    if (!baked) return unsupported();
+    if (!baked->padded) return wrong("zeros after the last state", "others");
+    const std::vector<State> truth =
+        domain.families != nullptr && number ? domain.families().truth(n, *number) : true_states(one, n);
+    const auto& at = judged_at(n);
+    for (std::size_t k = 0; k < at.size(); ++k)
+      if (denies(baked->states.at(at[k]), truth[k]))
+        return wrong(
+            [=, states = baked->states] { return said(offender(one, n, states, truth, denies).value()); });
+    return Finding{hash_of(baked->states)};
+  };
+}
+
+Draw drawn_by(Denies denies) {
+  return [=](const BakeSubject& s, const Case& one, Level n) {
+    const std::optional<Baked> baked = s.parts.bake(one, n, Format::four_state);
+    return picture(one, n, offender(one, n, baked.value().states, true_states(one, n), denies));
+  };
+}
+
+std::optional<std::string> has_another_rule(const BakeSubject& s) {
+  if (!s.parts.centroid) return s.name() + " does not promise the centroid's side for what is unknown";
+  return std::nullopt;
+}
+
+Law state_law(const char* id, const char* says, Denies denies, const Domain& domain,
+              std::vector<Mutant> mutants) {
+  Cases cases;
+  const bool whole = domain.families != nullptr;
+  if (whole) {
+    cases.count = [domain](Level, const Run&) { return domain.families().count(); };
+    cases.number = [domain](Level, std::uint64_t k, std::uint64_t) { return domain.families().at(k); };
+    cases.chunk = 64;
+  } else {
+    cases.count = [](Level, const Run& run) -> std::uint64_t { return run.tier == Tier::fast ? 64 : 20'000; };
+    cases.number = [domain](Level, std::uint64_t k, std::uint64_t seed) { return domain.drawn(seed, k); };
+    cases.chunk = 4;
+  }
+  return over(
+      {.id = id,
+       .topic = "bake",
+       .says = says,
+       .source = source,
+       .method = whole ? Method::exhaustive : Method::sample,
+       .subjects = {"bake"},
+       .fast = whole ? enumerated : sampled,
+       .long_run = whole ? enumerated : Levels{0, 8},
+       .fast_seconds = 0.5,
+       .domain = [domain, whole](const Subject&,
+                                 Level) { return whole ? domain.families().domain() : domain.says(); },
+       .mutants = std::move(mutants)},
+      cases, judged_by(denies, domain), drawn_by(denies),
+      denies == wrong_side ? has_another_rule
+                           : [](const BakeSubject&) -> std::optional<std::string> { return std::nullopt; });
+}
+
+}  // namespace
+
+std::vector<Law> state_laws() {
+  constexpr char
+      conservative[] =
+          "alpha is opaque on all of a closed micro-triangle that is O, transparent on all "
+          "of one that is T",
+      tight[] =
+          "a micro-triangle is unknown only where alpha is opaque at one point of it and transparent "
+          "at another",
+      tight_blend[] =
+          "a micro-triangle is unknown only where alpha is below 1 at a point of it and above "
+          "0 at a point of it",
+      side[] = "an unknown micro-triangle is UO where alpha at its centroid is opaque, else UT";
+  const auto far = settles_one({0, 128, 128, 0}, Wrap::mirrored_repeat, Wrap::mirror_once, -3);
+  return {
+      state_law("bake.conservative", conservative, not_conservative, bilinear,
+                {spoiled("one micro-triangle far below 0 of one texture, mirrored beside mirror-once", "bake",
+                         {2, 3}, far),
+                 asked_for_another("mirror-once is clamped to the edge", {0, 1}, mirror_once_as_clamp),
+                 asked_for_another("alpha at the cutoff is transparent", {0, 0}, above_the_cutoff)}),
+      state_law("bake.tight", tight, not_tight, bilinear,
+                {spoiled("one micro-triangle of one texture that is O", "bake", {3, 3},
+                         unsettles_one({255, 255, 128, 0}, State::O)),
+                 spoiled("one micro-triangle of one texture that is T", "bake", {2, 2},
+                         unsettles_one({0, 0, 255, 0}, State::T)),
+                 unknown_where_another_differs("alpha at the cutoff is unknown", {0, 0}, above_the_cutoff)}),
+      state_law(
+          "bake.unknown_side", side, wrong_side, bilinear,
+          {spoiled("one micro-triangle of one texture leans the other way", "bake", {3, 3},
+                   leans_once({0, 255, 255, 128})),
+           side_of_another("the side is that above the cutoff", {0, 1}, above_the_cutoff),
+           side_of_another("the side is that of the vertices in another order, shrunk", {1, 2}, shrunk)}),
+      state_law("bake.conservative_nearest", conservative, not_conservative, nearest,
+                {spoiled("one micro-triangle far below 0 of one texture, mirrored beside mirror-once", "bake",
+                         {2, 3}, far),
+                 asked_for_another("texels own their high sides, not their low ones", {0, 1}, high_sides),
+                 asked_for_another("alpha at the cutoff is transparent", {0, 0}, above_the_cutoff)}),
+      state_law("bake.tight_nearest", tight, not_tight, nearest,
+                {unknown_where_another_differs("texels own their high sides as well", {0, 1}, high_sides),
+                 spoiled("one micro-triangle of one texture that is T", "bake", {2, 2},
+                         unsettles_one({0, 0, 255, 0}, State::T)),
+                 unknown_where_another_differs("alpha at the cutoff is unknown", {0, 0}, above_the_cutoff)}),
+      state_law("bake.conservative_blend", conservative, not_conservative, blend,
+                {asked_for_another("opaque from 254/255 on", {0, 1}, masked_at({254, 255})),
+                 asked_for_another("transparent below 1/255, and what is not is opaque", {0, 0},
+                                   masked_at({1, 255})),
+                 spoiled("one micro-triangle of one texture, clamped", "bake", {3, 3},
+                         settles_one({0, 128, 255, 255}, Wrap::clamp_to_edge, Wrap::clamp_to_edge, 0.125f))}),
+      state_law("bake.tight_blend", tight_blend, not_tight, blend,
+                {unknown_where_another_differs("opaque above 1 only", {0, 0}, masked_at({256, 255})),
+                 spoiled("one micro-triangle of one texture that is O", "bake", {3, 3},
+                         unsettles_last({255, 255, 255, 0}, State::O)),
+                 spoiled("one micro-triangle of one texture that is T", "bake", {2, 2},
+                         unsettles_last({0, 0, 255, 0}, State::T))}),
+      state_law("bake.conservative_on_samples", conservative, not_conservative, plain_samples,
+                {asked_for_another("texture coordinates in steps of 2^-14", {2, 5}, in_steps_of(14)),
+                 asked_for_another("alpha at the cutoff is transparent", {2, 2}, above_the_cutoff),
+                 spoiled("an unknown of textures of 7 rows is settled", "bake", {5, 5}, settles_of_rows(7))}),
+      state_law("bake.tight_on_samples", tight, not_tight, plain_samples,
+                {asked_for_another("texture coordinates in steps of 2^-8", {2, 5}, in_steps_of(8)),
+                 unknown_where_another_differs("alpha at the cutoff is unknown", {2, 2}, above_the_cutoff),
+                 spoiled("the first settled of textures of 7 rows is unknown", "bake", {5, 5},
+                         unsettles_of_rows(7))}),
+      state_law(
+          "bake.unknown_side_on_samples", side, wrong_side, plain_samples,
+          {side_of_another("texture coordinates in steps of 2^-6", {2, 5}, in_steps_of(6)),
+           side_of_another("the side is that above the cutoff", {2, 5}, above_the_cutoff),
+           side_of_another("mirror-once leans as if clamped to the edge", {3, 4}, mirror_once_as_clamp)}),
+      state_law("bake.conservative_on_features", conservative, not_conservative, all_samples,
+                {asked_for_another("margins up to a quarter are none", {2, 5}, quarter_margin_as_none),
+                 asked_for_another("the second mip is left out", {2, 5}, first_mip_alone),
+                 asked_for_another("the factor of the vertices is left out", {4, 5}, without_vertex_factor)}),
+      state_law("bake.tight_on_features", tight, not_tight, all_samples,
+                {asked_for_another("every margin is a sixteenth more", {2, 5}, more_margin),
+                 unknown_where_another_differs("unknown, too, where bilinear and nearest differ", {2, 2},
+                                               other_filter),
+                 unknown_where_another_differs("unknown, too, where the vertices' factor decides", {4, 5},
+                                               without_vertex_factor)}),
+      state_law("bake.unknown_side_on_features", side, wrong_side, all_samples,
+                {side_of_another("the side is that of the other filter", {2, 2}, other_filter),
+                 side_of_another("the side is that of a cutoff of 1/2 where alpha is blended", {2, 5},
+                                 blended_above_half),
+                 side_of_another("the side is that without the factor of the vertices", {4, 5},
+                                 without_vertex_factor)}),
+  };
+}
+
+}  // namespace mmverify::proofs::bake

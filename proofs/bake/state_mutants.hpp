@@ -1,0 +1,165 @@
+// Bakers that are broken on purpose: a state changed where the case is the one that is meant, or the case
+// mistaken for another.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "proofs/bake/subject.hpp"
+#include "proofs/bake/truth.hpp"
+
+namespace mmverify::proofs::bake {
+
+using Mistake = std::function<void(Case&)>;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Mistakes
+// ---------------------------------------------------------------------------------------------------------------------
+
+inline void mirror_once_as_clamp(Case& one) {
+  for (Wrap* const wrap : {&one.wrap_u, &one.wrap_v})
+    if (*wrap == Wrap::mirror_once) *wrap = Wrap::clamp_to_edge;
+}
+/// The cutoff, and a hair.
+inline void above_the_cutoff(Case& one) {
+  one.cutoff = {one.cutoff.numerator * 10'000 + 1, one.cutoff.denominator * 10'000};
+}
+inline Mistake in_steps_of(int bits) {
+  return [bits](Case& one) {
+    for (float& x : one.uv) x = std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits);
+  };
+}
+/// Half the size, towards the first vertex.
+inline void shrunk(Case& one) {
+  for (std::size_t k = 2; k < 6; ++k) one.uv[k] = (one.uv[k] + one.uv[k % 2]) / 2;
+}
+
+/// By a hair: a place on a line of texels falls to the texel before it.
+inline void high_sides(Case& one) {
+  for (float& x : one.uv) x -= 0x1p-18f;
+}
+inline Mistake masked_at(const Cutoff& cutoff) {
+  return [=](Case& one) {
+    one.blend = false;
+    one.cutoff = cutoff;
+  };
+}
+inline void quarter_margin_as_none(Case& one) {
+  if (one.margin <= 0.25f) one.margin = 0;
+}
+inline void more_margin(Case& one) { one.margin += 0.0625f; }
+inline void first_mip_alone(Case& one) {
+  one.mips = 1;
+  one.alpha.resize(texels_of(one.width, one.height, 1));
+}
+inline void without_vertex_factor(Case& one) { one.vertex_factor = 1; }
+inline void other_filter(Case& one) {
+  one.filter = one.filter == Filter::nearest ? Filter::bilinear : Filter::nearest;
+}
+inline void blended_above_half(Case& one) {
+  if (one.blend) masked_at({2, 3})(one);
+}
+
+/// The map of another case in the place of this one's.
+inline Mutant asked_for_another(const char* name, Levels levels, const Mistake& mistake) {
+  return mutant(name, "bake", levels, [&](Parts& parts) {
+    parts.bake = [mistake, real = parts.bake](Case one, Level n, Format format) {
+      mistake(one);
+      return real(one, n, format);
+    };
+  });
+}
+
+/// What becomes of a state, given that of the other case's map.
+inline Mutant beside_another(const char* name, Levels levels, const Mistake& mistake,
+                             State (*becomes)(State is, State other)) {
+  return mutant(name, "bake", levels, [&](Parts& parts) {
+    parts.bake = [=, real = parts.bake](const Case& one, Level n, Format format) {
+      Case another = one;
+      mistake(another);
+      auto baked = real(one, n, format);
+      const auto other = real(another, n, format);
+      if (baked && other)
+        std::transform(baked->states.begin(), baked->states.end(), other->states.begin(),
+                       baked->states.begin(), becomes);
+      return baked;
+    };
+  });
+}
+inline Mutant unknown_where_another_differs(const char* name, Levels levels, const Mistake& mistake) {
+  return beside_another(name, levels, mistake, [](State is, State other) {
+    return is == other ? is : spec::micromap::as_unknown(is);
+  });
+}
+inline Mutant side_of_another(const char* name, Levels levels, const Mistake& mistake) {
+  return beside_another(name, levels, mistake, [](State is, State other) {
+    return spec::micromap::unknown(is) ? spec::micromap::as_unknown(other) : is;
+  });
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// One state of one map
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Changes the last state of the kind that is meant.
+template <class Meant, class Becomes>
+void change_last(std::vector<State>& states, Meant meant, Becomes becomes) {
+  const auto last = std::find_if(states.rbegin(), states.rend(), meant);
+  if (last != states.rend()) *last = becomes(*last);
+}
+
+using Texels = std::vector<std::uint32_t>;
+
+inline Spoil settles_one(const Texels& texels, Wrap u, Wrap v, float first) {
+  return [=](const Case& one, Level, std::vector<State>& states) {
+    if (one.alpha == texels && one.wrap_u == u && one.wrap_v == v && one.uv[0] == first)
+      change_last(states, spec::micromap::unknown, [](State s) { return spec::micromap::force2(s); });
+  };
+}
+inline Spoil unsettles_one(const Texels& texels, State kind) {
+  return [=](const Case& one, Level, std::vector<State>& states) {
+    if (one.alpha == texels && one.wrap_u == Wrap::clamp_to_edge && one.wrap_v == Wrap::mirrored_repeat &&
+        one.uv[0] == 0.125f)
+      change_last(
+          states, [kind](State s) { return s == kind; }, spec::micromap::as_unknown);
+  };
+}
+inline Spoil unsettles_last(const Texels& texels, State kind) {
+  return [=](const Case& one, Level, std::vector<State>& states) {
+    if (one.alpha == texels && one.wrap_u == Wrap::clamp_to_edge)
+      change_last(
+          states, [kind](State s) { return s == kind; }, spec::micromap::as_unknown);
+  };
+}
+inline Spoil leans_once(const Texels& texels) {
+  return [=](const Case& one, Level, std::vector<State>& states) {
+    if (one.alpha == texels && one.wrap_u == Wrap::repeat && one.wrap_v == Wrap::mirror_once &&
+        one.uv[0] == 0)
+      change_last(states, spec::micromap::unknown,
+                  [](State s) { return s == State::UO ? State::UT : State::UO; });
+  };
+}
+
+/// Of textures with so many rows, at a micro-triangle that samples are judged at.
+inline Spoil settles_of_rows(std::uint32_t rows) {
+  return [=](const Case& one, Level n, std::vector<State>& states) {
+    if (one.height != rows) return;
+    for (const std::uint32_t k : judged_at(n))
+      if (spec::micromap::unknown(states[k])) {
+        states[k] = spec::micromap::force2(states[k]);
+        return;
+      }
+  };
+}
+inline Spoil unsettles_of_rows(std::uint32_t rows) {
+  return [=](const Case& one, Level n, std::vector<State>& states) {
+    if (one.height != rows) return;
+    for (const std::uint32_t k : judged_at(n))
+      if (!spec::micromap::unknown(states[k])) {
+        states[k] = spec::micromap::as_unknown(states[k]);
+        return;
+      }
+  };
+}
+
+}  // namespace mmverify::proofs::bake

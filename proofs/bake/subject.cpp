@@ -1,0 +1,182 @@
+#include "proofs/bake/subject.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+#include <type_traits>
+
+#include "impl/bake_triangles.hpp"
+#include "proofs/bake/exact_texture.hpp"
+#include "proofs/bake/narrow.hpp"
+#include "proofs/bake/truth.hpp"
+
+namespace mmverify::proofs::bake {
+namespace {
+
+namespace fast = mmverify::impl::bake;
+
+std::uint32_t count_at(Level n) { return std::uint32_t{1} << 2 * n; }
+
+Baked in_format(std::vector<State> states, Format format) {
+  if (format == Format::two_state)
+    for (State& s : states) s = spec::micromap::force2(s);
+  return {std::move(states)};
+}
+
+/// A baker of 4-state maps, state by state.
+template <class One>
+Parts state_by_state(One state) {
+  Parts parts;
+  parts.bake = [state](const Case& one, Level n, Format format) -> std::optional<Baked> {
+    std::vector<State> states(count_at(n));
+    for (std::uint32_t k = 0; k < states.size(); ++k) states[k] = state(one, n, k);
+    return in_format(std::move(states), format);
+  };
+  return parts;
+}
+
+Parts specified() {
+  Parts parts = state_by_state(true_state);
+  parts.centroid = true;
+  return parts;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// impl/bake
+// ---------------------------------------------------------------------------------------------------------------------
+
+static_assert(static_cast<int>(fast::Wrap::mirrored_repeat) == static_cast<int>(Wrap::mirrored_repeat) &&
+              static_cast<int>(fast::Wrap::clamp_to_border) == static_cast<int>(Wrap::clamp_to_border) &&
+              static_cast<int>(fast::Wrap::mirror_once) == static_cast<int>(Wrap::mirror_once));
+
+template <class Stored>
+Stored stored_number(std::uint32_t bits) {
+  if constexpr (std::is_same_v<Stored, float>)
+    return std::bit_cast<float>(bits);
+  else
+    return static_cast<Stored>(bits);
+}
+
+template <class Stored>
+std::optional<Baked> baked_from(const Case& one, Level n, Format format) {
+  std::vector<Stored> alpha(one.alpha.size());
+  std::transform(one.alpha.begin(), one.alpha.end(), alpha.begin(), stored_number<Stored>);
+  std::vector<fast::Texels> mips;
+  std::size_t from = 0;
+  for (std::uint32_t k = 0; k < one.mips; ++k) {
+    const std::uint32_t width = std::max(1u, one.width >> k), height = std::max(1u, one.height >> k);
+    mips.push_back(fast::TexelView<Stored>{alpha.data() + from, width, height, width});
+    from += std::size_t{width} * height;
+  }
+  fast::AlphaMode mode = fast::Blend{};
+  if (!one.blend) mode = fast::Cutoff{one.cutoff.numerator, one.cutoff.denominator};
+  const fast::TriangleBaker baker(
+      mips, mode,
+      {static_cast<fast::Wrap>(one.wrap_u),
+       static_cast<fast::Wrap>(one.wrap_v),
+       one.filter == Filter::nearest ? fast::Filter::nearest : fast::Filter::bilinear,
+       static_cast<float>(stored_number<Stored>(one.border)),
+       {one.factor, one.vertex_factor},
+       one.margin});
+  std::vector<std::uint8_t> map((count_at(n) + 3) / 4);
+  baker.bake({{{one.uv[0], one.uv[1]}, {one.uv[2], one.uv[3]}, {one.uv[4], one.uv[5]}}}, n, map);
+  std::vector<State> states(count_at(n));
+  for (std::size_t k = 0; k < states.size(); ++k)
+    states[k] = static_cast<State>(map[k / 4] >> 2 * (k % 4) & 3);
+  return in_format(std::move(states), format);
+}
+
+std::optional<Baked> baked_by_impl(const Case& one, Level n, Format format) {
+  const auto small = [](float x) { return x > -0x1p20f && x < 0x1p20f; };
+  if (n > fast::max_bake_level || !std::all_of(one.uv.begin(), one.uv.end(), small) || !small(one.margin))
+    return std::nullopt;
+  switch (one.texel) {
+    case Texel::unorm16:
+      return baked_from<std::uint16_t>(one, n, format);
+    case Texel::float32:
+      return baked_from<float>(one, n, format);
+    case Texel::unorm8:
+      break;
+  }
+  return baked_from<std::uint8_t>(one, n, format);
+}
+
+Parts this_projects() { return {baked_by_impl, true}; }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Bakers that sample
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Whether alpha is opaque at a place given by its weights of a micro-triangle's corners, over their sum.
+template <class Q>
+bool opaque_at(const Case& one, const spec::bake::Polygon<Q>& corners, const std::array<int, 3>& weights) {
+  const Q share = spec::bake::fraction<Q>(1, weights[0] + weights[1] + weights[2]);
+  spec::bake::Place<Q> p{0, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    p.x += corners[k].x * Q(weights[k]) * share;
+    p.y += corners[k].y * Q(weights[k]) * share;
+  }
+  return with_textures(one, [&](const auto& mips) {
+    return with_mode<Q>(one,
+                        [&](const auto& mode) { return mode.opaque(spec::bake::alpha(mips.front(), p)); });
+  });
+}
+
+/// O or T as the points say, where they agree; else the first one's unknown.
+State sampled(const Case& one, Level n, std::uint32_t index, const std::vector<std::array<int, 3>>& points) {
+  return in_smallest([&]<class Q>() {
+    const auto corners = spec::bake::micro_triangle(base_triangle<Q>(one), n, index, one.width, one.height);
+    const bool first = opaque_at(one, corners, points.front());
+    for (const auto& weights : points)
+      if (opaque_at(one, corners, weights) != first) return first ? State::UO : State::UT;
+    return first ? State::O : State::T;
+  });
+}
+
+BakeSubjectPtr subject(const char* name, const char* about, Parts parts) {
+  return std::make_shared<BakeSubject>(name, about, std::move(parts));
+}
+
+}  // namespace
+
+const std::vector<BakeSubjectPtr>& built_in_subjects() {
+  static const std::vector<BakeSubjectPtr> all{
+      subject("bake-spec", "the specification, micro-triangle by micro-triangle", specified()),
+      subject("bake", "this project's library", this_projects()),
+      subject("centre-sample", "O or T as alpha at the centroid is; not conservative",
+              state_by_state([](const Case& one, Level n, std::uint32_t k) {
+                return sampled(one, n, k, {{1, 1, 1}});
+              })),
+      subject("corner-samples", "O or T where alpha at all three corners is; not conservative",
+              state_by_state([](const Case& one, Level n, std::uint32_t k) {
+                return sampled(one, n, k, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+              })),
+  };
+  return all;
+}
+
+BakeSubjectPtr the(const std::string& name) {
+  for (const BakeSubjectPtr& s : built_in_subjects())
+    if (s->name() == name) return s;
+  throw std::logic_error("no subject of topic bake is called " + name);
+}
+
+Mutant mutant(const char* name, const std::string& base, Levels levels,
+              const std::function<void(Parts&)>& change) {
+  Parts parts = the(base)->parts;
+  change(parts);
+  return {name, std::make_shared<BakeSubject>(name, "broken on purpose", std::move(parts)), levels};
+}
+
+Mutant spoiled(const char* name, const std::string& base, Levels levels, const Spoil& spoil) {
+  return mutant(name, base, levels, [&](Parts& parts) {
+    parts.bake = [spoil, real = parts.bake](const Case& one, Level n, Format format) {
+      auto baked = real(one, n, Format::four_state);
+      if (!baked) return baked;
+      spoil(one, n, baked->states);
+      return std::optional(in_format(std::move(baked->states), format));
+    };
+  });
+}
+
+}  // namespace mmverify::proofs::bake

@@ -1,0 +1,85 @@
+#include "proofs/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <map>
+#include <variant>
+
+#include "proofs/scene/law_parts.hpp"
+
+namespace mmverify::proofs::scene {
+namespace {
+
+constexpr Level finest = 12;
+
+/// "levels 0..3, 7": those that a law has nothing for.
+std::string levels_text(const std::vector<Level>& levels) {
+  std::string text = levels.size() == 1 ? "level " : "levels ";
+  for (std::size_t k = 0; k < levels.size();) {
+    std::size_t last = k;
+    while (last + 1 < levels.size() && levels[last + 1] == levels[last] + 1) ++last;
+    if (k != 0) text += ", ";
+    text += last == k ? fmt::format("{}", levels[k]) : fmt::format("{}..{}", levels[k], levels[last]);
+    k = last + 1;
+  }
+  return text;
+}
+
+void append(std::vector<Law>& all, std::vector<Law> some) {
+  for (Law& law : some) all.push_back(std::move(law));
+}
+
+void add_formats(SceneLaws& all, const Data& data) {
+  bool two = false, four = false;
+  for (const auto& record : data.arrays.array.records) (record.format == 1 ? two : four) = true;
+  if (!two) all.left_out.push_back({"2-state", "no map is without unknowns and not uniform"});
+  if (!four) all.left_out.push_back({"4-state", "no map has both an unknown and another state"});
+}
+
+std::string fingerprint_of(const Data& data) {
+  std::uint64_t hash = hash_of(data.arrays.array.data);
+  for (const auto& primitive : data.arrays.primitives) hash = hash * 31 + hash_of(primitive.geometry.indices);
+  for (const auto& image : data.scene.images)
+    hash = hash * 31 + std::visit([](const auto& alpha) { return hash_of(alpha); }, image.alpha);
+  for (const auto& triangle : data.plan.triangles)
+    for (const auto& uv : triangle.uvs)
+      for (const float x : uv) hash = hash * 31 + std::bit_cast<std::uint32_t>(x);
+  return fmt::format("{} {:016x} margin {}", data.scene.file, hash, data.margin);
+}
+
+}  // namespace
+
+/// Of all that the laws look at; a second's work, so done once.
+std::string SceneSubject::fingerprint() const {
+  std::call_once(asked_, [this] { fingerprint_ = fingerprint_of(data_); });
+  return fingerprint_;
+}
+
+SceneLaws scene_laws(const Data& data, const BakeSample& sample, const std::string& command) {
+  SceneLaws all;
+  append(all.laws, bake_laws(data, sample));
+  append(all.laws, array_laws(data));
+  append(all.laws, tree_laws(data));
+  append(all.laws, vq_laws(data));
+  std::map<std::string, SubjectPtr> subjects;
+  for (Law& law : all.laws) {
+    law.replayed_by = fmt::format("{} --replay {}", command, law.id);
+    SubjectPtr& subject = subjects[law.topic];
+    if (!subject) subject = std::make_shared<const SceneSubject>(data, law.topic);
+    std::vector<Level> absent;
+    for (Level n = 0; n <= finest; ++n)
+      if (law.unfit(*subject, n))
+        absent.push_back(n);
+      else
+        all.jobs.push_back({&law, subject, {n, n}, {}});
+    if (absent.size() == finest + 1)
+      all.left_out.push_back({law.id, *law.unfit(*subject, law.topic == "vq" ? 4 : 0)});
+    else if (law.topic == "bake" || law.topic == "tree")
+      all.left_out.push_back({fmt::format("{}, {}", law.id, levels_text(absent)), "they do not occur"});
+  }
+  add_formats(all, data);
+  return all;
+}
+
+}  // namespace mmverify::proofs::scene

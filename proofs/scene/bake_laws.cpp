@@ -1,0 +1,223 @@
+// The laws of baking, on a scene's own triangles.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "proofs/engine/random.hpp"
+#include "proofs/scene/exact_surface.hpp"
+#include "proofs/scene/law_groups.hpp"
+
+namespace mmverify::proofs::scene {
+namespace {
+
+namespace micromap = impl::micromap;
+using impl::scene::BakedTriangle;
+using spec::bake::State;
+
+unsigned code_of(const BakedTriangle& t, std::uint32_t index) {
+  if (t.uniform) return static_cast<unsigned>(*t.uniform);
+  const unsigned b = micromap::bits(t.format);
+  return t.map[std::size_t{index} * b / 8] >> (index * b % 8) & ((1u << b) - 1);
+}
+
+/// What is claimed of a micro-triangle, by its code.
+constexpr bool is_known(unsigned code) { return code < 2; }
+
+struct Place {
+  std::size_t triangle;
+  std::uint32_t index;
+};
+
+/// The planned triangles of a level, and the surfaces to judge them by.
+struct OfLevel {
+  const Data& data;
+  std::shared_ptr<const ExactSurfaces> exact;
+  std::vector<std::size_t> triangles;
+
+  OfLevel(const Data& d, std::shared_ptr<const ExactSurfaces> e, Level n) : data(d), exact(std::move(e)) {
+    for (std::size_t k = 0; k < d.baked.triangles.size(); ++k)
+      if (d.baked.triangles[k].level == n) triangles.push_back(k);
+  }
+};
+
+/// One of the two laws: which codes it is about, and which true state denies them.
+struct Claim {
+  const char* id;
+  const char* says;
+  bool known;  ///< about T and O, or about UT and UO
+
+  bool about(unsigned code) const { return is_known(code) == known; }
+  /// Domain: a code that it is about.
+  bool holds(unsigned code, State truly) const {
+    return known ? truly == (code == 1 ? State::O : State::T) : truly == State::C;
+  }
+  /// How many micro-triangles of a map it is about.
+  std::uint64_t count(const BakedTriangle& t) const {
+    return known ? t.states[0] + t.states[1] : t.states[2] + t.states[3];
+  }
+};
+
+constexpr Claim conservative{"bake.conservative", "a micro-triangle is T or O only where all of it is", true};
+constexpr Claim tight{"bake.tight", "a micro-triangle is unknown only where it is truly mixed", false};
+
+std::string text(const Place& p) { return fmt::format("t{}:i{}", p.triangle, p.index); }
+
+void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::uint64_t number,
+           Tally& tally) {
+  constexpr const char* names[] = {"T", "O", "UT", "UO"};
+  const unsigned code = code_of(of.data.baked.triangles[p.triangle], p.index);
+  const State truly = of.exact->state(p.triangle, n, p.index);
+  tally.count(Kind::interior, 1);
+  tally.digest(number, static_cast<std::uint64_t>(truly) << 2 | code);
+  if (claim.holds(code, truly)) return;
+  tally.mismatch(Kind::interior, {n, number, 0}, [&] {
+    const std::string expected = truly == State::T ? "T" : truly == State::O ? "O" : "unknown";
+    return Counterexample{
+        {n, number, 0}, n, text(p), {}, expected + " (" + of.exact->text(p.triangle, n, p.index) + ")",
+        names[code]};
+  });
+}
+
+/// Micro-triangles that the claim is about, drawn by a number; every second one near a change of state, where
+/// there is one within the draws that are allowed.
+Place drawn(const Claim& claim, const OfLevel& of, const std::vector<std::size_t>& from, Level n,
+            std::uint64_t seed, std::uint64_t number) {
+  Random random(seed, claim.known ? 71 : 72, number << 5 | n);
+  Place best{from.front(), 0};
+  bool found = false;
+  for (int draw = 0; draw < 512; ++draw) {
+    const Place p{from[random.below(from.size())],
+                  static_cast<std::uint32_t>(random.below(micromap::micro_triangles(n)))};
+    if (!claim.about(code_of(of.data.baked.triangles[p.triangle], p.index))) continue;
+    if (!found) best = p, found = true;
+    if (number % 2 == 0 || of.exact->near_change(p.triangle, n, p.index)) return p;
+  }
+  if (found) return best;
+  // Rare ones: the first of some triangle.
+  for (std::uint32_t k = 0;; ++k)
+    if (claim.about(code_of(of.data.baked.triangles[from[number % from.size()]], k)))
+      return {from[number % from.size()], k};
+}
+
+/// Node `index` of depth m, all of whose 4^(n-m) micro-triangles are in the chunk.
+void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangle, Level m,
+             std::uint32_t index, std::uint64_t base, Tally& tally) {
+  const std::uint32_t first = index << (2 * (n - m));
+  const std::uint64_t count = std::uint64_t{1} << (2 * (n - m));
+  const BakedTriangle& baked = of.data.baked.triangles[triangle];
+  if (m == n) {
+    if (claim.about(code_of(baked, index))) judge(claim, of, n, {triangle, index}, base + index, tally);
+    return;
+  }
+  const State truly = of.exact->state(triangle, m, index);
+  if (truly == State::C) {
+    for (std::uint32_t child = 0; child < 4; ++child)
+      descend(claim, of, n, triangle, m + 1, 4 * index + child, base, tally);
+    return;
+  }
+  // All of a part that is T or O is that.
+  const unsigned right = truly == State::O ? 1 : 0;
+  for (std::uint32_t k = first; k < first + count; ++k) {
+    const unsigned code = code_of(baked, k);
+    if (!claim.about(code)) continue;
+    if (code != right) {
+      judge(claim, of, n, {triangle, k}, base + k, tally);
+      continue;
+    }
+    tally.count(Kind::interior, 1);
+    tally.digest(base + k, static_cast<std::uint64_t>(truly) << 2 | code);
+  }
+}
+
+constexpr Level piece = 4;  ///< 4^piece micro-triangles to a unit of the whole domain
+
+Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactSurfaces>& exact,
+        const BakeSample& sample) {
+  Law law;
+  law.id = claim.id;
+  law.topic = "bake";
+  law.says = claim.says;
+  law.source = "design of state: closed micro-triangles, glTF 2.0 Alpha Coverage; spec/bake_state.hpp";
+  law.divisible = true;
+  law.on_lines = false;
+  const auto total = [&data, claim](Level n) {
+    std::uint64_t sum = 0;
+    for (const BakedTriangle& t : data.baked.triangles)
+      if (t.level == n) sum += claim.count(t);
+    return sum;
+  };
+  std::uint64_t levels = 0;
+  for (Level n = 0; n <= 12; ++n) levels += total(n) != 0;
+  const std::uint64_t most = sample.size && levels != 0 ? (*sample.size + levels - 1) / levels
+                                                        : std::numeric_limits<std::uint64_t>::max();
+  const auto cases = [total, most](Level n) { return std::min(most, total(n)); };
+  law.cases = [cases](Level n, const Run&) { return cases(n); };
+  const auto whole = [total, most](Level n) { return total(n) <= most; };
+  law.method = Method::exhaustive;
+  for (const BakedTriangle& t : data.baked.triangles)
+    if (!whole(t.level)) law.method = Method::sample;
+  law.domain = [total, whole, claim](const Subject&, Level n) {
+    return fmt::format("the {} {} micro-triangles of level {} of this scene{}", total(n),
+                       claim.known ? "T and O" : "unknown", n,
+                       whole(n) ? "" : "; half of the sample within a texel of a change");
+  };
+  law.how = [whole](const Subject&, Level n) {
+    return std::string(whole(n) ? "exhaustive, rational" : "sample, rational");
+  };
+  law.unfit = [total, claim](const Subject&, Level n) -> std::optional<std::string> {
+    if (total(n) != 0) return std::nullopt;
+    return fmt::format("no micro-triangle is {}", claim.known ? "T or O" : "unknown");
+  };
+  law.judge = [claim, &data, exact, whole, cases](const Subject&, Level n, const Run& run) {
+    const OfLevel of(data, exact, n);
+    if (whole(n)) {
+      const Level depth = n > piece ? n - piece : 0;
+      const std::uint64_t pieces = std::uint64_t{1} << (2 * depth);
+      return sweep(run, of.triangles.size() * pieces, 16, [&](Chunk chunk, Tally& tally) {
+        for (std::uint64_t k = chunk.begin; k < chunk.end; ++k)
+          descend(claim, of, n, of.triangles[k / pieces], depth, static_cast<std::uint32_t>(k % pieces),
+                  (k / pieces) << (2 * n), tally);
+      });
+    }
+    std::vector<std::size_t> from;
+    for (const std::size_t k : of.triangles)
+      if (claim.count(data.baked.triangles[k]) != 0) from.push_back(k);
+    return sweep(run, cases(n), 64, [&](Chunk chunk, Tally& tally) {
+      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k)
+        judge(claim, of, n, drawn(claim, of, from, n, run.seed, k), k, tally);
+    });
+  };
+  law.replay = [claim, &data, exact](const Subject&, Level n, const std::string& at) {
+    std::size_t triangle = 0;
+    std::uint32_t index = 0;
+    int read = 0;
+    if (std::sscanf(at.c_str(), "t%zu:i%u%n", &triangle, &index, &read) != 2 ||
+        static_cast<std::size_t>(read) != at.size() || triangle >= data.baked.triangles.size() ||
+        data.baked.triangles[triangle].level != n || index >= micromap::micro_triangles(n))
+      throw BadCase(fmt::format("{}: no micro-triangle of level {} of this scene; write t17:i1234", at, n));
+    const unsigned code = code_of(data.baked.triangles[triangle], index);
+    constexpr const char* names[] = {"T", "O", "UT", "UO"};
+    const State truly = exact->state(triangle, n, index);
+    Replayed replayed;
+    replayed.holds = !claim.about(code) || claim.holds(code, truly);
+    replayed.expected = std::string(truly == State::T   ? "T"
+                                    : truly == State::O ? "O"
+                                                        : "unknown") +
+                        " (" + exact->text(triangle, n, index) + ")";
+    replayed.got = names[code];
+    return replayed;
+  };
+  return law;
+}
+
+}  // namespace
+
+std::vector<Law> bake_laws(const Data& data, const BakeSample& sample) {
+  const auto exact = std::make_shared<const ExactSurfaces>(data.scene, data.plan, data.margin);
+  return {law(conservative, data, exact, sample), law(tight, data, exact, sample)};
+}
+
+}  // namespace mmverify::proofs::scene

@@ -1,0 +1,43 @@
+// The specification's view of a plan: the exact state of any micro-triangle of it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "impl/scene/plan.hpp"
+#include "proofs/engine/result.hpp"
+#include "spec/bake.hpp"
+
+namespace mmverify::proofs::scene {
+
+class ExactSurfaces {
+ public:
+  /// The textures of the plan's surfaces, copied.  Margin: in texels, finite and not below 0.
+  ExactSurfaces(const impl::scene::Scene& scene, const impl::scene::Plan& plan, float margin);
+  ~ExactSurfaces();
+
+  /// Of micro-triangle `index` of level n of a planned triangle: spec::bake in rationals.
+  /// Domain: triangle below Plan::triangles.size(), index < 4^n, n in 0..16.
+  spec::bake::State state(std::size_t triangle, Level n, std::uint32_t index) const;
+
+  /// Whether alpha is rather opaque at its centroid: UO, not UT.
+  bool rather_opaque(std::size_t triangle, Level n, std::uint32_t index) const;
+
+  /// "alpha 1/5..4/5, cutoff 1/2".
+  std::string text(std::size_t triangle, Level n, std::uint32_t index) const;
+
+  /// Whether texels on both sides of the cutoff lie less than a texel from it; a choice for samples, no
+  /// proof.
+  bool near_change(std::size_t triangle, Level n, std::uint32_t index) const;
+
+ private:
+  class OfSurface;
+  const OfSurface& of(std::size_t triangle) const;
+
+  const impl::scene::Plan& plan_;
+  std::vector<std::unique_ptr<const OfSurface>> surfaces_;
+};
+
+}  // namespace mmverify::proofs::scene

@@ -1,0 +1,37 @@
+// A scene's own data in the dock: what was baked from it and built of that.
+#pragma once
+
+#include <mutex>
+#include <string>
+
+#include "impl/scene/arrays.hpp"
+#include "impl/scene/square_maps.hpp"
+#include "proofs/engine/law.hpp"
+
+namespace mmverify::proofs::scene {
+
+/// All that its laws look at.  Not owned, but for nothing: the scene outlives its laws.
+struct Data {
+  const impl::scene::Scene& scene;
+  const impl::scene::Plan& plan;
+  const impl::scene::Baked& baked;
+  const impl::scene::SceneArrays& arrays;
+  const impl::scene::Pairs& pairs;
+  const impl::scene::SquareMaps& squares;
+  float margin = 0;  ///< that was baked with
+};
+
+class SceneSubject : public Subject {
+ public:
+  SceneSubject(const Data& data, const std::string& topic)
+      : Subject(topic, "impl", "what this project bakes, packs and codes of a scene"), data_(data) {}
+  bool exact() const override { return true; }
+  std::string fingerprint() const override;
+
+ private:
+  Data data_;
+  mutable std::once_flag asked_;
+  mutable std::string fingerprint_;
+};
+
+}  // namespace mmverify::proofs::scene

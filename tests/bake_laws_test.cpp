@@ -1,0 +1,257 @@
+// Topic bake's subjects in the dock: what the enumerated truth rests on, what cases are, what is declined,
+// what a counterexample shows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/bake/family.hpp"
+#include "proofs/bake/offender.hpp"
+#include "proofs/bake/samples.hpp"
+#include "proofs/bake/subject.hpp"
+#include "proofs/bake/truth.hpp"
+#include "proofs/engine/random.hpp"
+#include "proofs/engine/runner.hpp"
+#include "proofs/registry.hpp"
+#include "tests/sanitized.hpp"
+
+namespace {
+
+using namespace mmverify::proofs;
+using namespace mmverify::proofs::bake;
+
+using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
+
+Result judged(const char* law, const Subject& subject, Level level) {
+  return run_level(*find_law(law), subject, level, Asked{});
+}
+Result judged(const char* law, const char* subject, Level level) {
+  return judged(law, *find_subject(subject), level);
+}
+
+TEST(BakeLaws, ALawNeedsItsEntryPointAndItsLevel) {
+  EXPECT_EQ(judged("bake.conservative", "vq", 0).verdict, Verdict::not_applicable);
+  EXPECT_EQ(judged("bake.conservative", "bake", 13).verdict, Verdict::not_applicable);
+  EXPECT_EQ(judged("bake.unknown_side", "centre-sample", 0).verdict, Verdict::not_applicable);
+}
+
+TEST(BakeLaws, CasesAddUpToTheirClosedForm) {
+  const std::uint64_t all = 81 * 25 * 6 + 512 * 5 * 4;
+  EXPECT_EQ(bilinear_families().count(), all);
+  EXPECT_EQ(judged("bake.conservative", "bake", 0).cases_run(), all);
+  std::set<std::string> texts;
+  for (std::uint64_t k = 0; k < all; ++k) texts.insert(text_of(bilinear_families().at(k)));
+  EXPECT_EQ(texts.size(), all) << "no case twice";
+}
+
+// The families' truth is put together from cells; the specification's own function says the same.
+TEST(BakeFamily, ItsTruthIsTheSpecifications) {
+  Random random(7, 1, 1);
+  for (int round = 0; round < (sanitized ? 8 : 150); ++round) {
+    const std::uint64_t k = random.below(bilinear_families().count());
+    const auto n = static_cast<Level>(random.below(4));
+    const std::vector<State> truth = bilinear_families().truth(n, k);
+    const Case one = bilinear_families().at(k);
+    ASSERT_EQ(truth.size(), std::size_t{1} << 2 * n);
+    for (std::uint32_t index = 0; index < truth.size();
+         index += 1 + static_cast<std::uint32_t>(random.below(3)))
+      ASSERT_EQ(truth[index], true_state(one, n, index))
+          << text_of(one) << " level " << n << " index " << index;
+  }
+}
+
+TEST(BakeFamily, NearestTexelsToo) {
+  const Enumerated family(
+      {2,
+       {0, 255},
+       {1, 2},
+       Filter::nearest,
+       {{Wrap::repeat, Wrap::clamp_to_border}, {Wrap::mirror_once, Wrap::mirrored_repeat}},
+       {{0, 0, 1, 0, 0, 1}, {-0.5f, 0.25f, 1.25f, 0.5f, 0.5f, 1.5f}}});
+  EXPECT_EQ(family.count(), 64u);
+  for (std::uint64_t k = 0; k < family.count(); k += sanitized ? 9 : 1) {
+    const std::vector<State> truth = family.truth(2, k);
+    for (std::uint32_t index = 0; index < 16; ++index)
+      ASSERT_EQ(truth[index], true_state(family.at(k), 2, index)) << text_of(family.at(k)) << " " << index;
+  }
+}
+
+TEST(BakeCase, IsReadBack) {
+  for (std::uint64_t k = 0; k < 64; ++k)
+    for (Case one : {sample(3, k), large_sample(3, k)}) {
+      one.filter = k % 2 == 0 ? Filter::nearest : Filter::bilinear;
+      one.blend = k % 3 == 0;
+      one.factor = k % 5 == 0 ? 0.3f : 1;
+      one.margin = k % 7 == 0 ? 0.5f : 0;
+      const std::string text = text_of(one);
+      const Case again = case_from(text);
+      EXPECT_EQ(text_of(again), text);
+      EXPECT_EQ(again.alpha, one.alpha);
+      EXPECT_EQ(again.uv, one.uv);
+      EXPECT_EQ(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789=,:/.+-"), std::string::npos)
+          << "one word of a shell: " << text;
+    }
+}
+
+TEST(BakeCase, WithMipsWordsAndFloats) {
+  const std::string words =
+      "mips=2,texels=u16:2x3:0000ffff12345678abcd00010007,wrap=clamp:once,cutoff=1/3,"
+      "uv=0x0p+0:0x1p+0:0x0p+0:0x0p+0:0x1.8p-1:0x1p-149";
+  EXPECT_EQ(text_of(case_from(words)), words);
+  EXPECT_EQ(case_from(words).alpha.back(), 7u);
+  const std::string floats =
+      "texels=f32:1x1:3f800000,wrap=border:repeat,border=bf800000,filter=nearest,factor=0x1p-1,cutoff=blend,"
+      "margin=0x1p-2,uv=0x0p+0:0x1p+0:0x0p+0:0x0p+0:-0x1.8p-1:0x1p+0";
+  EXPECT_EQ(text_of(case_from(floats)), floats);
+}
+
+TEST(BakeCase, WhatNoBakerCanBeAskedIsNotRead) {
+  const std::string uv = ",uv=0x0p+0:0x0p+0:0x1p+0:0x0p+0:0x0p+0:0x1p+0",
+                    rest = ",wrap=repeat:clamp,cutoff=1/2" + uv;
+  EXPECT_NO_THROW(case_from("texels=u8:1x1:80" + rest));
+  for (const std::string& bad :
+       {std::string(), "texels=u8:1x1:8" + rest, "texels=u8:0x1:" + rest, "texels=u9:1x1:80" + rest,
+        "texels=u8:16385x1:80" + rest, "texels=u8:1x1:8g" + rest, "texels=f32:1x1:7f800000" + rest,
+        "texels=u8:1x1:80,texels=u8:1x1:80" + rest, "texels=u8:1x1:80,colour=red" + rest,
+        "mips=0,texels=u8:1x1:80" + rest, "texels=u8:1x1:80,filter=cubic" + rest,
+        "texels=u8:1x1:80,margin=-0x1p+0" + rest, "texels=u8:1x1:80,factor=inf" + rest,
+        "texels=u8:1x1:80,wrap=repeat,cutoff=1/2" + uv, "texels=u8:1x1:80,wrap=repeat:round,cutoff=1/2" + uv,
+        "texels=u8:1x1:80,wrap=repeat:clamp,cutoff=1/0" + uv, "texels=u8:1x1:80,wrap=repeat:clamp" + uv,
+        std::string("texels=u8:1x1:80,wrap=repeat:clamp,cutoff=1/2,uv=0x0p+0"),
+        "texels=u8:1x1:80,wrap=repeat:clamp,cutoff=1/2,uv=nan" + uv.substr(9)})
+    EXPECT_THROW(case_from(bad), BadCase) << bad;
+}
+
+// What the laws' domains say of their samples.
+TEST(BakeSamples, AreOfTheirKinds) {
+  std::size_t slivers = 0, beside = 0, far = 0, at_cutoff = 0, flat = 0, degenerate = 0;
+  for (std::uint64_t k = 0; k < 800; ++k) {
+    const Case one = sample(1, k);
+    const auto& p = one.uv;
+    const double area =
+        (double{p[2]} - p[0]) * (double{p[5]} - p[1]) - (double{p[3]} - p[1]) * (double{p[4]} - p[0]);
+    const double longest =
+        std::max({std::hypot(p[2] - p[0], p[3] - p[1]), std::hypot(p[4] - p[0], p[5] - p[1]),
+                  std::hypot(p[4] - p[2], p[5] - p[3])});
+    slivers += area != 0 && std::fabs(area) < 1.1e-6 * longest * longest ? 1 : 0;
+    degenerate += area == 0 ? 1 : 0;
+    far += p[0] > 9e5f || p[0] < -9e5f ? 1 : 0;
+    const bool same =
+        std::all_of(one.alpha.begin(), one.alpha.end(), [&](auto a) { return a == one.alpha[0]; });
+    flat += same && k % 8 == 4 ? 1 : 0;
+    at_cutoff += same && one.cutoff.denominator == 255 && one.alpha[0] == one.cutoff.numerator ? 1 : 0;
+    bool off = false;
+    for (std::size_t c = 0; c < 6; ++c) {
+      const double lines = 2.0 * p[c] * (c % 2 == 0 ? one.width : one.height),
+                   to = lines - std::nearbyint(lines);
+      off = off || (to != 0 && std::fabs(to) < 1e-5);
+    }
+    beside += off ? 1 : 0;
+  }
+  EXPECT_GT(slivers, 40u);
+  EXPECT_GT(degenerate, 90u);
+  EXPECT_EQ(far, 100u);
+  EXPECT_EQ(flat, 100u);
+  EXPECT_GT(at_cutoff, 10u);
+  EXPECT_GT(beside, 60u);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Counterexamples
+// ---------------------------------------------------------------------------------------------------------------------
+
+using spec_place = Place;
+
+/// On the closed triangle, whichever way round it is.
+bool inside(const mmverify::spec::bake::Polygon<Rational>& t, const spec_place& p) {
+  bool left = true, right = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto &a = t[k], &b = t[(k + 1) % 3];
+    const Rational side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    left = left && side >= 0;
+    right = right && side <= 0;
+  }
+  return left || right;
+}
+
+TEST(BakeOffender, ThePointLiesInTheMicroTriangleAndContradictsItsState) {
+  std::size_t found = 0;
+  for (std::uint64_t k = 0; k < (sanitized ? 4 : 24); ++k) {
+    Case one = sample(5, k);
+    if (k % 3 == 0) one.filter = Filter::nearest;
+    const std::vector<State> truth = true_states(one, 2);
+    std::vector<State> got = truth;
+    for (State& s : got) s = mmverify::spec::micromap::force2(s);  // settles what is unknown
+    const auto o = worst(one, 2, got, judged_at(2), truth);
+    if (!o) continue;
+    ++found;
+    const Extreme& e = contradiction(*o);
+    EXPECT_TRUE(inside(corners_of(one, 2, o->index), e.at)) << text_of(one);
+    const Rational cutoff(one.cutoff.numerator, one.cutoff.denominator);
+    EXPECT_EQ(o->said == State::O, e.alpha < cutoff);
+    const mmverify::spec::bake::Texture t{one.width,
+                                          one.height,
+                                          {one.alpha.begin(), one.alpha.end()},
+                                          one.wrap_u,
+                                          one.wrap_v,
+                                          static_cast<std::uint8_t>(one.border),
+                                          mmverify::spec::bake::one,
+                                          one.filter};
+    EXPECT_EQ(mmverify::spec::bake::alpha(t, e.at), e.alpha) << text_of(one);
+  }
+  EXPECT_GT(found, sanitized ? 0u : 8u);
+}
+
+TEST(BakeLaws, BakersThatSampleAreRefutedWithAPicture) {
+  for (const char* name : {"centre-sample", "corner-samples"}) {
+    const Result r = judged("bake.conservative", name, 0);
+    ASSERT_EQ(r.verdict, Verdict::refuted) << name;
+    const Counterexample& c = r.counterexamples.front();
+    const Replayed again = find_law("bake.conservative")->replay(*find_subject(name), 0, c.at);
+    EXPECT_FALSE(again.holds);
+    EXPECT_EQ(again.expected, c.expected);
+    EXPECT_NE(again.picture.find("<svg"), std::string::npos);
+    EXPECT_NE(again.picture.find("the contradiction"), std::string::npos);
+    EXPECT_TRUE(find_law("bake.conservative")->replay(*find_subject("bake"), 0, c.at).holds);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Cases that are declined
+// ---------------------------------------------------------------------------------------------------------------------
+
+BakeSubject declining(bool (*declined)(const Case&)) {
+  Parts parts = the("bake")->parts;
+  parts.bake = [=, real = parts.bake](const Case& one, Level n, Format format) {
+    return declined(one) ? std::nullopt : real(one, n, format);
+  };
+  return {"declining", "a baker that does not know everything", parts};
+}
+
+TEST(BakeLaws, WhatIsDeclinedIsCountedAndNeverProved) {
+  const BakeSubject some = declining([](const Case& one) { return one.wrap_u == Wrap::mirror_once; });
+  const Result checked = judged("bake.tight", some, 0);
+  EXPECT_EQ(checked.verdict, Verdict::checked);
+  EXPECT_EQ(checked.cases_run(), checked.cases_expected);
+  EXPECT_EQ(checked.declined(), 5u * 81 * 6 + 512 * 4);
+  const BakeSubject all = declining([](const Case&) { return true; });
+  for (const char* law : {"bake.conservative", "bake.tight_on_samples", "bake.order", "bake.nested"}) {
+    const Result none = judged(law, all, 0);
+    EXPECT_EQ(none.verdict, Verdict::not_applicable) << law;
+    EXPECT_FALSE(none.reason.empty());
+    EXPECT_EQ(none.declined(), none.cases_run());
+  }
+  const BakeSubject wrong_too = declining([](const Case& one) { return one.alpha[0] != 0; });
+  Parts parts = wrong_too.parts;
+  parts.bake = [real = parts.bake](const Case& one, Level n, Format format) {
+    auto baked = real(one, n, format);
+    if (baked) baked->states[0] = State::O;
+    return baked;
+  };
+  EXPECT_EQ(judged("bake.conservative", BakeSubject("wrong", "wrong", parts), 0).verdict, Verdict::refuted);
+}
+
+}  // namespace

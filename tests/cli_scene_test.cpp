@@ -1,0 +1,151 @@
+// mmverify scene: from a file to a report, and what becomes of bad ones.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "tests/command.hpp"
+
+namespace {
+
+using namespace mmverify::tests;
+using nlohmann::json;
+using testing::HasSubstr;
+
+json parsed(const std::string& text) { return json::parse(text, nullptr, false); }
+
+void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+const std::vector<std::string> quick{"scene", "--quiet", "--samples", "200", "--level", "4"};
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(CliScene, OfOurOwnPlansBakesAndJudges) {
+  const Outcome r = program(with(quick, {"--json", "-"}));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const json all = parsed(r.out);
+  EXPECT_EQ(all["schema"], "mmverify.result/1");
+  std::set<std::string> laws;
+  for (const json& one : all["results"]) {
+    laws.insert(one["law"]);
+    EXPECT_TRUE(one["verdict"] == "proved" || one["verdict"] == "checked") << one;
+    EXPECT_EQ(one["cases_run"], one["cases_expected"]);
+  }
+  for (const char* law : {"bake.conservative", "bake.tight", "micromap.valid", "micromap.indirection",
+                          "tree.round_trip", "vq2.conservative", "vq4.conservative", "vq.square_map"})
+    EXPECT_TRUE(laws.contains(law)) << law;
+  const json& scene = all["scene"];
+  EXPECT_GT(scene["plan"]["left_out"].size(), 5u);
+  EXPECT_EQ(scene["bake"]["micro_triangles"], scene["plan"]["distinct_triangles"].get<int>() * 256);
+  std::uint64_t states = 0;
+  for (const json& count : scene["bake"]["states"]) states += count.get<std::uint64_t>();
+  EXPECT_EQ(states, scene["bake"]["micro_triangles"]);
+  // For people.
+  EXPECT_THAT(r.err, HasSubstr("a stored micromap would be stale"));
+  EXPECT_THAT(r.err, HasSubstr("rotated or mirrored"));
+}
+
+TEST(CliScene, WritesAFileThatItReadsAgain) {
+  Folder folder;
+  const std::string glb = folder / "out.glb";
+  Outcome r = program(with(quick, {"-o", glb}));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("no rule of EXT_mesh_opacity_micromap broken"));
+  EXPECT_EQ(folder.files().size(), 1u);
+  const std::string first = text_of(glb);
+  r = program({"scene", glb, "--quiet", "--samples", "200", "--level", "4", "-o", folder / "again.glb"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("24 distinct"));
+}
+
+TEST(CliScene, DrawsTheSizes) {
+  Folder folder;
+  const Outcome r = program(with(quick, {"--sizes", "1..3", "--plot", folder / "s.svg"}));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(text_of(folder / "s.svg"), HasSubstr("How often smaller the tree is"));
+  EXPECT_EQ(program(with(quick, {"--plot", folder / "t.svg"})).exit_code, 2);
+  EXPECT_EQ(program(with(quick, {"--sizes", "1..13"})).exit_code, 2);
+  EXPECT_EQ(folder.files().size(), 1u);
+}
+
+TEST(CliScene, ShowsACaseAgain) {
+  Outcome r = program(with(quick, {"--replay", "bake.tight", "--case", "4@t0:i17"}));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("holds bake.tight level 4 case t0:i17"));
+  for (const char* at : {"4@t0:i256", "5@t0:i1", "t0:i1", "4@", "4@t0:i1 "})
+    EXPECT_EQ(program(with(quick, {"--replay", "bake.tight", "--case", at})).exit_code, 2) << at;
+  EXPECT_EQ(program(with(quick, {"--replay", "no.law", "--case", "4@t0:i17"})).exit_code, 2);
+}
+
+TEST(CliScene, RunsAllOfASmallScene) {
+  const Outcome r = program({"scene", "--quiet", "--level", "3", "--exhaustive"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("proved     bake.conservative"));
+  EXPECT_THAT(r.out, HasSubstr("proved     bake.tight"));
+}
+
+TEST(CliScene, OfABadFileIsOneLineAnd4) {
+  Folder folder;
+  write(folder / "bad.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": 7}");
+  const Outcome r =
+      program({"scene", folder / "bad.gltf", "--json", folder / "r.json", "-o", folder / "o.glb"});
+  EXPECT_EQ(r.exit_code, 4);
+  EXPECT_THAT(r.err, HasSubstr("bad.gltf: "));
+  EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+  EXPECT_EQ(folder.files().size(), 1u);
+  EXPECT_EQ(program({"scene", folder / "none.gltf"}).exit_code, 4);
+  EXPECT_EQ(program({"scene", "--level", "13"}).exit_code, 2);
+  EXPECT_EQ(program({"scene", "--margin", "nan"}).exit_code, 2);
+  EXPECT_EQ(program({"scene", "--memory", "3"}).exit_code, 2);
+}
+
+TEST(CliScene, WithNothingToBakeIs0) {
+  Folder folder;
+  write(folder / "empty.gltf", R"({"asset": {"version": "2.0"}})");
+  const Outcome r = program({"scene", folder / "empty.gltf", "--json", folder / "r.json"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("nothing to bake"));
+  const json all = parsed(text_of(folder / "r.json"));
+  ASSERT_EQ(all["results"].size(), 1u);
+  EXPECT_EQ(all["results"][0]["verdict"], "not_applicable");
+}
+
+TEST(CliScene, InterruptedIs3AndLeavesNoFile) {
+  Folder folder;
+  Process process(
+      program_with({"scene", "--level", "12", "-o", folder / "o.glb", "--json", folder / "r.json"}));
+  ASSERT_TRUE(process.says("bake"));
+  process.send(SIGINT);
+  const Outcome r = process.wait();
+  EXPECT_EQ(r.exit_code, 3) << r.err;
+  EXPECT_TRUE(folder.files().empty());
+}
+
+// On a machine with the real scenes.
+TEST(CliScene, RealScenesRunToAReport) {
+  const std::filesystem::path scenes = MMVERIFY_SCENES;
+  if (!std::filesystem::is_directory(scenes)) GTEST_SKIP() << "no scenes at " << scenes;
+  for (const char* file : {"avocado/Avocado.gltf", "materials_variants_shoe/MaterialsVariantsShoe.gltf",
+                           "flight_helmet/FlightHelmet_noleather.gltf", "littlest_tokyo/littlest_tokyo.gltf",
+                           "lattice_fence/lattice_fence.gltf", "scatter_grove/scatter_grove.gltf",
+                           "ez_forest/ez_forest.gltf", "shapespark_garden/shapespark_garden.gltf"}) {
+    const Outcome r = program({"scene", scenes / file, "--quiet", "--level", "3", "--samples", "20"});
+    EXPECT_EQ(r.exit_code, 0) << file << r.err;
+  }
+  for (const char* file :
+       {"flight_helmet/FlightHelmet.gltf", "littlest_tokyo/LittlestTokyo_original_draco.glb"}) {
+    const Outcome r = program({"scene", scenes / file});
+    EXPECT_EQ(r.exit_code, 4) << file;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+  }
+}
+
+}  // namespace
