@@ -57,7 +57,9 @@ class Bilinear {
 
   /// The sixteen of a node, in four bytes: those that SIMD decides, and one by one those that it does not.
   std::uint32_t sixteen(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
-    const std::optional<SixteenMarks> marks = asked(p, filter_.box(p), false);
+    std::optional<SixteenMarks> marks;
+    if constexpr (!std::is_same_v<Texel, float>)
+      if (in_vectors()) marks = asked(p, filter_.box(p), false);
     const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
     const std::array<Triangle, 4> children{
         Triangle{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}};
@@ -105,21 +107,21 @@ class Bilinear {
 
   using Box = typename BilinearFilter<Texel>::Box;
 
-  /// Nothing where it is too large, wrapped around, or dilated.
-  std::optional<SixteenMarks> asked(const Triangle& p, const Box& box, bool as_one) const {
-    if constexpr (std::is_same_v<Texel, float>) return std::nullopt;
-    if (!filter_.usable() || filter_.margin() != 0) return std::nullopt;
+  /// Whether vectors are asked.
+  bool in_vectors() const noexcept {
+    return !std::is_same_v<Texel, float> && filter_.usable() && filter_.margin() == 0 &&
+           sides_.pitch() <= std::size_t{1} << 20;
+  }
+
+  /// Nothing is certain where it is too large.
+  SixteenMarks asked(const Triangle& p, const Box& box, bool as_one) const {
     // One more all round, for what binary32 is off.
     const std::int64_t left = box.left - 1, right = box.right + 1, top = box.top - 1, bottom = box.bottom + 1;
-    const std::int64_t height = bottom - top + 1, size = std::max(right - left + 1, height);
-    if (size > 256 || sides_.pitch() > std::size_t{1} << 20) return std::nullopt;
-    const auto picture = sides_.in_one_picture(left, right, top, bottom);
-    if (!picture) return std::nullopt;
+    const std::int64_t width = right - left + 1, height = bottom - top + 1, size = std::max(width, height);
+    if (size > 256) return {};
     const auto x = static_cast<double>(left), y = static_cast<double>(top);
     const double delta = filter_.delta() + 0x1p-20 * static_cast<double>(size);
-    SixteenInput in;
-    in.texels = picture->first;
-    in.pitch = static_cast<std::int32_t>(sides_.pitch());
+    SixteenInput in{};
     in.p0 = {static_cast<float>(p[0].x - x), static_cast<float>(p[0].y - y)};
     in.p01 = {static_cast<float>(p[1].x - p[0].x), static_cast<float>(p[1].y - p[0].y)};
     in.p02 = {static_cast<float>(p[2].x - p[0].x), static_cast<float>(p[2].y - p[0].y)};
@@ -131,19 +133,32 @@ class Bilinear {
     in.delta = static_cast<float>(delta);
     in.clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
     in.as_one = as_one;
+    const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
     std::array<std::uint32_t, sixteen_window> opaque_rows, visible_rows;
-    in.rows_opaque = in.rows_visible = nullptr;
-    if (size <= sixteen_window) {
-      sides_.rows(picture->left, picture->top, static_cast<std::size_t>(height), opaque_rows.data(),
-                  visible_rows.data());
-      in.rows_opaque = opaque_rows.data();
-      in.rows_visible = sides_.limits.blend ? visible_rows.data() : opaque_rows.data();
-    } else {
+    const auto picture = sides_.in_one_picture(left, right, top, bottom);
+    if (picture) {
+      in.texels = picture->first;
+      in.pitch = static_cast<std::int32_t>(sides_.pitch());
+    }
+    if (size > sixteen_window) {
+      if (!picture) return {};
       in.bits_opaque = sides_.opaque_plane().row_bytes(picture->top);
       in.bits_visible = sides_.visible_plane().row_bytes(picture->top);
       in.bit_x = static_cast<std::int32_t>(picture->left);
       in.bit_pitch = static_cast<std::int32_t>(sides_.opaque_plane().row_pitch());
+      return detail::sixteen<Texel>(in);
     }
+    in.rows_opaque = opaque_rows.data();
+    in.rows_visible = sides_.limits.blend ? visible_rows.data() : opaque_rows.data();
+    if (picture) {
+      sides_.rows(picture->left, picture->top, rows, opaque_rows.data(), visible_rows.data());
+      return detail::sixteen<Texel>(in);
+    }
+    constexpr std::size_t pitch = sixteen_window;
+    std::array<Texel, pitch * sixteen_window + 4> texels;  // 4 bytes from the last can be read
+    sides_.copy(left, top, columns, rows, pitch, texels.data(), opaque_rows.data(), visible_rows.data());
+    in.texels = texels.data();
+    in.pitch = pitch;
     return detail::sixteen<Texel>(in);
   }
 
@@ -169,13 +184,13 @@ class Bilinear {
     const std::int64_t size = std::max(box.right - box.left, box.bottom - box.top);
     if (size > 2048) return uncertain;
     if (size < sixteen_window - 3) {
-      const std::optional<SixteenMarks> marks = asked(p, box, true);
-      if (!marks) return uncertain;
-      if (marks->below != 0 && marks->opaque != 0) return both;
-      if (marks->lacks_below == 0xffff) return opaque;
-      if (marks->lacks_opaque == 0xffff) return below;
+      SixteenMarks marks;
+      if constexpr (!std::is_same_v<Texel, float>) marks = asked(p, box, true);
+      if (marks.below != 0 && marks.opaque != 0) return both;
+      if (marks.lacks_below == 0xffff) return opaque;
+      if (marks.lacks_opaque == 0xffff) return below;
       // One by one they lack one or the other: both are borne, by parts that lack the other.
-      if ((marks->lacks_below | marks->lacks_opaque) == 0xffff) return both;
+      if ((marks.lacks_below | marks.lacks_opaque) == 0xffff) return both;
       return uncertain;
     }
     Marks seen = 0;

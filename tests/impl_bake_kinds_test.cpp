@@ -445,11 +445,12 @@ Image<Texel> roomy_image(Random& random) {
   constexpr bool floats = std::is_same_v<Texel, float>;
   constexpr double full = floats ? 1 : static_cast<double>(std::numeric_limits<Texel>::max());
   const auto kind = random() % 4;
+  // At a cutoff, or far above it: what differs inside of a micro-triangle may then be all that tells.
+  const Texel flat = static_cast<Texel>(random() % 2 == 0 ? full : floats ? 0.5 : full / 2 + 1);
   const double slope_x = static_cast<int>(random() % 9) - 4, slope_y = static_cast<int>(random() % 9) - 4;
   for (std::uint32_t k = 0; k < image.width * image.height; ++k) {
     const double slant = 0.5 + (slope_x * (k % image.width - 20.0) + slope_y * (k / image.width - 20.0)) / 64;
     const double alpha = std::clamp(slant, 0.0, 1.0) * full;
-    const Texel flat = static_cast<Texel>(floats ? 0.5 : full / 2 + 1);
     image.texels.push_back(kind == 0   ? random_texel<Texel>(random, 2)
                            : kind == 1 ? random_texel<Texel>(random, 1)
                            : kind == 2 ? (random() % 40 == 0 ? random_texel<Texel>(random, 1) : flat)
