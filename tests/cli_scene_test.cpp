@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/command.hpp"
+#include "tests/sanitized.hpp"
 
 namespace {
 
@@ -67,6 +68,7 @@ TEST(CliScene, WritesAFileThatItReadsAgain) {
 }
 
 TEST(CliScene, DrawsTheSizes) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   Folder folder;
   const Outcome r = program(with(quick, {"--sizes", "1..3", "--plot", folder / "s.svg"}));
   EXPECT_EQ(r.exit_code, 0) << r.err;
@@ -86,10 +88,23 @@ TEST(CliScene, ShowsACaseAgain) {
 }
 
 TEST(CliScene, RunsAllOfASmallScene) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome r = program({"scene", "--quiet", "--level", "2", "--exhaustive"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("proved     bake.conservative"));
   EXPECT_THAT(r.out, HasSubstr("proved     bake.tight"));
+}
+
+TEST(CliScene, AMarginLeavesMoreUnknown) {
+  const auto unknown = [](const std::string& margin) {
+    const Outcome r = program(with(quick, {"--margin", margin, "--json", "-"}));
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    const json states = parsed(r.out)["scene"]["bake"]["states"];
+    return states["UT"].get<int>() + states["UO"].get<int>();
+  };
+  const int none = unknown("0"), sampler = unknown("sampler"), two = unknown("2");
+  EXPECT_LE(none, sampler);
+  EXPECT_LT(sampler, two);
 }
 
 TEST(CliScene, OfABadFileIsOneLineAnd4) {
@@ -131,6 +146,7 @@ TEST(CliScene, InterruptedIs3AndLeavesNoFile) {
 
 // On a machine with the real scenes.
 TEST(CliScene, RealScenesRunToAReport) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::filesystem::path scenes = MMVERIFY_SCENES;
   if (!std::filesystem::is_directory(scenes)) GTEST_SKIP() << "no scenes at " << scenes;
   // Those that take a second or less.
