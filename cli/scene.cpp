@@ -244,6 +244,7 @@ int scene(const Options& options) {
   const Plan planned = plan(loaded, options.level_limit);
   const impl::scene::Levels levels = chosen_levels(planned, wanted);
   if (options.replay.empty()) print_plan(output.text(), loaded, planned, levels);
+  std::fflush(output.text());
   if (planned.triangles.empty()) {
     output.glb(planned, loaded, {});
     output.json(nothing_to_bake(), scene_json(nullptr, loaded, planned, {}));
