@@ -131,7 +131,7 @@ Picture blades() {
       if (up > 1) continue;
       const double bend = 0.14 * side * up * up;
       const double middle = 0.09 + 0.1 * blade + bend;
-      inside |= std::abs(x - middle) < 0.024 * (1 - up);
+      inside |= std::abs(x - middle) < 0.03 * (1 - up);
     }
     return Dot{inside ? 1.0 : 0.0, mixed(green, {0.62, 0.66, 0.28}, height)};
   });
