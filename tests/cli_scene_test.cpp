@@ -64,7 +64,7 @@ TEST(CliScene, WritesAFileThatItReadsAgain) {
   const std::string first = text_of(glb);
   r = program({"scene", glb, "--quiet", "--samples", "200", "--level", "4", "-o", folder / "again.glb"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
-  EXPECT_THAT(r.out, HasSubstr("24 distinct"));
+  EXPECT_THAT(r.out, HasSubstr("42 distinct"));
 }
 
 TEST(CliScene, DrawsTheSizes) {

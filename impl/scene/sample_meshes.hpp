@@ -12,6 +12,6 @@ SampleMesh box(const Position& sizes);  ///< on the ground, without UVs
 /// Of cells x cells quads, UVs from corner to corner.
 SampleMesh lying_square(float half, float high, int cells = 1);
 SampleMesh flower_fan();  ///< its vertices are a fan's: the middle, then around
-SampleMesh tuft_strip();  ///< a strip of four triangles, bent
+SampleMesh tuft_strip();  ///< a strip of six triangles, bent
 
 }  // namespace mmverify::impl::scene
