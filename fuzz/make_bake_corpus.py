@@ -17,7 +17,7 @@ def case(width, height, texels, uv, wrap=(REPEAT, REPEAT), how=0, level=2, cutof
          border=0, texel=U8):  # fmt: skip
     head = bytes([width - 1 | height - 1 << 3 | texel, wrap[0] + 5 * wrap[1], how | level << 4, *cutoff, factor,
                   away[0] | away[1] << 4, border])  # fmt: skip
-    numbers = struct.pack("<6f", *uv) if how & BITS else struct.pack("<6h", *(round(4096 * x) for x in uv))
+    numbers = struct.pack("<6f", *uv) if how & BITS else struct.pack("<6h", *(round(16384 * x) for x in uv))
     return head + numbers + bytes(texels)
 
 
