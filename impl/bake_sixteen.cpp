@@ -217,17 +217,19 @@ HWY_INLINE Bits texels(const SixteenInput& in, const Vertices& v, std::size_t k)
     bits.have_not = hn::Or(bits.have_not, hn::AndNot(are, real));
     // Where the row's centres are within.
     const Float level = hn::ConvertTo(F(), row);
-    Float from = right, to = left;
+    Float from = set(HUGE_VALF), to = set(-HUGE_VALF);
     for (const Slope& e : edges) {
       const auto meets = hn::And(hn::Ge(level, e.low), hn::Le(level, e.high));
       const Float at = hn::MulAdd(hn::Sub(level, e.y), e.slope, e.x);
       from = hn::IfThenElse(meets, hn::Min(from, at), from);
       to = hn::IfThenElse(meets, hn::Max(to, at), to);
     }
+    const auto none = hn::RebindMask(I(), hn::Gt(from, to));
     // However that rounds, within the box.
-    const Int begin = hn::Neg(floored(hn::Neg(hn::Max(from, left)))), end = floored(hn::Min(to, right));
-    const Int inner = hn::IfThenZeroElse(hn::Or(hn::Gt(begin, end), hn::RebindMask(I(), hn::Gt(from, to))),
-                                         hn::And(real, run(hn::Min(begin, end), end)));
+    const Int begin = hn::Neg(floored(hn::Neg(hn::Min(hn::Max(from, left), right)))),
+              end = floored(hn::Max(hn::Min(to, right), left));
+    const Int inner =
+        hn::IfThenZeroElse(hn::Or(hn::Gt(begin, end), none), hn::And(real, run(hn::Min(begin, end), end)));
     bits.within = hn::Or(bits.within, hn::And(inner, seen));
     bits.within_not = hn::Or(bits.within_not, hn::AndNot(are, inner));
   }
