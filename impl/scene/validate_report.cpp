@@ -4,8 +4,9 @@
 
 namespace mmverify::impl::scene {
 
+constexpr std::size_t most = 8;  // of one rule at one place: more says nothing new
+
 void Report::add(std::string_view rule, const std::string& pointer, const std::string& found) {
-  constexpr std::size_t most = 8;
   if (++counts_[{rule, pointer}] <= most) list_.push_back({rule, pointer, found});
 }
 
@@ -22,8 +23,8 @@ std::vector<FileViolation> Report::taken() {
     const std::pair<std::string_view, std::string> key{violation.rule, violation.pointer};
     const std::size_t number = ++listed[key], count = counts_[key];
     all.push_back(std::move(violation));
-    if (number == 8 && count > 8)
-      all.push_back({key.first, key.second, "and " + std::to_string(count - 8) + " more"});
+    if (number == most && count > most)
+      all.push_back({key.first, key.second, "and " + std::to_string(count - most) + " more"});
   }
   return all;
 }
