@@ -52,8 +52,10 @@ TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
       for (const Counterexample& c : r.counterexamples) {
         const Replayed right = law.replay(*find_subject(law.subjects.front()), c.level, c.at);
         EXPECT_TRUE(right.holds) << mutant.name << " " << c.at;
-        // Maps have no picture yet; the command line says so.
-        EXPECT_EQ(right.picture.starts_with("<?xml"), law.topic == "index") << mutant.name << " " << c.at;
+        // Maps have no picture yet, nor have several beside each other; the command line says so.
+        const bool drawn = law.topic == "index" || law.id.starts_with("bake.conservative") ||
+                           law.id.starts_with("bake.tight") || law.id.starts_with("bake.unknown_side");
+        EXPECT_EQ(right.picture.starts_with("<?xml"), drawn) << mutant.name << " " << c.at;
       }
       break;
     }
@@ -72,6 +74,7 @@ TEST_P(Replay, ShowsTheCounterexamplesOfEverySubject) {
     std::vector<Level> levels{4};
     if (law.method == Method::exhaustive) levels = {1, 2, 3, 4};
     if (sanitized) levels = {2};                   // the same code at every level
+    if (law.topic == "bake") levels = {0};         // some bakers work in rationals, on thousands of textures
     if (law.id == "tree.malformed") levels = {1};  // each of level 2's 65,536 maps is decoded dozens of times
     if (s->name().ends_with("-f16") && !sanitized) levels.push_back(rounded_by_binary16);
     for (const Level n : levels) {
