@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <map>
 #include <memory>
 
 #include "cli/arguments.hpp"
@@ -244,6 +245,7 @@ int scene(const Options& options) {
   const Plan planned = plan(loaded, options.level_limit);
   const impl::scene::Levels levels = chosen_levels(planned, wanted);
   if (options.replay.empty()) print_plan(output.text(), loaded, planned, levels);
+  std::fflush(output.text());
   if (planned.triangles.empty()) {
     output.glb(planned, loaded, {});
     output.json(nothing_to_bake(), scene_json(nullptr, loaded, planned, {}));
@@ -323,7 +325,10 @@ Action add_scene(CLI::App& program) {
   command->add_option("--states", options->states, "2: force-2-state of every map")
       ->check(CLI::IsMember({2, 4}));
   command
-      ->add_option("--margin", options->margin, "texels by which micro-triangles are dilated along both axes")
+      ->add_option(
+          "--margin", options->margin,
+          "texels by which micro-triangles are dilated along both axes; sampler: 5/1024, for 8-bit weights")
+      ->transform(CLI::Transformer(std::map<std::string, float>{{"sampler", sampler_margin}}))
       ->check(finite_within(0, 1024));
   command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));

@@ -106,7 +106,10 @@ bool is_known(std::string_view rule) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Bytes file = as_file(data, size);
-  const auto found = validate_micromaps(name, file);
+  auto found = validate_micromaps(name, file);
+#ifdef PLANTED
+  std::erase_if(found, [](const FileViolation& violation) { return violation.rule == "index.range"; });
+#endif
   for (const FileViolation& violation : found) {
     if (!is_known(violation.rule)) fail("an unknown rule: " + describe(violation));
     if (describe(violation).find('\n') != std::string::npos) fail("a violation of two lines");

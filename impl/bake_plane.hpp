@@ -56,6 +56,13 @@ class Plane {
     return static_cast<std::uint32_t>(word >> (x % 8));
   }
 
+  /// The bytes of row y, bit x of which is texel x's; rows are so many apart.  Four bytes from any can be
+  /// read.
+  const std::uint8_t* row_bytes(std::int64_t y) const noexcept {
+    return bytes_.data() + tiles_across_ * static_cast<std::size_t>(y);
+  }
+  std::size_t row_pitch() const noexcept { return tiles_across_; }
+
   struct Found {
     bool some, some_not;
   };

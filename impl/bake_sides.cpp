@@ -1,6 +1,7 @@
 #include "impl/bake_sides.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -58,7 +59,7 @@ double threshold_of(const Limit& l) noexcept {
 template <class Texel>
 SidesOf<Texel>::SidesOf(const TexelView<Texel>& texture, const Limits& l, Wrap x, Wrap y, Texel border)
     : Sides(l, texture.width, texture.height, x, y), texture_(texture), border_(border) {
-  const auto least = least_opaque<Texel>(limits);
+  const auto least = least_opaque_ = least_opaque<Texel>(limits);
   const auto at = [&texture](std::uint32_t i, std::uint32_t j) {
     return texture.texels[j * texture.pitch + i];
   };
@@ -106,6 +107,28 @@ SidesOf<Texel>::SidesOf(const TexelView<Texel>& texture, const Limits& l, Wrap x
   const bool border_opaque = border >= least;
   border_marks_ = static_cast<Marks>((border_opaque ? 0 : below) |
                                      ((limits.blend ? visible && border > 0 : border_opaque) ? opaque : 0));
+}
+
+template <class Texel>
+void SidesOf<Texel>::copy(std::int64_t left, std::int64_t top, std::size_t width, std::size_t height,
+                          std::size_t pitch, Texel* to, std::uint32_t* opaque_rows,
+                          std::uint32_t* visible_rows) const noexcept {
+  std::array<std::int64_t, 32> columns;
+  for (std::size_t i = 0; i < width; ++i)
+    columns[i] = wrapped(wrap_x_, left + static_cast<std::int64_t>(i), width_);
+  for (std::size_t j = 0; j < height; ++j, to += pitch) {
+    const std::int64_t y = wrapped(wrap_y_, top + static_cast<std::int64_t>(j), height_);
+    const Texel* const row = y < 0 ? nullptr : texture_.texels + static_cast<std::size_t>(y) * texture_.pitch;
+    std::uint32_t are_opaque = 0, are_visible = 0;
+    for (std::size_t i = 0; i < width; ++i) {
+      const Texel r = row == nullptr || columns[i] < 0 ? border_ : row[columns[i]];
+      to[i] = r;
+      are_opaque |= std::uint32_t{r >= least_opaque_} << i;
+      are_visible |= std::uint32_t{r > 0 && !limits.zero} << i;
+    }
+    opaque_rows[j] = are_opaque;
+    visible_rows[j] = limits.blend ? are_visible : are_opaque;
+  }
 }
 
 template <class Texel>

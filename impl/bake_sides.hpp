@@ -113,6 +113,12 @@ class SidesOf final : public Sides {
     return InOnePicture{texture_.texels + at(x, y), x, y};
   }
   std::size_t pitch() const noexcept { return texture_.pitch; }
+  /// Texels [left, left + width) x [top, top + height), before wrapping, copied: rows of `pitch`, and their
+  /// bits. Domain: width and height at most 32.
+  void copy(std::int64_t left, std::int64_t top, std::size_t width, std::size_t height, std::size_t pitch,
+            Texel* to, std::uint32_t* opaque_rows, std::uint32_t* visible_rows) const noexcept;
+  const Plane& opaque_plane() const noexcept { return opaque_; }
+  const Plane& visible_plane() const noexcept { return limits.blend ? visible_ : opaque_; }
   /// Rows of 32 texels from (x, y) of the picture down.  Domain: they are within it.
   void rows(std::int64_t x, std::int64_t y, std::size_t count, std::uint32_t* opaque_rows,
             std::uint32_t* visible_rows) const noexcept {
@@ -125,6 +131,8 @@ class SidesOf final : public Sides {
  private:
   TexelView<Texel> texture_;
   Texel border_;
+  std::conditional_t<std::is_same_v<Texel, float>, float, std::int32_t>
+      least_opaque_;  ///< or one more than any
 };
 
 }  // namespace mmverify::impl::bake::detail

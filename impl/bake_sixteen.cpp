@@ -1,5 +1,7 @@
 #include "impl/bake_sixteen.hpp"
 
+#include <cmath>
+
 #include "impl/bake_sixteen_lanes.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -103,13 +105,58 @@ HWY_INLINE Cell cell(const SixteenInput& in, Int i, Int j) {
           hn::ConvertTo(F(), twist)};
 }
 
-/// g at points.
+/// A place's cell, and its place in it.
+struct Located {
+  Int i, j;
+  Float x, y;
+
+  HWY_INLINE Located(Float at_x, Float at_y)
+      : i(floored(at_x)),
+        j(floored(at_y)),
+        x(hn::Sub(at_x, hn::ConvertTo(F(), i))),
+        y(hn::Sub(at_y, hn::ConvertTo(F(), j))) {}
+};
+
+/// A row of texels from column i on, from bit 0.
+HWY_INLINE Int row_from(const SixteenInput& in, const std::uint32_t* rows, const std::uint8_t* bytes, Int i,
+                        Int j) {
+  if (rows != nullptr) return hn::Shr(among_rows(rows, j), i);
+  const Int x = hn::Add(i, set(in.bit_x)), at = hn::Add(hn::Mul(j, set(in.bit_pitch)), hn::ShiftRight<3>(x));
+  return hn::Shr(hn::GatherOffset(I(), reinterpret_cast<const std::int32_t*>(bytes), at), hn::And(x, set(7)));
+}
+
+using Mask = hn::Mask<F>;
+struct Marked {
+  Mask below, opaque;
+};
+/// What the samples at places bear by their cells.
+HWY_INLINE Marked by_cells(const SixteenInput& in, const Located& at) {
+  const Int next = hn::Add(at.j, set(1)), one = set(1);
+  Int top = row_from(in, in.rows_opaque, in.bits_opaque, at.i, at.j),
+      under = row_from(in, in.rows_opaque, in.bits_opaque, at.i, next);
+  const Int some = hn::Or(top, under);
+  if (in.gap != 0) {
+    top = row_from(in, in.rows_visible, in.bits_visible, at.i, at.j);
+    under = row_from(in, in.rows_visible, in.bits_visible, at.i, next);
+  }
+  const Int all = hn::And(top, under);
+  return {hn::RebindMask(F(), hn::Eq(hn::And(hn::Or(some, hn::ShiftRight<1>(some)), one), set(0))),
+          hn::RebindMask(F(), hn::Eq(hn::And(hn::And(all, hn::ShiftRight<1>(all)), one), one))};
+}
+
+/// g at those places that are wanted.
 template <class Texel>
-HWY_INLINE Float sampled(const SixteenInput& in, Float x, Float y) {
-  const Int i = floored(x), j = floored(y);
-  return hn::Sub(
-      cell<Texel>(in, i, j).at(hn::Sub(x, hn::ConvertTo(F(), i)), hn::Sub(y, hn::ConvertTo(F(), j))),
-      set(in.threshold));
+HWY_INLINE Float sampled(const SixteenInput& in, const Located& at, Mask wanted) {
+  // The others read one texel, which costs less than many.
+  const auto is_wanted = hn::RebindMask(I(), wanted);
+  const Cell c = cell<Texel>(in, hn::IfThenElseZero(is_wanted, at.i), hn::IfThenElseZero(is_wanted, at.j));
+  return hn::Sub(c.at(at.x, at.y), set(in.threshold));
+}
+
+/// Lane l: bit k + l.
+HWY_INLINE Mask mask_of(std::uint32_t bits, std::size_t k) {
+  const Int lanes = hn::Shr(set(static_cast<std::int32_t>(bits >> k)), hn::Iota(I(), 0));
+  return hn::RebindMask(F(), hn::Eq(hn::And(lanes, set(1)), set(1)));
 }
 
 /// p0 + i p01 + j p02, along an axis.
@@ -118,7 +165,8 @@ HWY_INLINE Float place(const SixteenInput& in, std::size_t axis, Float i, Float 
 }
 
 struct Vertices {
-  HWY_ALIGN Table x, y, g;
+  HWY_ALIGN Table x, y;
+  HWY_ALIGN SixteenLanes::Ints marks;  ///< 1 below, 2 opaque
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -169,17 +217,19 @@ HWY_INLINE Bits texels(const SixteenInput& in, const Vertices& v, std::size_t k)
     bits.have_not = hn::Or(bits.have_not, hn::AndNot(are, real));
     // Where the row's centres are within.
     const Float level = hn::ConvertTo(F(), row);
-    Float from = right, to = left;
+    Float from = set(HUGE_VALF), to = set(-HUGE_VALF);
     for (const Slope& e : edges) {
       const auto meets = hn::And(hn::Ge(level, e.low), hn::Le(level, e.high));
       const Float at = hn::MulAdd(hn::Sub(level, e.y), e.slope, e.x);
       from = hn::IfThenElse(meets, hn::Min(from, at), from);
       to = hn::IfThenElse(meets, hn::Max(to, at), to);
     }
+    const auto none = hn::RebindMask(I(), hn::Gt(from, to));
     // However that rounds, within the box.
-    const Int begin = hn::Neg(floored(hn::Neg(hn::Max(from, left)))), end = floored(hn::Min(to, right));
-    const Int inner = hn::IfThenZeroElse(hn::Or(hn::Gt(begin, end), hn::RebindMask(I(), hn::Gt(from, to))),
-                                         hn::And(real, run(hn::Min(begin, end), end)));
+    const Int begin = hn::Neg(floored(hn::Neg(hn::Min(hn::Max(from, left), right)))),
+              end = floored(hn::Max(hn::Min(to, right), left));
+    const Int inner =
+        hn::IfThenZeroElse(hn::Or(hn::Gt(begin, end), none), hn::And(real, run(hn::Min(begin, end), end)));
     bits.within = hn::Or(bits.within, hn::And(inner, seen));
     bits.within_not = hn::Or(bits.within_not, hn::AndNot(are, inner));
   }
@@ -227,15 +277,19 @@ HWY_INLINE void walk(const SixteenInput& in, const Vertices& v, const std::int32
             to = hn::GatherIndex(I(), sixteen_lanes.to.data(), edge);
   const auto of = [](const Table& table, Int at) HWY_ATTR { return among(F(), table.data(), at); };
   Walk x(of(v.x, from), of(v.x, to), in.delta), y(of(v.y, from), of(v.y, to), in.delta);
-  Float at = of(v.g, from), t = set(0.0f);
-  const Float one = set(1.0f), end = of(v.g, to);
-  Float least = hn::Min(at, end), greatest = hn::Max(at, end), low = least, high = greatest;
+  const Float one = set(1.0f);
+  Float t = set(0.0f), at = t, least = set(HUGE_VALF), greatest = set(-HUGE_VALF), low = least,
+        high = greatest;
   // Enough for any edge in the window; of one that is not done with by then nothing is certain.
   constexpr int most = 2 * sixteen_window + 4;
   auto going = hn::Lt(t, one);
   for (int count = 0; count < most; ++count) {
     const Cell c = cell<Texel>(in, x.cell, y.cell);
     const Float until = hn::Min(one, hn::Min(x.next, y.next)), part = hn::Sub(until, t);
+    if (count == 0) {
+      at = hn::Sub(c.at(x.at(t), y.at(t)), set(in.threshold));
+      least = greatest = at;
+    }
     const Float w = hn::Sub(c.at(x.at(until), y.at(until)), set(in.threshold));
     const Float K = hn::Abs(hn::Mul(hn::Mul(c.twist, hn::Mul(x.d, part)), hn::Mul(y.d, part)));
     const Float beyond = hn::Mul(K, set(0.25f));
@@ -301,23 +355,45 @@ HWY_INLINE SixteenMarks sixteen_of(const SixteenInput& in) {
   const F f;
   const std::size_t step = hn::Lanes(f);
   const auto lanes = [](const Table& of, std::size_t k) HWY_ATTR { return hn::LoadU(F(), of.data() + k); };
+  // Bits are near, texels may be far; but where edges are to be walked, they are needed all the same.
+  const bool cells_first = in.as_one || in.rows_opaque == nullptr;
   Vertices v;
+  std::uint32_t seen_below = 0, seen_opaque = 0;
   for (std::size_t k = 0; k < 16; k += step) {
     const Float i = lanes(sixteen_lanes.vertex_i, k), j = lanes(sixteen_lanes.vertex_j, k);
     const Float x = place(in, 0, i, j), y = place(in, 1, i, j);
     hn::StoreU(x, f, v.x.data() + k);
     hn::StoreU(y, f, v.y.data() + k);
-    hn::StoreU(sampled<Texel>(in, x, y), f, v.g.data() + k);
+    const Located at(x, y);
+    Marked m{hn::Lt(x, x), hn::Lt(x, x)};
+    if (in.clear && cells_first) m = by_cells(in, at);
+    if (in.as_one) {
+      seen_below |= bits_of(m.below, k);
+      seen_opaque |= bits_of(m.opaque, k);
+      if (seen_below != 0 && seen_opaque != 0) return {1, 1};
+    }
+    const Mask wanted = hn::Not(hn::Or(m.below, m.opaque));
+    if (!hn::AllFalse(f, wanted)) {
+      const Float g = sampled<Texel>(in, at, wanted);
+      m.below = hn::Or(m.below, hn::And(wanted, hn::Lt(g, set(-in.bound))));
+      m.opaque = hn::Or(m.opaque, hn::And(wanted, hn::Gt(g, set(in.bound - in.gap))));
+    }
+    hn::StoreU(hn::Or(hn::IfThenElseZero(hn::RebindMask(I(), m.below), set(1)),
+                      hn::IfThenElseZero(hn::RebindMask(I(), m.opaque), set(2))),
+               I(), v.marks.data() + k);
   }
   SixteenMarks marks;
   for (std::size_t k = 0; k < 16; k += step) {
     const auto corner = [&](std::size_t c) HWY_ATTR {
-      return among(f, v.g.data(), hn::LoadU(I(), sixteen_lanes.corner[c].data() + k));
+      return among(I(), v.marks.data(), hn::LoadU(I(), sixteen_lanes.corner[c].data() + k));
     };
-    const Float g0 = corner(0), g1 = corner(1), g2 = corner(2);
-    marks.below |= bits_of(hn::Lt(hn::Min(g0, hn::Min(g1, g2)), set(-in.bound)), k);
-    marks.opaque |= bits_of(hn::Gt(hn::Max(g0, hn::Max(g1, g2)), set(in.bound - in.gap)), k);
+    const Int all = hn::Or(corner(0), hn::Or(corner(1), corner(2)));
+    const std::uint32_t here = ((1u << step) - 1) << k;
+    marks.below |= here & ~zeros_of(hn::And(all, set(1)), k);
+    marks.opaque |= here & ~zeros_of(hn::And(all, set(2)), k);
   }
+  const auto enough = [&] { return in.as_one && marks.below != 0 && marks.opaque != 0; };
+  if (enough()) return marks;
   if (in.rows_opaque != nullptr && (marks.below & marks.opaque) != 0xffff) {
     std::uint32_t within_lack_below = 0, within_lack_opaque = 0;
     for (std::size_t k = 0; k < 16; k += step) {
@@ -328,19 +404,33 @@ HWY_INLINE SixteenMarks sixteen_of(const SixteenInput& in) {
       within_lack_opaque |= zeros_of(bits.within, k);
     }
     marks.by_texels = marks.lacks_below | marks.lacks_opaque;
-    if (in.centres_are_clear) {
+    if (in.clear) {
       marks.below |= ~within_lack_below & 0xffff;
       marks.opaque |= ~within_lack_opaque & 0xffff;
     }
+    if (enough()) return marks;
     const std::uint32_t undecided = ~(marks.by_texels | (marks.below & marks.opaque)) & 0xffff;
     if (undecided != 0) ask_edges<Texel>(in, v, undecided, within_lack_below, within_lack_opaque, marks);
   }
-  if ((marks.below & marks.opaque) != 0)
+  const std::uint32_t unknowns = marks.below & marks.opaque;
+  if (!in.as_one && (unknowns != 0 || in.rows_opaque == nullptr))
     for (std::size_t k = 0; k < 16; k += step) {
       const Float i = lanes(sixteen_lanes.centroid_i, k), j = lanes(sixteen_lanes.centroid_j, k);
-      const Float at = hn::Sub(sampled<Texel>(in, place(in, 0, i, j), place(in, 1, i, j)), set(in.lean));
-      marks.leans |= bits_of(hn::Gt(hn::Abs(at), set(in.bound)), k);
-      marks.leans_to_opaque |= bits_of(hn::Gt(at, set(0.0f)), k);
+      const Located at(place(in, 0, i, j), place(in, 1, i, j));
+      Mask wanted = mask_of(unknowns, k);
+      // With one limit, a cell of one mark leans as its mark.  Where only samples are taken, others may yet
+      // turn out to bear both.
+      if (in.clear && in.gap == 0 && cells_first) {
+        const Marked m = by_cells(in, at);
+        const Mask known = hn::Or(m.below, m.opaque);
+        marks.leans |= bits_of(known, k);
+        marks.leans_to_opaque |= bits_of(m.opaque, k);
+        wanted = hn::AndNot(known, wanted);
+      }
+      if (hn::AllFalse(f, wanted)) continue;
+      const Float g = hn::Sub(sampled<Texel>(in, at, wanted), set(in.lean));
+      marks.leans |= bits_of(hn::And(wanted, hn::Gt(hn::Abs(g), set(in.bound))), k);
+      marks.leans_to_opaque |= bits_of(hn::And(wanted, hn::Gt(g, set(0.0f))), k);
     }
   return marks;
 }

@@ -7,6 +7,9 @@
 // among them, leave it, and a centroid, within 2^-20 S of its place along either axis.  delta is that and
 // what the corners in binary64 were off; T is a true triangle, T' the computed one.
 //
+//   cells    whose four texels bear one mark: so does the sample, by `clear` or more.  Where that is more
+//   than
+//            8 R delta, the true place, within delta, bears it, too.
 //   samples  g changes by at most R a texel along either axis (bake_filter.hpp), and its evaluation errs by
 //            less than 2^-19 R: beyond bound = R (2 delta + 2^-19) its marks are certain.
 //   texels   of all cells that the box about T', grown by 2 delta, meets: what they do not bear T does not.
@@ -17,8 +20,8 @@
 //            and the evaluation change.
 //   centres  on a row between computed crossings, each within delta of its edge at a y within delta of the
 //            row, are within 2 delta of T' and 3 of T: g at a point of T differs by less than 6 R delta. They
-//            count as seen where all texels are farther than 8 R delta from their limits.  Those left out are
-//            within 3 delta of an edge, which speaks for them to within its bound.
+//            count as seen where clear, the least that a texel is from its limit, is more than 8 R delta.
+//            Those left out are within 3 delta of an edge, which speaks for them to within its bound.
 // What neither an edge nor a centre within bears, T does not (bake_exact.hpp).
 #pragma once
 
@@ -39,7 +42,14 @@ struct SixteenInput {
   float threshold, gap, lean, bound, edge_bound, delta;
   /// Bit x of row y: opaque; not transparent.  None where the window is too small.
   const std::uint32_t *rows_opaque, *rows_visible;
-  bool centres_are_clear;
+  /// Else: the texture's, row 0 of the window at this byte, its column 0 at bit_x, rows bit_pitch bytes
+  /// apart.
+  const std::uint8_t *bits_opaque, *bits_visible;
+  std::int32_t bit_x, bit_pitch;
+  bool clear;
+  /// Whether only the union of the sixteen is asked for: no more than `below` and `opaque` where both are
+  /// borne.
+  bool as_one;
 };
 
 /// Bit k of each: micro-triangle k of the sixteen.
@@ -47,7 +57,7 @@ struct SixteenMarks {
   std::uint32_t below = 0, opaque = 0;              ///< certain
   std::uint32_t lacks_below = 0, lacks_opaque = 0;  ///< certainly no alpha of it bears the mark
   std::uint32_t by_texels = 0;                      ///< of these, those whose texels said so
-  std::uint32_t leans_to_opaque = 0, leans = 0;     ///< of those that bear both: how; that it is certain
+  std::uint32_t leans_to_opaque = 0, leans = 0;     ///< of those that bear both, how; that it is certain
 };
 
 /// Texel: std::uint8_t or std::uint16_t.

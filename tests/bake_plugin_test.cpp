@@ -48,6 +48,7 @@ struct WrongAnswer {
 class Wrong : public testing::TestWithParam<WrongAnswer> {};
 
 TEST_P(Wrong, is_refuted_and_replayed) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto& [name, law, at, expected] = GetParam();
   const Outcome o = judge(name, std::string(law) + " --levels 0..1");
   EXPECT_EQ(o.exit_code, 1) << o.err;
@@ -78,6 +79,7 @@ class Misbehaving : public testing::TestWithParam<Misbehaviour> {};
 
 // What each does stands in tests/subjects/wrong_bake.cpp.
 TEST_P(Misbehaving, is_broken_with_the_case) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto& [name, said] = GetParam();
   const Outcome o = judge(name, "bake.conservative --levels 1 --threads 1");
   EXPECT_EQ(o.exit_code, 1) << o.err;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/command.hpp"
+#include "tests/sanitized.hpp"
 
 namespace {
 
@@ -397,6 +398,7 @@ TEST_P(Interrupt, OfABenchIs3AndLeavesNoFile) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 TEST(Bench, WithNoTopicIsOfAllAndItsJsonAList) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome r =
       program({"bench", "--levels", "3", "--samples", "2000", "--maps", "1", "--quiet", "--json", "-"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
@@ -410,6 +412,7 @@ TEST(Bench, WithNoTopicIsOfAllAndItsJsonAList) {
 }
 
 TEST(Bench, BakeSaysWhatEachBakerGetsWrongBesideTheExactStates) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome r = program({"bench", "bake", "--levels", "5", "--maps", "1", "--quiet", "--json", "-"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   const json bench = parsed(r.out);
@@ -425,6 +428,7 @@ TEST(Bench, BakeSaysWhatEachBakerGetsWrongBesideTheExactStates) {
 }
 
 TEST(Bench, VqSaysWhatEachEncoderLosesAndItsBound) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome r = program({"bench", "vq", "--maps", "2", "--quiet", "--json", "-"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   const json bench = parsed(r.out);

@@ -1,6 +1,7 @@
 // impl/bake_triangles.hpp: every kind of texel, mode, filter, factor, mip and margin as spec/bake_state.hpp
 // has it.
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
@@ -429,6 +430,95 @@ TYPED_TEST(ImplBakeKinds, DeepLevelsAreTheSpecifications) {
       }
   for (const std::uint64_t n : seen.states) EXPECT_GT(n, 0u);
   EXPECT_LT(seen.exact, seen.leaves);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Vectors
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A texture that has room around most micro-triangles, which the vector code asks for: noise, flat but for a
+/// few texels, or slanted; at a limit or across it.
+template <class Texel>
+Image<Texel> roomy_image(Random& random) {
+  const auto side = [&random] { return 24 + static_cast<std::uint32_t>(random() % 30); };
+  Image<Texel> image{side(), side(), {}};
+  constexpr bool floats = std::is_same_v<Texel, float>;
+  constexpr double full = floats ? 1 : static_cast<double>(std::numeric_limits<Texel>::max());
+  const auto kind = random() % 4;
+  // At a cutoff, or far above it: what differs inside of a micro-triangle may then be all that tells.
+  const Texel flat = static_cast<Texel>(random() % 2 == 0 ? full : floats ? 0.5 : full / 2 + 1);
+  const double slope_x = static_cast<int>(random() % 9) - 4, slope_y = static_cast<int>(random() % 9) - 4;
+  for (std::uint32_t k = 0; k < image.width * image.height; ++k) {
+    const double slant = 0.5 + (slope_x * (k % image.width - 20.0) + slope_y * (k / image.width - 20.0)) / 64;
+    const double alpha = std::clamp(slant, 0.0, 1.0) * full;
+    image.texels.push_back(kind == 0   ? random_texel<Texel>(random, 2)
+                           : kind == 1 ? random_texel<Texel>(random, 1)
+                           : kind == 2 ? (random() % 40 == 0 ? random_texel<Texel>(random, 1) : flat)
+                                       : static_cast<Texel>(floats ? alpha : std::floor(alpha)));
+  }
+  return image;
+}
+
+/// Of one shape, from slivers to right angles, on texel lines, on centres and off them.
+template <class Texel>
+Job<Texel> roomy_job(Random& random) {
+  Job<Texel> job{{roomy_image<Texel>(random)},
+                 random() % 3 == 0 ? AlphaMode{Blend{}} : AlphaMode{Mask{0.5f}},
+                 {},
+                 {},
+                 2 + static_cast<std::uint32_t>(random() % 3)};
+  // At the flat texels.
+  if (random() % 3 == 0 && std::is_same_v<Texel, std::uint8_t>) job.mode = Cutoff{128, 255};
+  if (random() % 3 == 0 && std::is_same_v<Texel, std::uint16_t>) job.mode = Cutoff{32768, 65535};
+  job.sampling.u = every_wrap[random() % 5];
+  job.sampling.v = every_wrap[random() % 5];
+  if (random() % 4 == 0) job.sampling.factors[0] = 0.75f;
+  const auto near = [&](std::uint32_t size) {
+    const int kind = static_cast<int>(random() % 4);
+    if (kind == 0) return 0.1f + 0.8f * (static_cast<float>(random() >> 8) * 0x1p-24f);
+    const auto on = static_cast<float>(4 + random() % (2 * size - 8)) / static_cast<float>(2 * size);
+    return kind == 1 ? on : kind == 2 ? up(on) : down(on);
+  };
+  for (TexturePoint& p : job.uv) p = {near(job.mips[0].width), near(job.mips[0].height)};
+  if (random() % 6 == 0) job.uv[2] = {up(job.uv[0].u), down(job.uv[1].v)};
+  if (random() % 12 == 0) job.uv[2] = job.uv[0];
+  if (random() % 4 == 0)
+    for (TexturePoint& p : job.uv) p = {p.u + 3, p.v - 5};
+  return job;
+}
+
+TYPED_TEST(ImplBakeKinds, TexturesWithRoomAreTheSpecifications) {
+  Random random(7);
+  Seen seen;
+  for (int round = 0; round < (sanitized ? 20 : 200); ++round) {
+    const Job<TypeParam> job = roomy_job<TypeParam>(random);
+    ASSERT_NO_FATAL_FAILURE(expect_specified(job, seen, 7 + static_cast<std::uint32_t>(random() % 5)));
+  }
+  expect_varied(seen);
+}
+
+// Whatever the vectors' width, and at levels where micro-triangles are far smaller than a texel.
+TYPED_TEST(ImplBakeKinds, EveryTargetMakesTheSameMap) {
+  using Maps = std::vector<std::vector<std::uint8_t>>;
+  const auto bake = [] {
+    Random random(8);
+    Maps maps;
+    for (int round = 0; round < (sanitized ? 10 : 60); ++round) {
+      Job<TypeParam> job = roomy_job<TypeParam>(random);
+      job.level = static_cast<std::uint32_t>(random() % 8);
+      maps.emplace_back(job.level == 0 ? 1 : std::size_t{1} << (2 * job.level - 2));
+      baker(job).bake(job.uv, job.level, maps.back());
+    }
+    return maps;
+  };
+  const Maps expected = bake();
+  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    EXPECT_EQ(bake(), expected) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

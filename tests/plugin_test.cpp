@@ -69,6 +69,7 @@ TEST(Subject, one_wrong_tie_passes_where_only_interiors_count) {
 }
 
 TEST(Subject, children_swapped_from_level_2_are_named) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   if (sanitized) GTEST_SKIP() << "the release build runs it; no code of its own";
   const Outcome o = judge("swapped_from_level_2", "index.equals_reference --levels 0..4");
   EXPECT_EQ(o.exit_code, 1);
@@ -76,12 +77,14 @@ TEST(Subject, children_swapped_from_level_2_are_named) {
 }
 
 TEST(Subject, row_order_is_named) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   if (sanitized) GTEST_SKIP() << "the release build runs it; no code of its own";
   EXPECT_THAT(judge("rows", "index.equals_reference --levels 0..4").out,
               HasSubstr("row order (w-minor), not the curve"));
 }
 
 TEST(Subject, exchanged_barycentrics_are_named) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   if (sanitized) GTEST_SKIP() << "the release build runs it; no code of its own";
   EXPECT_THAT(judge("u_and_v_exchanged", "index.equals_reference --levels 0..4").out,
               HasSubstr("the curve, with (w, u, v) taken as (w, v, u)"));
@@ -135,6 +138,7 @@ TEST(Subject, what_it_prints_stays_out_of_the_results) {
 }
 
 TEST(Subject, same_digest_for_any_number_of_threads) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
   const std::string at =
       "prove index.equals_reference --quiet --no-mutants --levels 9 --subject " + library("batched");

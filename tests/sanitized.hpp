@@ -11,3 +11,8 @@ constexpr bool sanitized = false;
 /// ours.
 #define SKIP_A_PROVERS_WORK_UNDER_SANITIZERS() \
   if (sanitized) GTEST_SKIP() << "a prover's work; the release build runs it"
+
+/// For tests that run the whole program for what another test runs it for, too: each start of a sanitized
+/// one, with its worker, takes seconds.
+#define SKIP_A_REPEAT_UNDER_SANITIZERS() \
+  if (sanitized) GTEST_SKIP() << "the same code as under another test; the release build runs it"

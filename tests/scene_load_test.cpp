@@ -181,6 +181,9 @@ TEST(SceneLoad, SparseAccessors) {
   file.accessor("TEXCOORD_0").erase("bufferView");
   EXPECT_THAT(load_glb(file).primitives[0].uvs, ElementsAre(Uv{0, 0}, Uv{0, 0}, Uv{0, 0}, Uv{8, 9}));
   file.set_buffer_length();
+  sparse["indices"]["componentType"] = 5126;
+  EXPECT_THAT(complaint(file), HasSubstr("unsigned integers are due, not component type 5126"));
+  sparse["indices"]["componentType"] = 5121;
   sparse["count"] = 2;
   EXPECT_THAT(complaint(file), HasSubstr("TEXCOORD_0: accessor 1: bytes 0..16 of bufferView 5, which has 8"));
   sparse["count"] = 1;
@@ -349,6 +352,12 @@ TEST(SceneLoad, MissingFilesWhicheverMaterialWantsThem) {
     EXPECT_THAT(complaint(file), HasSubstr("two?lines.png"));
   }
   file = square();
+  for (const char* lost : {"a.png", "b%20c.png"}) file.json["images"].push_back({{"uri", lost}});
+  EXPECT_EQ(complaint(file),
+            "leaf.glb: images: there are no files 'a.png', 'b%20c.png' beside it; is the folder complete?");
+  for (int k = 0; k < 20; ++k) file.json["images"].push_back({{"uri", "d.png"}});
+  EXPECT_THAT(complaint(file), HasSubstr("'d.png' and 2 more beside it"));
+  file = square();
   file.json["buffers"][0]["uri"] = "lost.bin";
   EXPECT_THAT(complaint(file.json.dump(), "leaf.gltf"), HasSubstr("buffer 0: there is no file 'lost.bin'"));
   EXPECT_THROW(load("no/such/file.glb"), BadScene);
@@ -451,6 +460,14 @@ TEST(SceneLoad, LyingAccessors) {
   file.accessor("POSITION").erase("bufferView");
   file.accessor("POSITION")["count"] = 1 << 23;
   EXPECT_THAT(complaint(file), HasSubstr("8388608 elements that no bufferView holds; more than 2^22"));
+  // Nor of several together.
+  file.accessor("POSITION")["count"] = 1 << 20;
+  Json bare = file.primitive();
+  bare["attributes"].erase("TEXCOORD_0");
+  bare.erase("indices");
+  file.json["meshes"][0]["primitives"] = Json(5, bare);
+  EXPECT_THAT(complaint(file),
+              HasSubstr("primitive 4: more than 2^22 elements in all that no bufferView holds"));
 }
 
 TEST(SceneLoad, BadNumbersAndIndices) {
@@ -588,8 +605,9 @@ TEST(SceneLoad, TheTwoBadScenes) {
   };
   EXPECT_EQ(message(helmet),
             helmet +
-                ": image 9 (FlightHelmet_Materials_LeatherPartsMat_Normal.png): there is no file "
-                "'FlightHelmet_Materials_LeatherPartsMat_Normal.png' beside it; is the folder complete?");
+                ": images: there are no files 'FlightHelmet_Materials_LeatherPartsMat_Normal.png', "
+                "'FlightHelmet_Materials_LeatherPartsMat_OcclusionRoughMetal.png', "
+                "'FlightHelmet_Materials_LeatherPartsMat_BaseColor.png' beside it; is the folder complete?");
   EXPECT_EQ(message(tokyo),
             tokyo +
                 ": extensionsRequired: KHR_draco_mesh_compression is not read here: the geometry is "

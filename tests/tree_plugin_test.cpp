@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/command.hpp"
+#include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
 namespace {
@@ -59,6 +60,7 @@ struct WrongAnswer {
 class Wrong : public testing::TestWithParam<WrongAnswer> {};
 
 TEST_P(Wrong, is_refuted_and_replayed) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto& [name, law, levels, at] = GetParam();
   const Outcome o = judge(name, std::string(law) + " --levels " + levels);
   EXPECT_EQ(o.exit_code, 1) << o.err;
@@ -95,6 +97,7 @@ struct Misbehaviour {
 class Misbehaving : public testing::TestWithParam<Misbehaviour> {};
 
 TEST_P(Misbehaving, is_broken_with_the_case_and_the_run_goes_on) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto& [name, law, said, doing] = GetParam();
   const Outcome o = judge(name, std::string(law) + " tree.sizes --levels 0..1");
   EXPECT_EQ(o.exit_code, 1) << o.err;
@@ -148,6 +151,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // The specification does what is missing, and is not judged for it.
 TEST(TreeSubject, an_encoder_alone_is_judged_by_the_specifications_decoder) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o =
       judge("tree_encodes_only", "tree.round_trip tree.malformed tree.lookup_is_decode --levels 0..1");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
@@ -157,6 +161,7 @@ TEST(TreeSubject, an_encoder_alone_is_judged_by_the_specifications_decoder) {
 }
 
 TEST(TreeSubject, a_decoder_alone_gets_the_specifications_codes) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o = judge("tree_decodes_only", "tree.round_trip tree.canonical tree.equals_spec --levels 0");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("proved     tree.round_trip"));
@@ -164,6 +169,7 @@ TEST(TreeSubject, a_decoder_alone_gets_the_specifications_codes) {
 }
 
 TEST(TreeSubject, a_lookup_alone_decodes_point_by_point) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o = judge("tree_points_only", "tree.round_trip tree.point_is_index --levels 0..1");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("proved     tree.round_trip"));
@@ -215,6 +221,7 @@ TEST(Several, one_that_was_built_before_there_were_trees_is_judged_as_before) {
 }
 
 TEST(Several, same_digest_for_any_number_of_threads_and_as_ours) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
   const std::string law = "mmverify prove tree.equals_spec --quiet --levels 1 --subject ";
   const Outcome one = shell(law + library("tree_example") + " --threads 1");

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/command.hpp"
+#include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
 namespace {
@@ -47,6 +48,7 @@ struct WrongAnswer {
 class Wrong : public testing::TestWithParam<WrongAnswer> {};
 
 TEST_P(Wrong, is_refuted_and_replayed) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto& [name, law, at, expected] = GetParam();
   const Outcome o = judge(name, law);
   EXPECT_EQ(o.exit_code, 1) << o.err;
@@ -79,6 +81,7 @@ struct Misbehaviour {
 class Misbehaving : public testing::TestWithParam<Misbehaviour> {};
 
 TEST_P(Misbehaving, is_broken_with_the_case_and_the_run_goes_on) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto& [name, law, said, doing] = GetParam();
   const Outcome o = judge(name, std::string(law) + " vq4.region_is_map");
   EXPECT_EQ(o.exit_code, 1) << o.err;
@@ -109,6 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
 // -----------------------------------------------------------------------------------------------------------------
 
 TEST(VqSubject, a_decoder_or_an_encoder_may_come_alone_and_one_format_too) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::string both = "vq2.region_is_map vq2.conservative vq4.region_is_map vq4.conservative";
   const Outcome decodes = judge("vq_decodes_only", both), encodes = judge("vq_encodes_only", both),
                 vq4 = judge("vq_vq4_only", both);
@@ -126,6 +130,7 @@ TEST(VqSubject, built_before_there_were_blocks_it_has_none) {
 }
 
 TEST(VqSubject, same_digest_as_ours) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
   const std::string law = "mmverify prove vq2.region_is_map --quiet --no-mutants --subject ";
   const Outcome theirs = shell(law + library("vq_example") + " --threads 2"), ours = shell(law + "vq");

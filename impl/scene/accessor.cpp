@@ -70,6 +70,7 @@ class Reader {
 
   /// The two halves of a sparse accessor.
   Elements sparse_indices() const {
+    check_unsigned(accessor_.sparse.indices.componentType);
     return in_view(static_cast<std::size_t>(accessor_.sparse.indices.bufferView),
                    static_cast<std::size_t>(accessor_.sparse.indices.byteOffset), 0,
                    static_cast<std::size_t>(accessor_.sparse.count), accessor_.sparse.indices.componentType,
@@ -99,7 +100,6 @@ class Reader {
   void for_each_sparse(const Callback& callback) const {
     if (!accessor_.sparse.isSparse) return;
     const Elements indices = sparse_indices();
-    check_unsigned(indices.component_type);
     for (std::size_t k = 0; k < indices.count; ++k) {
       const std::uint32_t where = unsigned_at(indices, k);
       if (where >= accessor_.count)

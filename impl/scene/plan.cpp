@@ -92,7 +92,7 @@ class Planner {
     for (const Triangle& triangle : primitive.triangles) {
       const UvTriangle uvs{primitive.uvs[triangle[0]], primitive.uvs[triangle[1]],
                            primitive.uvs[triangle[2]]};
-      const auto found = duplicates_.add(planned.surface, uvs);
+      const auto found = duplicates_.add(planned.surface, uvs, periods(surface.sampler));
       if (found.is_new) {
         const TexelTriangle texels = in_texels(uvs, image.width, image.height);
         plan_.triangles.push_back(

@@ -26,6 +26,11 @@ Bytes read_resource(const Document& document, const std::string& uri, const std:
   return bytes;
 }
 
+bool is_missing(const Document& document, const std::string& uri, const std::string& place) {
+  std::error_code ignored;
+  return !is_data_uri(uri) && !std::filesystem::exists(path_of(document, uri, place), ignored);
+}
+
 void check_resource(const Document& document, const std::string& uri, const std::string& place) {
   if (!is_data_uri(uri)) check_file(path_of(document, uri, place), document.file, place);
 }

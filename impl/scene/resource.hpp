@@ -15,7 +15,11 @@ bool is_data_uri(const std::string& uri);
 /// Errors: BadScene where it holds or names none, and for a file beside a document in memory.
 Bytes read_resource(const Document& document, const std::string& uri, const std::string& place);
 
-/// The same errors, but for what a data URI holds, without reading.
+/// Whether a URI names a file beside the document, and there is nothing of that name.
+/// Errors: BadScene where it names none.
+bool is_missing(const Document& document, const std::string& uri, const std::string& place);
+
+/// The same errors as of reading, but for what a data URI holds, without reading.
 void check_resource(const Document& document, const std::string& uri, const std::string& place);
 
 }  // namespace mmverify::impl::scene

@@ -72,15 +72,24 @@ SampleMesh fence_panel() {
   SampleMesh mesh;
   for (int column = 0; column < 4; ++column) {
     const double left = -1 + 0.5 * column, right = left + 0.5;
-    mesh.add_quad({point(left, 0, 0), point(right, 0, 0), point(right, 1, 0), point(left, 1, 0)}, corners);
+    std::array<Uv, 4> uvs = corners;
+    for (Uv& uv : uvs) uv[0] += static_cast<float>(column);
+    mesh.add_quad({point(left, 0, 0), point(right, 0, 0), point(right, 1, 0), point(left, 1, 0)}, uvs);
   }
   return mesh;
 }
 
-SampleMesh lying_square(float half, float high) {
+SampleMesh lying_square(float half, float high, int cells) {
   SampleMesh mesh;
-  mesh.add_quad({Position{-half, high, half}, {half, high, half}, {half, high, -half}, {-half, high, -half}},
-                corners);
+  const auto part = [&](int k) { return static_cast<float>(k) / static_cast<float>(cells); };
+  const auto at = [&](int x, int y) {
+    return Position{half * (2 * part(x) - 1), high, half * (2 * part(y) - 1)};
+  };
+  const auto uv = [&](int x, int y) { return Uv{part(x), part(y)}; };
+  for (int y = 0; y < cells; ++y)
+    for (int x = 0; x < cells; ++x)
+      mesh.add_quad({at(x, y + 1), at(x + 1, y + 1), at(x + 1, y), at(x, y)},
+                    {uv(x, y + 1), uv(x + 1, y + 1), uv(x + 1, y), uv(x, y)});
   return mesh;
 }
 
@@ -99,8 +108,9 @@ SampleMesh flower_fan() {
 
 SampleMesh tuft_strip() {
   SampleMesh mesh;
-  for (int k = 0; k < 3; ++k) {
-    const float up = 0.5f * static_cast<float>(k), bend = 0.1f * up * up;
+  // No blade reaches the last part.
+  for (const float up : {0.0f, 0.5f, 0.8125f, 1.0f}) {
+    const float bend = 0.1f * up * up;
     for (const float side : {0.0f, 1.0f}) {
       mesh.positions.push_back({0.5f * side - 0.25f, 0.25f * up, bend});
       mesh.uvs.push_back({side, 1 - up});

@@ -115,8 +115,8 @@ class Sample {
   void add_ground() {
     SampleMesh bed = lying_square(3, 0);
     file_.place(mesh("bed", Json::array({file_.primitive(bed, earth_, true)})), "bed", {0, 0, 0});
-    file_.place(mesh("pond", Json::array({file_.primitive(lying_square(0.5f, 0.01f), pond_, true)})), "pond",
-                {1.6f, 0, 0.9f});
+    file_.place(mesh("pond", Json::array({file_.primitive(lying_square(0.5f, 0.01f, 3), pond_, true)})),
+                "pond", {1.6f, 0, 0.9f});
   }
 
   /// One leaf card on the ground.

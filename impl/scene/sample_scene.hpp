@@ -8,6 +8,7 @@ namespace mmverify::impl::scene {
 /// A GLB: three plants of leaf cards, flowers, grass, a wire fence around a bed with a pond.  In it are
 ///   - cards with one picture turned and mirrored, so that triangles see the same piece of a texture;
 ///   - a tiled fence, by wrap mode and KHR_texture_transform, 2^k tiles and not;
+///   - triangles all opaque in the middle of the pond, and all transparent above the grass;
 ///   - lists, a strip and a fan, with indices of 8 and 16 bits and without;
 ///   - instances, by nodes and by EXT_mesh_gpu_instancing; MASK, BLEND and opaque materials;
 ///   - a primitive each for what a plan leaves out: opaque, lines, placed nowhere, of varying vertex alpha,

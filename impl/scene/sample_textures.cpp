@@ -126,12 +126,12 @@ Picture blades() {
     const double height = 1 - y;
     bool inside = false;
     for (int blade = 0; blade < 9; ++blade) {
-      const double side = blade % 2 == 0 ? 1 : -1, tall = 0.62 + 0.04 * ((blade * 5) % 9);
+      const double side = blade % 2 == 0 ? 1 : -1, tall = 0.46 + 0.04 * ((blade * 5) % 9);
       const double up = height / tall;
       if (up > 1) continue;
       const double bend = 0.14 * side * up * up;
       const double middle = 0.09 + 0.1 * blade + bend;
-      inside |= std::abs(x - middle) < 0.024 * (1 - up);
+      inside |= std::abs(x - middle) < 0.03 * (1 - up);
     }
     return Dot{inside ? 1.0 : 0.0, mixed(green, {0.62, 0.66, 0.28}, height)};
   });

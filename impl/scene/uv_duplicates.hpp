@@ -12,8 +12,14 @@ namespace mmverify::impl::scene {
 /// Vertex k of a triangle is vertex order[k] of the one that it duplicates.
 using VertexOrder = std::array<std::uint8_t, 3>;
 
-/// Distinct UV triangles, numbered as they come.  Two are one where their corners are the same floats (-0 is
-/// 0), in whatever order: a rotation or mirror image is the same micromap, its micro-triangles permuted.
+/// By what whole numbers a texture repeats along u and v: 1 repeat, 2 mirrored repeat, 0 not at all.
+using Periods = std::array<int, 2>;
+Periods periods(const Sampler& sampler);
+
+/// Distinct UV triangles, numbered as they come.  Two are one where their corners are the same numbers, in
+/// whatever order: a rotation or mirror image is the same micromap, its micro-triangles permuted.  So they
+/// are where they are the same after a shift by periods of the texture, if float32 holds the shifted corners
+/// exactly; a corner that would have to be rounded is of another triangle.
 class UvDuplicates {
  public:
   struct Found {
@@ -23,8 +29,9 @@ class UvDuplicates {
     bool is_new;
   };
 
-  /// `surface` keeps apart what lies on different textures.  Domain: UVs not NaN.
-  Found add(std::uint32_t surface, const UvTriangle& uvs);
+  /// `surface` keeps apart what lies on different textures, `periods` are of its sampler.  Domain: UVs not
+  /// NaN.
+  Found add(std::uint32_t surface, const UvTriangle& uvs, const Periods& periods = {0, 0});
 
   std::size_t size() const { return distinct_.size(); }
 
@@ -39,7 +46,7 @@ class UvDuplicates {
   };
   struct First {
     std::size_t number;
-    UvTriangle uvs;
+    UvTriangle uvs;  ///< shifted
   };
   std::unordered_map<Key, First, Hash> distinct_;
 };
