@@ -52,7 +52,8 @@ TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
       for (const Counterexample& c : r.counterexamples) {
         const Replayed right = law.replay(*find_subject(law.subjects.front()), c.level, c.at);
         EXPECT_TRUE(right.holds) << mutant.name << " " << c.at;
-        // Maps have no picture yet, the command line says so; of bakes, those that are judged at points have one.
+        // Maps have no picture yet, the command line says so; of bakes, those that are judged at points have
+        // one.
         EXPECT_EQ(right.picture.starts_with("<?xml"), !right.picture.empty()) << mutant.name << " " << c.at;
         if (law.topic != "bake") {
           EXPECT_EQ(!right.picture.empty(), law.topic == "index") << mutant.name << " " << c.at;

@@ -277,8 +277,8 @@ const Families& blend_families() {
 
 const Families& grid_families() {
   static const Families families = [] {
-    // Off the lines of texels and centres, on one of their centres, on the texture's edge.
-    constexpr float along[] = {-0.1875f, 0.25f, 1};
+    // Beyond the first texel mirrored once, a centre, the texture's edge.
+    constexpr float along[] = {-0.8125f, 0.25f, 1};
     Family f{2, {0, 128, 255}, met_by_texels, Filter::bilinear, false, pairs(false), {}};
     const auto point = [&](std::uint32_t k) { return std::pair{along[k % 3], along[k / 3]}; };
     for (std::uint32_t k = 0; k < 9 * 9 * 9; ++k) {
