@@ -99,7 +99,7 @@ class Plane {
   static constexpr std::size_t few = 4;
 
   static std::uint64_t columns(std::size_t from, std::size_t to) noexcept {
-    return 0x0101010101010101 * ((0xffu >> (7 - to)) & (0xffu << from) & 0xffu);
+    return std::uint64_t{0x0101010101010101} * ((0xffu >> (7 - to)) & (0xffu << from) & 0xffu);
   }
   static std::uint64_t rows(std::size_t from, std::size_t to) noexcept {
     return (~std::uint64_t{0} << (8 * from)) & (~std::uint64_t{0} >> (56 - 8 * to));
