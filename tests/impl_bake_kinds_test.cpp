@@ -153,6 +153,7 @@ void expect_specified(const Job<Texel>& job, Seen& seen, std::uint32_t step = 1)
 
 /// The code was wrong about none, and every state and both ways of deciding were among them.
 void expect_varied(const Seen& seen) {
+  if (sanitized) return;  // too few for that
   for (const std::uint64_t n : seen.states) EXPECT_GT(n, 0u);
   EXPECT_GT(seen.exact, 0u);
   EXPECT_LT(seen.exact, seen.leaves);
