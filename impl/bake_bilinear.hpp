@@ -129,7 +129,7 @@ class Bilinear {
     in.gap = static_cast<float>(sides_.gap);
     in.lean = static_cast<float>(lean_);
     in.bound = static_cast<float>(sides_.scale * (2 * delta + 0x1p-19));
-    in.edge_bound = static_cast<float>(sides_.scale * (16 * delta + 0x1p-17));
+    in.edge_bound = static_cast<float>(sides_.scale * (24 * delta + 0x1p-17));
     in.delta = static_cast<float>(delta);
     in.clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
     in.as_one = as_one;

@@ -130,7 +130,8 @@ struct Marked {
   Mask below, opaque;
 };
 /// What the samples at places bear by their cells.
-HWY_INLINE Marked by_cells(const SixteenInput& in, const Located& at) {
+// This and the larger functions below are not inlined: under sanitizers a compiler would take minutes.
+HWY_NOINLINE Marked by_cells(const SixteenInput& in, const Located& at) {
   const Int next = hn::Add(at.j, set(1)), one = set(1);
   Int top = row_from(in, in.rows_opaque, in.bits_opaque, at.i, at.j),
       under = row_from(in, in.rows_opaque, in.bits_opaque, at.i, next);
@@ -190,7 +191,7 @@ struct Bits {
   Int within, within_not;  ///< of those whose centres are within
 };
 
-HWY_INLINE Bits texels(const SixteenInput& in, const Vertices& v, std::size_t k) {
+HWY_NOINLINE Bits texels(const SixteenInput& in, const Vertices& v, std::size_t k) {
   const auto corner = [&](const Table& of, std::size_t c) HWY_ATTR {
     return among(F(), of.data(), hn::LoadU(I(), sixteen_lanes.corner[c].data() + k));
   };
@@ -270,8 +271,8 @@ struct EdgeMarks {
 };
 
 template <class Texel>
-HWY_INLINE void walk(const SixteenInput& in, const Vertices& v, const std::int32_t* list, std::size_t n,
-                     EdgeMarks& marks) {
+HWY_NOINLINE void walk(const SixteenInput& in, const Vertices& v, const std::int32_t* list, std::size_t n,
+                       EdgeMarks& marks) {
   const Int edge = hn::LoadU(I(), list + n);
   const Int from = hn::GatherIndex(I(), sixteen_lanes.from.data(), edge),
             to = hn::GatherIndex(I(), sixteen_lanes.to.data(), edge);
@@ -315,9 +316,9 @@ HWY_INLINE void walk(const SixteenInput& in, const Vertices& v, const std::int32
 
 /// What the edges of those that are not decided say.
 template <class Texel>
-HWY_INLINE void ask_edges(const SixteenInput& in, const Vertices& v, std::uint32_t undecided,
-                          std::uint32_t within_lack_below, std::uint32_t within_lack_opaque,
-                          SixteenMarks& marks) {
+HWY_NOINLINE void ask_edges(const SixteenInput& in, const Vertices& v, std::uint32_t undecided,
+                            std::uint32_t within_lack_below, std::uint32_t within_lack_opaque,
+                            SixteenMarks& marks) {
   std::uint32_t wanted = 0;
   for (std::uint32_t k = undecided; k != 0; k &= k - 1)
     wanted |= sixteen_lanes.edges[static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(k))];

@@ -16,7 +16,7 @@
 //   edges    are walked as in bake_filter.hpp; along one that moves by less than delta along an axis, that
 //            coordinate is taken not to move.  On a piece from v to w, g is within |K| / 4 of what is between
 //            v and w, K = d dx dy of the piece.  A cut, and so a piece that is lost or judged by its
-//            neighbour's cell, is off by some delta: edge_bound = R (16 delta + 2^-17) is beyond what that
+//            neighbour's cell, is off by some delta: edge_bound = R (24 delta + 2^-17) is beyond what that
 //            and the evaluation change.
 //   centres  on a row between computed crossings, each within delta of its edge at a y within delta of the
 //            row, are within 2 delta of T' and 3 of T: g at a point of T differs by less than 6 R delta. They
