@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -60,6 +61,8 @@ LevelRequest request(const Options& options) {
   r.level = parse_level(options.level);
   if (*r.level > finest_level)
     throw UsageError(fmt::format("--level {}: maps go up to level {}", options.level, finest_level));
+  if (*r.level > options.level_limit)
+    throw UsageError(fmt::format("--level {}: above --level-limit {}", options.level, options.level_limit));
   return r;
 }
 
@@ -117,6 +120,12 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
   if (range.last > finest_level)
     throw UsageError(fmt::format("--sizes {}: maps go up to level {}", options.sizes, finest_level));
   for (unsigned level = range.first; level <= range.last; ++level) {
+    if (const auto bytes = (impl::micromap::micro_triangles(level) + 3) / 4 * plan.triangles.size();
+        bytes > options.memory) {
+      fmt::print(stderr, "sizes: level {} would take {} bytes, more than --memory; left out from here on\n",
+                 level, grouped(bytes));
+      break;
+    }
     const std::vector<unsigned> of(plan.triangles.size(), level);
     const Baked maps = baked(scene, plan, of, options);
     all.push_back(
@@ -232,9 +241,32 @@ class Output {
   std::optional<OutputFile> json_, plot_, glb_;
 };
 
+/// What cannot go together.
+void check_options(const Options& options) {
+  const std::vector<std::pair<const char*, std::string>> files{{"the scene", options.file},
+                                                               {"--json", options.json},
+                                                               {"--plot", options.plot},
+                                                               {"-o", options.glb},
+                                                               {"--journal", options.journal}};
+  for (std::size_t a = 0; a < files.size(); ++a)
+    for (std::size_t b = a + 1; b < files.size(); ++b) {
+      std::error_code ignored;
+      if (!files[a].second.empty() && files[b].second != "-" &&
+          std::filesystem::weakly_canonical(files[a].second, ignored) ==
+              std::filesystem::weakly_canonical(files[b].second, ignored))
+        throw UsageError(
+            fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
+    }
+  if (options.replay.empty() != options.at.empty())
+    throw UsageError("--replay LAW and --case LEVEL@CASE go together");
+  if (!options.replay.empty() && !(options.json + options.glb + options.plot + options.sizes).empty())
+    throw UsageError("--replay: it shows one case and writes no file");
+}
+
 int scene(const Options& options) {
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
+  check_options(options);
   const InterruptGuard guard;
   std::signal(SIGPIPE, SIG_IGN);
   Output output(options);
@@ -258,7 +290,8 @@ int scene(const Options& options) {
   const Pairs found = pairs(loaded, planned);
   const SquareMaps squares =
       square_maps(loaded, planned, found, {options.threads, false, options.margin, {}});
-  const proofs::scene::Data data{loaded, planned, maps, array, found, squares, options.margin};
+  const proofs::scene::Data data{loaded, planned, maps,           array,
+                                 found,  squares, options.margin, options.states == 2};
   proofs::scene::BakeSample sample;
   if (!options.exhaustive) sample.size = options.samples;
   const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(data, sample, command(options));
@@ -321,6 +354,10 @@ Action add_scene(CLI::App& program) {
       ->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
       ->check(CLI::Range(0u, finest_level));
   command->add_option("--memory", options->memory, "bytes that all maps may take; levels are lowered to fit")
+      ->check([](const std::string& text) {
+        return text.starts_with("-") || text.size() > 15 ? std::string("bytes, as 500MB or 2GB")
+                                                         : std::string();
+      })
       ->transform(CLI::AsSizeValue(false));
   command->add_option("--states", options->states, "2: force-2-state of every map")
       ->check(CLI::IsMember({2, 4}));
@@ -329,7 +366,7 @@ Action add_scene(CLI::App& program) {
           "--margin", options->margin,
           "texels by which micro-triangles are dilated along both axes; sampler: 5/1024, for 8-bit weights")
       ->transform(CLI::Transformer(std::map<std::string, float>{{"sampler", sampler_margin}}))
-      ->check(finite_within(0, 1024));
+      ->check(finite_within(0, 64));
   command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   command->add_flag("--exhaustive", options->exhaustive, "run the laws of baking on all micro-triangles");

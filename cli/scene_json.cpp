@@ -10,6 +10,9 @@ namespace {
 using namespace impl::scene;
 using Json = nlohmann::ordered_json;
 
+/// File names may be any bytes.
+std::string text(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 Json to_json(const Footprint& f) {
   Json j{{"micromaps", f.records},
          {"special_indices", f.special},
@@ -60,6 +63,7 @@ Json plan_json(const Scene& scene, const Plan& plan) {
                              {"width", scene.images[s.image].width},
                              {"height", scene.images[s.image].height},
                              {"mode", s.mode == AlphaMode::mask ? "MASK" : "BLEND"},
+                             {"filter", filter_of(s.sampler) == Filter::nearest ? "nearest" : "linear"},
                              {"cutoff", s.cutoff},
                              {"factor", double{s.base_color_alpha} * s.vertex_alpha}});
   for (const LeftOutPrimitive& p : plan.left_out) {
@@ -79,7 +83,7 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
   Json j{{"file", scene.file}, {"plan", plan_json(scene, plan)}};
   for (const auto& [what, why] : left_out)
     j["plan"]["left_out_laws"].push_back({{"what", what}, {"why", why}});
-  if (f == nullptr) return j.dump();
+  if (f == nullptr) return text(j);
   Json levels = Json::object();
   impl::micromap::StateCounts states{};
   for (const BakedTriangle& t : f->baked.triangles) {
@@ -106,7 +110,7 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
   for (const auto& at : f->sizes)
     j["sizes"].push_back(
         {{"level", at.level}, {"footprint", to_json(at.footprint)}, {"saved", to_json(at.saved)}});
-  return j.dump();
+  return text(j);
 }
 
 }  // namespace mmverify::cli

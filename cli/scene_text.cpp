@@ -43,13 +43,14 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
   const TriangleCounts all = count_triangles(scene);
   fmt::print(out, "{}: {} triangles, {} placed\n", scene.file, grouped(all.unique), grouped(all.placed));
   fmt::print(out, "\nplan\n");
-  std::uint64_t unique = 0, placed = 0, turned = 0, lines = 0, points = 0, limited = 0;
+  std::uint64_t unique = 0, placed = 0, turned = 0, lines = 0, points = 0, limited = 0, limit = 0;
   for (const PlannedTriangle& t : plan.triangles) {
     unique += t.unique;
     placed += t.placed;
     lines += t.shape == UvShape::line;
     points += t.shape == UvShape::point;
     limited += t.level.limited;
+    if (t.level.limited) limit = t.level.level;
   }
   for (const PlannedPrimitive& p : plan.primitives)
     for (const TriangleUse& use : p.triangles) turned += use.order != VertexOrder{0, 1, 2};
@@ -84,8 +85,8 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
          fmt::format("{} distinct triangles see a line of the texture, {} a point", lines, points));
   if (limited != 0)
     line(out, "left out",
-         fmt::format("levels above {} of {} distinct triangles: the highest that there is", finest_level,
-                     limited));
+         fmt::format("levels above {} of {} distinct triangles, whose texture would bear more: the limit",
+                     limit, limited));
   if (levels.lowered != 0)
     line(out, "left out",
          fmt::format("levels of {} distinct triangles, lowered to fit the memory budget",
@@ -116,9 +117,12 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
   line(out, "uniform",
        fmt::format("{} of {} distinct triangles: special indices, no map; {} more need 2 states only",
                    grouped(uniform), grouped(f.baked.triangles.size()), grouped(two_state)));
-  line(out, "any-hit",
-       fmt::format("{:.2f} % of the placed area calls no shader ({:.2f} % transparent, {:.2f} % opaque)",
-                   100 * f.saved.known(), 100 * f.saved.transparent, 100 * f.saved.opaque));
+  if (f.saved.area > 0)
+    line(out, "any-hit",
+         fmt::format("{:.2f} % of the placed area calls no shader ({:.2f} % transparent, {:.2f} % opaque)",
+                     100 * f.saved.known(), 100 * f.saved.transparent, 100 * f.saved.opaque));
+  else
+    line(out, "any-hit", "no area is placed that could be counted");
   fmt::print(out, "\nsizes\n");
   const Footprint& s = f.footprint;
   line(out, "array",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <map>
 #include <variant>
@@ -37,15 +38,51 @@ void add_formats(SceneLaws& all, const Data& data) {
   if (!four) all.left_out.push_back({"4-state", "no map has both an unknown and another state"});
 }
 
+/// FNV-1a over whatever is put in.
+class Hash {
+ public:
+  template <class Number>
+  void number(Number x) {
+    const auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(Number)>>(x);
+    for (const std::uint8_t byte : bytes) value_ = (value_ ^ byte) * 0x100000001B3u;
+  }
+  template <class Numbers>
+  void numbers(const Numbers& all) {
+    for (const auto x : all) number(x);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xCBF29CE484222325u;
+};
+
+/// Of everything that the laws look at.
 std::string fingerprint_of(const Data& data) {
-  std::uint64_t hash = hash_of(data.arrays.array.data);
-  for (const auto& primitive : data.arrays.primitives) hash = hash * 31 + hash_of(primitive.geometry.indices);
-  for (const auto& image : data.scene.images)
-    hash = hash * 31 + std::visit([](const auto& alpha) { return hash_of(alpha); }, image.alpha);
-  for (const auto& triangle : data.plan.triangles)
-    for (const auto& uv : triangle.uvs)
-      for (const float x : uv) hash = hash * 31 + std::bit_cast<std::uint32_t>(x);
-  return fmt::format("{} {:016x} margin {}", data.scene.file, hash, data.margin);
+  Hash hash;
+  hash.numbers(data.arrays.array.data);
+  for (const auto& record : data.arrays.array.records)
+    hash.number(record.offset), hash.number(record.level), hash.number(record.format);
+  for (const auto& primitive : data.arrays.primitives) hash.numbers(primitive.geometry.indices);
+  for (const auto& image : data.scene.images) {
+    hash.number(image.width), hash.number(image.height);
+    std::visit([&hash](const auto& alpha) { hash.numbers(alpha); }, image.alpha);
+  }
+  for (const auto& s : data.plan.surfaces) {
+    hash.number(std::uint64_t{s.image});
+    hash.number(s.mode), hash.number(s.cutoff), hash.number(s.base_color_alpha), hash.number(s.vertex_alpha);
+    hash.number(s.sampler.wrap_u), hash.number(s.sampler.wrap_v), hash.number(filter_of(s.sampler));
+  }
+  for (std::size_t k = 0; k < data.plan.triangles.size(); ++k) {
+    hash.number(data.plan.triangles[k].surface), hash.number(data.baked.triangles[k].level);
+    hash.numbers(data.baked.triangles[k].states);
+    for (const auto& uv : data.plan.triangles[k].uvs) hash.numbers(uv);
+  }
+  for (const auto& pair : data.pairs.distinct)
+    for (const auto& use : {pair.lower, pair.upper}) hash.number(use.triangle), hash.numbers(use.order);
+  for (const auto& map : data.squares.vq2) hash.numbers(map);
+  for (const auto& map : data.squares.vq4) hash.numbers(map);
+  return fmt::format("{} {:016x} margin {}{}", data.scene.file, hash.value(), data.margin,
+                     data.two_state ? " 2-state" : "");
 }
 
 }  // namespace

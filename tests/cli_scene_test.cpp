@@ -17,6 +17,7 @@ namespace {
 using namespace mmverify::tests;
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 json parsed(const std::string& text) { return json::parse(text, nullptr, false); }
 
@@ -120,6 +121,27 @@ TEST(CliScene, OfABadFileIsOneLineAnd4) {
   EXPECT_EQ(program({"scene", "--level", "13"}).exit_code, 2);
   EXPECT_EQ(program({"scene", "--margin", "nan"}).exit_code, 2);
   EXPECT_EQ(program({"scene", "--memory", "3"}).exit_code, 2);
+}
+
+TEST(CliScene, InTwoStatesIsJudgedAsThat) {
+  const Outcome r = program(with(quick, {"--states", "2"}));
+  EXPECT_EQ(r.exit_code, 0) << r.out;
+  EXPECT_THAT(r.out, HasSubstr("bake.force2"));
+  EXPECT_THAT(r.out, Not(HasSubstr("bake.conservative")));
+}
+
+TEST(CliScene, RefusesWhatCannotGoTogether) {
+  Folder folder;
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"--json", folder / "a", "-o", folder / "a"},
+           {"--case", "4@t0:i17"},
+           {"--replay", "bake.tight"},
+           {"--replay", "bake.tight", "--case", "4@t0:i17", "-o", folder / "o.glb"},
+           {"--memory", "-1"},
+           {"--level-limit", "3"},
+           {"--margin", "65"}})
+    EXPECT_EQ(program(with(quick, arguments)).exit_code, 2) << arguments[0];
+  EXPECT_TRUE(folder.files().empty());
 }
 
 TEST(CliScene, WithNothingToBakeIs0) {

@@ -299,6 +299,47 @@ TEST(SceneLaws, CatchWrongMaps) {
   }
 }
 
+TEST(SceneLaws, AnotherSurfaceIsAnotherRun) {
+  const auto fingerprint = [](const Made& made) {
+    return proofs::scene::SceneSubject(made.data(), "bake").fingerprint();
+  };
+  const Made made;
+  EXPECT_EQ(fingerprint(made), fingerprint(Made()));
+  Made other;
+  other.p.surfaces[0].cutoff = 0.25f;
+  EXPECT_NE(fingerprint(other), fingerprint(made));
+}
+
+TEST(SceneLaws, JudgeTwoStatesAsSuch) {
+  const Made made(4, {0, true, 0, {}});
+  const auto two_state = [](const Made& m) {
+    return proofs::scene::Data{m.s, m.p, m.b, m.a, m.q, m.m, 0, true};
+  };
+  auto found = verdicts(judged(two_state(made), std::nullopt));
+  EXPECT_EQ(found["bake.force2"], proofs::Verdict::proved);
+  Made wrong(4, {0, true, 0, {}});
+  auto& map = wrong.b.triangles[0].map;
+  map[5] = static_cast<std::uint8_t>(map[5] ^ 4);
+  EXPECT_EQ(verdicts(judged(two_state(wrong), std::nullopt))["bake.force2"], proofs::Verdict::refuted);
+}
+
+TEST(ScenePlan, LeavesOutWhatOneMapCannotSay) {
+  const auto why = [](auto change) {
+    Scene s = scene();
+    change(s);
+    const Plan p = plan(s);
+    return p.left_out.empty() ? std::optional<LeftOut>() : p.left_out[0].why;
+  };
+  EXPECT_EQ(why([](Scene&) {}), std::nullopt);
+  EXPECT_EQ(why([](Scene& s) {
+              s.materials[0].texture->sampler.magnification = Filter::linear;
+              s.materials[0].texture->sampler.minification = Filter::nearest;
+            }),
+            LeftOut::two_filters);
+  EXPECT_EQ(why([](Scene& s) { s.primitives[0].vertex_alpha = VertexAlpha{2, 2}; }), LeftOut::vertex_alpha);
+  EXPECT_EQ(why([](Scene& s) { s.primitives[0].uvs[3][1] = -0x1p20f; }), LeftOut::far_uvs);
+}
+
 TEST(SceneLaws, NameTheSameCasesAgain) {
   const Made made;
   const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(made.data(), {50}, "");

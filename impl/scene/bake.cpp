@@ -15,6 +15,11 @@ namespace {
 using micromap::Format;
 using micromap::State;
 
+std::string name_of(const Scene& scene, std::size_t image) {
+  return std::to_string(image) +
+         (scene.images[image].name.empty() ? "" : " (" + scene.images[image].name + ")");
+}
+
 /// The fewest bits that hold it.
 void keep(BakedTriangle& baked, micromap::Bytes map, bool two_state) {
   const std::uint64_t count = micromap::micro_triangles(baked.level);
@@ -45,7 +50,7 @@ Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> level
     try {
       bakers.push_back(surface_baker(scene, surface, options.margin));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("bake: image " + scene.images[surface.image].name + ": " + error.what());
+      throw std::invalid_argument("bake: image " + name_of(scene, surface.image) + ": " + error.what());
     }
   }
   Baked all;
@@ -69,7 +74,7 @@ Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> level
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(error.what() + std::string(": UVs (") + std::to_string(uv[0][0]) + ", " +
                                   std::to_string(uv[0][1]) + ") on image " +
-                                  scene.images[plan.surfaces[planned.surface].image].name);
+                                  name_of(scene, plan.surfaces[planned.surface].image));
     }
     keep(baked, std::move(map), options.two_state);
     if (options.done) options.done(count);

@@ -83,20 +83,34 @@ void place_once(Mesh& mesh, const Placement& m, double times = 1) {
     mesh.placements.others.push_back({m, times});
 }
 
-/// The instances of EXT_mesh_gpu_instancing.  Their rotations are left out: they change areas only under a
-/// node that stretches.
+/// The instances of EXT_mesh_gpu_instancing: rotation times scale of each, under its node.
 void place_instances(const Document& document, const Buffers& buffers, const nlohmann::json& attributes,
                      const std::string& at, const Placement& m, Mesh& mesh) {
   const auto instances = document.model.accessors[attributes.begin()->get<std::size_t>()].count;
+  for (const auto& [name, accessor] : attributes.items())
+    if (document.model.accessors[accessor.get<std::size_t>()].count != instances)
+      throw BadScene(document.file, at,
+                     "EXT_mesh_gpu_instancing: " + name + " and others have different counts");
   mesh.uses += instances;
-  const auto scales = attributes.find("SCALE");
-  if (scales == attributes.end()) return place_once(mesh, m, static_cast<double>(instances));
-  const std::vector<float> scale =
-      read_floats(document, buffers, scales->get<std::size_t>(), 3, Integers::none, at + " SCALE");
-  for (std::size_t k = 0; k + 2 < scale.size(); k += 3) {
-    Placement s{};
-    for (std::size_t axis = 0; axis < 3; ++axis) s[4 * axis] = scale[k + axis];
-    place_once(mesh, product(m, s));
+  const auto read = [&](const char* name, int components, Integers integers) {
+    const auto found = attributes.find(name);
+    if (found == attributes.end()) return std::vector<float>();
+    return read_floats(document, buffers, found->get<std::size_t>(), components, integers, at + " " + name);
+  };
+  const std::vector<float> rotation = read("ROTATION", 4, Integers::any),
+                           scale = read("SCALE", 3, Integers::none);
+  // Alone, a rotation changes no area, nor does it under a node that keeps angles.
+  if (scale.empty() && (rotation.empty() || similar_scale(m) >= 0))
+    return place_once(mesh, m, static_cast<double>(instances));
+  for (std::size_t k = 0; k < instances; ++k) {
+    tinygltf::Node node;
+    if (!rotation.empty())
+      node.rotation.assign(rotation.begin() + 4 * static_cast<std::ptrdiff_t>(k),
+                           rotation.begin() + 4 * static_cast<std::ptrdiff_t>(k) + 4);
+    if (!scale.empty())
+      node.scale.assign(scale.begin() + 3 * static_cast<std::ptrdiff_t>(k),
+                        scale.begin() + 3 * static_cast<std::ptrdiff_t>(k) + 3);
+    place_once(mesh, product(m, linear_part(node)));
   }
 }
 

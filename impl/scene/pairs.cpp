@@ -77,7 +77,9 @@ class Matcher {
                                                      const std::vector<bool>& taken) const {
     std::pair<std::size_t, std::uint8_t> best{taken.size(), 0};
     for (std::uint8_t k = 0; k < 3; ++k) {
-      auto& candidates = open[edge(t, k)];
+      const Edge shared = edge(t, k);
+      if (shared[0] == shared[1]) continue;  // a point
+      auto& candidates = open[shared];
       std::erase_if(candidates, [&](std::size_t other) { return taken[other]; });
       if (!candidates.empty() && candidates.front() < best.first) best = {candidates.front(), k};
     }

@@ -1,6 +1,7 @@
 #include "impl/scene/plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace mmverify::impl::scene {
@@ -41,8 +42,16 @@ std::optional<LeftOut> left_out(const Scene& scene, const Primitive& primitive, 
   if (!material.texture->image) return LeftOut::no_image;
   if (primitive.uvs.empty()) return LeftOut::no_uvs;
   if (primitive.morphs_uvs) return LeftOut::morphed_uvs;
-  if (primitive.vertex_alpha && primitive.vertex_alpha->least != primitive.vertex_alpha->greatest)
+  if (primitive.vertex_alpha && (primitive.vertex_alpha->least != primitive.vertex_alpha->greatest ||
+                                 primitive.vertex_alpha->least < 0 || primitive.vertex_alpha->least > 1))
     return LeftOut::vertex_alpha;
+  const Sampler& sampler = material.texture->sampler;
+  if (sampler.magnification && sampler.minification && sampler.magnification != sampler.minification)
+    return LeftOut::two_filters;
+  for (const Triangle& triangle : primitive.triangles)
+    for (const std::uint32_t vertex : triangle)
+      for (const float x : primitive.uvs[vertex])
+        if (std::fabs(x) >= 0x1p20f) return LeftOut::far_uvs;
   return {};
 }
 
@@ -138,9 +147,19 @@ std::string_view sentence(LeftOut why) {
     case LeftOut::morphed_uvs:
       return "a morph target moves its UVs or vertex colours at run time: a stored micromap would be stale";
     case LeftOut::vertex_alpha:
-      return "vertex colours of varying alpha multiply the texture's: the texture alone does not decide";
+      return "vertex colours of varying alpha, or of alpha beyond 0..1, multiply the texture's: the texture "
+             "alone does not "
+             "decide";
+    case LeftOut::two_filters:
+      return "its sampler magnifies by one filter and minifies by another: one map would be wrong for either";
+    case LeftOut::far_uvs:
+      return "UVs of 2^20 or more: float32 has no texels left there";
   }
   return "";
+}
+
+Filter filter_of(const Sampler& sampler) {
+  return sampler.magnification.value_or(sampler.minification.value_or(Filter::linear));
 }
 
 Plan plan(const Scene& scene, unsigned level_limit) { return Planner(scene, level_limit).planned(); }

@@ -24,7 +24,13 @@ enum class LeftOut : std::uint8_t {
   no_uvs,
   morphed_uvs,
   vertex_alpha,
+  two_filters,
+  far_uvs,
 };
+
+/// How a texture is filtered where only one is asked of it: as it is magnified, else as it is minified;
+/// linearly where the file leaves both open, as renderers do.
+Filter filter_of(const Sampler& sampler);
 
 /// The same for people.
 std::string_view sentence(LeftOut why);

@@ -49,6 +49,8 @@ Saved saved(const Scene& scene, const Plan& plan, const Baked& baked) {
       sum.unknown += share * static_cast<double>(map.states[2] + map.states[3]);
     }
   }
+  // Scales near the ends of double precision say nothing.
+  if (!std::isfinite(sum.area) || !std::isfinite(sum.transparent + sum.opaque + sum.unknown)) return {};
   if (sum.area > 0)
     for (double* const share : {&sum.transparent, &sum.opaque, &sum.unknown}) *share /= sum.area;
   return sum;

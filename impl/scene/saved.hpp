@@ -17,7 +17,8 @@ struct Saved {
 };
 
 /// Of rays that meet the triangles evenly over their area; a triangle counts as often, and as large, as nodes
-/// place it.  In double precision.  Where no area is placed, all shares are 0.
+/// place it.  In double precision.  Where no area is placed, or one beyond
+/// double precision, all are 0.
 Saved saved(const Scene& scene, const Plan& plan, const Baked& baked);
 
 }  // namespace mmverify::impl::scene

@@ -30,7 +30,7 @@ bake::TriangleBaker surface_baker(const Scene& scene, const Surface& surface, fl
   bake::Sampling sampling;
   sampling.u = wrap(surface.sampler.wrap_u);
   sampling.v = wrap(surface.sampler.wrap_v);
-  if (surface.sampler.magnification == Filter::nearest) sampling.filter = bake::Filter::nearest;
+  if (filter_of(surface.sampler) == Filter::nearest) sampling.filter = bake::Filter::nearest;
   sampling.factors = {surface.base_color_alpha, surface.vertex_alpha};
   sampling.margin = margin;
   const bake::AlphaMode mode = surface.mode == AlphaMode::mask ? bake::AlphaMode(bake::Mask{surface.cutoff})

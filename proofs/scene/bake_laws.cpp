@@ -43,25 +43,34 @@ struct OfLevel {
   }
 };
 
-/// One of the two laws: which codes it is about, and which true state denies them.
+/// One of the laws: which codes it is about, and which true state denies them.
 struct Claim {
   const char* id;
   const char* says;
-  bool known;  ///< about T and O, or about UT and UO
+  enum About { known, unknown, forced } what;
+  const char* states;  ///< that it is about, in words
 
-  bool about(unsigned code) const { return is_known(code) == known; }
-  /// Domain: a code that it is about.
-  bool holds(unsigned code, State truly) const {
-    return known ? truly == (code == 1 ? State::O : State::T) : truly == State::C;
+  bool about(unsigned code) const { return what == forced || is_known(code) == (what == known); }
+  /// Domain: a code that it is about; `leans` as alpha at the centroid does.
+  bool holds(unsigned code, State truly, bool leans) const {
+    if (what == unknown) return truly == State::C;
+    if (what == forced && truly == State::C) return code == (leans ? 1u : 0u);
+    return truly == (code == 1 ? State::O : State::T);
   }
   /// How many micro-triangles of a map it is about.
   std::uint64_t count(const BakedTriangle& t) const {
-    return known ? t.states[0] + t.states[1] : t.states[2] + t.states[3];
+    return (what == unknown ? 0 : t.states[0] + t.states[1]) +
+           (what == known ? 0 : t.states[2] + t.states[3]);
   }
 };
 
-constexpr Claim conservative{"bake.conservative", "a micro-triangle is T or O only where all of it is", true};
-constexpr Claim tight{"bake.tight", "a micro-triangle is unknown only where it is truly mixed", false};
+constexpr Claim conservative{"bake.conservative", "a micro-triangle is T or O only where all of it is",
+                             Claim::known, "T and O"};
+constexpr Claim tight{"bake.tight", "a micro-triangle is unknown only where it is truly mixed",
+                      Claim::unknown, "unknown"};
+constexpr Claim forced{"bake.force2",
+                       "in 2-state a mixed micro-triangle is as alpha at its centroid, another what it is",
+                       Claim::forced, "2-state"};
 
 std::string text(const Place& p) { return fmt::format("t{}:i{}", p.triangle, p.index); }
 
@@ -70,9 +79,11 @@ void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::
   constexpr const char* names[] = {"T", "O", "UT", "UO"};
   const unsigned code = code_of(of.data.baked.triangles[p.triangle], p.index);
   const State truly = of.exact->state(p.triangle, n, p.index);
+  const bool leans =
+      claim.what == Claim::forced && truly == State::C && of.exact->rather_opaque(p.triangle, n, p.index);
   tally.count(Kind::interior, 1);
   tally.digest(number, static_cast<std::uint64_t>(truly) << 2 | code);
-  if (claim.holds(code, truly)) return;
+  if (claim.holds(code, truly, leans)) return;
   tally.mismatch(Kind::interior, {n, number, 0}, [&] {
     const std::string expected = truly == State::T ? "T" : truly == State::O ? "O" : "unknown";
     return Counterexample{
@@ -85,7 +96,7 @@ void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::
 /// there is one within the draws that are allowed.
 Place drawn(const Claim& claim, const OfLevel& of, const std::vector<std::size_t>& from, Level n,
             std::uint64_t seed, std::uint64_t number) {
-  Random random(seed, claim.known ? 71 : 72, number << 5 | n);
+  Random random(seed, 70 + static_cast<std::uint64_t>(claim.what), number << 5 | n);
   Place best{from.front(), 0};
   bool found = false;
   for (int draw = 0; draw < 512; ++draw) {
@@ -160,16 +171,16 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   for (const BakedTriangle& t : data.baked.triangles)
     if (!whole(t.level)) law.method = Method::sample;
   law.domain = [total, whole, claim](const Subject&, Level n) {
-    return fmt::format("the {} {} micro-triangles of level {} of this scene{}", total(n),
-                       claim.known ? "T and O" : "unknown", n,
-                       whole(n) ? "" : "; half of the sample within a texel of a change");
+    return fmt::format(
+        "the {} {} micro-triangles of level {} of this scene{}", total(n), claim.states, n,
+        whole(n) ? "" : "; every second one drawn within a texel of a change, where 512 draws find one");
   };
   law.how = [whole](const Subject&, Level n) {
     return std::string(whole(n) ? "exhaustive, rational" : "sample, rational");
   };
   law.unfit = [total, claim](const Subject&, Level n) -> std::optional<std::string> {
     if (total(n) != 0) return std::nullopt;
-    return fmt::format("no micro-triangle is {}", claim.known ? "T or O" : "unknown");
+    return fmt::format("no micro-triangle is {}", claim.states);
   };
   law.judge = [claim, &data, exact, whole, cases](const Subject&, Level n, const Run& run) {
     const OfLevel of(data, exact, n);
@@ -193,16 +204,17 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   law.replay = [claim, &data, exact](const Subject&, Level n, const std::string& at) {
     std::size_t triangle = 0;
     std::uint32_t index = 0;
-    int read = 0;
-    if (std::sscanf(at.c_str(), "t%zu:i%u%n", &triangle, &index, &read) != 2 ||
-        static_cast<std::size_t>(read) != at.size() || triangle >= data.baked.triangles.size() ||
+    if (std::sscanf(at.c_str(), "t%zu:i%u", &triangle, &index) != 2 ||
+        fmt::format("t{}:i{}", triangle, index) != at || triangle >= data.baked.triangles.size() ||
         data.baked.triangles[triangle].level != n || index >= micromap::micro_triangles(n))
       throw BadCase(fmt::format("{}: no micro-triangle of level {} of this scene; write t17:i1234", at, n));
     const unsigned code = code_of(data.baked.triangles[triangle], index);
     constexpr const char* names[] = {"T", "O", "UT", "UO"};
     const State truly = exact->state(triangle, n, index);
+    const bool leans =
+        claim.what == Claim::forced && truly == State::C && exact->rather_opaque(triangle, n, index);
     Replayed replayed;
-    replayed.holds = !claim.about(code) || claim.holds(code, truly);
+    replayed.holds = !claim.about(code) || claim.holds(code, truly, leans);
     replayed.expected = std::string(truly == State::T   ? "T"
                                     : truly == State::O ? "O"
                                                         : "unknown") +
@@ -217,6 +229,7 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
 
 std::vector<Law> bake_laws(const Data& data, const BakeSample& sample) {
   const auto exact = std::make_shared<const ExactSurfaces>(data.scene, data.plan, data.margin);
+  if (data.two_state) return {law(forced, data, exact, sample)};
   return {law(conservative, data, exact, sample), law(tight, data, exact, sample)};
 }
 

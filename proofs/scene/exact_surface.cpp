@@ -47,8 +47,8 @@ TextureOf<Texel> texture_of(const scene::Image& image, const scene::Surface& sur
   t.wrap_y = wrap(surface.sampler.wrap_v);
   t.factor = bits(surface.base_color_alpha);
   t.vertex_factor = bits(surface.vertex_alpha);
-  t.filter = surface.sampler.magnification == scene::Filter::nearest ? spec::bake::Filter::nearest
-                                                                     : spec::bake::Filter::bilinear;
+  t.filter = scene::filter_of(surface.sampler) == scene::Filter::nearest ? spec::bake::Filter::nearest
+                                                                         : spec::bake::Filter::bilinear;
   return t;
 }
 
@@ -133,11 +133,14 @@ bool ExactSurfaces::OfSurface::near_change(const scene::UvTriangle& uv, Level n,
             surface_.mode == scene::AlphaMode::mask
                 ? surface_.cutoff * most / (double{surface_.base_color_alpha} * surface_.vertex_alpha)
                 : most / 2;
+        const bool blend = surface_.mode == scene::AlphaMode::blend;
         bool some = false, others = false;
         for (std::int64_t j = whole(low_y - 1); j <= whole(high_y + 1); ++j)
           for (std::int64_t i = whole(low_x - 1); i <= whole(high_x + 1); ++i) {
             const auto x = wrapped(t.wrap_x, i, t.width), y = wrapped(t.wrap_y, j, t.height);
-            (t.alpha[*x + std::size_t{*y} * t.width] >= limit ? some : others) = true;
+            const auto alpha = t.alpha[*x + std::size_t{*y} * t.width];
+            if (blend && alpha > 0 && alpha < most) return true;
+            (alpha >= limit ? some : others) = true;
             if (some && others) return true;
           }
         return false;

@@ -51,9 +51,7 @@ inline Law over(Law law, Parts parts) {
   };
   law.replay = [parts](const Subject&, Level n, const std::string& at) {
     std::uint64_t k = 0;
-    int read = 0;
-    if (std::sscanf(at.c_str(), "%lu%n", &k, &read) != 1 || static_cast<std::size_t>(read) != at.size() ||
-        k >= parts.count(n))
+    if (std::sscanf(at.c_str(), "%lu", &k) != 1 || fmt::format("{}", k) != at || k >= parts.count(n))
       throw BadCase(fmt::format("{}: not one of the {} {}", at, parts.count(n), parts.what));
     const Finding found = parts.check(n, k);
     return found.expected.empty() ? Replayed{true, "ok", "ok", {}}

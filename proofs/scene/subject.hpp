@@ -18,7 +18,8 @@ struct Data {
   const impl::scene::SceneArrays& arrays;
   const impl::scene::Pairs& pairs;
   const impl::scene::SquareMaps& squares;
-  float margin = 0;  ///< that was baked with
+  float margin = 0;        ///< that was baked with
+  bool two_state = false;  ///< whether it was forced to 2-state
 };
 
 class SceneSubject : public Subject {
