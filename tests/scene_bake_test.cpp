@@ -342,7 +342,8 @@ TEST(ScenePlan, LeavesOutWhatOneMapCannotSay) {
 
 TEST(SceneLaws, NameTheSameCasesAgain) {
   const Made made;
-  const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(made.data(), {50}, "");
+  const proofs::scene::Data data = made.data();
+  const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(data, {50}, "");
   for (const proofs::Job& job : laws.jobs)
     if (job.law->id == "bake.tight" && job.levels.first == 5) {
       EXPECT_TRUE(job.law->replay(*job.subject, 5, "t0:i17").holds);
