@@ -6,9 +6,9 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
-#include <regex>
 
 #include "cli/exit_code.hpp"
+#include "proofs/engine/shape.hpp"
 #include "proofs/plugin.hpp"
 #include "proofs/registry.hpp"
 
@@ -17,12 +17,10 @@ namespace mmverify::cli {
 using namespace proofs;
 
 Levels parse_levels(const std::string& text) {
-  static const std::regex shape(R"(([0-9]{1,3})(?:\.\.([0-9]{1,3}))?)");
-  std::smatch m;
-  if (!std::regex_match(text, m, shape))
-    throw UsageError(fmt::format("--levels {}: write A..B or A, for example 0..8", text));
-  const auto first = static_cast<Level>(std::stoul(m[1].str()));
-  const auto last = m[2].matched ? static_cast<Level>(std::stoul(m[2].str())) : first;
+  const Parts parts = parts_of(text, R"(([0-9]{1,3})(?:\.\.([0-9]{1,3}))?)");
+  if (!parts) throw UsageError(fmt::format("--levels {}: write A..B or A, for example 0..8", text));
+  const auto first = static_cast<Level>(std::stoul((*parts)[1]));
+  const auto last = (*parts)[2].empty() ? first : static_cast<Level>(std::stoul((*parts)[2]));
   if (first > last) throw UsageError(fmt::format("--levels {}: {} comes after {}", text, first, last));
   if (last > max_level())
     throw UsageError(fmt::format("--levels {}: the highest level is {}", text, max_level()));
@@ -30,8 +28,7 @@ Levels parse_levels(const std::string& text) {
 }
 
 Level parse_level(const std::string& text) {
-  static const std::regex shape("[0-9]{1,3}");
-  if (!std::regex_match(text, shape))
+  if (!parts_of(text, "[0-9]{1,3}"))
     throw UsageError(fmt::format("--level {}: write one level, for example 5", text));
   const auto level = static_cast<Level>(std::stoul(text));
   if (level > max_level())
@@ -57,8 +54,8 @@ std::string fits_64_bits(const std::string& text) {
 }
 
 std::string shell_quoted(const std::string& text) {
-  static const std::regex plain("[A-Za-z0-9_./:=,+-]+");
-  if (std::regex_match(text, plain)) return text;
+  constexpr char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=,+-";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
   std::string quoted = "'";
   for (const char c : text) quoted.append(c == '\'' ? "'\\''" : std::string(1, c));
   return quoted.append("'");

@@ -73,6 +73,8 @@ Json to_json(const TreeFigures& f) {
       {"ratio_sdsl_to_ours", f.sdsl_over_ours},
       {"ratio_ours_to_flat", f.ours_over_flat},
       {"memory_ours_to_paper", f.memory_over_paper},
+      {"ratio_encode_obvious_to_ours", f.obvious_encode / f.encode_tree},
+      {"ratio_decode_obvious_to_ours", f.obvious_decode / f.decode_tree},
       {"encode_ns", {{"obvious", f.obvious_encode}, {"stream", f.encode_stream}, {"ours", f.encode_tree}}},
       {"decode_ns", {{"obvious", f.obvious_decode}, {"stream", f.decode_stream}, {"ours", f.decode_tree}}}};
   for (const TreeForm form : forms) {

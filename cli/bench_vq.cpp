@@ -159,7 +159,10 @@ Json to_json(const VqRow& row) {
 }
 
 Json to_json(const VqDecodeTimes& t) {
-  return {{"map_ns", t.map_ns}, {"map_by_regions_ns", t.map_by_regions_ns}, {"region_ns", t.region_ns}};
+  return {{"map_ns", t.map_ns},
+          {"map_by_regions_ns", t.map_by_regions_ns},
+          {"region_ns", t.region_ns},
+          {"ratio_regions_to_map", t.map_by_regions_ns / t.map_ns}};
 }
 
 Json to_json(const VqFigures& figures, const VqBenchOptions& options) {

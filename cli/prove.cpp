@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <regex>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -16,6 +15,7 @@
 #include "cli/output_file.hpp"
 #include "cli/run_identity.hpp"
 #include "cli/text.hpp"
+#include "proofs/engine/shape.hpp"
 #include "proofs/plan.hpp"
 
 namespace mmverify::cli {
@@ -49,12 +49,10 @@ Request request(const Options& options) {
 
 std::optional<Shard> parse_shard(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  static const std::regex shape("([0-9]{1,6})/([0-9]{1,6})");
-  std::smatch m;
   Shard shard{0, 0};
-  if (std::regex_match(text, m, shape))
-    shard = {static_cast<std::uint32_t>(std::stoul(m[1].str())),
-             static_cast<std::uint32_t>(std::stoul(m[2].str()))};
+  if (const Parts parts = parts_of(text, "([0-9]{1,6})/([0-9]{1,6})"))
+    shard = {static_cast<std::uint32_t>(std::stoul((*parts)[1])),
+             static_cast<std::uint32_t>(std::stoul((*parts)[2]))};
   if (shard.number < 1 || shard.number > shard.of)
     throw UsageError(fmt::format("--shard {}: write K/N with K from 1 to N, for example 2/7", text));
   return shard;

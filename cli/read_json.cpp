@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -106,15 +107,27 @@ ShardRun shard_run(const Json& j) {
 
 }  // namespace
 
-ShardRun read_shard(const std::string& path) {
+Json read_json(const std::string& path) {
+  if (std::filesystem::is_directory(path))
+    throw EnvironmentError(fmt::format("{}: cannot be read: a folder", path));
   std::ifstream in(path, std::ios::binary);
   if (!in) throw EnvironmentError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (in.bad()) throw EnvironmentError(fmt::format("{}: cannot be read to its end", path));
   try {
-    ShardRun run = shard_run(Json::parse(text));
+    return Json::parse(text);
+  } catch (const std::exception& error) {
+    throw EnvironmentError(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+ShardRun read_shard(const std::string& path) {
+  try {
+    ShardRun run = shard_run(read_json(path));
     run.file = path;
     return run;
+  } catch (const EnvironmentError&) {
+    throw;
   } catch (const std::exception& error) {
     throw EnvironmentError(fmt::format("{}: {}", path, error.what()));
   }

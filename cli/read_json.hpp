@@ -1,11 +1,16 @@
-// Results that `prove --shard` wrote, read back.
+// Results read back.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "proofs/engine/shards.hpp"
 
 namespace mmverify::cli {
+
+/// A file of JSON.  Throws EnvironmentError, which names the file and the place in it, where it is missing or
+/// is none.
+nlohmann::ordered_json read_json(const std::string& path);
 
 /// One shard's file, schema mmverify.result/1.  Throws EnvironmentError, which names the file and the place
 /// in it, where it is missing, is no such file or was not written with --shard.

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <regex>
 #include <stdexcept>
 
 #include "proofs/engine/law.hpp"
+#include "proofs/engine/shape.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -47,29 +47,27 @@ Integer parse_digits(std::string digits) {
 }
 
 /// "-0x1.8p-2": sign, whole part, fraction part, exponent. Exact, whatever its length.
-Rational parse_hex(const std::smatch& m) {
-  const std::string digits = m[2].str() + m[4].str();
+Rational parse_hex(const std::vector<std::string>& m) {
+  const std::string digits = m[2] + m[4];
   const Integer significand("0x" + digits);
-  const int exponent = std::stoi(m[5].str()) - 4 * static_cast<int>(m[4].length());
-  return scaled(m[1].length() != 0 ? Integer(-significand) : significand, exponent);
+  const int exponent = std::stoi(m[5]) - 4 * static_cast<int>(m[4].size());
+  return scaled(!m[1].empty() ? Integer(-significand) : significand, exponent);
 }
 
 Rational parse_coordinate(const std::string& text) {
-  static const std::regex fraction(R"((-?[0-9]{1,400})/([0-9]{1,400}))"),
-      decimal(R"((-?)([0-9]{1,400})(\.([0-9]{1,400}))?)"),
-      hex(R"((-?)0[xX]([0-9a-fA-F]{1,400})(\.([0-9a-fA-F]{0,400}))?[pP]([-+]?[0-9]{1,4}))");
-  std::smatch m;
-  if (std::regex_match(text, m, fraction)) {
-    const Integer denominator = parse_digits(m[2].str());
+  if (const Parts m = parts_of(text, R"((-?[0-9]{1,400})/([0-9]{1,400}))")) {
+    const Integer denominator = parse_digits((*m)[2]);
     if (denominator == 0) throw BadCase(fmt::format("'{}' divides by zero", text));
-    return Rational(parse_digits(m[1].str()), denominator);
+    return Rational(parse_digits((*m)[1]), denominator);
   }
-  if (std::regex_match(text, m, decimal)) {
-    Rational q{parse_digits(m[2].str() + m[4].str())};
-    for (std::ptrdiff_t d = 0; d < m[4].length(); ++d) q /= Integer(10);
-    return m[1].length() != 0 ? Rational(-q) : q;
+  if (const Parts m = parts_of(text, R"((-?)([0-9]{1,400})(\.([0-9]{1,400}))?)")) {
+    Rational q{parse_digits((*m)[2] + (*m)[4])};
+    for (std::size_t d = 0; d < (*m)[4].size(); ++d) q /= Integer(10);
+    return !(*m)[1].empty() ? Rational(-q) : q;
   }
-  if (std::regex_match(text, m, hex)) return parse_hex(m);
+  if (const Parts m =
+          parts_of(text, R"((-?)0[xX]([0-9a-fA-F]{1,400})(\.([0-9a-fA-F]{0,400}))?[pP]([-+]?[0-9]{1,4}))"))
+    return parse_hex(*m);
   throw BadCase(fmt::format("'{}' is not a coordinate: write 3/8, 0.375 or 0x1.8p-2", text));
 }
 
@@ -136,12 +134,11 @@ Simplicity simplicity(const RationalPoint& p) {
 }
 
 RationalPoint parse_point(const std::string& text) {
-  static const std::regex shape(R"((?:[vei]:)?u=([^,]+),v=([^,]+))");
-  std::smatch m;
-  if (!std::regex_match(text, m, shape))
+  const Parts parts = parts_of(text, R"((?:[vei]:)?u=([^,]+),v=([^,]+))");
+  if (!parts)
     throw BadCase(fmt::format(
         "'{}' is not a point: write u=3/8,v=1/4 (a kind letter v:, e: or i: may stand before)", text));
-  const RationalPoint p{parse_coordinate(m[1].str()), parse_coordinate(m[2].str())};
+  const RationalPoint p{parse_coordinate((*parts)[1]), parse_coordinate((*parts)[2])};
   const Rational zero(Integer(0)), most = Rational(Integer(1)) + scaled(1, -20);
   if (p.u < zero || p.v < zero || p.u + p.v > most)
     throw BadCase(fmt::format("'{}' lies outside the triangle: u, v >= 0 and u+v <= 1", text));

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <regex>
-
 #include "proofs/engine/random.hpp"
+#include "proofs/engine/shape.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -139,10 +138,9 @@ void sample_spoilt(Level n, std::uint64_t seed, std::uint64_t k, Handed& h) {
 std::string text_of(std::uint64_t seed, std::uint64_t k) { return fmt::format("sample:{}:{}", seed, k); }
 
 std::pair<std::uint64_t, std::uint64_t> sample_from(const std::string& text) {
-  static const std::regex form("sample:([0-9]{1,19}):([0-9]{1,19})");
-  std::smatch m;
-  if (!std::regex_match(text, m, form)) throw BadCase("'" + text + "': write sample:SEED:K");
-  return {std::stoull(m[1].str()), std::stoull(m[2].str())};
+  const Parts parts = parts_of(text, "sample:([0-9]{1,19}):([0-9]{1,19})");
+  if (!parts) throw BadCase("'" + text + "': write sample:SEED:K");
+  return {std::stoull((*parts)[1]), std::stoull((*parts)[2])};
 }
 
 }  // namespace mmverify::proofs::micromap

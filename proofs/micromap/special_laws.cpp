@@ -1,9 +1,8 @@
 // Special indices: what every code means, in each encoding.
 #include <fmt/format.h>
 
-#include <regex>
-
 #include "proofs/engine/random.hpp"
+#include "proofs/engine/shape.hpp"
 #include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
@@ -51,13 +50,12 @@ struct Code {
 std::string at(const Code& c) { return fmt::format("{}:{}", name(c.encoding), c.code); }
 
 Finding replayed(const MicromapSubject& s, Level, const std::string& text) {
-  static const std::regex form("(u8|u16|u32|i16|i32):([0-9]{1,10})");
-  std::smatch m;
-  if (!std::regex_match(text, m, form)) throw BadCase("'" + text + "': write u16:65533");
+  const Parts parts = parts_of(text, "(u8|u16|u32|i16|i32):([0-9]{1,10})");
+  if (!parts) throw BadCase("'" + text + "': write u16:65533");
   std::size_t e = 0;
-  while (m[1].str() != encoding_names[e]) ++e;
+  while ((*parts)[1] != encoding_names[e]) ++e;
   const auto encoding = static_cast<Encoding>(e);
-  const std::uint64_t code = std::stoull(m[2].str());
+  const std::uint64_t code = std::stoull((*parts)[2]);
   if (code >> spec::micromap::width(encoding) != 0)
     throw BadCase(fmt::format("'{}': a code has {} bits", text, spec::micromap::width(encoding)));
   return means(s, encoding, static_cast<std::uint32_t>(code));

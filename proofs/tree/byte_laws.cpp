@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <regex>
 
+#include "proofs/engine/shape.hpp"
 #include "proofs/tree/altered.hpp"
 #include "proofs/tree/checks.hpp"
 
@@ -61,11 +61,10 @@ void add(Tally& tally, Level n, std::uint64_t k, const std::string& at, const Fi
 
 /// The number after "k=".
 std::uint64_t number_from(const std::string& text, std::uint64_t limit) {
-  static const std::regex shape("k=([0-9]{1,10})");
-  std::smatch m;
-  if (!std::regex_match(text, m, shape) || std::stoull(m[1].str()) >= limit)
+  const Parts parts = parts_of(text, "k=([0-9]{1,10})");
+  if (!parts || std::stoull((*parts)[1]) >= limit)
     throw BadCase(fmt::format("'{}': write k= and a number below {}", text, limit));
-  return std::stoull(m[1].str());
+  return std::stoull((*parts)[1]);
 }
 
 Finding reads(const TreeSubject& s, Level n, std::uint64_t k) {

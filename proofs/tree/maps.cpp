@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <regex>
+
+#include "proofs/engine/shape.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
@@ -131,12 +132,10 @@ std::pair<Format, std::string_view> format_and_rest(std::string_view text) {
 }
 
 Map map_from_text(Level n, const std::string& text) {
-  // Regular expressions are for short texts: the library's matcher calls itself for each character.
-  static const std::regex sample("sample:([0-9]{1,19}):([0-9]{1,19})");
-  std::smatch m;
-  if (text.size() <= 64 && std::regex_match(text, m, sample)) {
+  if (const Parts sample =
+          text.size() > 64 ? std::nullopt : parts_of(text, "sample:([0-9]{1,19}):([0-9]{1,19})")) {
     if (n > 12) throw BadCase(fmt::format("'{:.60}': samples have levels up to 12", text));
-    return sample_map(n, std::stoull(m[1].str()), std::stoull(m[2].str()));
+    return sample_map(n, std::stoull((*sample)[1]), std::stoull((*sample)[2]));
   }
   const auto [f, digits] = format_and_rest(text);
   if (digits.empty() || digits.find_first_not_of("0123") != std::string_view::npos)

@@ -1,0 +1,142 @@
+// mmverify gate: a result against a baseline.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output_file.hpp"
+#include "cli/read_json.hpp"
+#include "gate/compare.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using gate::Baseline;
+using gate::Change;
+using gate::Comparison;
+using gate::Difference;
+
+struct Options {
+  std::string baseline, result;
+  double tolerance = 1.5;
+  bool bless = false, all = false;
+};
+
+/// What reads a file, so that what is wrong with it names it.
+template <class Read>
+auto of_file(const std::string& path, Read read) {
+  try {
+    return read(read_json(path));
+  } catch (const gate::NoResult& why) {
+    throw EnvironmentError(fmt::format("{}: {}", path, why.what()));
+  }
+}
+
+const char* word(Change change) {
+  switch (change) {
+    case Change::worse:
+      return "worse";
+    case Change::better:
+      return "better";
+    case Change::changed:
+      return "changed";
+    case Change::gone:
+      return "gone";
+    case Change::added:
+      return "new";
+    default:
+      return "faster";
+  }
+}
+
+/// `"proved"` as proved.
+std::string bare(const std::string& json) {
+  return json.size() >= 2 && json.front() == '"' ? json.substr(1, json.size() - 2) : json;
+}
+
+void print(const Difference& d) {
+  std::string line = fmt::format("{:<8}{}", word(d.change), d.group);
+  if (!d.figure.empty()) line += fmt::format("{}{}", d.group.empty() ? "" : ": ", d.figure);
+  if (!d.before.empty() && !d.after.empty())
+    line += fmt::format(" {} -> {}", bare(d.before), bare(d.after));
+  else if (!d.figure.empty())
+    line += fmt::format(" {}", bare(d.before.empty() ? d.after : d.before));
+  fmt::print("{}\n", line);
+}
+
+constexpr Change kinds[] = {Change::worse, Change::better, Change::changed,
+                            Change::gone,  Change::added,  Change::faster};
+
+void print(const Comparison& comparison, const Options& options) {
+  // A change of one thing may move thousands of figures; some of each kind say what it is.
+  constexpr std::size_t most = 20;
+  for (const Change change : kinds) {
+    std::size_t shown = 0;
+    for (const Difference& d : comparison.differences)
+      if (d.change == change && (options.all || ++shown <= most)) print(d);
+    if (!options.all && shown > most) fmt::print("{:<8}and {} more; see --all\n", word(change), shown - most);
+  }
+  std::string counts;
+  for (const Change change : kinds)
+    if (const std::size_t n = comparison.count(change); n != 0)
+      counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", grouped(n), word(change));
+  fmt::print("gate: {}: {} figures compared, {} of them speeds, to within a factor of {:.4g}; {}\n",
+             comparison.red() ? "red" : "green", grouped(comparison.figures), grouped(comparison.speeds),
+             options.tolerance, counts.empty() ? "none differs" : counts);
+}
+
+int run_gate(const Options& options) {
+  const gate::Figures result =
+      of_file(options.result, [](const auto& json) { return gate::figures_of(json); });
+  if (options.bless) {
+    OutputFile(options.baseline).commit(to_json(gate::baseline_of(result)));
+    fmt::print("gate: {} is what {} says: {} groups of figures\n", options.baseline, options.result,
+               grouped(result.groups.size()));
+    return ExitCode::complete;
+  }
+  const Baseline baseline =
+      of_file(options.baseline, [](const auto& json) { return gate::baseline_of(json); });
+  Comparison comparison;
+  try {
+    comparison = compare(baseline, result, options.tolerance);
+  } catch (const gate::NoResult& why) {
+    throw UsageError(fmt::format("{}: {}", options.result, why.what()));
+  }
+  print(comparison, options);
+  if (!comparison.differences.empty())
+    fmt::print("If that is how it should be: mmverify gate --baseline {} {} --bless\n",
+               shell_quoted(options.baseline), shell_quoted(options.result));
+  return comparison.red() ? ExitCode::failed : ExitCode::complete;
+}
+
+}  // namespace
+
+Action add_gate(CLI::App& program) {
+  auto* command = program.add_subcommand("gate", "compare a result with a baseline; exit 1 where it differs");
+  command->footer(
+      "Verdicts, counts, mismatches, sizes, substitutions and needless unknowns are compared exactly: what "
+      "is\n"
+      "better than the baseline is red, too, until it is blessed. Speeds are compared as the ratios that one "
+      "run\n"
+      "took itself, never as times; one that is better is only said.");
+  auto options = std::make_shared<Options>();
+  command->add_option("--baseline", options->baseline, "what --bless wrote, or an earlier result")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("result", options->result, "what prove, scene or bench wrote with --json")
+      ->type_name("RESULT.json")
+      ->required();
+  command->add_flag("--bless", options->bless, "write the result's figures as the new baseline");
+  command->add_flag("--all", options->all, "print every difference");
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "the factor by which a ratio of times may be worse; 1.5 where not given")
+      ->type_name("FACTOR")
+      ->check(finite_within(1.01, 1000));
+  return [options] { return run_gate(*options); };
+}
+
+}  // namespace mmverify::cli

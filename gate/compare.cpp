@@ -1,0 +1,125 @@
+#include "gate/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mmverify::gate {
+namespace {
+
+/// The better the higher.
+int rank(const std::string& verdict) {
+  constexpr std::array from_worst{"\"refuted\"",        "\"broken\"",  "\"incomplete\"",
+                                  "\"not_applicable\"", "\"checked\"", "\"proved\""};
+  return static_cast<int>(std::find(from_worst.begin(), from_worst.end(), verdict) - from_worst.begin());
+}
+
+Change toward(bool better) { return better ? Change::better : Change::worse; }
+
+bool is_speed(Rule rule) { return rule == Rule::speed_more || rule == Rule::speed_less; }
+
+/// The difference, where there is one.
+std::optional<Change> change_of(Rule rule, const Value& before, const Value& after, double tolerance) {
+  if (before.text == after.text) return std::nullopt;
+  const double a = before.number, b = after.number;
+  const bool close = std::fabs(a - b) <= 1e-9 * std::max(std::fabs(a), std::fabs(b));
+  switch (rule) {
+    case Rule::verdict:
+      return toward(rank(after.text) > rank(before.text));
+    case Rule::yes:
+      return toward(after.text == "true");
+    case Rule::about_more:
+      return close ? std::nullopt : std::optional(toward(b > a));
+    case Rule::about_less:
+      return close ? std::nullopt : std::optional(toward(b < a));
+    case Rule::about:
+      return close ? std::nullopt : std::optional(Change::changed);
+    case Rule::more:
+      return toward(b > a);
+    case Rule::less:
+      return toward(b < a);
+    case Rule::speed_more:
+    case Rule::speed_less: {
+      // A ratio that is none, of a time that was too short to be taken, is not as good as before.
+      if (!(a > 0)) return std::nullopt;
+      if (!(b > 0)) return Change::worse;
+      const double gain = rule == Rule::speed_more ? b / a : a / b;
+      if (gain * tolerance < 1) return Change::worse;
+      return gain > tolerance ? std::optional(Change::faster) : std::nullopt;
+    }
+    default:
+      return Change::changed;
+  }
+}
+
+class Comparing {
+ public:
+  Comparing(Comparison& out, double tolerance) : out_(out), tolerance_(tolerance) {}
+
+  void group(const std::string& name, const std::map<std::string, Value>& before,
+             const std::map<std::string, Figure>& after) {
+    for (const auto& [figure, value] : before)
+      if (!after.contains(figure)) add(Change::gone, name, figure, value.text, "");
+    for (const auto& [figure, now] : after) {
+      const auto was = before.find(figure);
+      if (was == before.end()) {
+        add(Change::added, name, figure, "", now.value.text);
+        continue;
+      }
+      ++out_.figures;
+      out_.speeds += is_speed(now.rule);
+      if (const auto change = change_of(now.rule, was->second, now.value, tolerance_))
+        add(*change, name, figure, was->second.text, now.value.text);
+    }
+  }
+  void add(Change change, const std::string& group, const std::string& figure, const std::string& before,
+           const std::string& after) {
+    out_.differences.push_back({change, group, figure, before, after});
+  }
+
+ private:
+  Comparison& out_;
+  double tolerance_;
+};
+
+std::string listed(const Settings& settings) {
+  std::string all;
+  for (const auto& [name, value] : settings)
+    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", name, value);
+  return all.empty() ? "none" : all;
+}
+
+}  // namespace
+
+bool Comparison::red() const { return count(Change::faster) != differences.size(); }
+
+std::size_t Comparison::count(Change change) const {
+  return static_cast<std::size_t>(std::count_if(differences.begin(), differences.end(),
+                                                [&](const Difference& d) { return d.change == change; }));
+}
+
+Comparison compare(const Baseline& baseline, const Figures& result, double tolerance) {
+  if (baseline.schema != result.schema)
+    throw NoResult(fmt::format("a result of {}, the baseline's is of {}", result.schema, baseline.schema));
+  if (baseline.settings != result.settings)
+    throw NoResult(fmt::format("runs of other settings: the baseline's {}; the result's {}",
+                               listed(baseline.settings), listed(result.settings)));
+  Comparison out;
+  Comparing comparing(out, tolerance);
+  for (const auto& [name, members] : baseline.groups) {
+    const auto now = result.groups.find(name);
+    if (now == result.groups.end())
+      comparing.add(Change::gone, name, "", "", "");
+    else
+      comparing.group(name, members, now->second);
+  }
+  for (const auto& [name, members] : result.groups)
+    if (!baseline.groups.contains(name)) comparing.add(Change::added, name, "", "", "");
+  std::stable_sort(out.differences.begin(), out.differences.end(),
+                   [](const Difference& x, const Difference& y) { return x.change < y.change; });
+  return out;
+}
+
+}  // namespace mmverify::gate

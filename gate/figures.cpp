@@ -1,0 +1,124 @@
+#include "gate/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace mmverify::gate {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Names may be any bytes.
+std::string text_of(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// "impl", "level 3", "all levels".
+std::string name_of(const std::string& field, const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_null()) return fmt::format("all {}s", field);
+  return fmt::format("{} {}", field, text_of(value));
+}
+
+class Walk {
+ public:
+  Walk(Figures& figures, std::string schema) : figures_(figures), schema_(std::move(schema)) {}
+
+  /// place: as the rules know it; name: within the group.
+  void value(const Json& j, const std::string& place, const std::string& group, const std::string& name) {
+    // A whole object or list may be left out, or what is in it compared.
+    const std::optional<Rule> rule = rule_of(schema_, place);
+    if (rule == Rule::left_out) return;
+    if (j.is_object()) return object(j, place, group, name);
+    if (j.is_array()) return list(j, place, group, name);
+    if (!rule) throw NoResult(fmt::format("{}: no rule says how it is compared", place));
+    if (rule == Rule::key) return;
+    const Value value{text_of(j), j.is_number() ? j.get<double>() : 0};
+    if (rule == Rule::setting)
+      figures_.settings[fmt::format("{}{}", group.empty() ? "" : group + " ", name)] = value.text;
+    else
+      figures_.groups[group][name] = {value, *rule};
+  }
+
+  void object(const Json& j, const std::string& place, const std::string& group, const std::string& name) {
+    const auto below = [](const std::string& path, const std::string& field) {
+      return path.empty() ? field : path + "." + field;
+    };
+    for (const auto& [field, of] : j.items()) value(of, below(place, field), group, below(name, field));
+  }
+
+ private:
+  /// What an element of a list is about: its keys, if it has any.
+  std::string keys(const Json& element, const std::string& place) const {
+    std::string all;
+    if (!element.is_object()) return all;
+    for (const auto& [field, of] : element.items())
+      if (rule_of(schema_, place + "." + field) == Rule::key)
+        all += (all.empty() ? "" : " ") + name_of(field, of);
+    return all;
+  }
+
+  void list(const Json& j, const std::string& place, const std::string& group, const std::string& name) {
+    std::size_t k = 0;
+    for (const Json& element : j) {
+      const std::string about = keys(element, place + "[]");
+      if (about.empty()) {
+        value(element, place + "[]", group, fmt::format("{}[{}]", name, k++));
+        continue;
+      }
+      // Of the lists of one thing, the chief one needs no name.
+      const bool chief = name == "results" || name == "rows";
+      std::string full =
+          fmt::format("{}{}{}{}", group, group.empty() ? "" : " ", chief ? "" : name + " ", about);
+      if (figures_.groups.contains(full)) {
+        std::size_t n = 2;
+        while (figures_.groups.contains(fmt::format("{} ({})", full, n))) ++n;
+        full = fmt::format("{} ({})", full, n);
+      }
+      figures_.groups[full];
+      value(element, place + "[]", full, "");
+    }
+  }
+
+  Figures& figures_;
+  std::string schema_;
+};
+
+std::string schema_in(const Json& j) {
+  if (!j.is_object() || !j.contains("schema") || !j.at("schema").is_string())
+    throw NoResult("no result of mmverify: it names no schema");
+  return j.at("schema").get<std::string>();
+}
+
+void add(const Json& run, Figures& figures) {
+  const std::string schema = schema_in(run);
+  if (schema != "mmverify.result/1" && schema != "mmverify.bench/1")
+    throw NoResult(
+        fmt::format("schema {}: neither mmverify.result/1 nor mmverify.bench/1", text_of(run.at("schema"))));
+  if (!figures.schema.empty() && figures.schema != schema) throw NoResult("runs of several schemas");
+  figures.schema = schema;
+  if (run.contains("shard"))
+    throw NoResult("one shard of a run; put the shards together with mmverify merge first");
+  std::string topic;
+  if (schema == "mmverify.bench/1") {
+    if (!run.contains("topic") || !run.at("topic").is_string()) throw NoResult("topic: there is none");
+    topic = run.at("topic").get<std::string>();
+  }
+  Walk(figures, topic.empty() ? schema : schema + " " + topic).object(run, "", topic, "");
+}
+
+}  // namespace
+
+Figures figures_of(const Json& result) {
+  Figures figures;
+  if (result.is_array())
+    for (const Json& run : result) add(run, figures);
+  else
+    add(result, figures);
+  // Keys alone make a group; one without figures says nothing.
+  std::erase_if(figures.groups, [](const auto& group) { return group.second.empty(); });
+  if (figures.groups.empty()) throw NoResult("nothing in it can be compared");
+  return figures;
+}
+
+}  // namespace mmverify::gate
