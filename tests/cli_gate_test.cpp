@@ -32,9 +32,7 @@ const Json& result_of(const std::vector<std::string>& arguments) {
   }
   return json;
 }
-const Json& proved() {
-  return result_of({"prove", "index.in_range", "--levels", "0..2"});
-}
+const Json& proved() { return result_of({"prove", "index.in_range", "--levels", "0..2"}); }
 const Json& scene() { return result_of({"scene", "--level", "3", "--samples", "200", "--sizes", "1..2"}); }
 const Json& bench_tree() { return result_of({"bench", "tree", "--levels", "3..4", "--samples", "100"}); }
 const Json& bench_vq() { return result_of({"bench", "vq", "--maps", "2"}); }

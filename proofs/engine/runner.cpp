@@ -1,6 +1,8 @@
 #include "proofs/engine/runner.hpp"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -97,6 +99,20 @@ std::optional<Level> first_refuted(const Report& report, const Job& job) {
   return std::nullopt;
 }
 
+/// Nothing where an interrupt left it undecided.
+std::optional<MutantResult> run_mutant(const Law& law, const Mutant& mutant, const Run& run) {
+  MutantResult m{law.id, mutant.name, false, 0, {}};
+  const Level last = law.at_once.empty() ? mutant.levels.last : mutant.levels.first;
+  for (Level n = mutant.levels.first; n <= last && !m.killed && !interrupted(); ++n) {
+    const Result r = run_level(law, *mutant.subject, n, run);
+    if (r.verdict != Verdict::refuted) continue;
+    m.killed = true;
+    m.level = law.at_once.empty() || r.counterexamples.empty() ? n : r.counterexamples.front().level;
+    m.at = r.counterexamples.empty() ? std::string() : r.counterexamples.front().at;
+  }
+  return m.killed || !interrupted() ? std::optional(m) : std::nullopt;
+}
+
 }  // namespace
 
 void name_proof(Result& r, const Law& law) {
@@ -148,26 +164,37 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
   return r;
 }
 
-std::vector<MutantResult> run_mutants(const Law& law, const Run& asked) {
+std::vector<MutantResult> run_mutants(const Law& law, const Run& run) {
+  return run_mutants(std::vector<const Law*>{&law}, run);
+}
+
+std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const Run& asked) {
   // Whether a law can fail must not depend on the sample that was asked for.
   Run run = asked;
   run.seed = Run().seed;
   run.tier = Tier::fast;
   run.rationals = false;
   run.interiors_only = false;
+  std::vector<std::pair<const Law*, const Mutant*>> all;
+  for (const Law* law : laws)
+    for (const Mutant& mutant : law->mutants) all.emplace_back(law, &mutant);
+  std::vector<std::optional<MutantResult>> found(all.size());
+  const auto one = [&](std::size_t k) { found[k] = run_mutant(*all[k].first, *all[k].second, run); };
+  const auto each = [&] {
+    // Many are short, or a prover's, which has one thread.  Isolated: a thread that waits within one would
+    // else begin another, with what the first has locked.
+    oneapi::tbb::parallel_for(
+        std::size_t{0}, all.size(),
+        [&](std::size_t k) { oneapi::tbb::this_task_arena::isolate([&] { one(k); }); },
+        oneapi::tbb::simple_partitioner());
+  };
+  if (run.arena != nullptr)
+    run.arena->execute(each);
+  else
+    for (std::size_t k = 0; k < all.size(); ++k) one(k);
   std::vector<MutantResult> results;
-  for (const Mutant& mutant : law.mutants) {
-    MutantResult m{law.id, mutant.name, false, 0, {}};
-    const Level last = law.at_once.empty() ? mutant.levels.last : mutant.levels.first;
-    for (Level n = mutant.levels.first; n <= last && !m.killed && !interrupted(); ++n) {
-      const Result r = run_level(law, *mutant.subject, n, run);
-      if (r.verdict != Verdict::refuted) continue;
-      m.killed = true;
-      m.level = law.at_once.empty() || r.counterexamples.empty() ? n : r.counterexamples.front().level;
-      m.at = r.counterexamples.empty() ? std::string() : r.counterexamples.front().at;
-    }
-    if (m.killed || !interrupted()) results.push_back(m);
-  }
+  for (const auto& m : found)
+    if (m) results.push_back(*m);
   return results;
 }
 
@@ -231,11 +258,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   for (const Job& job : jobs)
     if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
       laws.push_back(job.law);
-  for (const Law* law : laws) {
-    if (interrupted() || shard.number != 1 || !options.mutants) break;
-    const auto mutants = run_mutants(*law, run);
-    report.mutants.insert(report.mutants.end(), mutants.begin(), mutants.end());
-  }
+  if (shard.number == 1 && options.mutants) report.mutants = run_mutants(laws, run);
   report.interrupted = interrupted();
   return report;
 }

@@ -61,4 +61,7 @@ void name_proof(Result& result, const Law& law);
 /// default seed and the fast tier.
 std::vector<MutantResult> run_mutants(const Law& law, const Run& run);
 
+/// The same of several laws, side by side where the run has an arena; the results in the laws' order.
+std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const Run& run);
+
 }  // namespace mmverify::proofs
