@@ -45,8 +45,10 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App program("mmverify: an exact referee for opacity micromaps", "mmverify");
   program.require_subcommand(1);
-  program.set_version_flag("--version", fmt::format("mmverify {} ({}, spec {:.12})", build::version,
-                                                    build::compiler, std::string(build::spec_hash)));
+  program.set_version_flag(
+      "--version", fmt::format("mmverify {}\nspecification {:.16}; spec, impl and proofs {:.16}\n{}, {}\n{}",
+                               build::version, std::string(build::spec_hash), std::string(build::source_hash),
+                               build::compiler, build::flags, build::libraries));
   const std::vector<Action> actions{add_list(program),   add_prove(program), add_merge(program),
                                     add_replay(program), add_bench(program), add_scene(program),
                                     add_gate(program),   add_gen(program),   add_check(program)};

@@ -13,9 +13,13 @@ using Json = nlohmann::ordered_json;
 /// Names may be any bytes.
 std::string text_of(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// "impl", "level 3", "all levels".
+/// "impl", "level 3", "all levels".  A library is known by its file's name: where it was built is another
+/// machine's business.
 std::string name_of(const std::string& field, const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
+  if (value.is_string()) {
+    const auto text = value.get<std::string>();
+    return field == "subject" ? text.substr(text.rfind('/') + 1) : text;
+  }
   if (value.is_null()) return fmt::format("all {}s", field);
   return fmt::format("{} {}", field, text_of(value));
 }

@@ -222,6 +222,13 @@ TEST_F(Gate, TimesAndMachinesAreNotCompared) {
   EXPECT_EQ(gate(proved(), elsewhere).exit_code, 0);
 }
 
+TEST_F(Gate, ALibraryIsTheSameWhereverItWasBuilt) {
+  Json here = proved(), there = proved();
+  for (Json& r : here["results"]) r["subject"] = "/home/me/build/libmine.so";
+  for (Json& r : there["results"]) r["subject"] = "../libmine.so";
+  EXPECT_EQ(gate(here, there).exit_code, 0);
+}
+
 TEST_F(Gate, BlessingMakesItGreen) {
   Json changed = proved();
   changed["results"][0]["cases_run"] = 1;

@@ -1,0 +1,45 @@
+# What others build against, and a Debian package of it: the program, the header of subjects, the library.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS mmverify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS mmverify-worker RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/mmverify)
+install(FILES sdk/mmverify_subject.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS mmverify_impl EXPORT mmverify ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES
+  impl/bake.hpp impl/bake_map.hpp impl/bake_triangles.hpp impl/bake_wrap.hpp impl/binary16.hpp impl/index.hpp impl/index_wide.hpp
+  impl/micromap.hpp impl/micromap_array.hpp impl/micromap_level.hpp impl/micromap_reorder.hpp impl/micromap_rules.hpp
+  impl/micromap_validate.hpp impl/tree.hpp impl/tree_container.hpp impl/tree_stream.hpp impl/vq.hpp
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mmverify/impl)
+file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*.svg ${PROJECT_SOURCE_DIR}/docs/*.png)
+install(FILES ${documents} docs/result.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY proofs/statements examples docs/ci DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# find_package(mmverify)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/mmverify)
+install(EXPORT mmverify NAMESPACE mmverify:: FILE mmverifyTargets.cmake DESTINATION ${package})
+configure_package_config_file(cmake/mmverifyConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/mmverifyConfig.cmake
+  INSTALL_DESTINATION ${package} PATH_VARS CMAKE_INSTALL_BINDIR CMAKE_INSTALL_INCLUDEDIR)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/mmverifyConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/mmverifyConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/mmverifyConfigVersion.cmake
+  cmake/mmverifyProof.cmake DESTINATION ${package})
+
+# pkg-config mmverify
+file(RELATIVE_PATH up_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(cmake/mmverify.pc.in ${CMAKE_CURRENT_BINARY_DIR}/mmverify.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/mmverify.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# cpack -G DEB
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_VENDOR "the mmverify authors")
+set(CPACK_PACKAGE_CONTACT "the mmverify authors <mmverify@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION devel)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# To link the library, and to draw what bench --plot draws.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libhwy-dev)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS gnuplot-nox)
+include(CPack)
