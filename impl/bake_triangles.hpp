@@ -33,6 +33,7 @@ using BaseTriangle = std::array<TexturePoint, 3>;
 
 inline constexpr std::uint32_t max_bake_level = 12;
 
+/// How coordinates outside [0, 1) are brought back, along each axis.
 struct Addressing {
   Wrap u = Wrap::repeat, v = Wrap::repeat;
   std::uint8_t border = 0;  ///< alpha outside, with clamp_to_border
@@ -41,6 +42,7 @@ struct Addressing {
 /// nearest: texel (i, j) owns [i, i+1) x [j, j+1), before wrapping.
 enum class Filter : std::uint8_t { bilinear, nearest };
 
+/// Opaque where alpha >= cutoff.
 struct Mask {
   float cutoff = 0.5f;
 };
@@ -51,6 +53,7 @@ using AlphaMode = std::variant<Mask, Cutoff, Blend>;
 /// One mip level.
 using Texels = std::variant<TexelView<std::uint8_t>, TexelView<std::uint16_t>, TexelView<float>>;
 
+/// How alpha is sampled and scaled.
 struct Sampling {
   Wrap u = Wrap::repeat, v = Wrap::repeat;
   Filter filter = Filter::bilinear;

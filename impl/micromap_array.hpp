@@ -44,6 +44,7 @@ struct Geometry {
   std::vector<UsageCount> counts;  ///< after indirection, special indices left out
 };
 
+/// How maps become an array.
 struct Options {
   Encoding encoding = Encoding::u32;
   std::uint32_t base_triangle = 0;

@@ -54,6 +54,7 @@ enum class Rule : std::uint8_t {
 };
 inline constexpr std::size_t rule_count = static_cast<std::size_t>(Rule::count_);
 
+/// A rule in words, and the specifications that have it.
 struct RuleText {
   const char* id;
   Sets sets;

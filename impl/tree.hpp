@@ -21,6 +21,7 @@
 
 namespace mmverify::impl::tree {
 
+/// A map in a form that finds a state in one to four steps, near the size of the paper's sequences.
 class Tree {
  public:
   /// The form of a map, with the fewest steps that fit 18/17 of the paper's stream (the bits of its two

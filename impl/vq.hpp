@@ -41,11 +41,13 @@ Map4 decode(const Block4& block) noexcept;
 // lies beside T within one 2x2 of regions, a code holds the one or the other or neither.
 // Domain: every map of T, C and O.
 
+/// A block of VQ2, and what it lost.
 struct Encoded2 {
   Block2 block;
   std::uint32_t substitutions;  ///< regions of O or T that became C
 };
 
+/// A block of VQ4, and what it lost.
 struct Encoded4 {
   Block4 block;
   std::uint32_t substitutions;
@@ -74,6 +76,7 @@ enum class Effort : std::uint8_t { fast, balanced, thorough };
 /// None where the map fits, which every effort finds; else few substitutions, at most those of less effort.
 Encoded4 encode(const Map4& map, Effort effort = Effort::balanced);
 
+/// A block, and how far from the best it can be.
 struct Proved4 {
   Encoded4 encoded;
   std::uint32_t least;  ///< substitutions that no block undercuts

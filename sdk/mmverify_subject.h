@@ -75,6 +75,7 @@ typedef struct mmverify_bake_case {
   float uv[6];  /* u and v of the three vertices; (0, 0) and (1, 1) are outer corners of the texture */
 } mmverify_bake_case_t;
 
+/* What a subject is: its name, its limits, its entry points. */
 typedef struct mmverify_subject {
   uint32_t abi;       /* MMVERIFY_SUBJECT_ABI */
   uint32_t size;      /* sizeof(mmverify_subject) */

@@ -24,6 +24,7 @@ namespace mmverify::spec::bake {
 // Cells
 // ---------------------------------------------------------------------------------------------------------------------
 
+/// A point of the texture, in texels.
 template <class Q>
 struct Place {
   Q x, y;

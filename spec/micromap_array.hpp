@@ -65,6 +65,7 @@ struct Geometry {
   friend bool operator==(const Geometry&, const Geometry&) = default;
 };
 
+/// How maps become an array.
 struct Options {
   Encoding encoding = Encoding::u32;
   std::uint32_t base_triangle = 0;

@@ -53,6 +53,7 @@ enum class Rule : std::uint8_t {
 };
 inline constexpr std::size_t rule_count = static_cast<std::size_t>(Rule::count_);
 
+/// A rule in words, the specifications that have it, and where.
 struct RuleText {
   Rule rule;
   const char* id;

@@ -54,6 +54,7 @@ struct Transform {
   }
 };
 
+/// A region of a square map: column and row.
 struct Region {
   std::uint32_t x, y;
   constexpr bool operator==(const Region&) const = default;

@@ -45,6 +45,8 @@ struct Vq2 {
   }
 };
 
+/// Of 4x4 regions a vector, 64 of them, and a codebook of 13 beside the three uniform ones (sections 4 and
+/// 5).
 struct Vq4 {
   static constexpr std::size_t side = 4;
   static constexpr std::uint32_t bits = 512, index_bits = 4;
