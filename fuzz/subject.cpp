@@ -1,0 +1,233 @@
+// Someone else's codec or index function under attack: the shared library that MMVERIFY_SUBJECT names, behind
+// sdk/mmverify_subject.h.  Build it with -fsanitize=fuzzer-no-link,address and the fuzzer sees its branches and
+// its overruns; without, it still sees its answers.
+//
+// Input: a byte that chooses what is asked, and what to ask.  Entry points that the library lacks are passed over.
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "impl/index.hpp"
+#include "impl/micromap.hpp"
+#include "impl/tree_stream.hpp"
+#include "impl/vq.hpp"
+#include "sdk/mmverify_subject.h"
+
+namespace {
+
+namespace fast = mmverify::impl;
+using Bytes = std::vector<std::uint8_t>;
+
+[[noreturn]] void wrong(const char* law, const char* what) {
+  std::fprintf(stderr, "fuzz_subject: %s: %s\n", law, what);
+  std::abort();
+}
+
+const mmverify_subject_t& subject() {
+  static const mmverify_subject_t* const loaded = [] {
+    const char* const path = std::getenv("MMVERIFY_SUBJECT");
+    void* const library = path == nullptr ? nullptr : dlopen(path, RTLD_NOW);
+    const auto entry = library == nullptr ? nullptr
+                                          : reinterpret_cast<decltype(&mmverify_subject_v1)>(
+                                                dlsym(library, "mmverify_subject_v1"));
+    if (entry == nullptr) {
+      std::fprintf(stderr, "fuzz_subject: %s\n",
+                   path == nullptr ? "set MMVERIFY_SUBJECT to the shared library to attack" : dlerror());
+      std::_Exit(4);
+    }
+    // One that was built against an older header is shorter; what it lacks is null here.
+    static mmverify_subject_t whole{};
+    const mmverify_subject_t* const given = entry();
+    std::memcpy(&whole, given, std::min<std::size_t>(given->size, sizeof whole));
+    return &whole;
+  }();
+  return *loaded;
+}
+
+/// What is left of the input; zeros after its end.
+class Input {
+ public:
+  Input(const std::uint8_t* data, std::size_t size) : at_(data), end_(data + size) {}
+  std::uint8_t next() { return at_ == end_ ? std::uint8_t{0} : *at_++; }
+  bool left() const { return at_ != end_; }
+  Bytes rest() const { return {at_, end_}; }
+  float next_float() {
+    std::uint32_t bits = 0;
+    for (int k = 0; k < 4; ++k) bits |= std::uint32_t{next()} << (8 * k);
+    float x = 0;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+  }
+
+ private:
+  const std::uint8_t *at_, *end_;
+};
+
+/// States in runs, packed: a byte each, its low bits the state, the rest an exponent of 2 for the length.
+Bytes drawn_map(Input& in, std::uint32_t level, std::uint32_t bits) {
+  const std::size_t count = std::size_t{1} << (2 * level);
+  Bytes map((count * bits + 7) / 8);
+  std::size_t k = 0;
+  while (in.left() && k < count) {
+    const std::uint8_t run = in.next();
+    for (std::size_t left = std::size_t{1} << (run >> 2 & 15); left > 0 && k < count; --left, ++k)
+      map[k * bits / 8] = static_cast<std::uint8_t>(map[k * bits / 8] | (run & ((1u << bits) - 1)) << (k * bits % 8));
+  }
+  return map;
+}
+
+/// In a block of its own, so that a sanitizer sees one byte too many.
+std::unique_ptr<std::uint8_t[]> room(std::size_t size) { return std::make_unique<std::uint8_t[]>(size); }
+
+void index_of_a_hit(Input& in) {
+  const std::uint32_t level = in.next() % 17u;
+  const float u = in.next_float(), v = in.next_float();
+  if (subject().index_f32 == nullptr || level > subject().max_level) return;
+  if (!(u >= 0 && v >= 0 && static_cast<double>(u) + static_cast<double>(v) <= 1)) return;
+  std::uint32_t got = ~0u;
+  subject().index_f32(level, &u, &v, &got, 1);
+  if (got != fast::index::from_barycentrics(u, v, level)) {
+    std::fprintf(stderr, "fuzz_subject: level %u u=%a v=%a: got %u, expected %u\n", level, static_cast<double>(u),
+                 static_cast<double>(v), got, fast::index::from_barycentrics(u, v, level));
+    wrong("index.exact_on_floats", "another micro-triangle");
+  }
+}
+
+/// The code of a map; empty where there is no encoder.
+Bytes code_of(std::uint32_t level, std::uint32_t bits, const Bytes& map) {
+  if (subject().tree_encode == nullptr) return {};
+  const std::size_t size = subject().tree_encode(level, bits, map.data(), nullptr, 0);
+  if (size == 0) wrong("tree.round_trip", "a map without a code");
+  const auto code = room(size);
+  if (subject().tree_encode(level, bits, map.data(), code.get(), size) != size)
+    wrong("tree.round_trip", "two sizes of one code");
+  return {code.get(), code.get() + size};
+}
+
+void tree_there_and_back(Input& in) {
+  const std::uint32_t level = in.next() % 7u, bits = 1 + (in.next() & 1u);
+  if (level > subject().max_level) return;
+  const Bytes map = drawn_map(in, level, bits), code = code_of(level, bits, map);
+  if ((subject().flags & MMVERIFY_TREE_STREAM) != 0 && !code.empty()) {
+    const auto expected = fast::tree::encode_stream(level, static_cast<fast::tree::Bits>(bits), map);
+    Bytes all = expected.tree;
+    all.insert(all.end(), expected.data.begin(), expected.data.end());
+    if (code != all) wrong("tree.canonical", "not Algorithm 1's bytes");
+  }
+  if (code.empty()) return;
+  if (subject().tree_decode != nullptr) {
+    const auto back = room(map.size());
+    if (subject().tree_decode(level, bits, code.data(), code.size(), back.get()) == 0)
+      wrong("tree.round_trip", "its own code refused");
+    if (!std::equal(map.begin(), map.end(), back.get())) wrong("tree.round_trip", "another map");
+  }
+  if (subject().tree_lookup != nullptr)
+    for (std::uint32_t k = 0; k < 1u << (2 * level); k += 1 + (1u << (2 * level)) / 64) {
+      std::uint8_t state = 0xee;
+      subject().tree_lookup(level, bits, code.data(), code.size(), &k, &state, 1);
+      if (state != (map[k * bits / 8] >> (k * bits % 8) & ((1u << bits) - 1)))
+        wrong("tree.lookup_is_decode", "another state");
+    }
+}
+
+void tree_from_any_bytes(Input& in) {
+  const std::uint32_t level = in.next() % 7u, bits = 1 + (in.next() & 1u);
+  if (subject().tree_decode == nullptr || level > subject().max_level) return;
+  const Bytes given = in.rest();
+  const auto code = room(given.size());
+  std::copy(given.begin(), given.end(), code.get());
+  const std::size_t bytes = ((std::size_t{1} << (2 * level)) * bits + 7) / 8;
+  const auto map = room(bytes);
+  if (subject().tree_decode(level, bits, code.get(), given.size(), map.get()) == 0) return;
+  // What it takes is a map's code, and a map has one.
+  const Bytes decoded(map.get(), map.get() + bytes);
+  if (subject().tree_encode != nullptr && code_of(level, bits, decoded) != given)
+    wrong("tree.malformed", "it took a code that is no map's");
+}
+
+void square_block(Input& in, auto decode, auto region, auto ours, std::size_t bytes, std::uint32_t side) {
+  decltype(fast::vq::Block4{}) padded{};
+  for (std::size_t k = 0; k < bytes; ++k) padded[k] = in.next();
+  const auto expected = ours(padded);
+  if (decode != nullptr) {
+    const auto map = room(side * side);
+    decode(padded.data(), map.get());
+    for (std::size_t k = 0; k < side * side; ++k)
+      if (map[k] != static_cast<std::uint8_t>(expected[k])) wrong("vq.decode", "another state of a region");
+  }
+  if (region != nullptr)
+    for (std::uint32_t k = 0; k < side * side; k += 7) {
+      const std::uint32_t x = k % side, y = k / side;
+      std::uint8_t state = 0xee;
+      region(padded.data(), &x, &y, &state, 1);
+      if (state != static_cast<std::uint8_t>(expected[k])) wrong("vq.region", "another state than the map's");
+    }
+}
+
+void square_map(Input& in, auto encode, auto ours, std::size_t bytes, std::uint32_t side) {
+  if (encode == nullptr) return;
+  const auto map = room(side * side);
+  for (std::size_t k = 0; in.left() && k < side * side;) {
+    const std::uint8_t run = in.next();
+    for (std::size_t left = std::size_t{1} << (run >> 2 & 7); left > 0 && k < side * side; --left)
+      map[k++] = static_cast<std::uint8_t>(run % 4 == 3 ? 1 : run % 4);
+  }
+  const auto block = room(bytes);
+  encode(map.get(), block.get());
+  fast::vq::Block4 padded{};
+  std::copy(block.get(), block.get() + bytes, padded.begin());
+  const auto left = ours(padded);
+  for (std::size_t k = 0; k < side * side; ++k) {
+    const auto is = static_cast<std::uint8_t>(left[k]);
+    if (is != map[k] && is != 1) wrong("vq.conservative", "more than T or O became C");
+  }
+}
+
+void substituted(Input& in) {
+  const std::uint32_t level = in.next() % 7u;
+  if (subject().micromap_substitute == nullptr) return;
+  const Bytes map = drawn_map(in, level, 2);
+  const auto out = room(map.size());
+  subject().micromap_substitute(level, map.data(), out.get());
+  const std::uint64_t count = std::uint64_t{1} << (2 * level);
+  if (!fast::micromap::substitutions(map, std::span(out.get(), map.size()), count).allowed())
+    wrong("lossy.allowed", "a state became T or O");
+}
+
+std::array<std::uint8_t, 32> first_half(const fast::vq::Block4& block) {
+  std::array<std::uint8_t, 32> half{};
+  std::copy_n(block.begin(), half.size(), half.begin());
+  return half;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  subject();
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const mmverify_subject_t& s = subject();
+  const auto two = [](const fast::vq::Block4& b) { return fast::vq::decode(first_half(b)); };
+  const auto four = [](const fast::vq::Block4& b) { return fast::vq::decode(b); };
+  Input in(data, size);
+  switch (in.next() % 8) {
+    case 0: index_of_a_hit(in); break;
+    case 1: tree_there_and_back(in); break;
+    case 2: tree_from_any_bytes(in); break;
+    case 3: square_block(in, s.vq2_decode, s.vq2_region, two, 32, 16); break;
+    case 4: square_block(in, s.vq4_decode, s.vq4_region, four, 64, 32); break;
+    case 5: square_map(in, s.vq2_encode, two, 32, 16); break;
+    case 6: square_map(in, s.vq4_encode, four, 64, 32); break;
+    default: substituted(in);
+  }
+  return 0;
+}
