@@ -3,13 +3,18 @@
 // Input: a byte, its low bit the format (0: 2-state), its second bit whether the number of states is 4^n; a
 // byte, n mod 7 or the number of states; then packed bytes, zeros where they end early.  Padding is as it
 // comes.
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "impl/micromap_level.hpp"
+#include "impl/micromap_reorder.hpp"
+#include "spec/index.hpp"
 #include "spec/micromap_level.hpp"
 #include "spec/micromap_lossy.hpp"
 
@@ -54,6 +59,40 @@ Bytes room(std::uint64_t count, slow::Format f) {
   return Bytes(static_cast<std::size_t>(slow::packed_bytes(count, f)), 0xa5);
 }
 
+/// The corners of a micro-triangle, in whatever order, on a triangle whose vertex k is vertex order[k].
+using Place = std::array<std::pair<std::uint32_t, std::uint32_t>, 3>;
+Place place(std::uint32_t index, mmverify::spec::Level n, const fast::VertexOrder& order) {
+  Place out;
+  const auto corners = mmverify::spec::index::corners(index, n);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::array<std::uint32_t, 3> here{(1u << n) - corners[c].i - corners[c].j, corners[c].i,
+                                            corners[c].j};
+    std::array<std::uint32_t, 3> there{};
+    for (std::size_t k = 0; k < 3; ++k) there[order[k]] = here[k];
+    out[c] = {there[1], there[2]};
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// In every order of the vertices, a piece of the surface keeps its state.
+void check_orders(const Map& map, mmverify::spec::Level n) {
+  fast::VertexOrder order{0, 1, 2};
+  const auto count = static_cast<std::uint32_t>(map.count);
+  std::vector<Place> places(count);
+  for (std::uint32_t k = 0; k < count; ++k) places[k] = place(k, n, order);
+  do {
+    Bytes out = room(count, map.format);
+    fast::reorder(map.bytes, n, static_cast<fast::Format>(map.format), order, out);
+    const States states = slow::unpack(out, map.format, count);
+    require(out == slow::pack(states, map.format), "the padding of reorder", map);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto was = std::find(places.begin(), places.end(), place(k, n, order)) - places.begin();
+      require(states[k] == map.states[static_cast<std::size_t>(was)], "reorder", map);
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
 void check(const Map& map) {
   constexpr auto two = slow::Format::two_state, four = slow::Format::four_state;
   const auto format = static_cast<fast::Format>(map.format);
@@ -88,6 +127,10 @@ void check(const Map& map) {
                               map.format),
             "down", map);
   }
+
+  // Of few micro-triangles: each is looked for among all.
+  for (mmverify::spec::Level n = 0; n <= 3; ++n)
+    if (count == slow::micro_triangles(n)) check_orders(map, n);
 
   if (map.format == two) {
     out = room(count, four);

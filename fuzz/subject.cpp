@@ -1,8 +1,9 @@
 // Someone else's codec or index function under attack: the shared library that MMVERIFY_SUBJECT names, behind
-// sdk/mmverify_subject.h.  Build it with -fsanitize=fuzzer-no-link,address and the fuzzer sees its branches and
-// its overruns; without, it still sees its answers.
+// sdk/mmverify_subject.h.  Build it with -fsanitize=fuzzer-no-link,address and the fuzzer sees its branches
+// and its overruns; without, it still sees its answers.
 //
-// Input: a byte that chooses what is asked, and what to ask.  Entry points that the library lacks are passed over.
+// Input: a byte that chooses what is asked, and what to ask.  Entry points that the library lacks are passed
+// over.
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -34,9 +35,10 @@ const mmverify_subject_t& subject() {
   static const mmverify_subject_t* const loaded = [] {
     const char* const path = std::getenv("MMVERIFY_SUBJECT");
     void* const library = path == nullptr ? nullptr : dlopen(path, RTLD_NOW);
-    const auto entry = library == nullptr ? nullptr
-                                          : reinterpret_cast<decltype(&mmverify_subject_v1)>(
-                                                dlsym(library, "mmverify_subject_v1"));
+    const auto entry =
+        library == nullptr
+            ? nullptr
+            : reinterpret_cast<decltype(&mmverify_subject_v1)>(dlsym(library, "mmverify_subject_v1"));
     if (entry == nullptr) {
       std::fprintf(stderr, "fuzz_subject: %s\n",
                    path == nullptr ? "set MMVERIFY_SUBJECT to the shared library to attack" : dlerror());
@@ -78,7 +80,8 @@ Bytes drawn_map(Input& in, std::uint32_t level, std::uint32_t bits) {
   while (in.left() && k < count) {
     const std::uint8_t run = in.next();
     for (std::size_t left = std::size_t{1} << (run >> 2 & 15); left > 0 && k < count; --left, ++k)
-      map[k * bits / 8] = static_cast<std::uint8_t>(map[k * bits / 8] | (run & ((1u << bits) - 1)) << (k * bits % 8));
+      map[k * bits / 8] =
+          static_cast<std::uint8_t>(map[k * bits / 8] | (run & ((1u << bits) - 1)) << (k * bits % 8));
   }
   return map;
 }
@@ -94,8 +97,9 @@ void index_of_a_hit(Input& in) {
   std::uint32_t got = ~0u;
   subject().index_f32(level, &u, &v, &got, 1);
   if (got != fast::index::from_barycentrics(u, v, level)) {
-    std::fprintf(stderr, "fuzz_subject: level %u u=%a v=%a: got %u, expected %u\n", level, static_cast<double>(u),
-                 static_cast<double>(v), got, fast::index::from_barycentrics(u, v, level));
+    std::fprintf(stderr, "fuzz_subject: level %u u=%a v=%a: got %u, expected %u\n", level,
+                 static_cast<double>(u), static_cast<double>(v), got,
+                 fast::index::from_barycentrics(u, v, level));
     wrong("index.exact_on_floats", "another micro-triangle");
   }
 }
@@ -220,14 +224,29 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto four = [](const fast::vq::Block4& b) { return fast::vq::decode(b); };
   Input in(data, size);
   switch (in.next() % 8) {
-    case 0: index_of_a_hit(in); break;
-    case 1: tree_there_and_back(in); break;
-    case 2: tree_from_any_bytes(in); break;
-    case 3: square_block(in, s.vq2_decode, s.vq2_region, two, 32, 16); break;
-    case 4: square_block(in, s.vq4_decode, s.vq4_region, four, 64, 32); break;
-    case 5: square_map(in, s.vq2_encode, two, 32, 16); break;
-    case 6: square_map(in, s.vq4_encode, four, 64, 32); break;
-    default: substituted(in);
+    case 0:
+      index_of_a_hit(in);
+      break;
+    case 1:
+      tree_there_and_back(in);
+      break;
+    case 2:
+      tree_from_any_bytes(in);
+      break;
+    case 3:
+      square_block(in, s.vq2_decode, s.vq2_region, two, 32, 16);
+      break;
+    case 4:
+      square_block(in, s.vq4_decode, s.vq4_region, four, 64, 32);
+      break;
+    case 5:
+      square_map(in, s.vq2_encode, two, 32, 16);
+      break;
+    case 6:
+      square_map(in, s.vq4_encode, four, 64, 32);
+      break;
+    default:
+      substituted(in);
   }
   return 0;
 }

@@ -1,4 +1,5 @@
-// Any block: impl's decoders against the specification, and its map encoded again without a substitution.
+// Any block: impl's decoders against the specification, hits in the middles of regions, and its map encoded
+// again without a substitution.
 //
 // Input: a byte that chooses how, then the block: VQ4 where more than 32 bytes follow, else VQ2; what is
 // missing is 0.  The first byte: of VQ4 the encoder that encodes it again, by its remainder by 4: fast,
@@ -17,9 +18,17 @@ States<Format> decoded(const slow::BlockBytes<Format>& block) {
   constexpr auto size = static_cast<std::uint32_t>(8 * Format::side);
   const States<Format> expected = meant<Format>(block), map = fast::decode(block);
   require_same<Format>(expected, map, "decode is not the specification's");
-  for (std::uint32_t k = 0; k < map.size(); ++k)
-    require(fast::region(block, k % size, k / size) == expected[k], "region() is not decode()", Format::side,
-            k);
+  // A region's middle is a binary32 number, as is its distance from 1.
+  const auto middle = [](std::uint32_t at) {
+    return (static_cast<float>(at) + 0.5f) / static_cast<float>(size);
+  };
+  for (std::uint32_t k = 0; k < map.size(); ++k) {
+    const std::uint32_t x = k % size, y = k / size;
+    require(fast::region(block, x, y) == expected[k], "region() is not decode()", Format::side, k);
+    require(fast::state_at(block, fast::Half::lower, middle(x), middle(y)) == expected[k] &&
+                fast::state_at(block, fast::Half::upper, 1 - middle(x), 1 - middle(y)) == expected[k],
+            "a hit's state is not the region's", Format::side, k);
+  }
   return map;
 }
 

@@ -1,5 +1,5 @@
 // Any map through every encoder: only O and T become C, as many as it counts; its own block loses nothing
-// more; more effort is never worse.
+// more; more effort is never worse.  And its discontinuous vectors are those of the specification.
 //
 // Input: a byte of the format (bit 0: VQ4) and of how the map is drawn (bits 1 and 2), a byte that chooses
 // the encoders (VQ2, by its low two bits: 1 the optimum, 2 Algorithm 1, else both; VQ4: fast unless bit 1,
@@ -99,6 +99,21 @@ States<Format> drawn(std::uint32_t how, Bytes in) {
   return map;
 }
 
+/// Vectors that are not continuous, counted by both.
+template <class Format>
+void check_continuity(const States<Format>& map) {
+  constexpr std::size_t side = Format::side;
+  std::uint32_t count = 0;
+  for (std::size_t vector = 0; vector < 64; ++vector) {
+    slow::Vector<side> v;
+    for (std::size_t k = 0; k < v.size(); ++k)
+      v[k] = static_cast<slow::State>(
+          map[side * (vector % 8) + k % side + 8 * side * (side * (vector / 8) + k / side)]);
+    count += slow::valid<side>(v) ? 0 : 1;
+  }
+  require(fast::discontinuous_vectors(map) == count, "discontinuous vectors are others", side);
+}
+
 /// What PLANTED does to a block.
 template <class Format>
 slow::BlockBytes<Format> planted(const slow::BlockBytes<Format>& block) {
@@ -141,6 +156,7 @@ std::uint32_t judge(const States<Format>& map, bool block_holds_it, bool keeps_w
 
 void vq2(std::uint32_t how, std::uint8_t which, Bytes in) {
   const fast::Map2 map = drawn<slow::Vq2>(how, in);
+  check_continuity<slow::Vq2>(map);
   const bool optimal = (which & 3) != 2, paper = (which & 3) != 1;
   std::uint32_t least = 0, greedy = 0;
   if (optimal)
@@ -157,6 +173,7 @@ void vq2(std::uint32_t how, std::uint8_t which, Bytes in) {
 
 void vq4(std::uint32_t how, std::uint8_t which, Bytes in) {
   const fast::Map4 map = drawn<slow::Vq4>(how, in);
+  check_continuity<slow::Vq4>(map);
   // The slow ones take half a second under sanitizers; the others are to be asked more often.
   const bool asked[] = {(which & 2) == 0, (which & 2) != 0 || (which & 1) != 0, (which & 12) == 12};
   std::uint32_t before = ~0u;

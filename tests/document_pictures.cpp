@@ -91,7 +91,8 @@ void draw(Canvas& canvas, const View& view, const Bytes& map, Format format, con
 std::string states() {
   constexpr std::uint32_t side = 64, level = 4, count = 1u << (2 * level);
   const Bytes texels = leaf(side);
-  const impl::bake::TriangleBaker baker(impl::bake::AlphaView{texels.data(), side, side, side}, impl::bake::Cutoff{1, 2});
+  const impl::bake::TriangleBaker baker(impl::bake::AlphaView{texels.data(), side, side, side},
+                                        impl::bake::Cutoff{1, 2});
   Bytes baked(count / 4), coarser(count / 16), forced(count / 8);
   baker.bake({{{0, 0}, {1, 0}, {0, 1}}}, level, baked);
   impl::micromap::down(baked, Format::four_state, count / 4, coarser);
