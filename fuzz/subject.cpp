@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -67,6 +68,15 @@ class Input {
     std::memcpy(&x, &bits, sizeof x);
     return x;
   }
+  /// k / (4 2^level), moved by up to 4 ulps.
+  float near_grid(std::uint32_t level) {
+    std::uint32_t k = 0;
+    for (int byte = 0; byte < 3; ++byte) k |= std::uint32_t{next()} << (8 * byte);
+    float x = std::ldexp(static_cast<float>(k % ((4u << level) + 1)), -static_cast<int>(level) - 2);
+    for (int moves = next() % 9 - 4; moves != 0; moves += moves < 0 ? 1 : -1)
+      x = std::nextafter(x, moves < 0 ? 0.0f : 2.0f);
+    return x;
+  }
 
  private:
   const std::uint8_t *at_, *end_;
@@ -90,8 +100,11 @@ Bytes drawn_map(Input& in, std::uint32_t level, std::uint32_t bits) {
 std::unique_ptr<std::uint8_t[]> room(std::size_t size) { return std::make_unique<std::uint8_t[]>(size); }
 
 void index_of_a_hit(Input& in) {
-  const std::uint32_t level = in.next() % 17u;
-  const float u = in.next_float(), v = in.next_float();
+  const std::uint32_t how = in.next(), level = how % 17;
+  // Any floats; or such as lie on the level's lines and between, give or take some ulps.
+  const bool any = how >= 170;
+  const float u = any ? in.next_float() : in.near_grid(level),
+              v = any ? in.next_float() : in.near_grid(level);
   if (subject().index_f32 == nullptr || level > subject().max_level) return;
   if (!(u >= 0 && v >= 0 && static_cast<double>(u) + static_cast<double>(v) <= 1)) return;
   std::uint32_t got = ~0u;
