@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
                                                     build::compiler, std::string(build::spec_hash)));
   const std::vector<Action> actions{add_list(program),   add_prove(program), add_merge(program),
                                     add_replay(program), add_bench(program), add_scene(program),
-                                    add_gen(program),    add_check(program)};
+                                    add_report(program), add_gen(program),   add_check(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked_for) {

@@ -106,11 +106,16 @@ ShardRun shard_run(const Json& j) {
 
 }  // namespace
 
-ShardRun read_shard(const std::string& path) {
+std::string read_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw EnvironmentError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text{std::istreambuf_iterator<char>(in), {}};
   if (in.bad()) throw EnvironmentError(fmt::format("{}: cannot be read to its end", path));
+  return text;
+}
+
+ShardRun read_shard(const std::string& path) {
+  const std::string text = read_text(path);
   try {
     ShardRun run = shard_run(Json::parse(text));
     run.file = path;

@@ -1,4 +1,4 @@
-// Results that `prove --shard` wrote, read back.
+// Files that the program wrote, read back.
 #pragma once
 
 #include <string>
@@ -6,6 +6,9 @@
 #include "proofs/engine/shards.hpp"
 
 namespace mmverify::cli {
+
+/// All of a file.  Throws EnvironmentError, which names it, where it cannot be read.
+std::string read_text(const std::string& path);
 
 /// One shard's file, schema mmverify.result/1.  Throws EnvironmentError, which names the file and the place
 /// in it, where it is missing, is no such file or was not written with --shard.
