@@ -109,9 +109,13 @@ ShardRun shard_run(const Json& j) {
 std::string read_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw EnvironmentError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw EnvironmentError(fmt::format("{}: cannot be read to its end", path));
-  return text;
+  try {
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (!in.bad()) return text;
+  } catch (const std::ios_base::failure&) {
+    // A folder, say.
+  }
+  throw EnvironmentError(fmt::format("{}: cannot be read to its end", path));
 }
 
 ShardRun read_shard(const std::string& path) {

@@ -24,28 +24,37 @@ constexpr Level highest_asked = 10;         // a second or so
 constexpr std::size_t most_cells = 20'000;  // of a level, listed in the page
 constexpr std::size_t most_results = 200, most_pictures = 8;
 
-/// The subjects of topic index, each asked once.
+using index::Order;
+
+/// The order that the law is about.
+Order order_of(const Law& law, const index::IndexSubject& subject) {
+  const bool rows =
+      law.id == "index.row_order" || law.id == "index.row_corners" || law.id.starts_with("paper.w_minor");
+  return rows || !subject.has(index::Entry::index) ? Order::rows : Order::curve;
+}
+
+/// The subjects of topic index, each asked once in each order.
 class Asked {
  public:
-  /// Its number in the list.
-  std::size_t add(const index::IndexSubject& subject, Level level) {
-    const auto [at, added] = numbers_.emplace(subject.name(), numbers_.size());
+  /// Its number in the list.  Domain: the subject has the order's entry point.
+  std::size_t add(const index::IndexSubject& subject, Order order, Level level) {
+    const auto [at, added] = numbers_.emplace(std::pair(subject.name(), order), numbers_.size());
     if (added) {
-      const bool curve = subject.has(index::Entry::index);
-      list_.push_back(
-          {{"subject", subject.name()}, {"order", curve ? "curve" : "rows"}, {"levels", Json::array()}});
-      for (Level n = 0; n <= std::min(all_levels_to, subject.max_level()); ++n) ask(subject, n, at->second);
+      list_.push_back({{"subject", subject.name()},
+                       {"order", order == Order::curve ? "curve" : "rows"},
+                       {"levels", Json::array()}});
+      for (Level n = 0; n <= std::min(all_levels_to, subject.max_level()); ++n)
+        ask(subject, order, n, at->second);
     }
     if (level > all_levels_to && level <= std::min(highest_asked, subject.max_level()) &&
         further_.insert({at->second, level}).second)
-      ask(subject, level, at->second);
+      ask(subject, order, level, at->second);
     return at->second;
   }
   const Json& list() const { return list_; }
 
  private:
-  void ask(const index::IndexSubject& subject, Level n, std::size_t number) {
-    const index::Order order = subject.has(index::Entry::index) ? index::Order::curve : index::Order::rows;
+  void ask(const index::IndexSubject& subject, Order order, Level n, std::size_t number) {
     const index::WrongCells found = index::wrong_cells(subject, n, order, most_cells);
     Json wrong = Json::array();
     for (const index::WrongCell& c : found.listed)
@@ -54,7 +63,7 @@ class Asked {
         {{"level", n}, {"cells", found.cells}, {"wrong_cells", found.wrong}, {"wrong", wrong}});
   }
 
-  std::map<std::string, std::size_t> numbers_;
+  std::map<std::pair<std::string, Order>, std::size_t> numbers_;
   std::set<std::pair<std::size_t, Level>> further_;
   Json list_ = Json::array();
 };
@@ -108,8 +117,9 @@ void ask(const Json& result, Asked& asked, std::size_t& pictures, Json& one) {
     }
   }
   if (const auto* index = dynamic_cast<const index::IndexSubject*>(subject.get())) {
-    if (index->has(index::Entry::index) || index->has(index::Entry::row_index))
-      one["asked"] = asked.add(*index, level);
+    const Order order = order_of(*law, *index);
+    if (index->has(order == Order::curve ? index::Entry::index : index::Entry::row_index))
+      one["asked"] = asked.add(*index, order, level);
   } else if (const auto* bake = dynamic_cast<const bake::BakeSubject*>(subject.get())) {
     if (Json states = states_of(*bake, at, level); !states.is_null()) one["states"] = states;
   }

@@ -236,7 +236,7 @@ export function chart(spec: ChartSpec): HTMLElement {
       if (!shown[k] || !s.label || !m || !inside(m)) return;
       const x = p.valToPos(m.x, "x", true), y = p.valToPos(m.y, "y", true);
       const width = c.measureText(s.label).width;
-      for (const [dx, dy] of [[10, 0], [8, -12], [8, 12], [-10 - width / dpr, 0], [-width / dpr / 2, -16], [-width / dpr / 2, 16]] as const) {
+      for (const [dx, dy] of [[13, 0], [8, -15], [8, 15], [-13 - width / dpr, 0], [-width / dpr / 2, -16], [-width / dpr / 2, 16]] as const) {
         const box: [number, number, number, number] = [x + dx * dpr, y + (dy - 6) * dpr, x + dx * dpr + width, y + (dy + 6) * dpr];
         const { left, top, width: w, height: h } = p.bbox;
         if (box[0] < left || box[1] < top || box[2] > left + w || box[3] > top + h) continue;
@@ -263,7 +263,7 @@ export function chart(spec: ChartSpec): HTMLElement {
       ticks: { stroke: () => named("line"), width: 1, size: 5 },
       splits: (p) => {
         const pixels = (which === "x" ? p.bbox.width : p.bbox.height) / devicePixelRatio;
-        const count = Math.max(2, Math.floor(pixels / (which === "x" ? 70 : 44)));
+        const count = Math.max(2, Math.floor(pixels / (which === "y" ? 44 : of.whole ? 44 : 70)));
         const [min, max] = range[which];
         const ticks = of.log ? logTicks(min, max, count) : linearTicks(min, max, count, !!of.whole);
         return of.floor ? [of.floor.at, ...ticks.filter((t) => t > of.floor!.at * 2)].filter((t) => t >= min && t <= max) : ticks;

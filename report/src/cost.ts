@@ -21,10 +21,12 @@ function lawTimes(groups: Group[]): HTMLElement | null {
   const laws = [...new Set(long.map((g) => g.law))];
   const make = (law: string) => {
     const of = new Map<string, Mark[]>();
-    for (const g of long.filter((x) => x.law === law))
+    const mine = long.filter((x) => x.law === law);
+    const name = (g: Group) => (mine.some((o) => o !== g && o.subject === g.subject) ? `${g.subject}, ${g.run.name}` : g.subject);
+    for (const g of mine)
       for (const { result: r } of g.results)
         if (r.level !== null && r.cases_run > 0)
-          add(of, g.subject, r.level, r.seconds, [seconds(r.seconds), `${grouped(r.cases_run)} cases, ${short(r.cases_run / Math.max(r.seconds, 1e-9) / 1e6)} million a second`]);
+          add(of, name(g), r.level, r.seconds, [seconds(r.seconds), `${grouped(r.cases_run)} cases, ${short(r.cases_run / Math.max(r.seconds, 1e-9) / 1e6)} million a second`]);
     return chart({ title: `Time of ${law}`, note: "As it was run, on as many threads as the run had.", x: level, y: { label: "seconds", log: true }, series: lines(of) });
   };
   // The law that took longest is the one that says most about cost.

@@ -55,7 +55,8 @@ export function button(words: string, act: () => void, props: Props = {}): HTMLB
 /** A table of texts in a box of its own, which scrolls sideways if it must; numbers go to the right. */
 export function plainTable(caption: string, head: string[], rows: (string | Node)[][]): HTMLElement {
   const numeric = head.map((_, k) => rows.every((row) => typeof row[k] !== "string" || /^[−\-\d.,]*( ?[%\p{L}]{0,3})?$/u.test(row[k])));
-  const cell = (content: string | Node, k: number) => el("td", numeric[k] ? { class: "number" } : {}, content);
+  const look = (content: string | Node, k: number) => (numeric[k] ? "number" : typeof content === "string" && content.length > 24 ? "long" : "");
+  const cell = (content: string | Node, k: number) => el("td", { class: look(content, k) }, content);
   return el(
     "div",
     { class: "scrolls", tabindex: "0", role: "region", "aria-label": caption },

@@ -43,7 +43,8 @@ function sizesTable(f: Footprint): HTMLElement {
 export function footprintCharts(report: Report): HTMLElement[] {
   return scenes(report).flatMap(({ name, scene }) => {
     if (!scene.footprint) return [];
-    const made: HTMLElement[] = [el("h3", {}, scene.file, el("span", { class: "from" }, ` from ${name}`))];
+    const made: HTMLElement[] = [];
+    const title = el("h3", {}, scene.file, el("span", { class: "from" }, ` from ${name}`));
     const { sizes } = scene;
     if (sizes && sizes.length > 1) {
       const series = forms
@@ -73,6 +74,6 @@ export function footprintCharts(report: Report): HTMLElement[] {
       );
     } else made.push(el("p", { class: "note" }, "No sizes by level: mmverify scene --sizes A..B adds them."));
     made.push(sizesTable(scene.footprint));
-    return made;
+    return [title, el("div", { class: "charts" }, ...made)];
   });
 }

@@ -88,7 +88,6 @@ export function drawOrder(s: Stage): number | null {
     strokes.moveTo(...toPixel(s.view, s.width, s.height, stretch[0]!, stretch[1]!));
     for (let k = 2; k < stretch.length; k += 2) strokes.lineTo(...toPixel(s.view, s.width, s.height, stretch[k]!, stretch[k + 1]!));
   }
-  c.lineJoin = "round";
   const side = s.view.scale / 2 ** path.level;
   // A line of two colours is seen on any ground.
   c.strokeStyle = named("paper");

@@ -49,8 +49,9 @@ function onePlan(name: string, scene: Scene): HTMLElement {
       { words: "left out", n: Math.max(0, plan.triangles - plan.baked_triangles), look: "transparent" },
     ]),
   );
+  const tables = el("div", { class: "charts" });
   if (plan.surfaces.length > 0)
-    box.append(
+    tables.append(
       plainTable(
         "Surfaces",
         ["Image", "Size", "Mode", "Filter", "Cutoff", "Factor"],
@@ -58,7 +59,7 @@ function onePlan(name: string, scene: Scene): HTMLElement {
       ),
     );
   if (why.size > 0)
-    box.append(
+    tables.append(
       plainTable(
         "Left out",
         ["Why", "Primitives", "Triangles"],
@@ -66,15 +67,10 @@ function onePlan(name: string, scene: Scene): HTMLElement {
       ),
     );
   if (plan.left_out_laws && plan.left_out_laws.length > 0)
-    box.append(plainTable("Laws left out", ["What", "Why"], plan.left_out_laws.map((l) => [l.what, l.why])));
+    tables.append(plainTable("Laws left out", ["What", "Why"], plan.left_out_laws.map((l) => [l.what, l.why])));
+  box.append(tables);
   if (bake) {
-    box.append(
-      bar(`States of ${plural(bake.micro_triangles, "micro-triangle")}`, [
-        { words: "opaque", n: bake.states.O, look: "opaque" },
-        { words: "unknown, opaque", n: bake.states.UO, look: "unknown-opaque" },
-        { words: "unknown, transparent", n: bake.states.UT, look: "unknown-transparent" },
-        { words: "transparent", n: bake.states.T, look: "transparent" },
-      ]),
+    tables.append(
       plainTable(
         "Levels",
         ["Level", "Maps"],
@@ -82,6 +78,14 @@ function onePlan(name: string, scene: Scene): HTMLElement {
           .sort((a, b) => Number(a[0]) - Number(b[0]))
           .map(([n, maps]) => [n, grouped(maps)]),
       ),
+    );
+    box.append(
+      bar(`States of ${plural(bake.micro_triangles, "micro-triangle")}`, [
+        { words: "opaque", n: bake.states.O, look: "opaque" },
+        { words: "unknown, opaque", n: bake.states.UO, look: "unknown-opaque" },
+        { words: "unknown, transparent", n: bake.states.UT, look: "unknown-transparent" },
+        { words: "transparent", n: bake.states.T, look: "transparent" },
+      ]),
       el("p", { class: "note" }, `Loaded in ${seconds(bake.load_seconds)}, baked in ${seconds(bake.bake_seconds)}; whole numbers decided ${grouped(bake.exact)} of ${grouped(bake.leaves)} leaves${bake.lowered > 0 ? `; ${plural(bake.lowered, "triangle")} at a lower level, for memory` : ""}.`),
     );
   }

@@ -118,10 +118,10 @@ export function verdictTable(groups: Group[]): HTMLElement {
     const made = el(
       "tr",
       { "data-verdict": g.verdict, "aria-label": label },
-      el("th", { scope: "row", "data-label": "Law" }, toggle),
+      el("th", { scope: "row", "data-label": "Law" }, toggle, files > 1 ? el("span", { class: "from" }, ` ${g.run.name}`) : null),
       cell("Subject", false, g.subject),
       cell("Levels", false, levelsText(g)),
-      cell("Cases", true, grouped(g.cases), g.mismatches > 0 ? el("span", { class: "wrong" }, ` ${grouped(g.mismatches)} wrong`) : ""),
+      cell("Cases", true, el("span", {}, grouped(g.cases), g.mismatches > 0 ? el("span", { class: "wrong" }, ` ${grouped(g.mismatches)} wrong`) : "")),
       cell("Verdict", false, verdictMark(g.verdict)),
       cell("Time", true, seconds(g.seconds)),
     );

@@ -23,11 +23,11 @@ export function logTicks(min: number, max: number, count: number): number[] {
   const inside = (t: number) => t >= min * (1 - 1e-9) && t <= max * (1 + 1e-9);
   const every = Math.max(1, Math.ceil((to - from) / Math.max(1, count)));
   const powers: number[] = [];
-  for (let k = from; k <= to; ++k) if ((k - from) % every === 0 || every === 1) powers.push(10 ** k);
+  for (let k = from; k <= to; ++k) if ((k - from) % every === 0 || every === 1) powers.push(Number(`1e${k}`));
   const decades = powers.filter(inside);
   if (decades.length >= 3 || every > 1) return decades;
   const finer: number[] = [];
-  for (let k = from; k <= to; ++k) for (const times of [1, 2, 5]) finer.push(times * 10 ** k);
+  for (let k = from; k <= to; ++k) for (const times of [1, 2, 5]) finer.push(Number(`${times}e${k}`));
   const found = finer.filter(inside);
   return found.length >= 3 ? found : linearTicks(min, max, count);
 }

@@ -6,7 +6,7 @@ import { grouped, percent, short } from "./format";
 import { front } from "./front";
 
 /** A decade below a logarithmic axis's least: where marks lie that have no error at all. */
-export const below = (least: number): number => 10 ** (Math.floor(Math.log10(least) + 1e-9) - 1);
+export const below = (least: number): number => Number(`1e${Math.floor(Math.log10(least) + 1e-9) - 1}`);
 
 interface Entry {
   name: string;
@@ -14,6 +14,8 @@ interface Entry {
   /** 0: none found. */
   error: number;
   words: string[];
+  /** Of another kind than the others: no rival of theirs. */
+  apart?: boolean;
 }
 
 const frontNote = "Ringed, joined by steps: what nothing else beats in both. Hollow: none found, which a logarithmic axis has no place for.";
@@ -30,7 +32,7 @@ function tradeChart(title: string, x: string, y: string, entries: Entry[], floor
     x: { label: x, log: true },
     y: { label: y, log: true, ...(zero ? { floor: { at: floor, words: floorWords } } : {}) },
     series,
-    front: front(marks),
+    front: front(marks.filter((_, k) => !entries[k]!.apart)),
   });
 }
 
@@ -63,8 +65,9 @@ export function indexEntries(bench: IndexBench, level: number): Entry[] {
           `${short(row.ns_per_index)} ns an index, level ${at}`,
           hard.mismatches === 0 ? `none wrong of ${grouped(hard.samples)} hard points` : `${short(error)} of the hard points wrong (${grouped(hard.mismatches)} of ${grouped(hard.samples)})`,
           ...(uniform && uniform.samples > 0 ? [`${short(uniform.mismatches / uniform.samples)} of the uniform ones`] : []),
-          `${s.numbers}, ${s.order}`,
+          `${s.numbers}, ${s.order === "rows" ? "row order" : s.order}`,
         ],
+        apart: s.order !== "curve",
       },
     ];
   });
@@ -77,7 +80,7 @@ function indexChart(bench: IndexBench): HTMLElement {
     return el(
       "div",
       {},
-      tradeChart(`Index, level ${level}`, "ns an index, one thread", "share of hard points wrong", entries, "none", "Subjects that end below the level are shown at their last one."),
+      tradeChart(`Index, level ${level}`, "ns an index, one thread", "share of hard points wrong", entries, "none", "Subjects that end below the level are shown at their last one. The front is of those on the curve; w-minor is another order."),
       numbersBelow(`Index, level ${level}`, ["Subject", "ns", "Wrong, of hard points"], entries.map((e) => [e.name, short(e.ns), e.error === 0 ? "none" : short(e.error)])),
     );
   });
@@ -139,12 +142,9 @@ function vqChart(bench: VqBench): HTMLElement {
   );
 }
 
-function treeChart(bench: TreeBench): HTMLElement {
+function treeCharts(bench: TreeBench): HTMLElement[] {
   const states = [...new Set(bench.rows.map((r) => r.states))];
-  return el(
-    "div",
-    {},
-    ...states.map((s) => {
+  return states.map((s) => {
       const forms = new Map<string, Mark[]>();
       for (const row of bench.rows.filter((r) => r.states === s))
         for (const f of row.forms)
@@ -163,15 +163,14 @@ function treeChart(bench: TreeBench): HTMLElement {
         series,
         front: front(last),
       });
-    }),
-  );
+    });
 }
 
 /** Charts of all topics that a bench was given of. */
 export function tradeCharts(report: Report): HTMLElement[] {
   return [
     ...benches(report, "index").map((b) => indexChart(b.content)),
-    ...benches(report, "tree").map((b) => treeChart(b.content)),
+    ...benches(report, "tree").flatMap((b) => treeCharts(b.content)),
     ...benches(report, "vq").map((b) => vqChart(b.content)),
     ...benches(report, "bake").map((b) => bakeChart(b.content)),
   ];

@@ -111,6 +111,7 @@ class Viewer {
       "aria-label",
       `Base triangle: ${group.law} on ${group.subject}. Arrow keys move it, plus and minus zoom, 0 shows all, brackets change the level`,
     );
+    this.readout.textContent = "Point at a micro-triangle to read it.";
     this.fit();
     this.setLevel(e.states?.level ?? e.counters[0]?.shownAt ?? 3);
   }
@@ -397,6 +398,7 @@ class Viewer {
     c.imageSmoothingEnabled = false;
     c.drawImage(buffer, 0, 0, canvas.width, canvas.height);
     c.setTransform(dpr, 0, 0, dpr, 0, 0);
+    c.lineJoin = "round";
     const stage: Stage = { c, view: this.view, width: this.width, height: this.height, level: this.level, order: this.shown.order };
     drawGrid(stage);
     const orderLevel = this.showOrder.checked ? drawOrder(stage) : this.level;
