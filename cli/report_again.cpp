@@ -19,9 +19,9 @@ namespace {
 using namespace proofs;
 using Json = nlohmann::ordered_json;
 
-constexpr Level all_levels_to = 6;          // of these every cell is asked, and the counterexample's level
-constexpr Level highest_asked = 10;         // a second or so
-constexpr std::size_t most_cells = 20'000;  // of a level, listed in the page
+constexpr Level all_levels_to = 6;           // of these every cell is asked, and the counterexample's level
+constexpr Level highest_asked = 10;          // a second or so
+constexpr std::int64_t squares_around = 32;  // of it, on each side of the counterexample, where all is listed
 constexpr std::size_t most_results = 200, most_pictures = 8;
 
 using index::Order;
@@ -37,30 +37,50 @@ Order order_of(const Law& law, const index::IndexSubject& subject) {
 class Asked {
  public:
   /// Its number in the list.  Domain: the subject has the order's entry point.
-  std::size_t add(const index::IndexSubject& subject, Order order, Level level) {
-    const auto [at, added] = numbers_.emplace(std::pair(subject.name(), order), numbers_.size());
+  std::size_t add(const index::IndexSubject& subject, Order order, Level level, const std::string& at) {
+    const auto [place, added] = numbers_.emplace(std::pair(subject.name(), order), numbers_.size());
+    const std::size_t number = place->second;
     if (added) {
       list_.push_back({{"subject", subject.name()},
                        {"order", order == Order::curve ? "curve" : "rows"},
                        {"levels", Json::array()}});
       for (Level n = 0; n <= std::min(all_levels_to, subject.max_level()); ++n)
-        ask(subject, order, n, at->second);
+        list_[number]["levels"].push_back(asked(subject, order, n, index::whole_level(n)));
     }
-    if (level > all_levels_to && level <= std::min(highest_asked, subject.max_level()) &&
-        further_.insert({at->second, level}).second)
-      ask(subject, order, level, at->second);
-    return at->second;
+    if (level > all_levels_to && level <= std::min(highest_asked, subject.max_level()))
+      if (const auto window = around(at, level); window && further_.insert({number, level}).second) {
+        Json one = asked(subject, order, level, *window);
+        one["window"] = {window->ku0, window->ku1, window->kv0, window->kv1};
+        list_[number]["levels"].push_back(one);
+      }
+    return number;
   }
   const Json& list() const { return list_; }
 
  private:
-  void ask(const index::IndexSubject& subject, Order order, Level n, std::size_t number) {
-    const index::WrongCells found = index::wrong_cells(subject, n, order, most_cells);
+  /// The cells around a counterexample that is a point.
+  static std::optional<index::CellWindow> around(const std::string& at, Level n) {
+    try {
+      const index::RationalPoint p = index::parse_point(at);
+      const double quarters = 4.0 * spec::side(n);
+      const auto u = static_cast<std::int64_t>(index::nearest(p.u) * quarters),
+                 v = static_cast<std::int64_t>(index::nearest(p.v) * quarters);
+      // From grid line to grid line.
+      const auto low = [](std::int64_t k) { return std::max<std::int64_t>(0, (k / 4 - squares_around) * 4); };
+      const auto high = [](std::int64_t k) { return (k / 4 + squares_around) * 4; };
+      return index::CellWindow{low(u), high(u), low(v), high(v)};
+    } catch (const BadCase&) {
+      return std::nullopt;
+    }
+  }
+
+  static Json asked(const index::IndexSubject& subject, Order order, Level n,
+                    const index::CellWindow& window) {
+    const index::WrongCells found = index::wrong_cells(subject, n, order, window);
     Json wrong = Json::array();
     for (const index::WrongCell& c : found.listed)
       for (const Json& x : {Json(c.ku), Json(c.kv), Json(c.expected), Json(c.got)}) wrong.push_back(x);
-    list_[number]["levels"].push_back(
-        {{"level", n}, {"cells", found.cells}, {"wrong_cells", found.wrong}, {"wrong", wrong}});
+    return {{"level", n}, {"cells", found.cells}, {"wrong_cells", found.wrong}, {"wrong", wrong}};
   }
 
   std::map<std::pair<std::string, Order>, std::size_t> numbers_;
@@ -119,7 +139,7 @@ void ask(const Json& result, Asked& asked, std::size_t& pictures, Json& one) {
   if (const auto* index = dynamic_cast<const index::IndexSubject*>(subject.get())) {
     const Order order = order_of(*law, *index);
     if (index->has(order == Order::curve ? index::Entry::index : index::Entry::row_index))
-      one["asked"] = asked.add(*index, order, level);
+      one["asked"] = asked.add(*index, order, level, at);
   } else if (const auto* bake = dynamic_cast<const bake::BakeSubject*>(subject.get())) {
     if (Json states = states_of(*bake, at, level); !states.is_null()) one["states"] = states;
   }

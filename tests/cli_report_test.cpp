@@ -129,12 +129,21 @@ TEST_F(Report, AsksBuiltInSubjectsAgain) {
 
 TEST_F(Report, AsksOnTheLevelOfACounterexampleToo) {
   write(wrong_,
-        said_by_prove({"index.equals_reference", "--subject", "step-appendix-ties", "--levels", "8"}));
+        said_by_prove({"index.equals_reference", "--subject", "step-appendix-ties", "--levels", "9"}));
   ASSERT_EQ(report({wrong_}).exit_code, 0);
   const json levels = data()["asked"][0]["levels"];
   ASSERT_EQ(levels.size(), 8u);
-  EXPECT_EQ(levels[7]["level"], 8);
-  EXPECT_GT(levels[7]["wrong_cells"], 0);
+  EXPECT_EQ(levels[7]["level"], 9);  // no rationals up there
+  // Around the counterexample all is listed.
+  const json &wrong = levels[7]["wrong"], window = levels[7]["window"];
+  ASSERT_EQ(window.size(), 4u);
+  ASSERT_FALSE(wrong.empty());
+  EXPECT_LT(wrong.size() / 4, levels[7]["wrong_cells"].get<std::size_t>());
+  for (std::size_t k = 0; k < wrong.size(); k += 4)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      EXPECT_GE(wrong[k + axis], window[2 * axis]);
+      EXPECT_LE(wrong[k + axis], window[2 * axis + 1]);
+    }
 }
 
 TEST_F(Report, AsksInRowOrderWhereThatIsTheLaws) {

@@ -4,7 +4,7 @@
 
 namespace mmverify::proofs::index {
 
-WrongCells wrong_cells(const IndexSubject& subject, Level n, Order order, std::size_t most) {
+WrongCells wrong_cells(const IndexSubject& subject, Level n, Order order, const CellWindow& window) {
   WrongCells found;
   std::vector<GridPoint> points;
   std::vector<std::uint32_t> got;
@@ -25,9 +25,8 @@ WrongCells wrong_cells(const IndexSubject& subject, Level n, Order order, std::s
             order == Order::curve ? spec::index::reference(points[t], n) : spec::index::w_minor(points[t], n);
         if (got[t] == expected) continue;
         ++found.wrong;
-        if (found.listed.size() < most)
-          found.listed.push_back(
-              {row.ku + static_cast<std::int64_t>(t) * row.stride, row.kv, expected, got[t]});
+        const std::int64_t ku = row.ku + static_cast<std::int64_t>(t) * row.stride;
+        if (window.holds(ku, row.kv)) found.listed.push_back({ku, row.kv, expected, got[t]});
       }
       found.cells += row.count;
     }

@@ -22,7 +22,9 @@ export interface Answers {
   level: number;
   cells: number;
   wrongCells: number;
-  /** Whether every wrong cell is listed. */
+  /** Whether all that is wrong in a grid square is known. */
+  known: (i: number, j: number) => boolean;
+  /** Whether that is so of all of them. */
   all: boolean;
   /** By place(): the answer inside a micro-triangle that should have given its own index. */
   inside: Map<number, { right: number; got: number }>;
@@ -36,12 +38,13 @@ export const place = (i: number, j: number, inverted: boolean, n: number): numbe
 /** Cells are given by 4N u and 4N v of their representative: a vertex has both divisible by 4, an upright micro-triangle
  * leaves 1 and 1, an inverted one 3 and 3, an edge 2 in one or in both. */
 export function answersOf(asked: AskedLevel): Answers {
-  const { level, cells, wrong } = asked;
+  const { level, cells, wrong, window } = asked;
   const answers: Answers = {
     level,
     cells,
     wrongCells: asked.wrong_cells,
-    all: wrong.length === 4 * asked.wrong_cells,
+    known: window ? (i, j) => 4 * i >= window[0] && 4 * i + 4 <= window[1] && 4 * j >= window[2] && 4 * j + 4 <= window[3] : () => true,
+    all: !window,
     inside: new Map(),
     edges: [],
     vertices: [],

@@ -206,7 +206,9 @@ export interface AskedLevel {
   level: number;
   cells: number;
   wrong_cells: number;
-  /** Four numbers a cell: 4N u, 4N v, the right index, the subject's. Fewer cells than wrong_cells: the first. */
+  /** Where all wrong cells are listed: 4N u from and to, 4N v from and to. Everywhere where it is missing. */
+  window?: [number, number, number, number];
+  /** Four numbers a wrong cell: 4N u, 4N v, the right index, the subject's. */
   wrong: number[];
 }
 

@@ -12,6 +12,8 @@ export interface Counter extends Found {
   /** Micro-triangles, where expected and got are such. */
   right: number | null;
   wrong: number | null;
+  /** The micro-triangle that it is about, where it names one. */
+  about: number | null;
 }
 
 export interface States {
@@ -46,9 +48,9 @@ function counter(found: Found, order: Order): Counter {
   const { counterexample: c } = found;
   const level = found.level ?? 0;
   const point = pointOf(c.case);
-  const counter: Counter = { ...found, shownAt: level, point, right: null, wrong: null };
+  const counter: Counter = { ...found, shownAt: level, point, right: null, wrong: null, about: null };
   const named = indexOfCase(c.case);
-  if (named !== null && named < 4 ** level) counter.right = named;
+  if (named !== null && named < 4 ** level) counter.about = named;
   // Expected is a micro-triangle where it is the one that holds the point.
   if (point && level <= 16 && point.u >= 0 && point.v >= 0 && point.u + point.v <= 1) {
     const own = order === "curve" ? indexOf(microAt(point.u, point.v, level), level, order) : null;
@@ -98,6 +100,8 @@ export function exhibit(report: Report, group: Group): Exhibit {
       states = { level: first.level!, expected: map, got: null, at: differsAt(String(first.counterexample.expected)) };
       words.push("The colours are the states of the map that was asked about; what the subject made of it is known for the counterexample only.");
     }
+    const at = states?.at ?? null;
+    if (counters[0] && at !== null && at < 4 ** counters[0].shownAt) counters[0].about = at;
     square = squareOf(first.counterexample.case);
   }
   return { group, order, counters, answers, states, square, picture: agains.find((a) => a.picture)?.picture ?? null, words };

@@ -84,12 +84,14 @@ function byAnswers(level: number, answers: Answers | undefined): Colouring {
   ];
   if (!answers)
     return { fills: [unknown], kind: () => 0, legend: [{ fill: unknown, words: "not asked" }], words: `The subject was not asked on level ${level}.` };
-  const { inside, all } = answers;
+  const { inside, all, known } = answers;
   return {
-    fills: [all ? right : unknown, wrong],
-    kind: (i, j, inverted) => (inside.has(place(i, j, inverted, level)) ? 1 : 0),
-    legend: all ? legend : [legend[1]!, { fill: unknown, words: "right, or wrong and not listed" }],
-    words: all ? null : `Of ${answers.wrongCells} wrong cells the first are listed.`,
+    fills: [right, wrong, unknown],
+    kind: all
+      ? (i, j, inverted) => (inside.has(place(i, j, inverted, level)) ? 1 : 0)
+      : (i, j, inverted) => (inside.has(place(i, j, inverted, level)) ? 1 : known(i, j) ? 0 : 2),
+    legend: all ? legend : [...legend, { fill: unknown, words: "asked, not listed" }],
+    words: all ? null : "Of this level the page has the wrong cells around the counterexample only.",
   };
 }
 

@@ -131,6 +131,8 @@ export function drawNumbers(s: Stage, taken: ReadonlySet<number>): void {
 export function drawWrong(s: Stage, answers: Answers): void {
   const { c } = s;
   const side = sideOf(s);
+  // Finer than that, a halo would hide the neighbours.
+  const halo = side >= 8;
   const bars = new Path2D();
   for (const e of answers.edges) {
     const [x0, y0] = at(s, e.i0, e.j0);
@@ -139,22 +141,22 @@ export function drawWrong(s: Stage, answers: Answers): void {
     bars.lineTo(x1 - 0.12 * (x1 - x0), y1 - 0.12 * (y1 - y0));
   }
   const squares = new Path2D();
-  const r = Math.max(1.5, Math.min(6, side / 7));
+  const r = Math.max(0.7, Math.min(6, side / 7));
   for (const v of answers.vertices) {
     const [x, y] = at(s, v.i, v.j);
     squares.rect(x - r, y - r, 2 * r, 2 * r);
   }
   c.lineCap = "butt";
   c.strokeStyle = named("paper");
-  c.lineWidth = Math.max(3, Math.min(9, side / 5));
-  c.stroke(bars);
+  c.lineWidth = Math.min(9, 1.5 + side / 5);
+  if (halo) c.stroke(bars);
   c.strokeStyle = c.fillStyle = named("wrong");
-  c.lineWidth = Math.max(1.5, Math.min(5, side / 9));
+  c.lineWidth = Math.max(0.7, Math.min(5, side / 8));
   c.stroke(bars);
   c.fill(squares);
   c.strokeStyle = named("paper");
   c.lineWidth = 1;
-  c.stroke(squares);
+  if (halo) c.stroke(squares);
 }
 
 /** The counterexample: the right micro-triangle, the one returned, the point. */
@@ -190,6 +192,7 @@ export function drawCounter(s: Stage, counter: Counter): void {
     }
   };
   marked(counter.wrong, named("wrong"), true);
+  marked(counter.about, named("right"), false);
   marked(counter.right, named("right"), false);
   if (counter.point) {
     const [x, y] = toPixel(s.view, s.width, s.height, counter.point.u, counter.point.v);

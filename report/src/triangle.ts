@@ -171,6 +171,7 @@ class Viewer {
     const counter = this.counter();
     if (counter?.shownAt === this.level && counter.right !== null) marks.push(el("span", { class: "entry" }, el("span", { class: "mark right" }), `expected ${counter.right}`));
     if (counter?.shownAt === this.level && counter.wrong !== null) marks.push(el("span", { class: "entry" }, el("span", { class: "mark wrong" }), `returned ${counter.wrong}`));
+    if (counter?.shownAt === this.level && counter.about !== null) marks.push(el("span", { class: "entry" }, el("span", { class: "mark right" }), `the counterexample is about ${counter.about}`));
     if (counter?.point) marks.push(el("span", { class: "entry" }, el("span", { class: "mark point" }), `the point (${counter.point.uText}, ${counter.point.vText})`));
     this.legend.replaceChildren(...marks);
     this.touch();
@@ -232,7 +233,7 @@ class Viewer {
     if (!counter) return;
     this.setLevel(counter.shownAt);
     let at: [number, number] | undefined = counter.point ? [counter.point.u, counter.point.v] : undefined;
-    const index = counter.right ?? this.shown.states?.at ?? null;
+    const index = counter.right ?? counter.about;
     if (!at && index !== null) {
       const c = cornersOf(microOfIndex(index, this.level, this.shown.order));
       const N = 2 ** this.level;
@@ -351,7 +352,7 @@ class Viewer {
     const answers = this.shown.answers.get(level);
     if (answers) {
       const wrong = answers.inside.get(place(m.i, m.j, m.inverted, level));
-      parts.push(wrong ? `Inside it the subject answers ${grouped(wrong.got)}: wrong.` : answers.all ? "Inside it the subject is right." : "");
+      parts.push(wrong ? `Inside it the subject answers ${grouped(wrong.got)}: wrong.` : answers.known(m.i, m.j) ? "Inside it the subject is right." : "");
       const touches = (i: number, j: number) => {
         const c = cornersOf(m);
         return [0, 2, 4].some((k) => c[k] === i && c[k + 1] === j);
@@ -406,7 +407,7 @@ class Viewer {
     if (answers && this.mode === "answers") drawWrong(stage, answers);
     const counter = this.counter();
     const here = counter?.shownAt === this.level;
-    drawNumbers(stage, new Set(here ? [counter.right ?? -1, counter.wrong ?? -1] : []));
+    drawNumbers(stage, new Set(here ? [counter.right ?? -1, counter.wrong ?? -1, counter.about ?? -1] : []));
     if (counter) drawCounter(stage, counter);
     drawCorners(stage);
     if (this.keys) drawCross(stage);

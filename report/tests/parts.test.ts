@@ -87,7 +87,9 @@ test("answers: a cell's representative says which cell it is", () => {
     [[0, 0, 1, 0], [0, 0, 0, 1], [1, 0, 0, 1]],
   );
   assert.deepEqual([...a.inside.values()], [{ right: 0, got: 3 }, { right: 1, got: 2 }]);
-  assert.ok(a.all);
+  assert.ok(a.all && a.known(0, 0));
+  const part = answersOf({ level: 3, cells: 217, wrong_cells: 9, wrong: [], window: [4, 12, 0, 8] });
+  assert.deepEqual([part.all, part.known(1, 0), part.known(2, 1), part.known(0, 0), part.known(3, 0), part.known(1, 2)], [false, true, true, false, false, false]);
 });
 
 test("pixels and points are each other's inverse", () => {
