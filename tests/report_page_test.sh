@@ -4,7 +4,7 @@
 set -euo pipefail
 
 (($# == 2)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
-program=$(readlink -f -- "$1") home=$2
+program=$(readlink -f -- "$1") home=$(readlink -m -- "$2")
 report=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../report
 skip() {
   printf 'skipped: %s\n' "$*"

@@ -65,7 +65,8 @@ function summary(report: Report): HTMLElement {
     const n = results.filter((r) => r.verdict === v).length;
     return n > 0 ? [el("li", {}, el("strong", {}, grouped(n)), " ", verdictMark(v))] : [];
   });
-  return el("ul", { class: "summary", "aria-label": "Results by verdict" }, ...items);
+  if (items.length === 0) return el("p", { class: "summary" }, "No verdicts: figures only.");
+  return el("ul", { class: "summary", "aria-label": "Results by verdict" }, el("li", {}, `${plural(results.length, "result")}:`), ...items);
 }
 
 function toolLine(tool: Tool): string {
@@ -80,7 +81,7 @@ function sources(report: Report): HTMLElement {
     const shard = content.shard ? `, shard ${content.shard.number} of ${content.shard.of}: a part of a run` : "";
     return [name, `${content.scene ? "scene" : "prove"}: ${plural(content.results.length, "result")}, ${seconds(time)}${shard}`, toolLine(content.tool)];
   });
-  return el("details", {}, el("summary", {}, `Made from ${plural(report.files.length, "file")} by mmverify ${report.tool.version}`), plainTable("Files", ["File", "Holds", "Made by"], rows));
+  return el("details", {}, el("summary", {}, `Made from ${plural(new Set(report.files.map((f) => f.name)).size, "file")} by mmverify ${report.tool.version}`), plainTable("Files", ["File", "Holds", "Made by"], rows));
 }
 
 /** A section that cannot be drawn says so and leaves the others alone. */
