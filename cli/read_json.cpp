@@ -107,13 +107,18 @@ ShardRun shard_run(const Json& j) {
 
 }  // namespace
 
-Json read_json(const std::string& path) {
+std::string read_text(const std::string& path) {
   if (std::filesystem::is_directory(path))
     throw EnvironmentError(fmt::format("{}: cannot be read: a folder", path));
   std::ifstream in(path, std::ios::binary);
   if (!in) throw EnvironmentError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text{std::istreambuf_iterator<char>(in), {}};
   if (in.bad()) throw EnvironmentError(fmt::format("{}: cannot be read to its end", path));
+  return text;
+}
+
+Json read_json(const std::string& path) {
+  const std::string text = read_text(path);
   try {
     return Json::parse(text);
   } catch (const std::exception& error) {
@@ -122,12 +127,11 @@ Json read_json(const std::string& path) {
 }
 
 ShardRun read_shard(const std::string& path) {
+  const Json json = read_json(path);
   try {
-    ShardRun run = shard_run(read_json(path));
+    ShardRun run = shard_run(json);
     run.file = path;
     return run;
-  } catch (const EnvironmentError&) {
-    throw;
   } catch (const std::exception& error) {
     throw EnvironmentError(fmt::format("{}: {}", path, error.what()));
   }

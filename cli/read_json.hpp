@@ -1,4 +1,4 @@
-// Results read back.
+// Files that the program wrote, read back.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,6 +7,9 @@
 #include "proofs/engine/shards.hpp"
 
 namespace mmverify::cli {
+
+/// All of a file.  Throws EnvironmentError, which names it, where it cannot be read.
+std::string read_text(const std::string& path);
 
 /// A file of JSON.  Throws EnvironmentError, which names the file and the place in it, where it is missing or
 /// is none.

@@ -1,0 +1,42 @@
+// Where a subject is wrong on a level: the cells themselves, for pictures.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "proofs/index/picture.hpp"
+#include "proofs/index/subject.hpp"
+
+namespace mmverify::proofs::index {
+
+/// A cell by its representative, (ku, kv) / 4N, the right answer and the subject's.
+struct WrongCell {
+  std::int64_t ku, kv;
+  std::uint32_t expected, got;
+};
+
+/// Representatives with ku in [ku0, ku1] and kv in [kv0, kv1].
+struct CellWindow {
+  std::int64_t ku0, ku1, kv0, kv1;
+  bool holds(std::int64_t ku, std::int64_t kv) const {
+    return ku0 <= ku && ku <= ku1 && kv0 <= kv && kv <= kv1;
+  }
+};
+
+/// All of level n.
+constexpr CellWindow whole_level(Level n) {
+  const std::int64_t all = 4 * std::int64_t{side(n)};
+  return {0, all, 0, all};
+}
+
+struct WrongCells {
+  std::uint64_t cells = 0, wrong = 0;  ///< of the level
+  std::vector<WrongCell> listed;       ///< those in the window, in the order of Cells
+};
+
+/// Asks the subject on all cells of level n, and compares with the Vulkan formula or, in row order, with
+/// figure 4, both on the points as the subject receives them; lists the wrong cells of a window. Domain: a
+/// subject that has the order's entry point, n up to its highest level.
+WrongCells wrong_cells(const IndexSubject& subject, Level n, Order order, const CellWindow& window);
+
+}  // namespace mmverify::proofs::index

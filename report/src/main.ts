@@ -1,0 +1,115 @@
+// The page: reads its data, puts the sections together.
+import { costCharts } from "./cost";
+import { type Report, runs, type Tool } from "./data";
+import { el, plainTable } from "./dom";
+import { footprintCharts } from "./footprint";
+import { grouped, plural, seconds } from "./format";
+import { planSections } from "./plan";
+import { savingsCharts } from "./savings";
+import { verdictMark, verdictTable } from "./table";
+import { themeButton } from "./theme";
+import { tradeCharts } from "./trade";
+import { triangleSection } from "./triangle";
+import { groups, verdicts } from "./verdicts";
+
+interface Section {
+  id: string;
+  title: string;
+  /** What would have to be given for it. */
+  needs: string;
+  /** Side by side where there is room. */
+  charts?: boolean;
+  make: (report: Report) => (HTMLElement | null)[];
+}
+
+const sections: Section[] = [
+  {
+    id: "verdicts",
+    title: "Verdicts",
+    needs: "a result of mmverify prove or mmverify scene (--json)",
+    make: (report) => {
+      const all = groups(runs(report));
+      return all.length > 0 ? [verdictTable(all), ...mutants(report)] : [];
+    },
+  },
+  {
+    id: "refuted",
+    title: "Refuted",
+    needs: "",
+    make: (report) => {
+      const refuted = groups(runs(report)).filter((g) => g.verdict === "refuted");
+      return refuted.length > 0 ? [triangleSection(report, refuted)] : [];
+    },
+  },
+  { id: "trade", charts: true, title: "Error against run time", needs: "a result of mmverify bench --json", make: tradeCharts },
+  { id: "cost", charts: true, title: "Cost against level", needs: "a result of mmverify bench --json, or of laws on three levels or more", make: costCharts },
+  { id: "footprint", title: "Footprint against level", needs: "a result of mmverify scene --sizes A..B --json", make: footprintCharts },
+  { id: "savings", charts: true, title: "VQ savings", needs: "a result of mmverify bench vq --json", make: savingsCharts },
+  { id: "plan", title: "The scene's plan", needs: "a result of mmverify scene --json", make: planSections },
+];
+
+function mutants(report: Report): HTMLElement[] {
+  const all = runs(report).flatMap((run) => run.content.mutants ?? []);
+  if (all.length === 0) return [];
+  const alive = all.filter((m) => !m.killed);
+  return [
+    el("p", {}, `Mutants: ${grouped(all.length - alive.length)} of ${grouped(all.length)} wrong subjects were caught by their laws.`),
+    ...(alive.length > 0 ? [plainTable("Mutants that survived", ["Law", "Mutant"], alive.map((m) => [m.law, m.mutant]))] : []),
+  ];
+}
+
+/** How many of each verdict, in words and signs. */
+function summary(report: Report): HTMLElement {
+  const results = runs(report).flatMap((run) => run.content.results);
+  const items = verdicts.flatMap((v) => {
+    const n = results.filter((r) => r.verdict === v).length;
+    return n > 0 ? [el("li", {}, el("strong", {}, grouped(n)), " ", verdictMark(v))] : [];
+  });
+  if (items.length === 0) return el("p", { class: "summary" }, "No verdicts: figures only.");
+  return el("ul", { class: "summary", "aria-label": "Results by verdict" }, el("li", {}, `${plural(results.length, "result")}:`), ...items);
+}
+
+function toolLine(tool: Tool): string {
+  const parts = [`mmverify ${tool.version}`, tool.compiler, tool.flags, tool.cpu, tool.threads && plural(tool.threads, "thread"), `seed ${tool.seed}`, `specification ${tool.spec_hash.slice(0, 12)}`];
+  return parts.filter((p) => p).join(", ");
+}
+
+function sources(report: Report): HTMLElement {
+  const rows = report.files.map(({ name, content }) => {
+    if (content.schema === "mmverify.bench/1") return [name, `bench ${content.topic}`, "tool" in content ? toolLine(content.tool) : ""];
+    const time = content.results.reduce((sum, r) => sum + r.seconds, 0);
+    const shard = content.shard ? `, shard ${content.shard.number} of ${content.shard.of}: a part of a run` : "";
+    return [name, `${content.scene ? "scene" : "prove"}: ${plural(content.results.length, "result")}, ${seconds(time)}${shard}`, toolLine(content.tool)];
+  });
+  return el("details", {}, el("summary", {}, `Made from ${plural(new Set(report.files.map((f) => f.name)).size, "file")} by mmverify ${report.tool.version}`), plainTable("Files", ["File", "Holds", "Made by"], rows));
+}
+
+/** A section that cannot be drawn says so and leaves the others alone. */
+function made(section: Section, report: Report): (HTMLElement | null)[] {
+  try {
+    return section.make(report);
+  } catch (error) {
+    console.error(error);
+    return [el("p", { class: "wrong", role: "alert" }, `This section could not be drawn: ${String(error)}`)];
+  }
+}
+
+function page(report: Report): HTMLElement[] {
+  const present = sections.map((section) => ({ section, parts: made(section, report) })).filter(({ parts }) => parts.length > 0);
+  const missing = sections.filter((s) => s.needs !== "" && !present.some((p) => p.section === s));
+  return [
+    el(
+      "header",
+      {},
+      el("div", { class: "top" }, el("h1", {}, "mmverify report"), themeButton()),
+      summary(report),
+      sources(report),
+      el("nav", { "aria-label": "Sections" }, ...present.map(({ section: s }) => el("a", { href: `#${s.id}` }, s.title))),
+    ),
+    ...present.map(({ section: s, parts }) => el("section", { id: s.id, "aria-labelledby": `${s.id}-title` }, el("h2", { id: `${s.id}-title` }, s.title), s.charts ? el("div", { class: "charts" }, ...parts) : el("div", {}, ...parts))),
+    el("footer", {}, missing.length > 0 ? el("p", {}, "Not given: ", missing.map((s) => `${s.title.toLowerCase().replace("vq", "VQ")} (${s.needs})`).join("; "), ".") : null),
+  ];
+}
+
+const data = document.getElementById("data")!.textContent!;
+document.getElementById("page")!.replaceChildren(...page(JSON.parse(data) as Report));

@@ -1,0 +1,161 @@
+// Small parts: numbers in print, ticks, the front, cases, answers, rows of the table.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { answersOf } from "../src/answers";
+import { coordinate, differsAt, indexOfCase, mapOf, pointOf, squareOf } from "../src/cases";
+import type { Result, Run, Verdict } from "../src/data";
+import { bytes, grouped, plural, powerOfTen, ranges, seconds, short } from "../src/format";
+import { front } from "../src/front";
+import { line } from "../src/path";
+import { paint, toPixel, toPoint } from "../src/raster";
+import { linearTicks, logTicks } from "../src/ticks";
+import { below } from "../src/trade";
+import { groups, levelsText } from "../src/verdicts";
+
+test("numbers in print", () => {
+  assert.equal(grouped(1234567), "1,234,567");
+  assert.equal(grouped(999), "999");
+  assert.equal(short(0), "0");
+  assert.equal(short(0.01234), "0.0123");
+  assert.equal(short(12.345), "12.3");
+  assert.equal(short(123456), "123,456");
+  assert.equal(short(1.5e9), "1.50e9");
+  assert.equal(short(2.5e-7), "2.50e-7");
+  assert.equal(seconds(0.0123), "12.3 ms");
+  assert.equal(seconds(1234), "20.6 min");
+  assert.equal(bytes(999), "999 B");
+  assert.equal(bytes(1536), "1.54 kB");
+  assert.equal(plural(1, "row"), "1 row");
+  assert.equal(plural(1500, "row"), "1,500 rows");
+  assert.equal(ranges([0, 1, 2, 4, 7, 8]), "0..2, 4, 7..8");
+  assert.equal(ranges([]), "");
+  assert.equal(powerOfTen(-7), "10⁻⁷");
+});
+
+test("ticks lie in the range and are round", () => {
+  assert.deepEqual(linearTicks(0, 10, 5), [0, 2, 4, 6, 8, 10]);
+  assert.deepEqual(linearTicks(0.5, 3.2, 10, true), [1, 2, 3]);
+  assert.deepEqual(logTicks(0.5, 2000, 8), [1, 10, 100, 1000]);
+  assert.deepEqual(logTicks(1, 20, 8), [1, 2, 5, 10, 20]);
+  for (const t of logTicks(3.1, 3.2, 5)) assert.ok(t >= 3.1 && t <= 3.2);
+  assert.ok(logTicks(1e-12, 1e6, 5).length <= 7);
+});
+
+test("the front is what nothing beats", () => {
+  const p = (x: number, y: number) => ({ x, y });
+  assert.deepEqual(front([p(3, 1), p(1, 3), p(2, 2), p(2.5, 2), p(4, 1)]), [p(1, 3), p(2, 2), p(3, 1)]);
+  assert.deepEqual(front([p(1, 1), p(1, 1), p(1, 2)]), [p(1, 1), p(1, 1)]);
+  assert.deepEqual(front([]), []);
+  // Against the definition, on points that collide.
+  const places = Array.from({ length: 200 }, (_, k) => p((k * 7919) % 13, (k * 104729) % 11));
+  const beaten = (a: { x: number; y: number }) => places.some((b) => b.x <= a.x && b.y <= a.y && (b.x < a.x || b.y < a.y));
+  const set = new Set(front(places));
+  for (const a of places) assert.equal(set.has(a), !beaten(a));
+});
+
+test("a floor lies a decade below what there is", () => {
+  assert.equal(below(0.003), 1e-4);
+  assert.equal(below(0.001), 1e-4);
+});
+
+test("cases", () => {
+  assert.deepEqual(pointOf("e:u=3/8,v=5/16"), { u: 0.375, v: 0.3125, uText: "3/8", vText: "5/16" });
+  assert.equal(pointOf("u=0,v=1")?.v, 1);
+  assert.equal(coordinate("0x1.8p-2"), 0.375);
+  assert.equal(coordinate("0x1p+0"), 1);
+  assert.equal(coordinate("0.25"), 0.25);
+  assert.equal(coordinate("1/0"), Infinity);
+  assert.equal(pointOf("u=1/0,v=0"), null);
+  assert.equal(pointOf("texels=u8:2x2:00"), null);
+  assert.equal(indexOfCase("k=22"), 22);
+  assert.equal(mapOf("4-state:0123", 1), "0123");
+  assert.equal(mapOf("4-state:0123", 2), null);
+  assert.equal(squareOf("TCO".repeat(85) + "T")?.side, 16);
+  assert.equal(squareOf("TCO"), null);
+  assert.equal(differsAt("state 3 1"), 3);
+  assert.equal(differsAt("ok"), null);
+});
+
+test("answers: a cell's representative says which cell it is", () => {
+  // Level 1, in eighths: a vertex, edges of three directions, both kinds of micro-triangles.
+  const wrong = [4, 0, 3, 1, 2, 0, 0, 1, 0, 2, 0, 2, 2, 2, 1, 0, 1, 1, 0, 3, 3, 3, 1, 2];
+  const a = answersOf({ level: 1, cells: 19, wrong_cells: 6, wrong });
+  assert.deepEqual(a.vertices, [{ i: 1, j: 0, right: 3, got: 1 }]);
+  assert.deepEqual(
+    a.edges.map((e) => [e.i0, e.j0, e.i1, e.j1]),
+    [[0, 0, 1, 0], [0, 0, 0, 1], [1, 0, 0, 1]],
+  );
+  assert.deepEqual([...a.inside.values()], [{ right: 0, got: 3 }, { right: 1, got: 2 }]);
+  assert.ok(a.all && a.known(0, 0));
+  const part = answersOf({ level: 3, cells: 217, wrong_cells: 9, wrong: [], window: [4, 12, 0, 8] });
+  assert.deepEqual([part.all, part.known(1, 0), part.known(2, 1), part.known(0, 0), part.known(3, 0), part.known(1, 2)], [false, true, true, false, false, false]);
+});
+
+test("pixels and points are each other's inverse", () => {
+  const view = { x: 0.4, y: 0.3, scale: 777 };
+  const [x, y] = toPixel(view, 640, 480, 0.25, 0.5);
+  const [u, v] = toPoint(view, 640, 480, x, y);
+  assert.ok(Math.abs(u - 0.25) < 1e-12 && Math.abs(v - 0.5) < 1e-12);
+});
+
+test("each pixel of the picture has the micro-triangle that holds its middle", () => {
+  const [w, h] = [200, 180];
+  const view = { x: 0.5, y: 0.43, scale: 190 };
+  for (const level of [0, 1, 3, 10]) {
+    const N = 2 ** level;
+    const fills = [1, 2, 3, 4, 5].map((ink) => ({ pattern: "plain" as const, paper: ink, ink }));
+    const kind = (i: number, j: number, inverted: boolean) => (i + 2 * j + (inverted ? 1 : 0)) % 5;
+    const pixels = new Uint32Array(w * h).fill(99);
+    paint(pixels, w, h, view, level, 1, fills, kind);
+    let outside = 0;
+    for (let y = 0; y < h; ++y)
+      for (let x = 0; x < w; ++x) {
+        const [u, v] = toPoint(view, w, h, x + 0.5, y + 0.5);
+        const got = pixels[y * w + x]!;
+        if (u < 0 || v < 0 || u + v > 1) {
+          ++outside;
+          assert.equal(got, 0);
+          continue;
+        }
+        const i = Math.floor(u * N), j = Math.floor(v * N);
+        const upper = u * N - i + v * N - j >= 1;
+        assert.equal(got, kind(i, j, upper) + 1, `level ${level} at ${x}, ${y}`);
+      }
+    assert.ok(outside > 0);
+  }
+});
+
+test("the line visits every micro-triangle once where all are in sight, and is coarser where they are too fine", () => {
+  const all = { u0: 0, u1: 1, v0: 0, v1: 1 };
+  for (const order of ["curve", "rows"] as const) {
+    const found = line(4, order, all, 0.01);
+    assert.equal(found.level, 4);
+    assert.equal(found.stretches.reduce((sum, s) => sum + s.length / 2, 0), order === "curve" ? 256 : 255);
+  }
+  assert.equal(line(10, "curve", all, 1 / 64).level, 6);
+  const part = line(10, "curve", { u0: 0.3, u1: 0.31, v0: 0.3, v1: 0.31 }, 1e-4);
+  const points = part.stretches.reduce((sum, s) => sum + s.length / 2, 0);
+  assert.ok(points >= 200 && points < 800, `${points}`);
+});
+
+test("a group is as weak as its weakest level", () => {
+  const result = (level: number, verdict: Verdict): Result => ({
+    law: "index.nested", topic: "index", subject: "step", level, method: "exhaustive", domain: "cells", verdict,
+    cases_expected: 7, cases_run: verdict === "not_applicable" ? 0 : 7, mismatches: 0, counterexample: null, seconds: 1,
+  });
+  const run = (...verdicts: Verdict[]): Run => ({
+    file: 0,
+    name: "a.json",
+    content: {
+      schema: "mmverify.result/1",
+      tool: { version: "0", compiler: "", flags: "", seed: 1, spec_hash: "" },
+      results: verdicts.map((v, level) => result(level, v)),
+    },
+  });
+  assert.equal(groups([run("proved", "refuted", "checked")])[0]!.verdict, "refuted");
+  assert.equal(groups([run("proved", "checked")])[0]!.verdict, "checked");
+  assert.equal(groups([run("proved", "not_applicable")])[0]!.verdict, "proved");
+  assert.equal(groups([run("not_applicable", "not_applicable")])[0]!.verdict, "not_applicable");
+  assert.equal(levelsText(groups([run("proved", "proved", "proved")])[0]!), "0..2");
+});
