@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +10,7 @@
 #include <type_traits>
 
 #include "impl/bake_base.hpp"
+#include "impl/bake_cell_judge.hpp"
 #include "impl/bake_codes.hpp"
 #include "impl/bake_filter.hpp"
 #include "impl/bake_inner_box.hpp"
@@ -26,15 +26,22 @@ class Bilinear {
   static constexpr double offset = 0.5;
 
   /// `inner`: of a micro-triangle that is not turned.
-  Bilinear(const SidesOf<Texel>& sides, const ExactBase& exact, const InnerBox& inner, double delta,
-           double margin) noexcept
+  Bilinear(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle& base, const InnerBox& inner,
+           double delta, double margin) noexcept
       : sides_(sides),
         filter_(sides, delta, margin),
         exact_(exact),
         inner_(sides, inner, margin, delta),
+        cells_(sides, base, delta, filter_.bound(), filter_.usable() && margin == 0),
         lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {}
 
   Marks texels(const Triangle& p) const noexcept { return filter_.texels(filter_.box(p)); }
+  /// Of the sixteen nodes that one is cut into, if they can be asked together.
+  SixteenNodes sixteen_nodes(const Triangle& p, bool turned) const noexcept {
+    if (!in_vectors()) return {};
+    SixteenInput in;
+    return placed(p, turned, Window(filter_.box(p)), in) ? detail::sixteen_nodes(in) : SixteenNodes{};
+  }
 
   /// One of no quad.
   unsigned single(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
@@ -55,37 +62,41 @@ class Bilinear {
            leaf({p12, p02, p[2]}, {g12, g02, g2}, turned, index + 3, quad, {2, own, own}, counts) << 6;
   }
 
-  /// The sixteen of a node, in four bytes: those that SIMD decides, and one by one those that it does not.
+  /// The sixteen of a node, in four bytes: in vectors where they are small, one by one where they are large
+  /// and where vectors cannot tell.
   std::uint32_t sixteen(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
     std::optional<SixteenMarks> marks;
     if constexpr (!std::is_same_v<Texel, float>)
-      if (in_vectors()) marks = asked(p, filter_.box(p), false);
-    const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
-    const std::array<Triangle, 4> children{
-        Triangle{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}};
+      if (in_vectors()) marks = asked(p, turned);
+    if (!marks && !cells_.usable()) {
+      const std::array<Triangle, 4> of = children(p);
+      std::uint32_t codes = 0;
+      for (std::uint32_t c = 0; c < 4; ++c) {
+        const Triangle& q = of[c];
+        codes |= four(q, middle(q[0], q[1]), middle(q[0], q[2]), middle(q[1], q[2]), turned != (c == 1),
+                      index + 4 * c, counts)
+                 << (8 * c);
+      }
+      return codes;
+    }
     std::uint32_t codes = 0, left = 0xffff;
     if (marks) {
       const std::uint32_t unknowns = marks->below & marks->opaque,
                           leaning = unknowns & marks->leans_to_opaque;
       const std::uint32_t decided = marks->lacks_below | marks->lacks_opaque | (unknowns & marks->leans);
-      counts.leaves += static_cast<std::uint64_t>(std::popcount(decided & ~marks->by_texels));
+      counts.leaves += marks->leaves;
       codes = spread(decided & (leaning | marks->lacks_below)) | spread(decided & unknowns) << 1;
       left = ~decided & 0xffff;
     }
+    if (left == 0) return codes;
+    const std::array<Triangle, 4> of = children(p);
     for (std::uint32_t c = 0; c < 4; ++c) {
       if ((left >> (4 * c) & 15) == 0) continue;
-      const Triangle& q = children[c];
       const bool is_turned = turned != (c == 1);
-      const Spot q01 = middle(q[0], q[1]), q02 = middle(q[0], q[2]), q12 = middle(q[1], q[2]);
-      if (!marks) {
-        codes |= four(q, q01, q02, q12, is_turned, index + 4 * c, counts) << (8 * c);
-        continue;
-      }
-      const std::array<Triangle, 4> of{
-          Triangle{q[0], q01, q02}, {q02, q12, q01}, {q01, q[1], q12}, {q12, q02, q[2]}};
+      const std::array<Triangle, 4> micro = children(of[c]);
       for (std::uint32_t k = 4 * c; k < 4 * c + 4; ++k)
         if ((left >> k & 1) != 0)
-          codes |= lone(of[k % 4], is_turned != (k % 4 == 1), index + k, *marks, k, counts) << (2 * k);
+          codes |= lone(micro[k % 4], is_turned != (k % 4 == 1), index + k, counts) << (2 * k);
     }
     return codes;
   }
@@ -107,103 +118,103 @@ class Bilinear {
 
   using Box = typename BilinearFilter<Texel>::Box;
 
-  /// Whether vectors are asked.
+  /// Whether vectors are asked: see bake_sixteen.hpp.
   bool in_vectors() const noexcept {
-    return !std::is_same_v<Texel, float> && filter_.usable() && filter_.margin() == 0 &&
-           sides_.pitch() <= std::size_t{1} << 20;
+    return !std::is_same_v<Texel, float> && filter_.usable() && filter_.delta() < 0x1p-30 &&
+           filter_.margin() == 0 && sides_.pitch() <= std::size_t{1} << 20;
   }
 
-  /// Nothing is certain where it is too large.
-  SixteenMarks asked(const Triangle& p, const Box& box, bool as_one) const {
-    // One more all round, for what binary32 is off.
-    const std::int64_t left = box.left - 1, right = box.right + 1, top = box.top - 1, bottom = box.bottom + 1;
-    const std::int64_t width = right - left + 1, height = bottom - top + 1, size = std::max(width, height);
-    if (size > 256) return {};
-    const auto x = static_cast<double>(left), y = static_cast<double>(top);
-    const double delta = filter_.delta() + 0x1p-20 * static_cast<double>(size);
-    SixteenInput in{};
+  /// The window about a node, one more all round for what binary32 is off, and how far binary32 is.
+  struct Window {
+    std::int64_t left, right, top, bottom, width, height, size;
+    double local;
+
+    explicit Window(const Box& box) noexcept
+        : left(box.left - 1),
+          right(box.right + 1),
+          top(box.top - 1),
+          bottom(box.bottom + 1),
+          width(right - left + 1),
+          height(bottom - top + 1),
+          size(std::max(width, height)),
+          local(0x1p-20 * static_cast<double>(size)) {}
+  };
+
+  /// Of a node in one picture: where it and its bits are.  False where it is too large, or lines say nothing.
+  bool placed(const Triangle& p, bool turned, const Window& w, SixteenInput& in) const noexcept {
+    if (w.size > sixteen_window || !cells_.lines().usable) return false;
+    const auto picture = sides_.in_one_picture(w.left, w.right, w.top, w.bottom);
+    if (!picture) return false;
+    place(p, turned, w, in);
+    in.texels = picture->first;
+    in.pitch = static_cast<std::int32_t>(sides_.pitch());
+    const Plane &are_opaque = sides_.opaque_plane(), &visible = sides_.visible_plane();
+    const std::size_t word = are_opaque.strip() * static_cast<std::size_t>(picture->left / 32) +
+                             static_cast<std::size_t>(picture->top);
+    in.opaque = are_opaque.strips() + word;
+    in.visible = visible.strips() + word;
+    in.strip = are_opaque.strip();
+    in.bit = static_cast<std::uint32_t>(picture->left % 32);
+    return true;
+  }
+  void place(const Triangle& p, bool turned, const Window& w, SixteenInput& in) const noexcept {
+    const auto x = static_cast<double>(w.left), y = static_cast<double>(w.top);
+    const double margin = 4 * w.local + 0x1p10 * filter_.delta();
+    const Lines& lines = cells_.lines();
+    in.columns = static_cast<std::int32_t>(w.width);
+    in.rows = static_cast<std::int32_t>(w.height);
     in.p0 = {static_cast<float>(p[0].x - x), static_cast<float>(p[0].y - y)};
     in.p01 = {static_cast<float>(p[1].x - p[0].x), static_cast<float>(p[1].y - p[0].y)};
     in.p02 = {static_cast<float>(p[2].x - p[0].x), static_cast<float>(p[2].y - p[0].y)};
+    in.delta = static_cast<float>(filter_.delta() + w.local);
+    for (std::size_t l = 0; l < 3; ++l) {
+      in.slope[l] = static_cast<float>(lines.slope[l]);
+      in.margin[l] = static_cast<float>(margin * (1 + std::fabs(lines.slope[l])));
+    }
+    in.row_margin = static_cast<float>(margin);
+    in.ab_left = lines.ab_left != turned;
+    in.has_flat = lines.has_flat;
+  }
+
+  /// Texels a side where they are not in one picture: a word of bits.
+  static constexpr std::int64_t most_copied = 32;
+
+  /// None where it is too large, or lines say nothing.
+  std::optional<SixteenMarks> asked(const Triangle& p, bool turned) const {
+    SixteenInput in;
+    const Window w(filter_.box(p));
+    const bool in_picture = placed(p, turned, w, in);
+    if (!in_picture && (w.size > most_copied || !cells_.lines().usable)) return std::nullopt;
+    const double delta = filter_.delta() + w.local;
     in.threshold = static_cast<float>(sides_.threshold);
     in.gap = static_cast<float>(sides_.gap);
     in.lean = static_cast<float>(lean_);
     in.bound = static_cast<float>(sides_.scale * (2 * delta + 0x1p-19));
     in.edge_bound = static_cast<float>(sides_.scale * (24 * delta + 0x1p-17));
-    in.delta = static_cast<float>(delta);
     in.clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
-    in.as_one = as_one;
-    const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
-    std::array<std::uint32_t, sixteen_window> opaque_rows, visible_rows;
-    const auto picture = sides_.in_one_picture(left, right, top, bottom);
-    if (picture) {
-      in.texels = picture->first;
-      in.pitch = static_cast<std::int32_t>(sides_.pitch());
-    }
-    if (size > sixteen_window) {
-      if (!picture) return {};
-      in.bits_opaque = sides_.opaque_plane().row_bytes(picture->top);
-      in.bits_visible = sides_.visible_plane().row_bytes(picture->top);
-      in.bit_x = static_cast<std::int32_t>(picture->left);
-      in.bit_pitch = static_cast<std::int32_t>(sides_.opaque_plane().row_pitch());
-      return detail::sixteen<Texel>(in);
-    }
-    in.rows_opaque = opaque_rows.data();
-    in.rows_visible = sides_.limits.blend ? visible_rows.data() : opaque_rows.data();
-    if (picture) {
-      sides_.rows(picture->left, picture->top, rows, opaque_rows.data(), visible_rows.data());
-      return detail::sixteen<Texel>(in);
-    }
-    constexpr std::size_t pitch = sixteen_window;
-    std::array<Texel, pitch * sixteen_window + 4> texels;  // 4 bytes from the last can be read
-    sides_.copy(left, top, columns, rows, pitch, texels.data(), opaque_rows.data(), visible_rows.data());
+    if (in_picture) return detail::sixteen<Texel>(in);
+    place(p, turned, w, in);
+    constexpr std::size_t pitch = most_copied;
+    std::array<Texel, pitch * pitch + 4> texels;  // 4 bytes from the last can be read
+    std::array<std::uint32_t, 2 * pitch> opaque_rows{}, visible_rows{};
+    sides_.copy(w.left, w.top, static_cast<std::size_t>(w.width), static_cast<std::size_t>(w.height), pitch,
+                texels.data(), opaque_rows.data(), visible_rows.data());
     in.texels = texels.data();
     in.pitch = pitch;
+    in.opaque = opaque_rows.data();
+    in.visible = sides_.limits.blend ? visible_rows.data() : opaque_rows.data();
+    in.strip = pitch;
+    in.bit = 0;
     return detail::sixteen<Texel>(in);
   }
 
-  /// Micro-triangle k of a node that was asked and left it undecided.
-  unsigned lone(const Triangle& p, bool turned, std::uint32_t index, const SixteenMarks& node,
-                std::uint32_t k, BakeCounts& counts) const {
-    const Box box = filter_.box(p);
-    const Marks all = filter_.texels(box);
-    if (all != both) return settled(all);
-    const Spot centroid = centroid_of(p);
-    Marks marks = static_cast<Marks>((node.below >> k & 1 ? below : 0) | (node.opaque >> k & 1 ? opaque : 0));
-    if (marks != both) marks = static_cast<Marks>(marks | inner_.centres(centroid, turned));
-    if (marks != both) marks = by_parts(p, box);
+  /// A micro-triangle by the cells that it meets, or else as one of no quad.
+  unsigned lone(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    bool by_texels;
+    const Marks marks = cells_.judged(p, turned, by_texels);
     if ((marks & uncertain) != 0) return single(p, turned, index, counts);
-    ++counts.leaves;
-    if (marks != both) return settled(marks);
-    if ((node.leans >> k & 1) != 0) return node.leans_to_opaque >> k & 1 ? unknown | 1 : unknown;
-    return leaning(centroid, index, counts);
-  }
-
-  /// What a triangle bears, whose texels bear both marks: that of its parts, which are all of it.
-  Marks by_parts(const Triangle& p, const Box& box) const {
-    const std::int64_t size = std::max(box.right - box.left, box.bottom - box.top);
-    if (size > 2048) return uncertain;
-    if (size < sixteen_window - 3) {
-      SixteenMarks marks;
-      if constexpr (!std::is_same_v<Texel, float>) marks = asked(p, box, true);
-      if (marks.below != 0 && marks.opaque != 0) return both;
-      if (marks.lacks_below == 0xffff) return opaque;
-      if (marks.lacks_opaque == 0xffff) return below;
-      // One by one they lack one or the other: both are borne, by parts that lack the other.
-      if ((marks.lacks_below | marks.lacks_opaque) == 0xffff) return both;
-      return uncertain;
-    }
-    Marks seen = 0;
-    const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
-    for (const Triangle& q : {Triangle{p[0], p01, p02}, Triangle{p02, p12, p01}, Triangle{p01, p[1], p12},
-                              Triangle{p12, p02, p[2]}}) {
-      const Box about = filter_.box(q);
-      Marks marks = filter_.texels(about);
-      if (marks == both) marks = by_parts(q, about);
-      seen = static_cast<Marks>(seen | marks);
-      if ((seen & both) == both) return both;
-    }
-    return seen;
+    if (!by_texels) ++counts.leaves;
+    return marks == both ? leaning(centroid_of(p), index, counts) : settled(marks);
   }
 
   static Spot centroid_of(const Triangle& p) noexcept {
@@ -285,6 +296,7 @@ class Bilinear {
   BilinearFilter<Texel> filter_;
   const ExactBase& exact_;
   Within inner_;
+  CellJudge<Texel> cells_;
   double lean_;  ///< g where alpha begins to lean to opaque: blended, half of the way from 1 to 0
 };
 

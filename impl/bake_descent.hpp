@@ -1,18 +1,21 @@
 // One base triangle, from the whole down the curve.  Internal to impl/bake*.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
 #include "impl/bake_codes.hpp"
+#include "impl/bake_sixteen.hpp"
 #include "impl/bake_spot.hpp"
 #include "impl/bake_triangles.hpp"
 
 namespace mmverify::impl::bake::detail {
 
 /// Children in the order and with the corners of impl/index.hpp.
-/// Judge: what texels bear about a triangle, and the states of single micro-triangles and of four.
+/// Judge: what texels bear about a triangle, and the states of single micro-triangles, of four and of
+/// sixteen.
 template <class Judge>
 class Descent {
  public:
@@ -24,30 +27,57 @@ class Descent {
   /// A node of 4^height micro-triangles, the first of them at `index`.  Domain: height > 0.
   void node(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index) {
     const Marks all = judge_.texels(p);
-    if (all != both) {
-      std::memset(map_ + index / 4, all == opaque ? 0x55 : 0, std::size_t{1} << (2 * height - 2));
-      return;
-    }
-    if (height == 2) {
-      const std::uint32_t codes = judge_.sixteen(p, turned, index, counts);
-      for (std::uint32_t k = 0; k < 4; ++k) map_[index / 4 + k] = static_cast<std::uint8_t>(codes >> (8 * k));
-      return;
-    }
-    const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
-    if (height == 1) {
-      map_[index / 4] = static_cast<std::uint8_t>(judge_.four(p, p01, p02, p12, turned, index, counts));
-      return;
-    }
-    const std::uint32_t child = std::uint32_t{1} << (2 * height - 2);
-    node({p[0], p01, p02}, turned, height - 1, index);
-    node({p02, p12, p01}, !turned, height - 1, index + child);
-    node({p01, p[1], p12}, turned, height - 1, index + 2 * child);
-    node({p12, p02, p[2]}, turned, height - 1, index + 3 * child);
+    if (all != both)
+      fill(all, height, index);
+    else
+      cut(p, turned, height, index);
   }
 
   BakeCounts counts;
 
  private:
+  void fill(Marks all, std::uint32_t height, std::uint32_t index) {
+    std::memset(map_ + index / 4, all == opaque ? 0x55 : 0, std::size_t{1} << (2 * height - 2));
+  }
+
+  /// A node that texels do not settle.
+  void cut(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index) {
+    if (height == 2) {
+      const std::uint32_t codes = judge_.sixteen(p, turned, index, counts);
+      for (std::uint32_t k = 0; k < 4; ++k) map_[index / 4 + k] = static_cast<std::uint8_t>(codes >> (8 * k));
+      return;
+    }
+    if (height == 1) {
+      map_[index / 4] = static_cast<std::uint8_t>(
+          judge_.four(p, middle(p[0], p[1]), middle(p[0], p[2]), middle(p[1], p[2]), turned, index, counts));
+      return;
+    }
+    const std::uint32_t child = std::uint32_t{1} << (2 * height - 2);
+    const std::array<Triangle, 4> of = children(p);
+    const auto sixteen = height >= 4 ? judge_.sixteen_nodes(p, turned) : SixteenNodes{};
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      const bool is_turned = turned != (c == 1);
+      if (sixteen.known)
+        quarter(of[c], is_turned, height - 2, index + c * child, sixteen, 4 * c);
+      else
+        node(of[c], is_turned, height - 1, index + c * child);
+    }
+  }
+
+  /// Four nodes of the sixteen, from `first` on.
+  void quarter(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index,
+               const SixteenNodes& sixteen, std::uint32_t first) {
+    const std::uint32_t child = std::uint32_t{1} << (2 * height);
+    const std::array<Triangle, 4> of = children(p);
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      const std::uint32_t at = index + c * child, bit = std::uint32_t{1} << (first + c);
+      if ((sixteen.of_one_mark & bit) != 0)
+        fill((sixteen.opaque & bit) != 0 ? opaque : below, height, at);
+      else
+        cut(of[c], turned != (c == 1), height, at);
+    }
+  }
+
   const Judge& judge_;
   std::uint8_t* map_;
 };

@@ -67,14 +67,13 @@ class Mip final : public MipBaker {
       p[k] = {double{uv[k].u} * width_ - Judge::offset, double{uv[k].v} * height_ - Judge::offset};
       size = std::max({size, std::fabs(p[k].x) + margin_, std::fabs(p[k].y) + margin_});
     }
-    // Half a unit in the last place for the offset, for each level's middle and for the margin; a
-    // micro-triangle may be cut eight times more to be judged by its parts.
+    // Half a unit in the last place for the offset, for each level's middle and for the margin.
     const double delta = (level + 11) * 0x1p-52 * size;
     InnerBox inner = inner_box(p);
     for (double* const side : {&inner.left, &inner.right, &inner.top, &inner.bottom})
       *side = std::ldexp(*side, -static_cast<int>(level));
     const ExactBase exact(sides_, uv, width_, height_, level, filter_, margin_);
-    const Judge judge(sides_, exact, inner, delta, margin_);
+    const Judge judge(sides_, exact, p, inner, delta, margin_);
     Descent<Judge> descent(judge, map);
     if (level == 0)
       descent.single(p);

@@ -18,6 +18,7 @@
 #include "impl/bake_codes.hpp"
 #include "impl/bake_inner_box.hpp"
 #include "impl/bake_sides.hpp"
+#include "impl/bake_sixteen.hpp"
 #include "impl/bake_spot.hpp"
 
 namespace mmverify::impl::bake::detail {
@@ -27,8 +28,8 @@ class Nearest {
  public:
   static constexpr double offset = 0;
 
-  Nearest(const SidesOf<Texel>& sides, const ExactBase& exact, const InnerBox& inner, double delta,
-          double margin) noexcept
+  Nearest(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle&, const InnerBox& inner,
+          double delta, double margin) noexcept
       : sides_(sides),
         exact_(exact),
         inner_(sides, inner, margin, delta),
@@ -37,6 +38,7 @@ class Nearest {
         usable_(delta < 0x1p-10) {}
 
   Marks texels(const Triangle& p) const noexcept { return texels(box(p)); }
+  SixteenNodes sixteen_nodes(const Triangle&, bool) const noexcept { return {}; }
 
   unsigned single(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
     const Box around = box(p);

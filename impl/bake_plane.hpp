@@ -1,67 +1,83 @@
 // Which texels have a property: for any rectangle, whether some have it and whether some have not.  Internal
 // to impl/bake*.
 //
-// Texels are bits, in tiles of 8x8 of a word each; of tiles, rows of bits say which hold some and which hold
-// nothing else.  A megabyte of texels takes 260 kB, which stays in a cache where their sums would not.
+// Texels are bits, twice over: in tiles of 8x8 of a word each, of which rows of bits say which hold some and
+// which hold nothing else; and in strips 32 texels wide, a word a row, the rows of a strip one after another,
+// so that a vector of rows is one load.  A megabyte of texels takes 270 kB, which stays in a cache where
+// their sums would not.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
+
+#include "impl/bake_bits.hpp"
 
 namespace mmverify::impl::bake::detail {
 
-static_assert(std::endian::native == std::endian::little, "rows of bits are loaded as little-endian words");
+static_assert(std::endian::native == std::endian::little, "bytes of bits are copied to little-endian words");
 
 class Plane {
  public:
   Plane() = default;
 
-  /// `has(x, y)`: whether texel (x, y) has it.  Domain: 1..16384 a side.
-  template <class Has>
-  Plane(std::uint32_t width, std::uint32_t height, Has has)
-      : tiles_across_((std::size_t{width} + 7) / 8), words_((tiles_across_ + 63) / 64) {
-    const std::size_t tiles_down = (std::size_t{height} + 7) / 8;
+  /// `pack(y, bytes)`: sets bit x of bytes where texel (x, y) has it; it may write bits_slack beyond.
+  /// Domain: 1..16384 a side.
+  template <class Pack>
+  Plane(std::uint32_t width, std::uint32_t height, Pack pack)
+      : tiles_across_((std::size_t{width} + 7) / 8),
+        words_((tiles_across_ + 63) / 64),
+        strip_(std::size_t{height} + rows_beyond) {
+    const std::size_t tiles_down = (std::size_t{height} + 7) / 8, strips = (std::size_t{width} + 31) / 32;
     tiles_.resize(tiles_across_ * tiles_down);
     some_.resize(words_ * tiles_down);
     some_not_.resize(words_ * tiles_down);
-    bytes_.resize(tiles_across_ * height + 8);  // room for a word from the last byte of the last row
-    for (std::uint32_t y = 0; y < height; ++y)
-      for (std::uint32_t x = 0; x < width; x += 8) {
-        std::uint64_t byte = 0;
-        const std::uint32_t count = width - x < 8 ? width - x : 8;
-        for (std::uint32_t k = 0; k < count; ++k) byte |= std::uint64_t{has(x + k, y)} << k;
-        bytes_[tiles_across_ * y + x / 8] = static_cast<std::uint8_t>(byte);
-        tiles_[tiles_across_ * (y / 8) + x / 8] |= byte << (8 * (y % 8));
+    strips_.resize(strip_ * (strips + 1));
+    const std::size_t pitch = (tiles_across_ + 7) / 8 * 8 + bits_slack;
+    std::vector<std::uint8_t> band(pitch * 8);
+    for (std::size_t j = 0; j < tiles_down; ++j) {
+      const std::size_t real_rows = std::min<std::size_t>(8, height - 8 * j);
+      for (std::size_t k = 0; k < real_rows; ++k)
+        pack(static_cast<std::uint32_t>(8 * j + k), band.data() + pitch * k);
+      std::fill(band.begin() + static_cast<std::ptrdiff_t>(pitch * real_rows), band.end(), std::uint8_t{0});
+      for (std::size_t i = 0; i < strips; ++i)
+        for (std::size_t k = 0; k < real_rows; ++k)
+          std::memcpy(&strips_[strip_ * i + 8 * j + k], band.data() + pitch * k + 4 * i, 4);
+      std::uint64_t* const tile = tiles_.data() + tiles_across_ * j;
+      for (std::size_t i = 0; i < tiles_across_; i += 8) {
+        std::array<std::uint64_t, 8> eight;
+        for (std::size_t k = 0; k < 8; ++k) std::memcpy(&eight[k], band.data() + pitch * k + i, 8);
+        transpose(eight);
+        std::copy_n(eight.begin(), std::min<std::size_t>(8, tiles_across_ - i), tile + i);
       }
-    for (std::size_t j = 0; j < tiles_down; ++j)
+      const std::uint64_t real = rows(0, real_rows - 1);
       for (std::size_t i = 0; i < tiles_across_; ++i) {
-        const std::uint64_t tile = tiles_[tiles_across_ * j + i],
-                            real = columns(0, i + 1 < tiles_across_ ? 7 : (width - 1) % 8) &
-                                   rows(0, j + 1 < tiles_down ? 7 : (height - 1) % 8),
-                            bit = std::uint64_t{1} << (i % 64);
-        if (tile != 0) some_[words_ * j + i / 64] |= bit;
-        if (tile != real) some_not_[words_ * j + i / 64] |= bit;
+        const std::uint64_t all = i + 1 < tiles_across_ ? real : real & columns(0, (width - 1) % 8);
+        some_[words_ * j + i / 64] |= std::uint64_t{tile[i] != 0} << (i % 64);
+        some_not_[words_ * j + i / 64] |= std::uint64_t{tile[i] != all} << (i % 64);
       }
+    }
   }
 
-  /// Of texel x of row y and those to its right, the lowest bits; those beyond the row's end mean nothing.
-  std::uint32_t row(std::int64_t x, std::int64_t y) const noexcept {
-    std::uint64_t word;
-    std::memcpy(&word,
-                bytes_.data() + tiles_across_ * static_cast<std::size_t>(y) + static_cast<std::size_t>(x / 8),
-                sizeof word);
-    return static_cast<std::uint32_t>(word >> (x % 8));
-  }
+  /// Texels [32 k, 32 k + 32) of row y, the lowest bits first, are word y + strip k.  Those beyond the row's
+  /// end mean nothing; rows_beyond more than there are, and one strip more, can be read.
+  const std::uint32_t* strips() const noexcept { return strips_.data(); }
+  std::size_t strip() const noexcept { return strip_; }
+  static constexpr std::size_t rows_beyond = 32;
 
-  /// The bytes of row y, bit x of which is texel x's; rows are so many apart.  Four bytes from any can be
-  /// read.
-  const std::uint8_t* row_bytes(std::int64_t y) const noexcept {
-    return bytes_.data() + tiles_across_ * static_cast<std::size_t>(y);
+  /// The words of 32 texels from (x, y) down.
+  void rows_of(std::int64_t x, std::int64_t y, std::size_t count, std::uint32_t* to) const noexcept {
+    const std::uint32_t* const left =
+        strips_.data() + strip_ * static_cast<std::size_t>(x / 32) + static_cast<std::size_t>(y);
+    const auto bit = static_cast<unsigned>(x % 32);
+    for (std::size_t k = 0; k < count; ++k)
+      to[k] = static_cast<std::uint32_t>((left[k] | std::uint64_t{left[k + strip_]} << 32) >> bit);
   }
-  std::size_t row_pitch() const noexcept { return tiles_across_; }
 
   struct Found {
     bool some, some_not;
@@ -104,6 +120,18 @@ class Plane {
   static std::uint64_t rows(std::size_t from, std::size_t to) noexcept {
     return (~std::uint64_t{0} << (8 * from)) & (~std::uint64_t{0} >> (56 - 8 * to));
   }
+  /// Byte i of word j becomes byte j of word i: blocks of four bytes, of two, of one change places.
+  static void transpose(std::array<std::uint64_t, 8>& words) noexcept {
+    for (const auto& [step, mask] : {std::pair<std::size_t, std::uint64_t>{4, 0xffffffff},
+                                     {2, 0x0000ffff0000ffff},
+                                     {1, 0x00ff00ff00ff00ff}})
+      for (std::size_t k = 0; k < 8; ++k) {
+        if ((k & step) != 0) continue;
+        const std::uint64_t changed = (words[k] >> (8 * step) ^ words[k + step]) & mask;
+        words[k + step] ^= changed;
+        words[k] ^= changed << (8 * step);
+      }
+  }
   /// Of the tiles [from, end) of a row.  Domain: from < end.
   void whole_tiles(std::size_t row, std::size_t from, std::size_t end, std::uint64_t& have,
                    std::uint64_t& have_not) const noexcept {
@@ -116,11 +144,10 @@ class Plane {
     }
   }
 
-  std::size_t tiles_across_ = 0, words_ = 0;
+  std::size_t tiles_across_ = 0, words_ = 0, strip_ = 0;
   /// Tile (i, j) at i + tiles_across j; texel (x, y) of it is bit x + 8 y.
   std::vector<std::uint64_t> tiles_;
-  /// The same rows by rows.
-  std::vector<std::uint8_t> bytes_;
+  std::vector<std::uint32_t> strips_;
   /// Bit i of row j, words_ to a row: whether tile (i, j) has some that have it; and some that have not.
   std::vector<std::uint64_t> some_, some_not_;
 };

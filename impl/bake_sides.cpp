@@ -60,9 +60,6 @@ template <class Texel>
 SidesOf<Texel>::SidesOf(const TexelView<Texel>& texture, const Limits& l, Wrap x, Wrap y, Texel border)
     : Sides(l, texture.width, texture.height, x, y), texture_(texture), border_(border) {
   const auto least = least_opaque_ = least_opaque<Texel>(limits);
-  const auto at = [&texture](std::uint32_t i, std::uint32_t j) {
-    return texture.texels[j * texture.pitch + i];
-  };
   const bool visible = !limits.zero;
   threshold = threshold_of(limits.opaque);
   if constexpr (std::is_same_v<Texel, float>) {
@@ -82,10 +79,11 @@ SidesOf<Texel>::SidesOf(const TexelView<Texel>& texture, const Limits& l, Wrap x
     };
     for (std::uint32_t j = 0; j < texture.height; ++j)
       for (std::uint32_t i = 0; i < texture.width; ++i) {
-        if (!std::isfinite(at(i, j)))
+        const float r = texture.texels[j * texture.pitch + i];
+        if (!std::isfinite(r))
           throw std::invalid_argument("bake: texel (" + std::to_string(i) + ", " + std::to_string(j) +
                                       ") is not finite");
-        take(at(i, j));
+        take(r);
       }
     take(border);
     if (size == 0) finest = most = 0;
@@ -99,11 +97,27 @@ SidesOf<Texel>::SidesOf(const TexelView<Texel>& texture, const Limits& l, Wrap x
   threshold = std::clamp(threshold, -2 * scale, 2 * scale);
   gap = limits.blend && visible ? threshold : 0;
 
-  opaque_ = Plane(texture.width, texture.height,
-                  [&](std::uint32_t i, std::uint32_t j) { return at(i, j) >= least; });
-  if (limits.blend)
-    visible_ = Plane(texture.width, texture.height,
-                     [&](std::uint32_t i, std::uint32_t j) { return visible && at(i, j) > 0; });
+  // Of rows of texels from `from` on; of none where `from` is beyond them.
+  const auto plane = [&texture](auto from) {
+    return Plane(texture.width, texture.height, [&](std::uint32_t j, std::uint8_t* bytes) {
+      const Texel* const row = texture.texels + j * texture.pitch;
+      if constexpr (std::is_same_v<Texel, float>) {
+        std::fill_n(bytes, (texture.width + 7) / 8, std::uint8_t{0});
+        for (std::uint32_t i = 0; i < texture.width; ++i)
+          bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | (row[i] >= from) << (i % 8));
+      } else {
+        at_least(row, texture.width, from, bytes);
+      }
+    });
+  };
+  opaque_ = plane(least);
+  if (limits.blend) {
+    // The least that is more than 0.
+    if constexpr (std::is_same_v<Texel, float>)
+      visible_ = plane(visible ? std::numeric_limits<float>::denorm_min() : HUGE_VALF);
+    else
+      visible_ = plane(visible ? 1 : std::int32_t{std::numeric_limits<Texel>::max()} + 1);
+  }
   const bool border_opaque = border >= least;
   border_marks_ = static_cast<Marks>((border_opaque ? 0 : below) |
                                      ((limits.blend ? visible && border > 0 : border_opaque) ? opaque : 0));

@@ -101,9 +101,11 @@ class SidesOf final : public Sides {
   };
   std::optional<InOnePicture> in_one_picture(std::int64_t left, std::int64_t right, std::int64_t top,
                                              std::int64_t bottom) const noexcept {
-    const std::int64_t x = wrap_x_ == Wrap::repeat ? modulo(left, width_) : left,
-                       y = wrap_y_ == Wrap::repeat ? modulo(top, height_) : top, end_x = x + (right - left),
-                       end_y = y + (bottom - top);
+    const auto moved = [](Wrap wrap, std::int64_t at, std::int64_t n) {
+      return wrap == Wrap::repeat && (at < 0 || at >= n) ? modulo(at, n) : at;
+    };
+    const std::int64_t x = moved(wrap_x_, left, width_), y = moved(wrap_y_, top, height_),
+                       end_x = x + (right - left), end_y = y + (bottom - top);
     if (x < 0 || end_x >= width_ || y < 0 || end_y >= height_) return std::nullopt;
     constexpr std::size_t beyond = 4 / sizeof(Texel) - 1;
     const auto at = [this](std::int64_t i, std::int64_t j) {
@@ -122,10 +124,8 @@ class SidesOf final : public Sides {
   /// Rows of 32 texels from (x, y) of the picture down.  Domain: they are within it.
   void rows(std::int64_t x, std::int64_t y, std::size_t count, std::uint32_t* opaque_rows,
             std::uint32_t* visible_rows) const noexcept {
-    for (std::size_t k = 0; k < count; ++k) opaque_rows[k] = opaque_.row(x, y + static_cast<std::int64_t>(k));
-    if (!limits.blend) return;
-    for (std::size_t k = 0; k < count; ++k)
-      visible_rows[k] = visible_.row(x, y + static_cast<std::int64_t>(k));
+    opaque_.rows_of(x, y, count, opaque_rows);
+    if (limits.blend) visible_.rows_of(x, y, count, visible_rows);
   }
 
  private:

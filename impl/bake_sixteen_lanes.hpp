@@ -13,10 +13,12 @@ struct SixteenLanes {
   using Floats = std::array<float, 16>;
   using Ints = std::array<std::int32_t, 16>;
 
-  Floats vertex_i{}, vertex_j{};          ///< micro-vertex v is at (i, j), of 1
-  Floats centroid_i{}, centroid_j{};      ///< of micro-triangle k, on the curve
-  std::array<Ints, 3> corner{};           ///< its micro-vertices
-  std::array<std::uint32_t, 16> edges{};  ///< bit e: it has edge e
+  Floats vertex_i{}, vertex_j{};           ///< micro-vertex v is at (i, j), of 1
+  Floats centroid_i{}, centroid_j{};       ///< of micro-triangle k, on the curve
+  std::array<Ints, 3> corner{};            ///< its micro-vertices
+  Ints at_vertex{};                        ///< bit k: micro-vertex v is micro-triangle k's
+  std::array<std::int32_t, 32> at_edge{};  ///< bit k: edge e is
+  std::uint32_t turned = 0;                ///< bit k: micro-triangle k is, as seen from the node
   /// Edge e is between these micro-vertices; there are 30, and two more, of no length, to fill vectors.
   std::array<std::int32_t, 32> from{}, to{};
 
@@ -43,16 +45,19 @@ struct SixteenLanes {
       std::uint32_t i = 0, j = 0;
       for (std::size_t n = 0; n < 3; ++n) {
         corner[n][k] = number(c[n].i, c[n].j);
+        at_vertex[static_cast<std::size_t>(corner[n][k])] |= 1 << k;
         i += c[n].i;
         j += c[n].j;
       }
+      // Of (a, b) (a+1, b) (a, b+1), or of (a+1, b) (a, b+1) (a+1, b+1).
+      if (i % 3 == 2) turned |= std::uint32_t{1} << k;
       centroid_i[k] = static_cast<float>(i) / 12;
       centroid_j[k] = static_cast<float>(j) / 12;
       const auto has = [&](std::int32_t v) {
         return corner[0][k] == v || corner[1][k] == v || corner[2][k] == v;
       };
       for (e = 0; e < 30; ++e)
-        if (has(from[e]) && has(to[e])) edges[k] |= std::uint32_t{1} << e;
+        if (has(from[e]) && has(to[e])) at_edge[e] |= 1 << k;
     }
   }
 };

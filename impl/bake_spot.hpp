@@ -21,6 +21,13 @@ inline std::int64_t floored(double x) noexcept {
 
 inline Spot middle(Spot a, Spot b) noexcept { return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5}; }
 
+/// The four that a triangle is cut into, in the order and with the corners of impl/index.hpp; the second is
+/// turned.
+inline std::array<Triangle, 4> children(const Triangle& p) noexcept {
+  const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
+  return {Triangle{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}};
+}
+
 /// From one x to another; none: from > to.
 struct Reach {
   double from = 1e300, to = -1e300;

@@ -8,9 +8,10 @@
 //   BLEND   opaque alpha >= 1,      transparent alpha <= 0,     rather opaque alpha >= 1/2
 //   alpha = sampled texture x factors, sampled bilinearly or nearest
 //
-// Source: spec/bake_state.hpp, micro_state.  How: an error-bounded test in binary64 answers where it can,
-// whole numbers wide enough to be exact where it cannot; a parent whose texels all say one thing is not cut
-// further.  2-state maps: impl/micromap.hpp, force2.
+// Source: spec/bake_state.hpp, micro_state.  How: a contour runs only through cells between four texels that
+// differ, which bits find; where it meets an edge of a micro-triangle there, error-bounded floats answer
+// where they can, whole numbers wide enough to be exact where they cannot; a parent that meets no such cell
+// is not cut further.  2-state maps: impl/micromap.hpp, force2.
 #pragma once
 
 #include <array>
@@ -79,8 +80,8 @@ class MipBaker;
 class TriangleBaker {
  public:
   /// Mip levels in the order in which they are sampled, the largest first.
-  /// Time and memory: 4 bytes a texel, 8 with BLEND, once.  The texels must outlive it.
-  /// Errors: std::invalid_argument, naming it, for no mip level; a texture without texels, with more than
+  /// Time and memory: two bits and a bit more a texel, twice that with BLEND, once.  The texels must outlive
+  /// it. Errors: std::invalid_argument, naming it, for no mip level; a texture without texels, with more than
   /// 16384 a side, or larger than memory can be; a texel, border, cutoff, factor or margin that is not
   /// finite; a border that is not as texels are stored; a factor or margin below 0; a margin of 2^20 or more.
   TriangleBaker(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling = {});

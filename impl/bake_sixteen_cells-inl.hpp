@@ -1,0 +1,256 @@
+// Which of a node of sixteen meet no mixed cell, and what texels are within them (impl/bake_sixteen.cpp).
+#include <algorithm>
+
+#include "impl/bake_sixteen_vectors-inl.hpp"
+
+// Once for each target.
+#if defined(MMVERIFY_IMPL_BAKE_SIXTEEN_CELLS_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MMVERIFY_IMPL_BAKE_SIXTEEN_CELLS_INL_HPP_
+#undef MMVERIFY_IMPL_BAKE_SIXTEEN_CELLS_INL_HPP_
+#else
+#define MMVERIFY_IMPL_BAKE_SIXTEEN_CELLS_INL_HPP_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace mmverify::impl::bake::detail {
+namespace HWY_NAMESPACE {
+
+/// Columns of cells that a word holds: the last one's right texel is in it, too.
+constexpr std::int32_t word_cells = 31;
+
+/// Which cells between two rows of texels are mixed.
+HWY_INLINE Int mixed_of(Int opaque_top, Int opaque_under, Int seen_top, Int seen_under) {
+  const Int all = hn::And(opaque_top, opaque_under), some = hn::Or(seen_top, seen_under);
+  const auto next = [](Int x) HWY_ATTR { return hn::BitCast(I(), hn::ShiftRight<1>(hn::BitCast(U(), x))); };
+  return hn::AndNot(hn::And(all, next(all)), hn::Or(some, next(some)));
+}
+
+/// The window's bits: word [s][row] is of 32 texels from column 8 s on, so that whatever is up to 24 columns
+/// wide is in one.
+struct Words {
+  static constexpr std::size_t rows = sixteen_window + 16, most = sixteen_window / 8;
+  using Rows = std::array<std::array<std::uint32_t, rows>, most>;
+  HWY_ALIGN Rows opaque, visible;
+  HWY_ALIGN std::array<std::uint32_t, rows> mixed;  ///< cells that are, where it is small
+  const Rows* seen;                                 ///< visible, or with MASK opaque
+  bool is_small;                                    ///< all in the words from column 0 on, of 32 rows
+  bool few_rows;                                    ///< of 16
+
+  HWY_INLINE explicit Words(const SixteenInput& in)
+      : seen(in.visible == in.opaque ? &opaque : &visible),
+        is_small(in.columns <= 32 && in.rows <= 32),
+        few_rows(in.rows <= 16) {
+    take(in, in.opaque, opaque);
+    if (seen == &visible) take(in, in.visible, visible);
+    if (!is_small) return;
+    const U u;
+    for (std::size_t r = 0; r + 1 < static_cast<std::size_t>(in.rows); r += hn::Lanes(u)) {
+      const auto at = [r](const Rows& of, std::size_t next)
+                          HWY_ATTR { return hn::BitCast(I(), hn::LoadU(U(), of[0].data() + r + next)); };
+      hn::StoreU(hn::BitCast(u, mixed_of(at(opaque, 0), at(opaque, 1), at(*seen, 0), at(*seen, 1))), u,
+                 mixed.data() + r);
+    }
+  }
+
+  /// Rows of texels: of 32 from column 8 s on.  Of cells where it is small: s is 0.
+  HWY_INLINE Int row(const Rows& of, Int s, Int j) const {
+    if (is_small) return row(of[0], j);
+    return hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(of[0].data()),
+                           hn::Add(hn::Mul(s, set(static_cast<std::int32_t>(rows))), j));
+  }
+  HWY_INLINE Int row(const std::array<std::uint32_t, rows>& of, Int j) const {
+    return few_rows ? among(I(), reinterpret_cast<const std::int32_t*>(of.data()), j)
+                    : among_rows(of.data(), j);
+  }
+  /// Where words that hold column x begin.
+  HWY_INLINE Int origin(Int x) const { return is_small ? set(0) : hn::ShiftRight<3>(x); }
+
+ private:
+  HWY_INLINE std::size_t words(const SixteenInput& in) const {
+    return is_small ? 1 : (static_cast<std::size_t>(in.columns) + 7) / 8;
+  }
+  HWY_INLINE void take(const SixteenInput& in, const std::uint32_t* plane, Rows& to) {
+    const U u;
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(u));
+    const std::size_t end = words(in);
+    for (std::size_t s = 0; s < end; ++s) {
+      const std::uint32_t at = in.bit + 8 * static_cast<std::uint32_t>(s), bit = at % 32;
+      const std::uint32_t* const word = plane + in.strip * (at / 32);
+      const auto low_shift = hn::Set(u, bit), high_shift = hn::Set(u, 31 - bit);
+      for (std::int32_t r = 0; r < in.rows; r += lanes) {
+        const auto low = hn::LoadU(u, word + r), high = hn::LoadU(u, word + in.strip + r);
+        // 32 - bit places, which no shift may be.
+        hn::StoreU(hn::Or(hn::Shr(low, low_shift), hn::Shl(hn::Add(high, high), high_shift)), u,
+                   to[s].data() + r);
+      }
+    }
+  }
+};
+
+/// Its rows one after another, of words of each lane's own.
+class RowByRow {
+ public:
+  HWY_INLINE RowByRow(const SixteenInput& in, const Words& words, Int word, Int first)
+      : row(first),
+        words_(words),
+        word_(word),
+        one_plane_(words.seen == &words.opaque),
+        last_(set(in.rows - 2)),
+        next_are_(set(0)),
+        next_seen_(next_are_) {
+    if (!words.is_small) take(row);
+  }
+  HWY_INLINE void ask() {
+    if (words_.is_small) {
+      // Lanes that are done stay in the window.
+      const Int at = hn::Min(row, last_);
+      take(at);
+      are = next_are_;
+      seen = next_seen_;
+      mixed = words_.row(words_.mixed, at);
+      return;
+    }
+    are = next_are_;
+    seen = next_seen_;
+    take(hn::Min(hn::Add(row, set(1)), hn::Add(last_, set(1))));
+    mixed = mixed_of(are, next_are_, seen, next_seen_);
+  }
+  HWY_INLINE void go_on() { row = hn::Add(row, set(1)); }
+
+  Int row;
+  Int are, seen, mixed;  ///< what ask() found: opaque, visible; cells that are mixed
+
+ private:
+  HWY_INLINE void take(Int at) {
+    next_are_ = words_.row(words_.opaque, word_, at);
+    next_seen_ = one_plane_ ? next_are_ : words_.row(*words_.seen, word_, at);
+  }
+
+  const Words& words_;
+  Int word_;
+  bool one_plane_;
+  Int last_, next_are_, next_seen_;
+};
+
+/// Bits [from, end).  Domain: 0 <= from, end < 32.
+HWY_INLINE Int run(Int from, Int end) {
+  const Int all = set(-1);
+  return hn::AndNot(hn::Shl(all, end), hn::Shl(all, from));
+}
+/// To the nearest whole numbers, within a word.
+HWY_INLINE Int in_word(Float x) {
+  const Float within = hn::Min(hn::Max(x, hn::Zero(F())), set(static_cast<float>(word_cells)));
+  return hn::And(hn::BitCast(I(), hn::Add(within, set(whole_only))), set(word_cells));
+}
+
+/// Bit k of each, of micro-triangles.
+struct CellMarks {
+  std::uint32_t fit = 0;                 ///< those that a word holds: the others are not judged here
+  std::uint32_t meets_mixed = 0;         ///< may meet a mixed cell
+  std::uint32_t begins_opaque = 0;       ///< a cell that it may meet begins with an opaque texel
+  std::uint32_t have = 0, have_not = 0;  ///< of the centres between the lines, of rows beside a flat edge
+  std::uint32_t perhaps = 0, perhaps_not = 0;  ///< of all rows
+};
+
+struct Vertices {
+  HWY_ALIGN Table x, y;
+  HWY_ALIGN SixteenLanes::Ints marks;  ///< 1 below, 2 opaque, 4 no below, 8 no opaque
+};
+
+/// `centres`: whether they are asked.
+template <bool centres>
+MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, const Vertices& v, std::size_t k,
+                              CellMarks& marks) {
+  const auto corner = [&](const Table& of, std::size_t c) HWY_ATTR {
+    return among(F(), of.data(), hn::LoadU(I(), sixteen_lanes.corner[c].data() + k));
+  };
+  const Float x0 = corner(v.x, 0), x1 = corner(v.x, 1), x2 = corner(v.x, 2);
+  const Float y0 = corner(v.y, 0), y1 = corner(v.y, 1), y2 = corner(v.y, 2);
+  const auto least = [](Float a, Float b, Float c) HWY_ATTR { return hn::Min(a, hn::Min(b, c)); };
+  const auto greatest = [](Float a, Float b, Float c) HWY_ATTR { return hn::Max(a, hn::Max(b, c)); };
+  const Float d = set(in.row_margin);
+  const Float top = least(y0, y1, y2), bottom = greatest(y0, y1, y2);
+  const Int first = floored(hn::Sub(top, d)),
+            rows = hn::Add(hn::Sub(floored(hn::Add(bottom, d)), first), set(1));
+  const Int first_column = floored(hn::Sub(least(x0, x1, x2), d)),
+            end_column = hn::Add(floored(hn::Add(greatest(x0, x1, x2), d)), set(1));
+  const Int word = words.origin(first_column), origin = hn::ShiftLeft<3>(word);
+  marks.fit |= bits_of(hn::RebindMask(F(), hn::Lt(hn::Sub(end_column, origin), set(word_cells + 1))), k);
+  const Float x = hn::ConvertTo(F(), origin), left = hn::ConvertTo(F(), hn::Sub(first_column, origin)),
+              right = hn::ConvertTo(F(), hn::Sub(end_column, origin));
+  // The lines, in columns of the word; those that bound it to the left.
+  const Mask turned = mask_of(sixteen_lanes.turned, k), ab_left = in.ab_left ? hn::Not(turned) : turned;
+  // For cells, over a row and a margin out; for centres.  With half a place off them, or added, floor and the
+  // number after it are the nearest whole ones.
+  std::array<Float, 3> outside, at;
+  for (std::size_t l = 0; l < 3; ++l) {
+    const Float s = set(in.slope[l]), a = hn::NegMulAdd(y0, s, x0), b = hn::NegMulAdd(y1, s, x1),
+                c = hn::NegMulAdd(y2, s, x2);
+    const Mask is_left = l == 2 ? hn::Not(ab_left) : ab_left;
+    at[l] = hn::Sub(hn::IfThenElse(is_left, least(a, b, c), greatest(a, b, c)), x);
+    outside[l] =
+        hn::Add(at[l], hn::IfThenElse(is_left, set(std::min(in.slope[l], 0.0f) - in.margin[l] - 0.5f),
+                                      set(std::max(in.slope[l], 0.0f) + in.margin[l] + 0.5f)));
+    at[l] = hn::Add(at[l], set(0.5f));
+  }
+  // From where to where the lines leave a row.
+  struct Span {
+    Float from, to;
+  };
+  const auto span = [&](const std::array<Float, 3>& lines, Float level) HWY_ATTR {
+    const auto line = [&](std::size_t l) HWY_ATTR { return hn::MulAdd(level, set(in.slope[l]), lines[l]); };
+    const Float a = line(0), b = line(1), c = line(2);
+    return Span{hn::IfThenElse(ab_left, hn::Max(a, b), c), hn::IfThenElse(ab_left, c, hn::Min(a, b))};
+  };
+  // Rows that meet a flat edge have centres on both sides of it.
+  Float from_row = top, to_row = bottom;
+  if (in.has_flat) {
+    const Float middle = hn::Max(hn::Min(y0, y1), hn::Min(hn::Max(y0, y1), y2));
+    const Mask above = hn::Lt(hn::Sub(middle, top), hn::Sub(bottom, middle));
+    from_row = hn::IfThenElse(above, middle, top);
+    to_row = hn::IfThenElse(above, bottom, middle);
+  }
+  const Int zero = set(0);
+  Int some_mixed = zero, begins = zero, have = zero, have_not = zero, perhaps = zero, perhaps_not = zero;
+  RowByRow rows_of(in, words, word, first);
+  const std::int32_t last = hn::GetLane(hn::MaxOfLanes(I(), rows));
+  for (std::int32_t r = 0; r < last; ++r) {
+    const auto real = hn::Gt(rows, set(r));
+    const Float level = hn::ConvertTo(F(), rows_of.row);
+    rows_of.ask();
+    rows_of.go_on();
+    const Int are = rows_of.are, seen = rows_of.seen;
+    const Span about = span(outside, level);
+    const Int cells =
+        hn::IfThenElseZero(real, run(in_word(hn::Max(about.from, left)), in_word(hn::Min(about.to, right))));
+    some_mixed = hn::Or(some_mixed, hn::And(cells, rows_of.mixed));
+    begins = hn::Or(begins, hn::And(cells, are));
+    if constexpr (!centres) continue;
+    const Span inside = span(at, level);
+    Int within = hn::IfThenElseZero(real, run(in_word(inside.from), in_word(inside.to)));
+    if (in.has_flat) {
+      within = hn::IfThenElseZero(
+          hn::RebindMask(I(), hn::And(hn::Ge(level, hn::Sub(top, d)), hn::Le(level, hn::Add(bottom, d)))),
+          within);
+      perhaps = hn::Or(perhaps, hn::And(within, seen));
+      perhaps_not = hn::Or(perhaps_not, hn::AndNot(are, within));
+      within = hn::IfThenElseZero(
+          hn::RebindMask(I(), hn::And(hn::Ge(level, from_row), hn::Le(level, to_row))), within);
+    }
+    have = hn::Or(have, hn::And(within, seen));
+    have_not = hn::Or(have_not, hn::AndNot(are, within));
+  }
+  const std::uint32_t here = ((1u << hn::Lanes(F())) - 1) << k;
+  marks.meets_mixed |= here & ~zeros_of(some_mixed, k);
+  marks.begins_opaque |= here & ~zeros_of(begins, k);
+  marks.have |= here & ~zeros_of(have, k);
+  marks.have_not |= here & ~zeros_of(have_not, k);
+  marks.perhaps |= here & ~zeros_of(hn::Or(have, perhaps), k);
+  marks.perhaps_not |= here & ~zeros_of(hn::Or(have_not, perhaps_not), k);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mmverify::impl::bake::detail
+HWY_AFTER_NAMESPACE();
+
+#endif
