@@ -196,6 +196,8 @@ class Viewer {
     }
     const counter = this.counter();
     if (counter && counter.shownAt !== this.level) words.push(`The counterexample is of level ${counter.shownAt}.`);
+    if (counter?.point && counter.shownAt === this.level && answers?.wrongCells === 0)
+      words.push("The counterexample is another point than the one that each cell was asked at.");
     if (counter && counter.wrong === null && counter.right !== null && counter.point && counter.shownAt === this.level)
       words.push(`What it returned, ${counter.counterexample.got}, is no micro-triangle of this level.`);
     if (this.showOrder.checked && orderLevel !== this.level)
