@@ -88,7 +88,16 @@ function swatch(k: number, dashed: boolean, line: boolean): SVGElement {
   return box;
 }
 
-export function chart(spec: ChartSpec): HTMLElement {
+export function chart(given: ChartSpec): HTMLElement {
+  // A logarithmic axis has no place for 0: what has none is not drawn.
+  const drawable = (m: Mark) => (!given.x.log || m.x > 0) && (!given.y.log || m.y > 0);
+  const spec: ChartSpec = {
+    ...given,
+    series: given.series.map((s) => ({ ...s, marks: s.marks.filter(drawable) })),
+    fronts: (given.fronts ?? []).map((front) => front.filter(drawable)),
+  };
+  if (spec.series.every((s) => s.marks.length === 0))
+    return el("figure", { class: "chart" }, el("figcaption", {}, spec.title), el("p", { class: "note" }, "No figure of it can be drawn: all are 0."));
   const all = spec.series.flatMap((s) => s.marks);
   const full = { x: rangeOf(spec.x, all.map((m) => m.x)), y: rangeOf(spec.y, [...all.map((m) => m.y), ...(spec.y.floor ? [spec.y.floor.at] : [])]) };
   let range = { ...full };
