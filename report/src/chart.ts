@@ -39,8 +39,8 @@ export interface ChartSpec {
   x: Axis;
   y: Axis;
   series: Series[];
-  /** Marks that nothing beats, in order of x: ringed, and joined by steps. */
-  front?: Mark[];
+  /** Marks that nothing of their kind beats, in order of x: ringed, and joined by steps. */
+  fronts?: Mark[][];
   height?: number;
 }
 
@@ -88,7 +88,16 @@ function swatch(k: number, dashed: boolean, line: boolean): SVGElement {
   return box;
 }
 
-export function chart(spec: ChartSpec): HTMLElement {
+export function chart(given: ChartSpec): HTMLElement {
+  // A logarithmic axis has no place for 0: what has none is not drawn.
+  const drawable = (m: Mark) => (!given.x.log || m.x > 0) && (!given.y.log || m.y > 0);
+  const spec: ChartSpec = {
+    ...given,
+    series: given.series.map((s) => ({ ...s, marks: s.marks.filter(drawable) })),
+    fronts: (given.fronts ?? []).map((front) => front.filter(drawable)),
+  };
+  if (spec.series.every((s) => s.marks.length === 0))
+    return el("figure", { class: "chart" }, el("figcaption", {}, spec.title), el("p", { class: "note" }, "No figure of it can be drawn: all are 0."));
   const all = spec.series.flatMap((s) => s.marks);
   const full = { x: rangeOf(spec.x, all.map((m) => m.x)), y: rangeOf(spec.y, [...all.map((m) => m.y), ...(spec.y.floor ? [spec.y.floor.at] : [])]) };
   let range = { ...full };
@@ -178,8 +187,8 @@ export function chart(spec: ChartSpec): HTMLElement {
     c.beginPath();
     c.rect(p.bbox.left - 6 * dpr, p.bbox.top - 6 * dpr, p.bbox.width + 12 * dpr, p.bbox.height + 12 * dpr);
     c.clip();
-    const visible = spec.front?.filter((m) => spec.series.some((s, k) => shown[k] && s.marks.includes(m)));
-    if (visible && visible.length > 0) {
+    for (const front of spec.fronts ?? []) {
+      const visible = front.filter((m) => spec.series.some((s, k) => shown[k] && s.marks.includes(m)));
       c.beginPath();
       visible.forEach((m, k) => {
         const [x, y] = at(m);
@@ -242,6 +251,10 @@ export function chart(spec: ChartSpec): HTMLElement {
         if (box[0] < left || box[1] < top || box[2] > left + w || box[3] > top + h) continue;
         if (taken.some((t) => t[0] < box[2] && t[2] > box[0] && t[1] < box[3] && t[3] > box[1])) continue;
         taken.push(box);
+        c.strokeStyle = named("paper");
+        c.lineWidth = 3 * dpr;
+        c.lineJoin = "round";
+        c.strokeText(s.label, box[0], y + dy * dpr);
         c.fillStyle = named("soft");
         c.fillText(s.label, box[0], y + dy * dpr);
         break;

@@ -21,8 +21,6 @@ export interface States {
   expected: string;
   /** Null where only the map that was asked about is known. */
   got: string | null;
-  /** A micro-triangle that the counterexample names. */
-  at: number | null;
 }
 
 export interface Exhibit {
@@ -30,7 +28,8 @@ export interface Exhibit {
   order: Order;
   counters: Counter[];
   answers: Map<number, Answers>;
-  states: States | null;
+  /** By level: of that level's simplest counterexample. */
+  states: Map<number, States>;
   square: { side: number; letters: string } | null;
   picture: string | null;
   /** What cannot be shown and why, and what asking again said. */
@@ -90,19 +89,23 @@ export function exhibit(report: Report, group: Group): Exhibit {
   if (first) askedAgain(agains.find((a) => a.result === first.at), first, words);
 
   const counters = found.filter((f) => f.level !== null && f.level <= 16).map((f) => counter(f, order));
-  let states: States | null = null;
-  let square: Exhibit["square"] = null;
-  if (first) {
-    const of = agains.find((a) => a.result === first.at)?.states;
-    const map = mapOf(first.counterexample.case, first.level ?? -1);
-    if (of) states = { ...of, at: differsAt(String(first.counterexample.expected)) };
+  const states = new Map<number, States>();
+  let partly = false;
+  for (const c of counters) {
+    if (states.has(c.shownAt)) continue;
+    const at = differsAt(String(c.counterexample.expected));
+    const of = agains.find((a) => a.result === c.at)?.states;
+    const map = mapOf(c.counterexample.case, c.shownAt);
+    if (of) states.set(of.level, of);
     else if (map) {
-      states = { level: first.level!, expected: map, got: null, at: differsAt(String(first.counterexample.expected)) };
-      words.push("The colours are the states of the map that was asked about; what the subject made of it is known for the counterexample only.");
-    }
-    const at = states?.at ?? null;
-    if (counters[0] && at !== null && at < 4 ** counters[0].shownAt) counters[0].about = at;
-    square = squareOf(first.counterexample.case);
+      states.set(c.shownAt, { level: c.shownAt, expected: map, got: null });
+      partly = true;
+    } else continue;
+    if (at !== null && at < 4 ** c.shownAt) c.about = at;
   }
+  if (partly) words.push("The colours are the states of the map that was asked about; what the subject made of it is known for the counterexample only.");
+  if (counters.length > 0 && counters.every((c) => c.point === null && c.about === null) && states.size === 0)
+    words.push("The triangle has the order of its micro-triangles alone: nothing of this counterexample lies on it.");
+  const square = first ? squareOf(first.counterexample.case) : null;
   return { group, order, counters, answers, states, square, picture: agains.find((a) => a.picture)?.picture ?? null, words };
 }

@@ -3,6 +3,7 @@ import type { Answers } from "./answers";
 import { place } from "./answers";
 import { curveIndex, type Order, rowIndex } from "./curve";
 import type { Exhibit, States } from "./exhibit";
+import { ranges } from "./format";
 import { gradient, scheme, wordOf } from "./palette";
 import type { Fill } from "./raster";
 
@@ -49,8 +50,8 @@ const stateWords = ["T transparent", "O opaque", "UT unknown, transparent", "UO 
 export function modesOf(e: Exhibit): Mode[] {
   const modes: Mode[] = [];
   if (e.answers.size > 0) modes.push("answers");
-  if (e.states) {
-    if (e.states.got !== null) modes.push("difference", "got");
+  if (e.states.size > 0) {
+    if ([...e.states.values()].some((s) => s.got !== null)) modes.push("difference", "got");
     modes.push("expected");
   }
   modes.push("order");
@@ -95,10 +96,10 @@ function byAnswers(level: number, answers: Answers | undefined): Colouring {
   };
 }
 
-function byStates(level: number, mode: Mode, states: States): Colouring {
+function byStates(level: number, mode: Mode, all: Map<number, States>): Colouring {
   const { right, wrong, unknown, states: fills } = looks();
-  if (level !== states.level)
-    return { fills: [unknown], kind: () => 0, legend: [], words: `The states are of level ${states.level}.` };
+  const states = all.get(level);
+  if (!states) return { fills: [unknown], kind: () => 0, legend: [], words: `The states are of level ${ranges([...all.keys()])}.` };
   if (mode === "difference")
     return {
       fills: [right, wrong],
@@ -124,7 +125,7 @@ function byStates(level: number, mode: Mode, states: States): Colouring {
 
 export function colouring(e: Exhibit, mode: Mode, level: number): Colouring {
   if (mode === "answers") return byAnswers(level, e.answers.get(level));
-  if (mode !== "order" && e.states) return byStates(level, mode, e.states);
+  if (mode !== "order" && e.states.size > 0) return byStates(level, mode, e.states);
   return byOrder(level, e.order);
 }
 

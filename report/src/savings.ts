@@ -56,7 +56,7 @@ export function savingsCharts(report: Report): HTMLElement[] {
   );
   if (coded.length > 0)
     made.push(
-      el("div", {}, plainTable("Pairs of triangles of scenes as square maps", ["Scene", "Code", "Maps", "Uniform", "Bytes", "Savings, source", "Savings, coded"], coded)),
+      el("div", { class: "wide" }, plainTable("Pairs of triangles of scenes as square maps", ["Scene", "Code", "Maps", "Uniform", "Bytes", "Savings, source", "Savings, coded"], coded)),
     );
   return made;
 }

@@ -14,11 +14,11 @@ interface Entry {
   /** 0: none found. */
   error: number;
   words: string[];
-  /** Of another kind than the others: no rival of theirs. */
-  apart?: boolean;
+  /** Only what is of one kind is compared: it has a front of its own. */
+  kind: string;
 }
 
-const frontNote = "Ringed, joined by steps: what nothing else beats in both. Hollow: none found, which a logarithmic axis has no place for.";
+const frontNote = "Ringed, joined by steps: what nothing of its kind beats in both. Hollow: none found, which a logarithmic axis has no place for.";
 
 function tradeChart(title: string, x: string, y: string, entries: Entry[], floorWords: string, note: string): HTMLElement {
   const errors = entries.map((e) => e.error).filter((e) => e > 0);
@@ -32,7 +32,7 @@ function tradeChart(title: string, x: string, y: string, entries: Entry[], floor
     x: { label: x, log: true },
     y: { label: y, log: true, ...(zero ? { floor: { at: floor, words: floorWords } } : {}) },
     series,
-    front: front(marks.filter((_, k) => !entries[k]!.apart)),
+    fronts: [...new Set(entries.map((e) => e.kind))].map((kind) => front(marks.filter((_, k) => entries[k]!.kind === kind))),
   });
 }
 
@@ -67,7 +67,7 @@ export function indexEntries(bench: IndexBench, level: number): Entry[] {
           ...(uniform && uniform.samples > 0 ? [`${short(uniform.mismatches / uniform.samples)} of the uniform ones`] : []),
           `${s.numbers}, ${s.order === "rows" ? "row order" : s.order}`,
         ],
-        apart: s.order !== "curve",
+        kind: s.order,
       },
     ];
   });
@@ -80,7 +80,7 @@ function indexChart(bench: IndexBench): HTMLElement {
     return el(
       "div",
       {},
-      tradeChart(`Index, level ${level}`, "ns an index, one thread", "share of hard points wrong", entries, "none", "Subjects that end below the level are shown at their last one. The front is of those on the curve; w-minor is another order."),
+      tradeChart(`Index, level ${level}`, "ns an index, one thread", "share of hard points wrong", entries, "none", "Subjects that end below the level are shown at their last one. The curve and row order have a front each."),
       numbersBelow(`Index, level ${level}`, ["Subject", "ns", "Wrong, of hard points"], entries.map((e) => [e.name, short(e.ns), e.error === 0 ? "none" : short(e.error)])),
     );
   });
@@ -97,6 +97,7 @@ function bakeChart(bench: BakeBench): HTMLElement {
         return {
           name: b.baker,
           ns: b.ns,
+          kind: "",
           error: million(b.wrong + b.needless),
           words: [`${short(b.ns)} ns a micro-triangle`, `${short(million(b.wrong))} wrong, ${short(million(b.needless))} needlessly unknown, of a million`, `${grouped(b.states)} states`],
         };
@@ -123,6 +124,7 @@ export function vqEntries(rows: VqRow[]): Entry[] {
       const share = all > 0 ? lost / all : 0;
       return {
         name: `${codec.toUpperCase()} ${encoder}`,
+        kind: codec,
         ns: ms,
         error: 100 * share,
         words: [`${short(ms)} ms a map`, `${percent(share)} of O and T became unknown: ${grouped(lost)} of ${grouped(all)}`, `${percent(savings)} saved in the mean`],
@@ -137,7 +139,7 @@ function vqChart(bench: VqBench): HTMLElement {
   return el(
     "div",
     {},
-    tradeChart("VQ encoders", "ms a map, one thread", "% of O and T lost", entries, "none", `${bench.rows.length} maps together. VQ2 keeps 16x16 regions, VQ4 32x32 in twice the bits; the front is of both.`),
+    tradeChart("VQ encoders", "ms a map, one thread", "% of O and T lost", entries, "none", `${bench.rows.length} maps together. VQ2 keeps 16x16 regions, VQ4 32x32 in twice the bits; each has a front.`),
     numbersBelow("VQ encoders", ["Encoder", "ms a map", "% of O and T lost"], entries.map((e) => [e.name, short(e.ns), short(e.error)])),
   );
 }
@@ -161,7 +163,7 @@ function treeCharts(bench: TreeBench): HTMLElement[] {
         x: { label: "ns a lookup, one thread", log: true },
         y: { label: "bits a micro-triangle", log: true },
         series,
-        front: front(last),
+        fronts: [front(last)],
       });
     });
 }

@@ -113,7 +113,7 @@ class Viewer {
     );
     this.readout.textContent = "Point at a micro-triangle to read it.";
     this.fit();
-    this.setLevel(e.states?.level ?? e.counters[0]?.shownAt ?? 3);
+    this.setLevel(e.counters[0]?.shownAt ?? 3);
   }
 
   private aboutNodes(): Node[] {
@@ -196,6 +196,8 @@ class Viewer {
     }
     const counter = this.counter();
     if (counter && counter.shownAt !== this.level) words.push(`The counterexample is of level ${counter.shownAt}.`);
+    if (counter?.point && counter.shownAt === this.level && answers?.wrongCells === 0)
+      words.push("The counterexample is another point than the one that each cell was asked at.");
     if (counter && counter.wrong === null && counter.right !== null && counter.point && counter.shownAt === this.level)
       words.push(`What it returned, ${counter.counterexample.got}, is no micro-triangle of this level.`);
     if (this.showOrder.checked && orderLevel !== this.level)
@@ -362,8 +364,8 @@ class Viewer {
       if (edges.length > 0) parts.push(`Wrong on ${plural(edges.length, "edge")} of it: ${edges.map((e) => `${e.got} for ${e.right}`).join(", ")}.`);
       if (vertices.length > 0) parts.push(`Wrong at ${plural(vertices.length, "vertex", "vertices")}: ${vertices.map((x) => `${x.got} for ${x.right}`).join(", ")}.`);
     }
-    const { states } = this.shown;
-    if (states && states.level === level) {
+    const states = this.shown.states.get(level);
+    if (states) {
       const is = stateName(states.expected[index]!);
       parts.push(states.got === null ? `State ${is}.` : `It is ${is}; the subject says ${stateName(states.got[index]!)}.`);
     }

@@ -235,6 +235,26 @@ test("the triangle: level, colours, order, zoom and pan change the picture; poin
   await page.context().close();
 });
 
+test("a refuted baker: its states beside the right ones, and its texels", async () => {
+  run("prove", "bake.conservative", "--subject", "centre-sample", "--levels", "1", "--no-mutants", "--quiet", "--json", "bake_wrong.json");
+  run("report", "bake_wrong.json", "-o", "bake_wrong.html");
+  const page = await open("bake_wrong.html");
+  const seen = [await picture(page)];
+  for (const colours of ["got", "expected", "order"]) {
+    await page.getByLabel("Colours").selectOption(colours);
+    await settled(page);
+    const now = await picture(page);
+    assert.ok(!seen.includes(now), colours);
+    seen.push(now);
+  }
+  await page.getByLabel("Level", { exact: true }).first().fill("3");
+  await page.getByLabel("Colours").selectOption("got");
+  assert.match((await page.textContent(".viewer > .note"))!, /The states are of level 1/);
+  await page.locator("summary", { hasText: "texels" }).click();
+  assert.ok(await page.$eval("img.picture", (img) => (img as HTMLImageElement).naturalWidth > 100));
+  await page.context().close();
+});
+
 test("the page's curve is the program's", () => {
   // Every cell of level 6, answered by the page's code, judged by the program.
   const points = run("gen", "index", "--level", "6");
