@@ -258,6 +258,8 @@ BAD = {
     "bad_minification": of_sampler(minFilter=1),
     "bad_mode": of_json(meshes=[{"primitives": [{"attributes": {}, "mode": 7}]}]),
     "two_parents": of_json(nodes=[{"children": [2]}, {"children": [2]}, {}]),
+    "no_buffer": of_json(buffers=[{"byteLength": 0}, {"byteLength": 4}]),
+    "short_buffer": of_json(buffers=[{"byteLength": 4}]),
     "no_source": of_json(images=[{}]),
     "no_files": of_json(images=[{"uri": "a.png"}, {"uri": "b.png"}]),
     "no_json": b"j{",
