@@ -74,8 +74,9 @@ may_need='linux-vdso|ld-linux|lib(c|m|gcc_s|dl|pthread|rt)\.so'
 printf '#include <memory>\nauto p = std::make_unique_for_overwrite<char[]>(1);\n' >"$place/library.cpp"
 if "$CXX" -std=c++20 -stdlib=libc++ -fsyntax-only "$place/library.cpp" 2>/dev/null; then
   CXXFLAGS+=" -stdlib=libc++"
-  # In the image it is linked in; Debian's is a shared one.
-  may_need+='|lib(c\+\+|c\+\+abi|unwind)\.so'
+  # In the image it is linked in; Debian's is a shared one, and its libFuzzer is of libstdc++.
+  export LDFLAGS=-lstdc++
+  may_need+='|lib(c\+\+|c\+\+abi|unwind|stdc\+\+)\.so'
   said "with libc++"
 else
   may_need+='|libstdc\+\+\.so'
