@@ -75,7 +75,7 @@ printf '#include <memory>\nauto p = std::make_unique_for_overwrite<char[]>(1);\n
 if "$CXX" -std=c++20 -stdlib=libc++ -fsyntax-only "$place/library.cpp" 2>/dev/null; then
   CXXFLAGS+=" -stdlib=libc++"
   # In the image it is linked in; Debian's is a shared one, and its libFuzzer is of libstdc++.
-  export LDFLAGS=-lstdc++
+  export LDFLAGS=-Wl,-lstdc++  # by the linker's name: clang would take the other for libc++
   may_need+='|lib(c\+\+|c\+\+abi|unwind|stdc\+\+)\.so'
   said "with libc++"
 else
