@@ -163,6 +163,108 @@ def image_uri(file):
     file.json["images"] = [{"uri": "data:image/png;base64," + base64.b64encode(RGBA).decode()}]
 
 
+def samplers(file):
+    """Each way to filter and to wrap, a material each."""
+    ways = [{"minFilter": least} for least in (9728, 9729, 9984, 9985, 9986, 9987)]
+    ways += [{"wrapS": 33648, "wrapT": 10497, "magFilter": 9729}]
+    file.json["samplers"] += ways
+    for k in range(len(ways)):
+        file.json["textures"].append({"source": 0, "sampler": k + 1})
+        texture = {"index": k + 1}
+        file.json["materials"].append({"pbrMetallicRoughness": {"baseColorTexture": texture, "baseColorFactor": [1, 1, 1, 0.5]}})
+
+
+def placed(file):
+    """A mesh under every kind of transform, and instanced by an integer's rotations and uneven scales."""
+    turns = file.accessor("8b", [0, 0, 0, 127, 0, 0, 90, 90], 5120, "VEC4", 2, normalized=True)
+    scales = file.accessor("6f", [1, 2, 3, 1, 1, 1], FLOAT, "VEC3", 2)
+    instanced = {"EXT_mesh_gpu_instancing": {"attributes": {"ROTATION": turns, "SCALE": scales}}}
+    file.json["nodes"] = [
+        {"mesh": 0, "matrix": [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1], "children": [1]},
+        {"mesh": 0, "rotation": [0, 0.6, 0, 0.8], "scale": [1, 3, 1], "translation": [1, 2, 3]},
+        {"mesh": 0, "extensions": instanced},
+    ]
+
+
+def left_out(file):
+    """A material each that nothing is planned for."""
+    file.json["materials"] += [
+        {"alphaMode": "MASK"},
+        {"alphaMode": "MASK", "extensions": {"KHR_materials_pbrSpecularGlossiness": {}},
+         "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}},
+        {"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}}},
+        {"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorTexture": {"index": 1}}},
+        {"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorTexture": {"index": 2}}},
+    ]  # fmt: skip
+    file.json["samplers"].append({"magFilter": 9728, "minFilter": 9729})
+    file.json["textures"] += [{}, {"source": 0, "sampler": 1}]
+    primitives = file.json["meshes"][0]["primitives"]
+    primitives += [file.primitive | {"material": k + 1} for k in range(5)]
+    far = file.accessor("8f", [2.0**21] * 8, FLOAT, "VEC2", 4)
+    primitives.append(file.primitive | {"attributes": file.primitive["attributes"] | {"TEXCOORD_0": far}})
+    # No node uses the second mesh.
+    file.json["meshes"].append({"primitives": [{"attributes": {}}, file.primitive]})
+
+
+def sparse_indices_of_shape(file):
+    where, values = file.view(struct.pack("<H", 5)), file.view(struct.pack("<I", 1))
+    file.primitive["indices"] = file.accessor("6I", [0, 1, 2, 0, 2, 2], U32, "SCALAR", 6, sparse={
+        "count": 1,
+        "indices": {"bufferView": where, "componentType": U16},
+        "values": {"bufferView": values},
+    })  # fmt: skip
+
+
+def meshopt(file):
+    view = file.json["bufferViews"][0]
+    view["extensions"] = {"EXT_meshopt_compression": {"buffer": 0, "byteOffset": 4, "byteLength": 8}}
+    file.json["images"].append({"uri": "data:application/octet-stream;base64,AAAA", "mimeType": "image/ktx2"})
+
+
+def positions(*values):
+    def change(file):
+        file.primitive["attributes"] = {"POSITION": file.accessor("3f", values, FLOAT, "VEC3", 1)}
+        del file.primitive["indices"]
+
+    return changed(change)
+
+
+def of_json(**parts):
+    return b"j" + json.dumps({"asset": {"version": "2.0"}} | parts, separators=(",", ":")).encode()
+
+
+def of_sampler(**sampler):
+    texture = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}
+    return of_json(images=[{"uri": "a.png"}], samplers=[sampler], textures=[{"source": 0, "sampler": 0}], materials=[texture])
+
+
+# Refused, for one reason each: as few bytes as will do.
+BAD = {
+    "bad_version": of_json(asset={"version": "1.0"}),
+    "bad_object": of_json(asset=2),
+    "bad_array": of_json(meshes=[{"primitives": 1}]),
+    "bad_list": of_json(nodes=1),
+    "bad_text": of_json(materials=[{"alphaMode": 1}]),
+    "bad_flag": of_json(accessors=[{"componentType": 5126, "count": 1, "type": "VEC2", "normalized": 1}]),
+    "bad_number": of_json(materials=[{"alphaCutoff": "a"}]),
+    "bad_numbers": of_json(materials=[{"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, None]}}]),
+    "bad_whole": of_json(samplers=[{"wrapS": 1.5}]),
+    "bad_index": of_json(nodes=[{"mesh": 0}]),
+    "bad_alpha_mode": of_json(materials=[{"alphaMode": "CUT"}]),
+    "bad_cutoff": of_json(materials=[{"alphaCutoff": -1}]),
+    "bad_factor": of_json(materials=[{"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 2]}}]),
+    "bad_wrap": of_sampler(wrapS=1),
+    "bad_magnification": of_sampler(magFilter=1),
+    "bad_minification": of_sampler(minFilter=1),
+    "bad_mode": of_json(meshes=[{"primitives": [{"attributes": {}, "mode": 7}]}]),
+    "two_parents": of_json(nodes=[{"children": [2]}, {"children": [2]}, {}]),
+    "no_buffer": of_json(buffers=[{"byteLength": 0}, {"byteLength": 4}]),
+    "short_buffer": of_json(buffers=[{"byteLength": 4}]),
+    "no_source": of_json(images=[{}]),
+    "no_files": of_json(images=[{"uri": "a.png"}, {"uri": "b.png"}]),
+    "no_json": b"j{",
+}
+
 LOAD = {
     "square": File().parts(),
     "glb": File().glb(),
@@ -189,9 +291,26 @@ LOAD = {
     "huge_count": changed(lambda file: file.json["accessors"][0].update(count=2147483647)),
     "lying_view": changed(lambda file: file.json["bufferViews"][2].update(byteOffset=2147483647)),
     "draco": changed(lambda file: file.json.update(extensionsRequired=["KHR_draco_mesh_compression"])),
+    "samplers": changed(samplers),
+    "placed": changed(placed),
+    "left_out": changed(left_out),
+    "sparse_indices": changed(sparse_indices_of_shape),
+    "meshopt": changed(meshopt),
+    "not_finite": positions(0, float("nan"), 0),
+    "gif": changed(lambda file: None, b"GIF89a"),
+    "no_ihdr": changed(lambda file: None, RGBA[:12]),
+    "wide_png": changed(lambda file: None, RGBA[:16] + struct.pack(">II", 1 << 20, 1) + RGBA[24:60]),
+    "hollow_png": changed(lambda file: None, RGBA[:16] + struct.pack(">II", 16384, 16384) + RGBA[24:60]),
+    "restart": changed(lambda file: file.primitive.update(indices=file.accessor("3H", [0, 1, 65535], U16, "SCALAR", 3))),
+    "beyond_vertices": changed(lambda file: file.primitive.update(indices=file.accessor("3B", [0, 1, 9], U8, "SCALAR", 3))),
+    "other_count": changed(lambda file: file.json["accessors"][1].update(count=3)),
+    "no_elements": changed(lambda file: file.json["accessors"][1].update(count=0)),
+    "wrong_shape": changed(lambda file: file.json["accessors"][1].update(type="VEC3")),
+    "wrong_type": changed(lambda file: file.json["accessors"][1].update(componentType=5124)),
+    "short_stride": changed(lambda file: file.json["bufferViews"][1].update(byteStride=4)),
     "deep": b"j" + b'{"extras":' + b"[" * 70 + b"]" * 70 + b"}",
     "nothing": b"j{}",
-}
+} | BAD
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -224,13 +343,45 @@ def spoilt(change):
     return file.parts()
 
 
-def sparse_indices(file):
-    indices, values = file.view(b"\0\1"), file.view(struct.pack("<2h", 1, 0))
-    file.json["accessors"][3]["sparse"] = {
-        "count": 2,
-        "indices": {"bufferView": indices, "componentType": U8},
-        "values": {"bufferView": values},
-    }
+def sparse_indices(where=b"\0\1", component=U8):
+    def change(file):
+        indices, values = file.view(where), file.view(struct.pack("<2h", 1, 0))
+        file.json["accessors"][3]["sparse"] = {
+            "count": 2,
+            "indices": {"bufferView": indices, "componentType": component},
+            "values": {"bufferView": values},
+        }
+
+    return spoilt(change)
+
+
+def broken_micromaps(file):
+    """Behind the one that is used: nothing there, of other types, of other things than numbers, twelve unsorted records."""
+    twelve = file.view(struct.pack("<IHH", 9, 13, 3) * 12)
+    file.json["extensions"][EXT]["micromaps"] += [
+        {},
+        7,
+        {"name": 5, "data": "a", "triangles": 99, "usageCounts": [1.5, -1], "usageLevels": 3, "usageFormats": []},
+        file.micromap | {"triangles": twelve, "usageCounts": [0, 12], "usageFormats": [1, 3]},
+    ]
+
+
+def broken_primitives(file):
+    primitives = file.json["meshes"][0]["primitives"]
+    given = primitives[1]["extensions"][EXT]
+    for wrong in (5, given | {"micromap": 9}, {}, given | {"micromapBaseTriangle": -1}, given | {"micromapIndices": 77}):
+        primitives.append(primitives[1] | {"extensions": {EXT: wrong}})
+    primitives.append({"attributes": {}, "extensions": {EXT: given}})
+
+
+def many_out_of_range(file):
+    codes = file.accessor("40B", [200] * 40, U8, "SCALAR", 40)
+    file.primitive["extensions"][EXT]["micromapIndices"] = codes
+    file.json["accessors"][file.primitive["indices"]].update(count=120)
+
+
+def codes(**changes):
+    return spoilt(lambda file: file.json["accessors"][3].update(changes))
 
 
 VALIDATE = {
@@ -242,7 +393,18 @@ VALIDATE = {
     "i32": micromapped(5124, "2i", (1, -1)).parts(),
     "below_minus_4": micromapped(I16, "2h", (1, -5)).parts(),
     "out_of_range": micromapped(I16, "2h", (2, -1)).parts(),
-    "sparse": spoilt(sparse_indices),
+    "sparse": sparse_indices(),
+    "sparse_descending": sparse_indices(b"\1\0"),
+    "sparse_signed": sparse_indices(b"\0\1", 5120),
+    "broken_micromaps": spoilt(broken_micromaps),
+    "broken_primitives": spoilt(broken_primitives),
+    "many_out_of_range": spoilt(many_out_of_range),
+    "codes_of_floats": codes(componentType=FLOAT, type="VEC2", normalized=True),
+    "codes_outside": codes(byteOffset=1000),
+    "too_few_codes": codes(count=1),
+    "root_is_a_list": spoilt(lambda file: file.json.update(extensions={EXT: []})),
+    "root_is_empty": spoilt(lambda file: file.json.update(extensions={EXT: {}})),
+    "unreadable": b"j{",
     "no_data": spoilt(lambda file: file.micromap.pop("data")),
     "counts_of_another": spoilt(lambda file: file.micromap.update(usageCounts=[3, 4294967295], usageLevels=[0, 13])),
     "lengths": spoilt(lambda file: file.micromap.update(usageFormats=[1])),
@@ -252,6 +414,8 @@ VALIDATE = {
     "stride": spoilt(lambda file: file.json["bufferViews"][file.micromap["triangles"]].update(byteStride=8)),
     "view_outside": spoilt(lambda file: file.json["bufferViews"][file.micromap["data"]].update(byteLength=1000000)),
     "zeros": spoilt(lambda file: file.json["accessors"][3].pop("bufferView")),
+    "zeros_without_end": spoilt(lambda file: file.json["accessors"].__setitem__(
+        3, {"componentType": U8, "type": "SCALAR", "count": 2**23})),
     "strip": spoilt(lambda file: file.primitive.update(mode=5)),
     "no_extension": File().parts(),
 }

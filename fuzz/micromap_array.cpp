@@ -58,11 +58,14 @@ class Reader {
   std::abort();
 }
 
+std::string described(const slow::Violation& v) {
+  return fast::describe(
+      {static_cast<fast::Rule>(v.rule), static_cast<fast::Place>(v.place), v.where, v.found, v.other});
+}
+
 std::string text(const std::vector<slow::Violation>& found) {
   std::string lines;
-  for (const slow::Violation& v : found)
-    lines += "\n  " + fast::describe({static_cast<fast::Rule>(v.rule), static_cast<fast::Place>(v.place),
-                                      v.where, v.found, v.other});
+  for (const slow::Violation& v : found) lines += "\n  " + described(v);
   return lines.empty() ? "\n  nothing" : lines;
 }
 
@@ -70,6 +73,12 @@ std::string text(const std::vector<slow::Violation>& found) {
 std::vector<slow::Violation> validated(const slow::Input& in) {
   const auto expected = slow::validate(in), got = to_slow(validate_fast(in));
   if (got != expected) fail("the specification lists" + text(expected) + "\nand impl" + text(got));
+  for (const slow::Violation& v : got) {
+    const std::string line = described(v);
+    if (!line.starts_with(slow::text(v.rule).id) || line.ends_with(": ") ||
+        line.find('\n') != std::string::npos)
+      fail("a violation is described as " + line);
+  }
   return expected;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -93,7 +94,36 @@ void check_orders(const Map& map, mmverify::spec::Level n) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
+/// The two first words of the bytes, and the codes of all states, as codes of indices.
+void check_codes(const Map& map) {
+  for (const slow::Encoding e : slow::encodings) {
+    const auto encoding = static_cast<fast::Encoding>(e);
+    const auto mask = static_cast<std::uint32_t>((std::uint64_t{1} << slow::width(e)) - 1);
+    const auto check = [&](std::uint32_t code) {
+      const slow::Meaning meaning = slow::meaning(code, e);
+      const auto state = fast::special_state(code, encoding);
+      require(state.has_value() == (meaning.kind == slow::Meaning::Kind::special) &&
+                  fast::is_index(code, encoding) == (meaning.kind == slow::Meaning::Kind::index) &&
+                  (!state || static_cast<unsigned>(*state) == slow::code(meaning.state)),
+              "the meaning of a code", map);
+    };
+    for (std::size_t at = 0; at + 4 <= map.bytes.size() && at < 8; at += 4) {
+      std::uint32_t code;
+      std::memcpy(&code, map.bytes.data() + at, sizeof code);
+      check(code & mask);
+    }
+    for (const slow::State s : {slow::State::T, slow::State::O, slow::State::UT, slow::State::UO}) {
+      const std::uint32_t code = slow::special_code(s, e);
+      require(fast::special_code(static_cast<fast::State>(slow::code(s)), encoding) == code, "a special code",
+              map);
+      check(code);
+      check((code - 4) & mask);
+    }
+  }
+}
+
 void check(const Map& map) {
+  check_codes(map);
   constexpr auto two = slow::Format::two_state, four = slow::Format::four_state;
   const auto format = static_cast<fast::Format>(map.format);
   const std::uint64_t count = map.count;

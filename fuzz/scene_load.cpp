@@ -43,7 +43,12 @@ void check(const Primitive& primitive, const Scene& scene) {
 }
 
 void check(const Scene& scene) {
-  for (const Primitive& primitive : scene.primitives) check(primitive, scene);
+  std::uint64_t triangles = 0;
+  for (const Primitive& primitive : scene.primitives) {
+    check(primitive, scene);
+    triangles += primitive.triangles.size();
+  }
+  require(count_triangles(scene).unique == triangles, "another number of triangles");
   for (const Image& image : scene.images)
     std::visit(
         [&](const auto& alpha) {
@@ -71,17 +76,30 @@ void check_same(const Scene& a, const Scene& b) {
     require(a.meshes[k].uses == b.meshes[k].uses, "written, used differently");
 }
 
-/// Codes for the triangles of a plan; which, does not matter.
+void check(const Plan& planned, const Scene& scene) {
+  require(planned.primitives.size() + planned.left_out.size() == scene.primitives.size(),
+          "a primitive neither planned nor left out");
+  for (const LeftOutPrimitive& primitive : planned.left_out)
+    require(!sentence(primitive.why).empty(), "left out without a reason");
+}
+
+/// Codes for the triangles of a plan, in an encoding that the file's length chooses; which, does not matter.
 Bytes written(const Bytes& file, const Scene& scene, const Plan& planned) {
   const micromap::Array array{{{0, 1, 2}, {1, 0, 1}}, {0xe4, 1}};
+  const auto encoding = static_cast<micromap::Encoding>(file.size() % 5);
+  const std::size_t width = micromap::width(encoding) / 8;
   std::vector<micromap::Bytes> codes;
   std::vector<PrimitiveMicromaps> primitives;
   codes.reserve(planned.primitives.size());
   for (const PlannedPrimitive& primitive : planned.primitives) {
-    micromap::Bytes& its = codes.emplace_back(primitive.triangles.size(), 0xfd);
-    for (std::size_t t = 0; t < its.size(); t += 2) its[t] = t % 4 == 0;
+    micromap::Bytes& its = codes.emplace_back(primitive.triangles.size() * width);
+    for (std::size_t t = 0; t < primitive.triangles.size(); ++t) {
+      const std::uint32_t code =
+          t % 2 == 0 ? t % 4 / 2 : micromap::special_code(micromap::State::UT, encoding);
+      for (std::size_t k = 0; k < width; ++k) its[t * width + k] = static_cast<std::uint8_t>(code >> 8 * k);
+    }
     const Primitive& given = scene.primitives[primitive.primitive];
-    primitives.push_back({given.mesh, given.number, 0, micromap::Encoding::u8, its, 0});
+    primitives.push_back({given.mesh, given.number, 0, encoding, its, 0});
   }
   const std::span<const micromap::Array> arrays(&array, planned.primitives.empty() ? 0 : 1);
   return to_glb(name, file, {arrays, primitives});
@@ -100,8 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   check(scene);
   const Plan planned = plan(scene);
-  require(planned.primitives.size() + planned.left_out.size() == scene.primitives.size(),
-          "a primitive neither planned nor left out");
+  check(planned, scene);
   Bytes glb;
   try {
     glb = written(file, scene, planned);

@@ -30,11 +30,14 @@ void require(bool holds, const char* what) {
 }
 
 void container(const Bytes& bytes) {
+  const bool taken = tree::try_read(bytes).has_value();
   try {
     const tree::Contents contents = tree::read(bytes);
     require(tree::write(contents.level, contents.format, contents.map) == bytes,
             "a second container of one map");
+    require(taken, "try_read refuses what read takes");
   } catch (const tree::BadContainer& bad) {
+    require(!taken, "try_read takes what read refuses");
     require(bad.byte() <= bytes.size(), "the place named lies in the input");
   }
 }

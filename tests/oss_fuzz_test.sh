@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Builds the fuzz targets as OSS-Fuzz and ClusterFuzzLite do, in a stand-in for their image, and runs each on its seeds.
-#   oss_fuzz_test.sh [HIGHWAY]
-# HIGHWAY is a folder with Highway's source: it is then built as in the image, with libc++, and no target may need a
-# library that is not where they run. Without it the system's Highway and C++ standard library are taken.
-# SANITIZER=undefined for the other sanitizer. Everything is built anew, which takes minutes: no part of ctest.
+#   [CC=... CXX=... SANITIZER=address|undefined] oss_fuzz_test.sh [HIGHWAY]
+# HIGHWAY is a folder with Highway's source: it is then built and linked in as in the image, and no target may need a
+# library that is not where they run; without it the system's is taken. The C++ standard library is the image's, libc++,
+# where the compiler has one of C++20 (16 or later), else the compiler's own.
+# Everything is built anew, which takes minutes: no part of ctest.
 # What no stand-in shows: that the image has what Dockerfile installs, and dependencies.sh, which needs a network.
 set -euo pipefail
 highway=${1:+$(readlink -f -- "$1")}
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
-root=$PWD
 export SANITIZER=${SANITIZER:-address}
 
 fail() {
@@ -68,23 +68,32 @@ case $SANITIZER in
   *) fail "SANITIZER=$SANITIZER is neither address nor undefined" ;;
 esac
 flags="-O1 -fno-omit-frame-pointer -gline-tables-only -DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION $flags"
-export CC=clang CXX=clang++ LIB_FUZZING_ENGINE=-fsanitize=fuzzer
+export CC=${CC:-clang} CXX=${CXX:-clang++} LIB_FUZZING_ENGINE=-fsanitize=fuzzer
 export CFLAGS="$flags -fsanitize=fuzzer-no-link" CXXFLAGS="$flags -fsanitize=fuzzer-no-link"
-may_need='linux-vdso|ld-linux|lib(c|m|gcc_s|stdc\+\+|dl|pthread|rt)\.so'
+may_need='linux-vdso|ld-linux|lib(c|m|gcc_s|dl|pthread|rt)\.so'
+printf '#include <memory>\nauto p = std::make_unique_for_overwrite<char[]>(1);\n' >"$place/library.cpp"
+if "$CXX" -std=c++20 -stdlib=libc++ -fsyntax-only "$place/library.cpp" 2>/dev/null; then
+  CXXFLAGS+=" -stdlib=libc++"
+  # In the image it is linked in; Debian's is a shared one, and its libFuzzer is of libstdc++.
+  export LDFLAGS=-Wl,-lstdc++  # by the linker's name: clang would take the other for libc++
+  may_need+='|lib(c\+\+|c\+\+abi|unwind|stdc\+\+)\.so'
+  said "with libc++"
+else
+  may_need+='|libstdc\+\+\.so'
+  said "no libc++ of C++20 here, so with the compiler's own C++ standard library"
+fi
 if [[ -n $highway ]]; then
   cp -r "$highway" "$SRC/highway"
-  # In the image it is linked in; Debian's is a shared one.
-  CXXFLAGS+=" -stdlib=libc++"
-  may_need+='|lib(c\+\+|c\+\+abi|unwind)\.so'
 else
   may_need+='|libhwy\.so'
+  said "no HIGHWAY given, so with the system's"
 fi
 started=$SECONDS
 (cd "$SRC/mmverify" && bash -eu .clusterfuzzlite/build.sh) >"$place/log" 2>&1 || { tail -n 40 "$place/log" >&2; fail "build.sh failed"; }
 said "built in $((SECONDS - started)) s, $SANITIZER"
 
 count=0
-for corpus in "$root"/fuzz/corpus/*; do
+for corpus in "$SRC"/mmverify/fuzz/corpus/*; do
   target=${corpus##*/}
   program=$OUT/$target seeds=$place/seeds/$target
   [[ -x $program ]] || fail "no $target in \$OUT"
