@@ -70,7 +70,7 @@ esac
 flags="-O1 -fno-omit-frame-pointer -gline-tables-only -DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION $flags"
 export CC=${CC:-clang} CXX=${CXX:-clang++} LIB_FUZZING_ENGINE=-fsanitize=fuzzer
 export CFLAGS="$flags -fsanitize=fuzzer-no-link" CXXFLAGS="$flags -fsanitize=fuzzer-no-link"
-may_need='linux-vdso|ld-linux|lib(c|m|gcc_s|dl|pthread|rt)\.so'
+may_need='linux-vdso|ld-linux|lib(c|m|gcc_s|dl|pthread|resolv|rt)\.so'
 printf '#include <memory>\nauto p = std::make_unique_for_overwrite<char[]>(1);\n' >"$place/library.cpp"
 if "$CXX" -std=c++20 -stdlib=libc++ -fsyntax-only "$place/library.cpp" 2>/dev/null; then
   CXXFLAGS+=" -stdlib=libc++"
@@ -105,7 +105,7 @@ for corpus in "$SRC"/mmverify/fuzz/corpus/*; do
   # As where they run: in $OUT, without the sources.
   (cd "$OUT" && "./$target" "${options[@]}" -seed=1 -runs=200 -max_total_time=60 "$seeds") >"$place/log" 2>&1 ||
     { tail -n 30 "$place/log" >&2; fail "$target failed"; }
-  grep -q ' INITED ' "$place/log" || fail "$target did not begin"
+  grep -qw INITED "$place/log" || fail "$target did not begin"
   said "$target: $(find "$corpus" -type f | wc -l) seeds, $(grep -oE 'Done [0-9]+ runs' "$place/log")"
   count=$((count + 1))
 done
