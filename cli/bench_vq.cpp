@@ -136,7 +136,8 @@ Json encoded_json(const VqRow& row, Encoder e) {
           {"substitutions", by.substitutions},
           {"savings", row.savings(e)},
           {"transforms", {by.transforms & 7, by.transforms >> 3 & 7, by.transforms >> 6 & 7}},
-          {"ms", by.ms}};
+          {"ms", by.ms},
+          {"times_paper", by.ms / row.by(Encoder::paper).ms}};
 }
 
 Json to_json(const VqRow& row) {

@@ -1,6 +1,7 @@
 // mmverify gate: a result against a baseline.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -57,6 +58,16 @@ std::string bare(const std::string& json) {
   return json.size() >= 2 && json.front() == '"' ? json.substr(1, json.size() - 2) : json;
 }
 
+/// With what a terminal or a CI system would obey written out.
+std::string plain(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    out += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return out;
+}
+
 void print(const Difference& d) {
   std::string line = fmt::format("{:<8}{}", word(d.change), d.group);
   if (!d.figure.empty()) line += fmt::format("{}{}", d.group.empty() ? "" : ": ", d.figure);
@@ -64,7 +75,7 @@ void print(const Difference& d) {
     line += fmt::format(" {} -> {}", bare(d.before), bare(d.after));
   else if (!d.figure.empty())
     line += fmt::format(" {}", bare(d.before.empty() ? d.after : d.before));
-  fmt::print("{}\n", line);
+  fmt::print("{}\n", plain(line));
 }
 
 constexpr Change kinds[] = {Change::worse, Change::better, Change::changed,
@@ -88,15 +99,39 @@ void print(const Comparison& comparison, const Options& options) {
              options.tolerance, counts.empty() ? "none differs" : counts);
 }
 
+/// Of the results, those that are no success: a baseline of them holds a project to its faults.
+void name_faults(const gate::Figures& result) {
+  for (const char* const verdict : {"refuted", "broken", "incomplete"}) {
+    std::size_t count = 0;
+    for (const auto& [name, figures] : result.groups)
+      if (const auto found = figures.find("verdict"); found != figures.end())
+        count += bare(found->second.value.text) == verdict;
+    if (count != 0) fmt::print("gate: {} results are {}\n", grouped(count), verdict);
+  }
+}
+
+int bless(const Options& options, const gate::Figures& result) {
+  std::error_code none;
+  if (std::filesystem::equivalent(options.baseline, options.result, none))
+    throw UsageError(fmt::format("--baseline {}: the result itself", options.baseline));
+  // What it was, to be seen before it is gone; there may be none, or another run's.
+  try {
+    if (std::filesystem::exists(options.baseline))
+      print(compare(gate::baseline_of(read_json(options.baseline)), result, options.tolerance), options);
+  } catch (const std::exception& error) {
+    fmt::print("gate: the old baseline cannot be compared: {}\n", plain(error.what()));
+  }
+  OutputFile(options.baseline).commit(to_json(gate::baseline_of(result)));
+  name_faults(result);
+  fmt::print("gate: {} is what {} says: {} groups of figures\n", plain(options.baseline),
+             plain(options.result), grouped(result.groups.size()));
+  return ExitCode::complete;
+}
+
 int run_gate(const Options& options) {
   const gate::Figures result =
       of_file(options.result, [](const auto& json) { return gate::figures_of(json); });
-  if (options.bless) {
-    OutputFile(options.baseline).commit(to_json(gate::baseline_of(result)));
-    fmt::print("gate: {} is what {} says: {} groups of figures\n", options.baseline, options.result,
-               grouped(result.groups.size()));
-    return ExitCode::complete;
-  }
+  if (options.bless) return bless(options, result);
   const Baseline baseline =
       of_file(options.baseline, [](const auto& json) { return gate::baseline_of(json); });
   Comparison comparison;
@@ -106,6 +141,7 @@ int run_gate(const Options& options) {
     throw UsageError(fmt::format("{}: {}", options.result, why.what()));
   }
   print(comparison, options);
+  name_faults(result);
   if (!comparison.differences.empty())
     fmt::print("If that is how it should be: mmverify gate --baseline {} {} --bless\n",
                shell_quoted(options.baseline), shell_quoted(options.result));

@@ -120,7 +120,12 @@ std::string read_text(const std::string& path) {
 Json read_json(const std::string& path) {
   const std::string text = read_text(path);
   try {
-    return Json::parse(text);
+    // What reads it calls itself for each level.
+    static constexpr int deepest = 64;
+    return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
+      if (depth > deepest) throw std::runtime_error(fmt::format("nested more than {} deep", int{deepest}));
+      return true;
+    });
   } catch (const std::exception& error) {
     throw EnvironmentError(fmt::format("{}: {}", path, error.what()));
   }

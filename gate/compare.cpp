@@ -9,11 +9,9 @@
 namespace mmverify::gate {
 namespace {
 
-/// The better the higher.
-int rank(const std::string& verdict) {
-  constexpr std::array from_worst{"\"refuted\"",        "\"broken\"",  "\"incomplete\"",
-                                  "\"not_applicable\"", "\"checked\"", "\"proved\""};
-  return static_cast<int>(std::find(from_worst.begin(), from_worst.end(), verdict) - from_worst.begin());
+/// Of a text in quotes, the better the higher; what is no verdict is worse than all.
+int rank(const std::string& quoted) {
+  return quoted.size() < 2 ? -1 : rank_of_verdict(quoted.substr(1, quoted.size() - 2)).value_or(-1);
 }
 
 Change toward(bool better) { return better ? Change::better : Change::worse; }
@@ -43,7 +41,7 @@ std::optional<Change> change_of(Rule rule, const Value& before, const Value& aft
     case Rule::speed_more:
     case Rule::speed_less: {
       // A ratio that is none, of a time that was too short to be taken, is not as good as before.
-      if (!(a > 0)) return std::nullopt;
+      if (!(a > 0)) return Change::changed;
       if (!(b > 0)) return Change::worse;
       const double gain = rule == Rule::speed_more ? b / a : a / b;
       if (gain * tolerance < 1) return Change::worse;

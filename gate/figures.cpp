@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <vector>
+#include <set>
+#include <string>
 
 namespace mmverify::gate {
 namespace {
@@ -37,11 +38,18 @@ class Walk {
     if (j.is_array()) return list(j, place, group, name);
     if (!rule) throw NoResult(fmt::format("{}: no rule says how it is compared", place));
     if (rule == Rule::key) return;
+    check_kind(j, *rule, place);
     const Value value{text_of(j), j.is_number() ? j.get<double>() : 0};
-    if (rule == Rule::setting)
+    if (rule == Rule::setting) {
       figures_.settings[fmt::format("{}{}", group.empty() ? "" : group + " ", name)] = value.text;
-    else
+      return;
+    }
+    // Of what is about no element of a list, the first two names are the group: "scene.bake".
+    const std::size_t dot = group.empty() ? name.find('.', name.find('.') + 1) : std::string::npos;
+    if (dot == std::string::npos)
       figures_.groups[group][name] = {value, *rule};
+    else
+      figures_.groups[name.substr(0, dot)][name.substr(dot + 1)] = {value, *rule};
   }
 
   void object(const Json& j, const std::string& place, const std::string& group, const std::string& name) {
@@ -52,6 +60,36 @@ class Walk {
   }
 
  private:
+  static void check_kind(const Json& j, Rule rule, const std::string& place) {
+    const auto expect = [&](bool holds, const char* what) {
+      if (!holds) throw NoResult(fmt::format("{}: {} where {} should be", place, text_of(j), what));
+    };
+    switch (rule) {
+      case Rule::verdict:
+        expect(j.is_string() && is_verdict(j.get<std::string>()), "a verdict");
+        break;
+      case Rule::yes:
+        expect(j.is_boolean(), "true or false");
+        break;
+      case Rule::more:
+      case Rule::less:
+        expect(j.is_number() && !(j.get<double>() < 0), "a number of things");
+        break;
+      case Rule::about:
+      case Rule::about_more:
+      case Rule::about_less:
+        expect(j.is_number() || j.is_null(), "a number");
+        break;
+      // JSON has no word for a ratio to no time: it is null.
+      case Rule::speed_more:
+      case Rule::speed_less:
+        expect((j.is_number() && j.get<double>() >= 0) || j.is_null(), "a ratio");
+        break;
+      default:
+        break;
+    }
+  }
+
   /// What an element of a list is about: its keys, if it has any.
   std::string keys(const Json& element, const std::string& place) const {
     std::string all;
@@ -94,12 +132,14 @@ std::string schema_in(const Json& j) {
   return j.at("schema").get<std::string>();
 }
 
-void add(const Json& run, Figures& figures) {
+void add(const Json& run, Figures& figures, std::set<std::string>& topics) {
   const std::string schema = schema_in(run);
   if (schema != "mmverify.result/1" && schema != "mmverify.bench/1")
     throw NoResult(
         fmt::format("schema {}: neither mmverify.result/1 nor mmverify.bench/1", text_of(run.at("schema"))));
   if (!figures.schema.empty() && figures.schema != schema) throw NoResult("runs of several schemas");
+  if (!figures.schema.empty() && schema == "mmverify.result/1")
+    throw NoResult("several runs in one file: one at a time");
   figures.schema = schema;
   if (run.contains("shard"))
     throw NoResult("one shard of a run; put the shards together with mmverify merge first");
@@ -107,6 +147,8 @@ void add(const Json& run, Figures& figures) {
   if (schema == "mmverify.bench/1") {
     if (!run.contains("topic") || !run.at("topic").is_string()) throw NoResult("topic: there is none");
     topic = run.at("topic").get<std::string>();
+    if (!topics.insert(topic).second)
+      throw NoResult(fmt::format("topic {}: twice in one file", text_of(topic)));
   }
   Walk(figures, topic.empty() ? schema : schema + " " + topic).object(run, "", topic, "");
 }
@@ -115,10 +157,11 @@ void add(const Json& run, Figures& figures) {
 
 Figures figures_of(const Json& result) {
   Figures figures;
+  std::set<std::string> topics;
   if (result.is_array())
-    for (const Json& run : result) add(run, figures);
+    for (const Json& run : result) add(run, figures, topics);
   else
-    add(result, figures);
+    add(result, figures, topics);
   // Keys alone make a group; one without figures says nothing.
   std::erase_if(figures.groups, [](const auto& group) { return group.second.empty(); });
   if (figures.groups.empty()) throw NoResult("nothing in it can be compared");

@@ -28,4 +28,9 @@ enum class Rule {
 /// schema: "mmverify.result/1", or "mmverify.bench/1" and a topic, "mmverify.bench/1 tree".
 std::optional<Rule> rule_of(const std::string& schema, const std::string& place);
 
+/// The place of a verdict from the worst on: refuted, broken, incomplete, not_applicable, checked, proved;
+/// nothing for any other word.
+std::optional<int> rank_of_verdict(const std::string& verdict);
+inline bool is_verdict(const std::string& word) { return rank_of_verdict(word).has_value(); }
+
 }  // namespace mmverify::gate

@@ -141,7 +141,7 @@ TEST_F(Gate, AResultOrAFigureThatIsGoneOrNew) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.out, HasSubstr("new     " + name));
   expect_red(
-      scene(), [](Json& j) { j["scene"]["bake"].erase("exact"); }, "gone    scene.bake.exact");
+      scene(), [](Json& j) { j["scene"]["bake"].erase("exact"); }, "gone    scene.bake: exact");
 }
 
 TEST_F(Gate, ASize) {
@@ -149,10 +149,10 @@ TEST_F(Gate, ASize) {
     Json& bytes = j["scene"]["footprint"]["array_data_bytes"];
     bytes = bytes.get<int>() + 1;
   };
-  expect_red(scene(), grow, "worse   scene.footprint.array_data_bytes ");
+  expect_red(scene(), grow, "worse   scene.footprint: array_data_bytes ");
   Json before = scene();
   grow(before);
-  EXPECT_THAT(gate(before, scene()).out, HasSubstr("better  scene.footprint.array_data_bytes "));
+  EXPECT_THAT(gate(before, scene()).out, HasSubstr("better  scene.footprint: array_data_bytes "));
   expect_red(
       bench_tree(),
       [](Json& j) {
@@ -183,7 +183,7 @@ TEST_F(Gate, NeedlessUnknowns) {
         states["T"] = states["T"].get<int>() - 1;
         states["UT"] = states["UT"].get<int>() + 1;
       },
-      "worse   scene.bake.states.UT ");
+      "worse   scene.bake: states.UT ");
 }
 
 /// Every ratio that says how fast ours is, times this.
@@ -199,6 +199,30 @@ TEST_F(Gate, AnImplementationHalfAsFast) {
       bench_tree(), [](Json& j) { speed(j, 0.5); }, ": ratio_paper_to_ours ");
   expect_red(
       bench_tree(), [](Json& j) { speed(j, 0.5); }, ": ratio_ours_to_flat ");
+}
+
+TEST_F(Gate, ASpeedThatWasNoneIsNotPassedOver) {
+  Json before = bench_tree();
+  before["rows"][0]["ratio_paper_to_ours"] = nullptr;
+  const Outcome outcome = gate(before, bench_tree());
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("changed tree states 2 level 3: ratio_paper_to_ours null -> "));
+}
+
+TEST_F(Gate, WhatIsBlessedThoughItIsNoSuccessIsNamed) {
+  Json refuted = proved();
+  refuted["results"][0]["verdict"] = "refuted";
+  const std::string path = file("refuted.json", refuted);
+  const Outcome blessed = program({"gate", "--baseline", folder_ / "r.json", path, "--bless"});
+  EXPECT_THAT(blessed.out, HasSubstr("gate: 1 results are refuted"));
+  EXPECT_THAT(program({"gate", "--baseline", folder_ / "r.json", path}).out,
+              HasSubstr("gate: 1 results are refuted"));
+}
+
+TEST_F(Gate, NamesCannotForgeItsLines) {
+  Json forged = proved();
+  for (Json& r : forged["results"]) r["subject"] = "x\ngate: green: all";
+  EXPECT_THAT(gate(proved(), forged).out, Not(HasSubstr("\ngate: green")));
 }
 
 TEST_F(Gate, ASpeedWithinTheToleranceOrBetterIsGreen) {
@@ -279,6 +303,16 @@ TEST_F(Gate, WhatCannotBeCompared) {
   Json shard = proved();
   shard["shard"] = {{"number", 1}};
   complaint(good, file("shard.json", shard), 4, "one shard of a run");
+  Json verdict = proved();
+  verdict["results"][0]["verdict"] = "splendid";
+  complaint(good, file("verdict.json", verdict), 4, "\"splendid\" where a verdict should be");
+  Json negative = proved();
+  negative["results"][0]["mismatches"] = -5;
+  complaint(good, file("negative.json", negative), 4, "-5 where a number of things should be");
+  std::ofstream(folder_ / "deep.json") << std::string(100'000, '[') << std::string(100'000, ']');
+  complaint(good, folder_ / "deep.json", 4, "nested more than");
+  complaint(good, file("twice.json", Json::array({bench_tree(), bench_tree()})), 4, "twice in one file");
+  expect_complaint(program({"gate", "--baseline", good, good, "--bless"}), 2, "the result itself");
   expect_complaint(program({"gate", good}), 2, "--baseline");
   expect_complaint(program({"gate", "--baseline", good, good, "--tolerance", "nan"}), 2, "--tolerance");
 }

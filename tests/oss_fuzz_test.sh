@@ -95,6 +95,7 @@ said "built in $((SECONDS - started)) s, $SANITIZER"
 count=0
 for corpus in "$SRC"/mmverify/fuzz/corpus/*; do
   target=${corpus##*/}
+  [[ $target != subject ]] || continue  # attacks a library that its user names
   program=$OUT/$target seeds=$place/seeds/$target
   [[ -x $program ]] || fail "no $target in \$OUT"
   needs=$(ldd "$program" | grep -vE "$may_need" || :)
