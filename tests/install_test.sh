@@ -52,5 +52,9 @@ deb=$(find "$folder" -maxdepth 1 -name 'mmverify_*.deb')
 dpkg-deb --info "$deb" | grep -E ' (Package|Version|Depends):'
 dpkg-deb -x "$deb" "$folder/root"
 "$folder/root/usr/bin/mmverify" prove index.in_range --levels 0..2 --quiet | tail -1
-"$folder/root/usr/bin/mmverify" prove index.in_range --levels 0..2 --quiet --no-mutants \
-  --subject "$folder/consumer/build/libmy_index.so" | tail -1
+# And that one finds the worker that a library is run in.
+code=0
+"$folder/root/usr/bin/mmverify" prove index.equals_reference --levels 8 --quiet --no-mutants \
+  --subject "$folder/consumer/build/libmy_index.so" >"$folder/prove.log" || code=$?
+((code == 1)) || fail "the packaged program on a wrong index function gives exit code $code"
+tail -1 "$folder/prove.log"
