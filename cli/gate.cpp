@@ -10,6 +10,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
 #include "cli/read_json.hpp"
+#include "cli/text.hpp"
 #include "gate/compare.hpp"
 
 namespace mmverify::cli {
@@ -53,29 +54,14 @@ const char* word(Change change) {
   }
 }
 
-/// `"proved"` as proved.
-std::string bare(const std::string& json) {
-  return json.size() >= 2 && json.front() == '"' ? json.substr(1, json.size() - 2) : json;
-}
-
-/// With what a terminal or a CI system would obey written out.
-std::string plain(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    out += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return out;
-}
-
 void print(const Difference& d) {
   std::string line = fmt::format("{:<8}{}", word(d.change), d.group);
   if (!d.figure.empty()) line += fmt::format("{}{}", d.group.empty() ? "" : ": ", d.figure);
   if (!d.before.empty() && !d.after.empty())
-    line += fmt::format(" {} -> {}", bare(d.before), bare(d.after));
+    line += fmt::format(" {} -> {}", gate::unquoted(d.before), gate::unquoted(d.after));
   else if (!d.figure.empty())
-    line += fmt::format(" {}", bare(d.before.empty() ? d.after : d.before));
-  fmt::print("{}\n", plain(line));
+    line += fmt::format(" {}", gate::unquoted(d.before.empty() ? d.after : d.before));
+  fmt::print("{}\n", printable(line));
 }
 
 constexpr Change kinds[] = {Change::worse, Change::better, Change::changed,
@@ -105,7 +91,7 @@ void name_faults(const gate::Figures& result) {
     std::size_t count = 0;
     for (const auto& [name, figures] : result.groups)
       if (const auto found = figures.find("verdict"); found != figures.end())
-        count += bare(found->second.value.text) == verdict;
+        count += gate::unquoted(found->second.value.text) == verdict;
     if (count != 0) fmt::print("gate: {} results are {}\n", grouped(count), verdict);
   }
 }
@@ -119,12 +105,12 @@ int bless(const Options& options, const gate::Figures& result) {
     if (std::filesystem::exists(options.baseline))
       print(compare(gate::baseline_of(read_json(options.baseline)), result, options.tolerance), options);
   } catch (const std::exception& error) {
-    fmt::print("gate: the old baseline cannot be compared: {}\n", plain(error.what()));
+    fmt::print("gate: the old baseline cannot be compared: {}\n", printable(error.what()));
   }
   OutputFile(options.baseline).commit(to_json(gate::baseline_of(result)));
   name_faults(result);
-  fmt::print("gate: {} is what {} says: {} groups of figures\n", plain(options.baseline),
-             plain(options.result), grouped(result.groups.size()));
+  fmt::print("gate: {} is what {} says: {} groups of figures\n", printable(options.baseline),
+             printable(options.result), grouped(result.groups.size()));
   return ExitCode::complete;
 }
 

@@ -11,6 +11,7 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 
 namespace {
@@ -22,18 +23,8 @@ int closed(int code) {
   return code == mmverify::cli::complete ? mmverify::cli::environment : code;
 }
 
-/// The text with what a terminal would obey written out: it may quote a file or an argument.
-std::string printable(const std::string& text) {
-  std::string plain;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    plain += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return plain;
-}
-
 int complain(int code, const std::string& what, const char* more = "") {
-  fmt::print(stderr, "mmverify: {}{}\n", printable(what), more);
+  fmt::print(stderr, "mmverify: {}{}\n", mmverify::cli::printable(what), more);
   return code;
 }
 

@@ -181,4 +181,13 @@ void TextReport::finish(const Report& report, bool name_subjects) {
   std::fflush(out_);
 }
 
+std::string printable(const std::string& text) {
+  std::string plain;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    plain += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return plain;
+}
+
 }  // namespace mmverify::cli

@@ -8,6 +8,9 @@
 
 namespace mmverify::cli {
 
+/// The text with what a terminal would obey written out: it may quote a file or an argument.
+std::string printable(const std::string& text);
+
 /// The command that shows a counterexample again.
 std::string replay_command(const proofs::Result& result, const proofs::Counterexample& c);
 

@@ -9,10 +9,8 @@
 namespace mmverify::gate {
 namespace {
 
-/// Of a text in quotes, the better the higher; what is no verdict is worse than all.
-int rank(const std::string& quoted) {
-  return quoted.size() < 2 ? -1 : rank_of_verdict(quoted.substr(1, quoted.size() - 2)).value_or(-1);
-}
+/// The better the higher; what is no verdict is worse than all.
+int rank(const Value& verdict) { return rank_of_verdict(unquoted(verdict.text)).value_or(-1); }
 
 Change toward(bool better) { return better ? Change::better : Change::worse; }
 
@@ -25,7 +23,7 @@ std::optional<Change> change_of(Rule rule, const Value& before, const Value& aft
   const bool close = std::fabs(a - b) <= 1e-9 * std::max(std::fabs(a), std::fabs(b));
   switch (rule) {
     case Rule::verdict:
-      return toward(rank(after.text) > rank(before.text));
+      return toward(rank(after) > rank(before));
     case Rule::yes:
       return toward(after.text == "true");
     case Rule::about_more:

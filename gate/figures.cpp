@@ -155,6 +155,10 @@ void add(const Json& run, Figures& figures, std::set<std::string>& topics) {
 
 }  // namespace
 
+std::string unquoted(const std::string& json) {
+  return json.size() >= 2 && json.front() == '"' ? json.substr(1, json.size() - 2) : json;
+}
+
 Figures figures_of(const Json& result) {
   Figures figures;
   std::set<std::string> topics;

@@ -21,6 +21,9 @@ struct Value {
   double number = 0;  ///< of numbers; else 0
 };
 
+/// `"proved"` as proved; what is no text as it is.
+std::string unquoted(const std::string& json);
+
 struct Figure {
   Value value;
   Rule rule;

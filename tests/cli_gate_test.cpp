@@ -248,7 +248,7 @@ TEST_F(Gate, TimesAndMachinesAreNotCompared) {
 
 TEST_F(Gate, ALibraryIsTheSameWhereverItWasBuilt) {
   Json here = proved(), there = proved();
-  for (Json& r : here["results"]) r["subject"] = "/home/me/build/libmine.so";
+  for (Json& r : here["results"]) r["subject"] = "/one/place/libmine.so";
   for (Json& r : there["results"]) r["subject"] = "../libmine.so";
   EXPECT_EQ(gate(here, there).exit_code, 0);
 }
