@@ -1,6 +1,7 @@
 // mmverify bench: error against run time, by topic.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <optional>

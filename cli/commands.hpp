@@ -1,9 +1,11 @@
 // The commands: each adds itself to the program's arguments and runs when it was chosen.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
-#include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace mmverify::cli {
 

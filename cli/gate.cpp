@@ -1,6 +1,7 @@
 // mmverify gate: a result against a baseline.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -85,6 +86,13 @@ void print(const Comparison& comparison, const Options& options) {
              options.tolerance, counts.empty() ? "none differs" : counts);
 }
 
+/// Ratios of one run hold from machine to machine, but not to the last tenth.
+void name_processors(const Comparison& comparison, const gate::Figures& result) {
+  if (!comparison.other_processor.empty())
+    fmt::print("gate: speeds of two processors: the baseline's {}, the result's {}\n",
+               printable(comparison.other_processor), printable(result.processor));
+}
+
 /// Of the results, those that are no success: a baseline of them holds a project to its faults.
 void name_faults(const gate::Figures& result) {
   for (const char* const verdict : {"refuted", "broken", "incomplete"}) {
@@ -127,6 +135,7 @@ int run_gate(const Options& options) {
     throw UsageError(fmt::format("{}: {}", options.result, why.what()));
   }
   print(comparison, options);
+  name_processors(comparison, result);
   name_faults(result);
   if (!comparison.differences.empty())
     fmt::print("If that is how it should be: mmverify gate --baseline {} {} --bless\n",

@@ -1,6 +1,7 @@
 // mmverify: an exact referee for opacity micromaps.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>

@@ -1,6 +1,7 @@
 // mmverify merge: the shards of one run, put together.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>

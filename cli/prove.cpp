@@ -1,6 +1,7 @@
 // mmverify prove: runs laws on subjects and says what came of it.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <filesystem>

@@ -1,6 +1,7 @@
 // mmverify replay: one case again, and its picture.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 

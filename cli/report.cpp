@@ -1,6 +1,7 @@
 // mmverify report: results as one page that opens from disk.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 

@@ -1,5 +1,4 @@
 # What others build against, and a Debian package of it: the program, the header of subjects, the library.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS mmverify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -7,10 +7,10 @@ FOLDER = pathlib.Path(__file__).resolve().parent / "corpus/subject"
 RUNS = bytes([28, 29, 30, 31] * 4)  # T, O, UT, UO (or T, C, O, C), 128 of each
 
 SEEDS = {
-    # level 5: multiples of 1/128, moved by ulps
-    "index_near_lines": bytes([0, 5, 3, 0, 0, 4, 5, 0, 0, 3]),
+    # level 5: multiples of 1/128, moved by ulps; two points
+    "index_near_lines": bytes([0, 5, 1]) + bytes([3, 0, 0, 4, 5, 0, 0, 3]) * 2,
     # from 170 on raw floats: 1/4, 1/2 at level 0
-    "index_any_floats": bytes([0, 255]) + struct.pack("<ff", 0.25, 0.5),
+    "index_any_floats": bytes([0, 255, 0]) + struct.pack("<ff", 0.25, 0.5),
     "tree_level_2": bytes([1, 2, 1, 16, 5, 10, 15, 1]),
     # the code that docs/TREE.md works out by hand
     "tree_code_by_hand": bytes([2, 2, 1, 0x05, 0x01, 0x90, 0x5F, 0x01]),
@@ -18,7 +18,11 @@ SEEDS = {
     "vq4_block_counting": bytes([4]) + bytes(range(64)),
     "vq2_map_of_runs": bytes([5]) + RUNS,
     "vq4_map_of_runs": bytes([6]) + RUNS,
-    "lossy_level_3": bytes([7, 3, 12, 13, 14, 15]),
+    "vq2_held_map": bytes([7]) + bytes(range(32)),
+    "vq4_held_map": bytes([8]) + bytes(64),
+    "lossy_level_0": bytes([9, 0, 3]),
+    "lossy_level_3": bytes([9, 3, 12, 13, 14, 15]),
+    "tree_level_12": bytes([1, 251, 1] + [60, 61, 62, 63] * 8),
 }
 
 FOLDER.mkdir(parents=True, exist_ok=True)

@@ -103,20 +103,28 @@ Bytes drawn_map(Input& in, std::uint32_t level, std::uint32_t bits) {
 /// In a block of its own, so that a sanitizer sees one byte too many.
 std::unique_ptr<std::uint8_t[]> room(std::size_t size) { return std::make_unique<std::uint8_t[]>(size); }
 
-void index_of_a_hit(Input& in) {
+/// Of several hits at once: buffers of just that length.
+void indices_of_hits(Input& in) {
   const std::uint32_t how = in.next(), level = how % 17;
   // Any floats; or such as lie on the level's lines and between, give or take some ulps.
   const bool any = how >= 170;
-  const float u = any ? in.next_float() : in.near_grid(level),
-              v = any ? in.next_float() : in.near_grid(level);
+  std::vector<float> u, v;
+  for (const std::size_t most = 1 + in.next() % 33u; u.size() < most && (u.empty() || in.left());) {
+    const float x = any ? in.next_float() : in.near_grid(level),
+                y = any ? in.next_float() : in.near_grid(level);
+    if (!(x >= 0 && y >= 0 && static_cast<double>(x) + static_cast<double>(y) <= 1)) return;
+    u.push_back(x);
+    v.push_back(y);
+  }
   if (subject().index_f32 == nullptr || level > subject().max_level) return;
-  if (!(u >= 0 && v >= 0 && static_cast<double>(u) + static_cast<double>(v) <= 1)) return;
-  std::uint32_t got = ~0u;
-  subject().index_f32(level, &u, &v, &got, 1);
-  if (got != fast::index::from_barycentrics(u, v, level)) {
+  const auto got = std::make_unique<std::uint32_t[]>(u.size());
+  std::fill_n(got.get(), u.size(), ~0u);
+  subject().index_f32(level, u.data(), v.data(), got.get(), u.size());
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const std::uint32_t expected = fast::index::from_barycentrics(u[k], v[k], level);
+    if (got[k] == expected) continue;
     std::fprintf(stderr, "fuzz_subject: level %u u=%a v=%a: got %u, expected %u\n", level,
-                 static_cast<double>(u), static_cast<double>(v), got,
-                 fast::index::from_barycentrics(u, v, level));
+                 static_cast<double>(u[k]), static_cast<double>(v[k]), got[k], expected);
     wrong("index.exact_on_floats", "another micro-triangle");
   }
 }
@@ -142,8 +150,46 @@ Bytes code_of(std::uint32_t level, std::uint32_t bits, const Bytes& map) {
   return written;
 }
 
+/// Some 64 micro-triangles all over the map, asked at once, by their numbers and by a point within each.
+void look_up(std::uint32_t level, std::uint32_t bits, const Bytes& map, const Bytes& code) {
+  std::vector<std::uint32_t> asked;
+  std::vector<float> u, v;
+  for (std::uint32_t k = 0, count = 1u << (2 * level); k < count; k += 1 + count / 64) {
+    asked.push_back(k);
+    const auto c = fast::index::corners(k, level);
+    const auto within = [&](std::uint32_t a, std::uint32_t b, std::uint32_t d) {
+      return static_cast<float>(a + b + d) / static_cast<float>(3u << level);
+    };
+    u.push_back(within(c[0].i, c[1].i, c[2].i));
+    v.push_back(within(c[0].j, c[1].j, c[2].j));
+  }
+  const auto judge = [&](const char* law, auto lookup) {
+    const auto state = room(asked.size());
+    std::fill_n(state.get(), asked.size(), std::uint8_t{0xee});
+    lookup(state.get());
+    for (std::size_t n = 0; n < asked.size(); ++n)
+      if (state[n] != (map[asked[n] * bits / 8] >> (asked[n] * bits % 8) & ((1u << bits) - 1)))
+        wrong(law, "another state");
+  };
+  const mmverify_subject_t& s = subject();
+  if (s.tree_lookup != nullptr)
+    judge("tree.lookup_is_decode", [&](std::uint8_t* state) {
+      s.tree_lookup(level, bits, code.data(), code.size(), asked.data(), state, asked.size());
+    });
+  if (s.tree_lookup_f32 != nullptr)
+    judge("tree.point_is_index", [&](std::uint8_t* state) {
+      s.tree_lookup_f32(level, bits, code.data(), code.size(), u.data(), v.data(), state, asked.size());
+    });
+}
+
+/// Mostly of levels whose maps fit into an input; sometimes of the highest.
+std::uint32_t drawn_level(Input& in) {
+  const unsigned drawn = in.next();
+  return drawn < 240 ? drawn % 7 : 7 + drawn % 6;
+}
+
 void tree_there_and_back(Input& in) {
-  const std::uint32_t level = in.next() % 7u, bits = 1 + (in.next() & 1u);
+  const std::uint32_t level = drawn_level(in), bits = 1 + (in.next() & 1u);
   if (level > subject().max_level) return;
   const Bytes map = drawn_map(in, level, bits), code = code_of(level, bits, map);
   if (code.empty()) return;
@@ -153,17 +199,11 @@ void tree_there_and_back(Input& in) {
       wrong("tree.round_trip", "its own code refused");
     if (!std::equal(map.begin(), map.end(), back.get())) wrong("tree.round_trip", "another map");
   }
-  if (subject().tree_lookup != nullptr)
-    for (std::uint32_t k = 0; k < 1u << (2 * level); k += 1 + (1u << (2 * level)) / 64) {
-      std::uint8_t state = 0xee;
-      subject().tree_lookup(level, bits, code.data(), code.size(), &k, &state, 1);
-      if (state != (map[k * bits / 8] >> (k * bits % 8) & ((1u << bits) - 1)))
-        wrong("tree.lookup_is_decode", "another state");
-    }
+  look_up(level, bits, map, code);
 }
 
 void tree_from_any_bytes(Input& in) {
-  const std::uint32_t level = in.next() % 7u, bits = 1 + (in.next() & 1u);
+  const std::uint32_t level = drawn_level(in), bits = 1 + (in.next() & 1u);
   if (subject().tree_decode == nullptr || level > subject().max_level) return;
   const Bytes given = in.rest();
   const auto code = room(given.size());
@@ -176,7 +216,9 @@ void tree_from_any_bytes(Input& in) {
   if (!again.empty() && again != given) wrong("tree.malformed", "it took a code that is no map's");
 }
 
-void square_block(Input& in, auto decode, auto region, auto ours, std::size_t bytes, std::uint32_t side) {
+/// law: "vq2.region_is_map" or that of vq4.
+void square_block(Input& in, const char* law, auto decode, auto region, auto ours, std::size_t bytes,
+                  std::uint32_t side) {
   fast::vq::Block4 padded{};
   for (std::size_t k = 0; k < bytes; ++k) padded[k] = in.next();
   const auto expected = ours(padded);
@@ -186,20 +228,24 @@ void square_block(Input& in, auto decode, auto region, auto ours, std::size_t by
     const auto map = room(side * side);
     decode(block.get(), map.get());
     for (std::size_t k = 0; k < side * side; ++k)
-      if (map[k] != static_cast<std::uint8_t>(expected[k]))
-        wrong("region_is_map", "another state of a region");
+      if (map[k] != static_cast<std::uint8_t>(expected[k])) wrong(law, "another state of a region");
   }
-  if (region != nullptr)
-    for (std::uint32_t k = 0; k < side * side; k += 7) {
-      const std::uint32_t x = k % side, y = k / side;
-      std::uint8_t state = 0xee;
-      region(block.get(), &x, &y, &state, 1);
-      if (state != static_cast<std::uint8_t>(expected[k]))
-        wrong("region_is_map", "another state than the map's");
-    }
+  if (region == nullptr) return;
+  std::vector<std::uint32_t> x, y;
+  for (std::uint32_t k = 0; k < side * side; k += 7) {
+    x.push_back(k % side);
+    y.push_back(k / side);
+  }
+  const auto state = room(x.size());
+  std::fill_n(state.get(), x.size(), std::uint8_t{0xee});
+  region(block.get(), x.data(), y.data(), state.get(), x.size());
+  for (std::size_t n = 0; n < x.size(); ++n)
+    if (state[n] != static_cast<std::uint8_t>(expected[x[n] + y[n] * side]))
+      wrong(law, "another state than the map's");
 }
 
-void square_map(Input& in, auto encode, auto ours, std::size_t bytes, std::uint32_t side) {
+/// law: "vq2.conservative" or that of vq4.
+void square_map(Input& in, const char* law, auto encode, auto ours, std::size_t bytes, std::uint32_t side) {
   if (encode == nullptr) return;
   const auto map = room(side * side);
   for (std::size_t k = 0; in.left() && k < side * side;) {
@@ -214,17 +260,33 @@ void square_map(Input& in, auto encode, auto ours, std::size_t bytes, std::uint3
   const auto left = ours(padded);
   for (std::size_t k = 0; k < side * side; ++k) {
     const auto is = static_cast<std::uint8_t>(left[k]);
-    if (is != map[k] && is != 1) wrong("vq conservative", "more than T or O became C");
+    if (is != map[k] && is != 1) wrong(law, "more than T or O became C");
   }
 }
 
+/// What a block holds is a map that a block can hold.
+void held_map(Input& in, const char* law, auto encode, auto ours, std::size_t bytes, std::uint32_t side) {
+  if (encode == nullptr || (subject().flags & MMVERIFY_VQ_KEEPS) == 0) return;
+  fast::vq::Block4 padded{};
+  for (std::size_t k = 0; k < bytes; ++k) padded[k] = in.next();
+  const auto held = ours(padded);
+  const auto map = room(side * side), block = room(bytes);
+  for (std::size_t k = 0; k < side * side; ++k) map[k] = static_cast<std::uint8_t>(held[k]);
+  encode(map.get(), block.get());
+  std::copy_n(block.get(), bytes, padded.begin());
+  if (ours(padded) != held) wrong(law, "a map that a block holds is not kept");
+}
+
+/// Of a map whose padding is set.
 void substituted(Input& in) {
-  const std::uint32_t level = in.next() % 7u;
-  if (subject().micromap_substitute == nullptr) return;
-  const Bytes map = drawn_map(in, level, 2);
+  const std::uint32_t level = drawn_level(in);
+  if (subject().micromap_substitute == nullptr || level > 12) return;
+  Bytes map = drawn_map(in, level, 2);
+  const std::uint64_t count = std::uint64_t{1} << (2 * level);
+  if (count < 4) map[0] |= 0xfc;
   const auto out = room(map.size());
   subject().micromap_substitute(level, map.data(), out.get());
-  const std::uint64_t count = std::uint64_t{1} << (2 * level);
+  if (count < 4 && out[0] > 3) wrong("lossy.allowed", "bits after the last state");
   if (!fast::micromap::substitutions(map, std::span(out.get(), map.size()), count).allowed())
     wrong("lossy.allowed", "a state became T or O");
 }
@@ -247,9 +309,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto two = [](const fast::vq::Block4& b) { return fast::vq::decode(first_half(b)); };
   const auto four = [](const fast::vq::Block4& b) { return fast::vq::decode(b); };
   Input in(data, size);
-  switch (in.next() % 8) {
+  switch (in.next() % 10) {
     case 0:
-      index_of_a_hit(in);
+      indices_of_hits(in);
       break;
     case 1:
       tree_there_and_back(in);
@@ -258,16 +320,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       tree_from_any_bytes(in);
       break;
     case 3:
-      square_block(in, s.vq2_decode, s.vq2_region, two, 32, 16);
+      square_block(in, "vq2.region_is_map", s.vq2_decode, s.vq2_region, two, 32, 16);
       break;
     case 4:
-      square_block(in, s.vq4_decode, s.vq4_region, four, 64, 32);
+      square_block(in, "vq4.region_is_map", s.vq4_decode, s.vq4_region, four, 64, 32);
       break;
     case 5:
-      square_map(in, s.vq2_encode, two, 32, 16);
+      square_map(in, "vq2.conservative", s.vq2_encode, two, 32, 16);
       break;
     case 6:
-      square_map(in, s.vq4_encode, four, 64, 32);
+      square_map(in, "vq4.conservative", s.vq4_encode, four, 64, 32);
+      break;
+    case 7:
+      held_map(in, "vq2.lossless_when_it_fits", s.vq2_encode, two, 32, 16);
+      break;
+    case 8:
+      held_map(in, "vq4.lossless_when_it_fits", s.vq4_encode, four, 64, 32);
       break;
     default:
       substituted(in);

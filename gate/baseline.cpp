@@ -28,7 +28,7 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 Baseline baseline_of(const Figures& figures) {
-  Baseline baseline{figures.schema, figures.settings, {}};
+  Baseline baseline{figures.schema, figures.processor, figures.settings, {}};
   for (const auto& [group, members] : figures.groups)
     for (const auto& [name, figure] : members) baseline.groups[group][name] = figure.value;
   return baseline;
@@ -39,6 +39,8 @@ Baseline baseline_of(const Json& file) {
   Baseline baseline;
   if (!file.contains("of") || !file.at("of").is_string()) throw NoResult("of: no schema");
   baseline.schema = file.at("of").get<std::string>();
+  if (file.contains("processor") && file.at("processor").is_string())
+    baseline.processor = file.at("processor").get<std::string>();
   for (const auto& [name, value] : object_in(file, "settings").items())
     baseline.settings[name] = value_of(value).text;
   const Json& groups = object_in(file, "figures");
@@ -60,8 +62,9 @@ std::string to_json(const Baseline& baseline) {
     groups += fmt::format("{}\n  {}: {{{}}}", groups.empty() ? "" : ",", quoted(group), figures);
   }
   return fmt::format(
-      "{{\n \"schema\": {},\n \"of\": {},\n \"settings\": {{{}}},\n \"figures\": {{{}\n }}\n}}\n",
-      quoted(schema), quoted(baseline.schema), settings, groups);
+      "{{\n \"schema\": {},\n \"of\": {},\n \"processor\": {},\n \"settings\": {{{}}},\n \"figures\": {{{}\n "
+      "}}\n}}\n",
+      quoted(schema), quoted(baseline.schema), quoted(baseline.processor), settings, groups);
 }
 
 }  // namespace mmverify::gate

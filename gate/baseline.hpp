@@ -9,7 +9,8 @@
 namespace mmverify::gate {
 
 struct Baseline {
-  std::string schema;  ///< the result's
+  std::string schema;     ///< the result's
+  std::string processor;  ///< that it was taken on; empty where nobody said
   Settings settings;
   Groups<Value> groups;
 };
@@ -21,7 +22,7 @@ Baseline baseline_of(const Figures& figures);
 Baseline baseline_of(const nlohmann::ordered_json& file);
 
 /// Schema mmverify.baseline/1:
-///   {"schema": .., "of": the result's schema, "settings": {NAME: VALUE ..},
+///   {"schema": .., "of": the result's schema, "processor": .., "settings": {NAME: VALUE ..},
 ///    "figures": {GROUP: {FIGURE: VALUE ..} ..}}
 std::string to_json(const Baseline& baseline);
 

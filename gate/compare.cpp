@@ -113,6 +113,7 @@ Comparison compare(const Baseline& baseline, const Figures& result, double toler
   }
   for (const auto& [name, members] : result.groups)
     if (!baseline.groups.contains(name)) comparing.add(Change::added, name, "", "", "");
+  if (out.speeds != 0 && baseline.processor != result.processor) out.other_processor = baseline.processor;
   std::stable_sort(out.differences.begin(), out.differences.end(),
                    [](const Difference& x, const Difference& y) { return x.change < y.change; });
   return out;

@@ -19,6 +19,7 @@ struct Difference {
 
 struct Comparison {
   std::size_t figures = 0, speeds = 0;  ///< compared; of these, ratios of times
+  std::string other_processor;          ///< the baseline's, where speeds were compared with another's
   std::vector<Difference> differences;  ///< by name within each kind; the worse first
 
   /// A baseline is exact: whatever differs is red, also for the better, until it is blessed.  Only a speed

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -14,12 +15,45 @@ using Json = nlohmann::ordered_json;
 /// Names may be any bytes.
 std::string text_of(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// "impl", "level 3", "all levels".  A library is known by its file's name: where it was built is another
-/// machine's business.
-std::string name_of(const std::string& field, const Json& value) {
+/// Subjects by what they are called here.  A library is known by its file's name: where it was built is
+/// another machine's business.  Where several files have one name, as many folders are added as tell them
+/// apart.
+using Names = std::map<std::string, std::string>;
+Names short_names(const std::set<std::string>& subjects) {
+  const auto last_parts = [](const std::string& path, std::size_t parts) {
+    std::size_t at = path.size();
+    while (parts-- != 0 && at != 0 && at != std::string::npos) at = path.rfind('/', at - 1);
+    return at == 0 || at == std::string::npos ? path : path.substr(at + 1);
+  };
+  Names names;
+  std::set<std::string> left = subjects;
+  for (std::size_t parts = 1; !left.empty(); ++parts) {
+    std::map<std::string, std::size_t> uses;
+    for (const std::string& path : left) ++uses[last_parts(path, parts)];
+    std::erase_if(left, [&](const std::string& path) {
+      const std::string name = last_parts(path, parts);
+      const bool is_its_own = uses.at(name) == 1 || name == path;
+      if (is_its_own) names[path] = name;
+      return is_its_own;
+    });
+  }
+  return names;
+}
+std::set<std::string> subjects_of(const Json& run) {
+  std::set<std::string> subjects;
+  if (run.contains("results") && run.at("results").is_array())
+    for (const Json& result : run.at("results"))
+      if (result.is_object() && result.contains("subject") && result.at("subject").is_string())
+        subjects.insert(result.at("subject").get<std::string>());
+  return subjects;
+}
+
+/// "impl", "level 3", "all levels".
+std::string name_of(const std::string& field, const Json& value, const Names& subjects) {
   if (value.is_string()) {
     const auto text = value.get<std::string>();
-    return field == "subject" ? text.substr(text.rfind('/') + 1) : text;
+    const auto known = subjects.find(text);
+    return field == "subject" && known != subjects.end() ? known->second : text;
   }
   if (value.is_null()) return fmt::format("all {}s", field);
   return fmt::format("{} {}", field, text_of(value));
@@ -27,7 +61,8 @@ std::string name_of(const std::string& field, const Json& value) {
 
 class Walk {
  public:
-  Walk(Figures& figures, std::string schema) : figures_(figures), schema_(std::move(schema)) {}
+  Walk(Figures& figures, std::string schema, Names subjects)
+      : figures_(figures), schema_(std::move(schema)), subjects_(std::move(subjects)) {}
 
   /// place: as the rules know it; name: within the group.
   void value(const Json& j, const std::string& place, const std::string& group, const std::string& name) {
@@ -96,7 +131,7 @@ class Walk {
     if (!element.is_object()) return all;
     for (const auto& [field, of] : element.items())
       if (rule_of(schema_, place + "." + field) == Rule::key)
-        all += (all.empty() ? "" : " ") + name_of(field, of);
+        all += (all.empty() ? "" : " ") + name_of(field, of, subjects_);
     return all;
   }
 
@@ -112,11 +147,8 @@ class Walk {
       const bool chief = name == "results" || name == "rows";
       std::string full =
           fmt::format("{}{}{}{}", group, group.empty() ? "" : " ", chief ? "" : name + " ", about);
-      if (figures_.groups.contains(full)) {
-        std::size_t n = 2;
-        while (figures_.groups.contains(fmt::format("{} ({})", full, n))) ++n;
-        full = fmt::format("{} ({})", full, n);
-      }
+      if (const std::size_t n = ++uses_[full]; n != 1) full = fmt::format("{} ({})", full, n);
+      while (figures_.groups.contains(full)) full += '\'';  // what names itself "impl (2)"
       figures_.groups[full];
       value(element, place + "[]", full, "");
     }
@@ -124,6 +156,8 @@ class Walk {
 
   Figures& figures_;
   std::string schema_;
+  Names subjects_;
+  std::map<std::string, std::size_t> uses_;  ///< of the groups' names
 };
 
 std::string schema_in(const Json& j) {
@@ -150,7 +184,11 @@ void add(const Json& run, Figures& figures, std::set<std::string>& topics) {
     if (!topics.insert(topic).second)
       throw NoResult(fmt::format("topic {}: twice in one file", text_of(topic)));
   }
-  Walk(figures, topic.empty() ? schema : schema + " " + topic).object(run, "", topic, "");
+  if (run.contains("tool") && run.at("tool").is_object() && run.at("tool").contains("cpu") &&
+      run.at("tool").at("cpu").is_string())
+    figures.processor = run.at("tool").at("cpu").get<std::string>();
+  Walk(figures, topic.empty() ? schema : schema + " " + topic, short_names(subjects_of(run)))
+      .object(run, "", topic, "");
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ using Groups = std::map<std::string, std::map<std::string, Of>>;
 using Settings = std::map<std::string, std::string>;
 
 struct Figures {
-  std::string schema;  ///< "mmverify.result/1" or "mmverify.bench/1"
+  std::string schema;     ///< "mmverify.result/1" or "mmverify.bench/1"
+  std::string processor;  ///< that it says it ran on; empty where it says nothing
   Settings settings;
   Groups<Figure> groups;
 };

@@ -37,6 +37,27 @@ code=0
 ((code == 1)) || fail "the gate on a wrong index function gives exit code $code"
 grep 'verdict proved -> refuted' "$folder/gate.log"
 
+# Where there is no Highway, all but the library.
+mkdir "$folder/without"
+cp "$tests/../examples/subject/subject.c" "$folder/without/my_index.c"
+cat >"$folder/without/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.25)
+project(without LANGUAGES C CXX)
+find_package(mmverify REQUIRED)
+if(TARGET mmverify::impl)
+  message(FATAL_ERROR "mmverify::impl is there")
+endif()
+enable_testing()
+add_library(my_index MODULE my_index.c)
+target_link_libraries(my_index PRIVATE mmverify::subject)
+mmverify_add_proof(my_index_is_right SUBJECT my_index LAWS index.in_range LEVELS 0..2)
+CMAKE
+PKG_CONFIG_LIBDIR=/nowhere cmake -S "$folder/without" -B "$folder/without/build" -D CMAKE_PREFIX_PATH="$folder/installed" \
+  >"$folder/configure.log" 2>&1 || { cat "$folder/configure.log"; exit 1; }
+grep 'mmverify::impl is left out' "$folder/configure.log"
+cmake --build "$folder/without/build" >"$folder/build.log" || { cat "$folder/build.log"; exit 1; }
+ctest --test-dir "$folder/without/build" --no-tests=error | tail -1
+
 # By pkg-config.
 PKG_CONFIG_PATH=$(dirname "$(find "$folder/installed" -name mmverify.pc)")
 export PKG_CONFIG_PATH

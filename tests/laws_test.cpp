@@ -95,6 +95,7 @@ TEST_P(FastLaw, HoldsOfItsOwnSubjectsOverItsWholeDomain) {
       EXPECT_EQ(r.mismatches(), 0u);
     }
     EXPECT_GT(applied, 0u) << name;
+    if (sanitized) break;  // the law's code is the same, and each subject has tests of its own
   }
 }
 

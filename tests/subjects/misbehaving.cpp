@@ -1,5 +1,4 @@
-// A right subject but for one thing, chosen by MISBEHAVIOUR when it is compiled; it happens at one vertex of
-// level 7.
+// A right subject but for one thing, chosen when it is linked; it happens at one vertex of level 7.
 #include <cfenv>
 #include <chrono>
 #include <cstdio>
@@ -9,26 +8,9 @@
 
 #include "impl/index.hpp"
 #include "sdk/mmverify_subject.h"
+#include "tests/subjects/wrong.hpp"
 
 namespace {
-
-enum Misbehaviour {
-  none,
-  crash,
-  hang,
-  overrun,
-  underrun,
-  exits,
-  throws,
-  rounds,
-  counts_calls,
-  sees_batch,
-  sees_threads,
-  writes_input,
-  tie,
-  prints,
-  unwritten
-};
 
 constexpr bool at_the_vertex(uint32_t level, float u, float v) {
   return level == 7 && u == 0.375f && v == 0.25f;
@@ -39,58 +21,29 @@ volatile int* volatile nowhere = nullptr;
 void misbehave(const float* u, uint32_t* index, size_t count, size_t k) {
   static int calls = 0;
   static volatile int inside = 0;
-  switch (MISBEHAVIOUR) {
-    case none:
-      break;
-    case crash:
-      *nowhere = 1;
-      break;
-    case hang:
-      std::this_thread::sleep_for(std::chrono::hours(1));
-      break;
-    case overrun:
-      index[count] = 0;
-      break;
-    case underrun:
-      index[-1] = 0;
-      break;
-    case exits:
-      std::_Exit(0);
-    case throws:
-      throw std::runtime_error("no such triangle");
-    case rounds:
-      std::fesetround(FE_UPWARD);
-      break;
-    case counts_calls:
-      index[k] ^= ++calls > 3 ? 1 : 0;
-      break;
-    case sees_batch:
-      index[k] ^= count == 7 ? 1 : 0;
-      break;
-    case sees_threads: {
-      inside = inside + 1;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      index[k] ^= inside > 1 ? 1 : 0;
-      inside = inside - 1;
-      break;
-    }
-    case writes_input:
-      const_cast<float*>(u)[k] = 0;
-      break;
-    case tie:
-      index[k] ^= 1;
-      break;
-    case prints:
-      std::puts("{}");
-      break;
-    case unwritten:
-      break;
+  if (wrong_is("crash")) *nowhere = 1;
+  if (wrong_is("hang")) std::this_thread::sleep_for(std::chrono::hours(1));
+  if (wrong_is("overrun")) index[count] = 0;
+  if (wrong_is("underrun")) index[-1] = 0;
+  if (wrong_is("exits")) std::_Exit(0);
+  if (wrong_is("throws")) throw std::runtime_error("no such triangle");
+  if (wrong_is("rounds")) std::fesetround(FE_UPWARD);
+  if (wrong_is("counts_calls")) index[k] ^= ++calls > 3 ? 1 : 0;
+  if (wrong_is("sees_batch")) index[k] ^= count == 7 ? 1 : 0;
+  if (wrong_is("sees_threads")) {
+    inside = inside + 1;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    index[k] ^= inside > 1 ? 1 : 0;
+    inside = inside - 1;
   }
+  if (wrong_is("writes_input")) const_cast<float*>(u)[k] = 0;
+  if (wrong_is("tie")) index[k] ^= 1;
+  if (wrong_is("prints")) std::puts("{}");
 }
 
 void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count) {
   for (size_t k = 0; k < count; ++k) {
-    if (MISBEHAVIOUR == unwritten && at_the_vertex(level, u[k], v[k])) continue;
+    if (at_the_vertex(level, u[k], v[k]) && wrong_is("unwritten")) continue;
     index[k] = mmverify::impl::index::from_barycentrics(u[k], v[k], level);
     if (at_the_vertex(level, u[k], v[k])) misbehave(u, index, count, k);
   }

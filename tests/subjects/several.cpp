@@ -1,5 +1,5 @@
-// One library, three topics: our index and maps, the example of a tree.  WRONG says what is not right of it,
-// or, for old_header, that it was built before there were trees.
+// One library, three topics: our index and maps, the example of a tree.  What is not right of it is chosen
+// when it is linked, or, for old_header, that it was built before there were trees.
 #include <cstddef>
 #include <cstring>
 #include <vector>
@@ -8,20 +8,11 @@
 #include "impl/micromap.hpp"
 #include "impl/micromap_level.hpp"
 #include "sdk/mmverify_subject.h"
+#include "tests/subjects/wrong.hpp"
 
 extern "C" const mmverify_subject_t* right_tree(void);
 
 namespace {
-
-enum Wrong {
-  nothing,
-  old_header,
-  keeps_padding,
-  merges_ut_with_t,
-  promises_opaque,
-  reads_past_map,
-  leaves_unwritten
-};
 
 volatile unsigned seen = 0;
 
@@ -42,12 +33,13 @@ void pack(std::uint32_t bits, const std::uint8_t* from, std::size_t count, std::
 void unpack(std::uint32_t bits, const std::uint8_t* map, std::size_t count, std::uint8_t* to) {
   const std::uint8_t last = to[count - 1];
   fast::unpack({map, bytes(count, bits)}, format_of(bits), {reinterpret_cast<fast::State*>(to), count});
-  if (WRONG == leaves_unwritten && bits == 1 && count == 4 && (map[0] & 0x0F) == 0x06) to[count - 1] = last;
+  if (bits == 1 && count == 4 && (map[0] & 0x0F) == 0x06 && wrong_is("leaves_unwritten"))
+    to[count - 1] = last;
 }
 
 void force2(std::uint32_t level, const std::uint8_t* map, std::uint8_t* out) {
   fast::force2({map, bytes(states(level), 2)}, states(level), {out, bytes(states(level), 1)});
-  if (WRONG == keeps_padding && level == 0) out[0] = static_cast<std::uint8_t>(out[0] | (map[0] & 0x80));
+  if (level == 0 && wrong_is("keeps_padding")) out[0] = static_cast<std::uint8_t>(out[0] | (map[0] & 0x80));
 }
 
 void widen(std::uint32_t level, const std::uint8_t* map, std::uint8_t* out) {
@@ -55,7 +47,7 @@ void widen(std::uint32_t level, const std::uint8_t* map, std::uint8_t* out) {
 }
 
 void up(std::uint32_t level, std::uint32_t bits, const std::uint8_t* map, std::uint8_t* out) {
-  if (WRONG == reads_past_map && level == 1 && bits == 2) seen = map[1];
+  if (level == 1 && bits == 2 && wrong_is("reads_past_map")) seen = map[1];
   fast::up({map, bytes(states(level), bits)}, format_of(bits), states(level),
            {out, bytes(states(level + 1), bits)});
 }
@@ -64,7 +56,7 @@ void down(std::uint32_t level, std::uint32_t bits, const std::uint8_t* map, std:
   fast::down({map, bytes(states(level), bits)}, format_of(bits), states(level - 1),
              {out, bytes(states(level - 1), bits)});
   // Three T and one UT: T.
-  if (WRONG == merges_ut_with_t && level == 1 && bits == 2 && map[0] == 0x80) out[0] = 0;
+  if (level == 1 && bits == 2 && map[0] == 0x80 && wrong_is("merges_ut_with_t")) out[0] = 0;
 }
 
 void through(std::uint32_t level, std::uint32_t mode, const std::uint8_t* map, std::uint8_t* out) {
@@ -78,7 +70,7 @@ void substitute(std::uint32_t level, const std::uint8_t* map, std::uint8_t* out)
   const std::uint64_t used = 2 * states(level) % 8;
   std::memcpy(out, map, bytes(states(level), 2));
   if (used != 0) out[0] = static_cast<std::uint8_t>(out[0] & ((1u << used) - 1));
-  if (WRONG == promises_opaque && level == 1 && map[0] == 0x39) out[0] = 0x35;
+  if (level == 1 && map[0] == 0x39 && wrong_is("promises_opaque")) out[0] = 0x35;
 }
 
 }  // namespace
@@ -96,7 +88,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   subject.micromap_down = down;
   subject.micromap_through = through;
   subject.micromap_substitute = substitute;
-  if (WRONG == old_header) {
+  if (wrong_is("old_header")) {
     subject.size = offsetof(mmverify_subject_t, tree_encode);
     // What lies behind an older struct is somebody else's memory.
     std::memset(&subject.tree_encode, 0x77, sizeof subject - subject.size);

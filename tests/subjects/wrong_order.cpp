@@ -1,21 +1,16 @@
-// Wrong orders that have a name, chosen by ORDER when it is compiled.
+// Wrong orders that have a name, one of them chosen when it is linked.
 #include "impl/index.hpp"
 #include "sdk/mmverify_subject.h"
+#include "tests/subjects/wrong.hpp"
 
 namespace {
 
-enum Order { swapped_from_level_2, rows, u_and_v_exchanged };
-
 uint32_t answer(uint32_t level, float u, float v) {
   using namespace mmverify::impl::index;
-  switch (ORDER) {
-    case rows:
-      return w_minor(u, v, level);
-    case u_and_v_exchanged:
-      return from_barycentrics(v, u, level);
-    default:
-      break;
-  }
+  static const bool rows = wrong_is("rows"), exchanged = wrong_is("u_and_v_exchanged");
+  if (rows) return w_minor(u, v, level);
+  if (exchanged) return from_barycentrics(v, u, level);
+  // swapped_from_level_2
   const uint32_t index = from_barycentrics(u, v, level);
   if (level < 2) return index;
   // Even digits are children 0 and 2: their high bit flips, but for the first digit's.
