@@ -26,21 +26,44 @@ class Bilinear {
   static constexpr double offset = 0.5;
 
   /// `inner`: of a micro-triangle that is not turned.
-  Bilinear(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle& base, const InnerBox& inner,
-           double delta, double margin) noexcept
+  Bilinear(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle& base, index::Level level,
+           const InnerBox& inner, double delta, double margin) noexcept
       : sides_(sides),
         filter_(sides, delta, margin),
         exact_(exact),
         inner_(sides, inner, margin, delta),
         cells_(sides, base, delta, filter_.bound(), filter_.usable() && margin == 0),
-        lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {}
+        lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {
+    if (level < 2 || !in_vectors() || !cells_.lines().usable) return;
+    const double part = std::ldexp(1.0, 2 - static_cast<int>(level));
+    const Spot b{(base[1].x - base[0].x) * part, (base[1].y - base[0].y) * part},
+        c{(base[2].x - base[0].x) * part, (base[2].y - base[0].y) * part};
+    // One more for each side's rounding to whole texels.
+    const double size = std::max(std::max({b.x, c.x, 0.0}) - std::min({b.x, c.x, 0.0}),
+                                 std::max({b.y, c.y, 0.0}) - std::min({b.y, c.y, 0.0})) +
+                        6;
+    const std::array<std::array<Spot, 2>, 4> of_nodes{{{b, c},
+                                                       {b, {b.x - c.x, b.y - c.y}},
+                                                       {{{-b.x, -b.y}, {c.x - b.x, c.y - b.y}}},
+                                                       {{{-b.x, -b.y}, {-c.x, -c.y}}}}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto& [to1, to2] = of_nodes[k];
+      shapes_[k] = shape(to1, to2, k % 2 == 1, size);
+      judging(shapes_[k], to1, to2, size);
+    }
+  }
 
   Marks texels(const Triangle& p) const noexcept { return filter_.texels(filter_.box(p)); }
   /// Of the sixteen nodes that one is cut into, if they can be asked together.
   SixteenNodes sixteen_nodes(const Triangle& p, bool turned) const noexcept {
     if (!in_vectors()) return {};
     SixteenInput in;
-    return placed(p, turned, Window(filter_.box(p)), in) ? detail::sixteen_nodes(in) : SixteenNodes{};
+    const Window w(filter_.box(p));
+    if (!placed(p, w, in)) return {};
+    const SixteenShape of_node = shape({p[1].x - p[0].x, p[1].y - p[0].y}, {p[2].x - p[0].x, p[2].y - p[0].y},
+                                       turned, static_cast<double>(w.size));
+    in.shape = &of_node;
+    return detail::sixteen_nodes(in);
   }
 
   /// One of no quad.
@@ -67,7 +90,7 @@ class Bilinear {
   std::uint32_t sixteen(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
     std::optional<SixteenMarks> marks;
     if constexpr (!std::is_same_v<Texel, float>)
-      if (in_vectors()) marks = asked(p, turned);
+      if (in_vectors()) marks = asked(p, turned, index);
     if (!marks && !cells_.usable()) {
       const std::array<Triangle, 4> of = children(p);
       std::uint32_t codes = 0;
@@ -124,10 +147,9 @@ class Bilinear {
            filter_.margin() == 0 && sides_.pitch() <= std::size_t{1} << 20;
   }
 
-  /// The window about a node, one more all round for what binary32 is off, and how far binary32 is.
+  /// The window about a node, one more all round for what binary32 is off.
   struct Window {
     std::int64_t left, right, top, bottom, width, height, size;
-    double local;
 
     explicit Window(const Box& box) noexcept
         : left(box.left - 1),
@@ -136,16 +158,35 @@ class Bilinear {
           bottom(box.bottom + 1),
           width(right - left + 1),
           height(bottom - top + 1),
-          size(std::max(width, height)),
-          local(0x1p-20 * static_cast<double>(size)) {}
+          size(std::max(width, height)) {}
   };
 
+  /// What binary32 is off in windows of `size` texels a side or less, and what binary64 is; the margin of
+  /// lines.
+  double delta_in(double size) const noexcept { return filter_.delta() + 0x1p-20 * size; }
+  double margin_in(double size) const noexcept { return 0x1p-18 * size + 0x1p10 * filter_.delta(); }
+  /// Of a node at p0, p0 + b, p0 + c.
+  SixteenShape shape(Spot b, Spot c, bool turned, double size) const noexcept {
+    return {b, c, cells_.lines(), turned, margin_in(size)};
+  }
+  /// And what judges alpha there.
+  void judging(SixteenShape& of, Spot b, Spot c, double size) const noexcept {
+    const double delta = delta_in(size);
+    of.take_edges(b, c, delta, margin_in(size));
+    of.threshold = static_cast<float>(sides_.threshold);
+    of.gap = static_cast<float>(sides_.gap);
+    of.lean = static_cast<float>(lean_);
+    of.bound = static_cast<float>(sides_.scale * (2 * delta + 0x1p-19));
+    of.edge_bound = static_cast<float>(sides_.scale * (24 * delta + 0x1p-17));
+    of.clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
+  }
+
   /// Of a node in one picture: where it and its bits are.  False where it is too large, or lines say nothing.
-  bool placed(const Triangle& p, bool turned, const Window& w, SixteenInput& in) const noexcept {
+  bool placed(const Triangle& p, const Window& w, SixteenInput& in) const noexcept {
     if (w.size > sixteen_window || !cells_.lines().usable) return false;
     const auto picture = sides_.in_one_picture(w.left, w.right, w.top, w.bottom);
     if (!picture) return false;
-    place(p, turned, w, in);
+    place(p, w, in);
     in.texels = picture->first;
     in.pitch = static_cast<std::int32_t>(sides_.pitch());
     const Plane &are_opaque = sides_.opaque_plane(), &visible = sides_.visible_plane();
@@ -157,43 +198,36 @@ class Bilinear {
     in.bit = static_cast<std::uint32_t>(picture->left % 32);
     return true;
   }
-  void place(const Triangle& p, bool turned, const Window& w, SixteenInput& in) const noexcept {
-    const auto x = static_cast<double>(w.left), y = static_cast<double>(w.top);
-    const double margin = 4 * w.local + 0x1p10 * filter_.delta();
-    const Lines& lines = cells_.lines();
+  static void place(const Triangle& p, const Window& w, SixteenInput& in) noexcept {
     in.columns = static_cast<std::int32_t>(w.width);
     in.rows = static_cast<std::int32_t>(w.height);
-    in.p0 = {static_cast<float>(p[0].x - x), static_cast<float>(p[0].y - y)};
-    in.p01 = {static_cast<float>(p[1].x - p[0].x), static_cast<float>(p[1].y - p[0].y)};
-    in.p02 = {static_cast<float>(p[2].x - p[0].x), static_cast<float>(p[2].y - p[0].y)};
-    in.delta = static_cast<float>(filter_.delta() + w.local);
-    for (std::size_t l = 0; l < 3; ++l) {
-      in.slope[l] = static_cast<float>(lines.slope[l]);
-      in.margin[l] = static_cast<float>(margin * (1 + std::fabs(lines.slope[l])));
-    }
-    in.row_margin = static_cast<float>(margin);
-    in.ab_left = lines.ab_left != turned;
-    in.has_flat = lines.has_flat;
+    in.p0 = {static_cast<float>(p[0].x - static_cast<double>(w.left)),
+             static_cast<float>(p[0].y - static_cast<double>(w.top))};
+  }
+
+  /// Whether the edge p0 p1 of the node of sixteen at `index` goes the other way than the base triangle's:
+  /// each fourth child's does (children()).
+  static std::size_t reversed(std::uint32_t index) noexcept {
+    // The parity of the even bits, folded: not all processors that this is compiled for can count.
+    std::uint32_t fourth = index & index >> 1 & 0x55555550;
+    fourth ^= fourth >> 16;
+    fourth ^= fourth >> 8;
+    fourth ^= fourth >> 4;
+    return (fourth ^ fourth >> 2) & 1;
   }
 
   /// Texels a side where they are not in one picture: a word of bits.
   static constexpr std::int64_t most_copied = 32;
 
   /// None where it is too large, or lines say nothing.
-  std::optional<SixteenMarks> asked(const Triangle& p, bool turned) const {
+  std::optional<SixteenMarks> asked(const Triangle& p, bool turned, std::uint32_t index) const {
     SixteenInput in;
     const Window w(filter_.box(p));
-    const bool in_picture = placed(p, turned, w, in);
-    if (!in_picture && (w.size > most_copied || !cells_.lines().usable)) return std::nullopt;
-    const double delta = filter_.delta() + w.local;
-    in.threshold = static_cast<float>(sides_.threshold);
-    in.gap = static_cast<float>(sides_.gap);
-    in.lean = static_cast<float>(lean_);
-    in.bound = static_cast<float>(sides_.scale * (2 * delta + 0x1p-19));
-    in.edge_bound = static_cast<float>(sides_.scale * (24 * delta + 0x1p-17));
-    in.clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
+    in.shape = &shapes_[2 * reversed(index) + turned];
+    const bool in_picture = placed(p, w, in);
     if (in_picture) return detail::sixteen<Texel>(in);
-    place(p, turned, w, in);
+    if (w.size > most_copied || !cells_.lines().usable) return std::nullopt;
+    place(p, w, in);
     constexpr std::size_t pitch = most_copied;
     std::array<Texel, pitch * pitch + 4> texels;  // 4 bytes from the last can be read
     std::array<std::uint32_t, 2 * pitch> opaque_rows{}, visible_rows{};
@@ -297,6 +331,8 @@ class Bilinear {
   const ExactBase& exact_;
   Within inner_;
   CellJudge<Texel> cells_;
+  /// Of nodes of sixteen with p0 at either end of their edges p0 p1: not turned, turned.
+  std::array<SixteenShape, 4> shapes_;
   double lean_;  ///< g where alpha begins to lean to opaque: blended, half of the way from 1 to 0
 };
 

@@ -73,7 +73,7 @@ class Mip final : public MipBaker {
     for (double* const side : {&inner.left, &inner.right, &inner.top, &inner.bottom})
       *side = std::ldexp(*side, -static_cast<int>(level));
     const ExactBase exact(sides_, uv, width_, height_, level, filter_, margin_);
-    const Judge judge(sides_, exact, p, inner, delta, margin_);
+    const Judge judge(sides_, exact, p, static_cast<index::Level>(level), inner, delta, margin_);
     Descent<Judge> descent(judge, map);
     if (level == 0)
       descent.single(p);

@@ -28,8 +28,8 @@ class Nearest {
  public:
   static constexpr double offset = 0;
 
-  Nearest(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle&, const InnerBox& inner,
-          double delta, double margin) noexcept
+  Nearest(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle&, index::Level,
+          const InnerBox& inner, double delta, double margin) noexcept
       : sides_(sides),
         exact_(exact),
         inner_(sides, inner, margin, delta),

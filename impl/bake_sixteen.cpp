@@ -17,17 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::bake::detail {
 namespace HWY_NAMESPACE {
 
-/// Where the micro-vertices are.
-HWY_INLINE void place_vertices(const SixteenInput& in, Vertices& v) {
-  const F f;
-  for (std::size_t k = 0; k < 16; k += hn::Lanes(f)) {
-    const Float i = hn::LoadU(f, sixteen_lanes.vertex_i.data() + k),
-                j = hn::LoadU(f, sixteen_lanes.vertex_j.data() + k);
-    hn::StoreU(place(in, 0, i, j), f, v.x.data() + k);
-    hn::StoreU(place(in, 1, i, j), f, v.y.data() + k);
-  }
-}
-
 /// Which places, those of bits [k, k + lanes), are in cells that are not mixed, and of which mark.  With one
 /// limit, and where marks are clear, alpha there is beyond all bounds on that side.  Bits are near, texels
 /// may be far.
@@ -36,7 +25,7 @@ struct Known {
 };
 HWY_INLINE Known known_by_cells(const SixteenInput& in, const Words& words, const Located& at,
                                 std::size_t k) {
-  if (!in.clear || in.gap != 0 || words.is_small) return {};
+  if (!in.shape->clear || in.shape->gap != 0 || words.is_small) return {};
   const Int word = words.origin(at.i), bit = hn::Sub(at.i, hn::ShiftLeft<3>(word)), one = set(1);
   RowByRow row(in, words, word, at.j);
   row.ask();
@@ -53,11 +42,14 @@ struct CornerMarks {
   std::uint32_t below = 0, opaque = 0, no_below = 0, no_opaque = 0;
 };
 template <class Texel>
-MMVERIFY_LARGE CornerMarks ask_corners(const SixteenInput& in, const Words& words, std::uint32_t asked,
-                                       Vertices& v) {
+MMVERIFY_LARGE CornerMarks ask_corners(const SixteenInput& in, const Words& words, std::uint32_t asked) {
   const F f;
+  const SixteenShape& shape = *in.shape;
+  HWY_ALIGN SixteenLanes::Ints vertices;  // 1 below, 2 opaque, 4 no below, 8 no opaque
   for (std::size_t k = 0; k < 16; k += hn::Lanes(f)) {
-    const Located at(hn::LoadU(f, v.x.data() + k), hn::LoadU(f, v.y.data() + k));
+    const Float i = hn::LoadU(f, sixteen_lanes.vertex_i.data() + k),
+                j = hn::LoadU(f, sixteen_lanes.vertex_j.data() + k);
+    const Located at(place(in, 0, i, j), place(in, 1, i, j));
     const Known known = known_by_cells(in, words, at, k);
     const Mask is_known = mask_of(known.places, k),
                wanted =
@@ -67,18 +59,18 @@ MMVERIFY_LARGE CornerMarks ask_corners(const SixteenInput& in, const Words& word
     Int marks =
         hn::IfThenElse(hn::RebindMask(I(), mask_of(known.opaque, k)), set(2 + 4), bit(is_known, 1 + 8));
     if (!hn::AllFalse(f, wanted)) {
-      const Float g = sampled<Texel>(in, at, wanted), bound = set(in.bound);
+      const Float g = sampled<Texel>(in, at, wanted), bound = set(shape.bound);
       const Int of_g =
-          hn::Or(hn::Or(bit(hn::Lt(g, hn::Neg(bound)), 1), bit(hn::Gt(g, set(in.bound - in.gap)), 2)),
-                 hn::Or(bit(hn::Gt(g, bound), 4), bit(hn::Lt(g, set(-in.bound - in.gap)), 8)));
+          hn::Or(hn::Or(bit(hn::Lt(g, hn::Neg(bound)), 1), bit(hn::Gt(g, set(shape.bound - shape.gap)), 2)),
+                 hn::Or(bit(hn::Gt(g, bound), 4), bit(hn::Lt(g, set(-shape.bound - shape.gap)), 8)));
       marks = hn::IfThenElse(hn::RebindMask(I(), wanted), of_g, marks);
     }
-    hn::StoreU(marks, I(), v.marks.data() + k);
+    hn::StoreU(marks, I(), vertices.data() + k);
   }
   CornerMarks marks;
   for (std::size_t k = 0; k < 16; k += hn::Lanes(f)) {
     const auto corner = [&](std::size_t c) HWY_ATTR {
-      return among(I(), v.marks.data(), hn::LoadU(I(), sixteen_lanes.corner[c].data() + k));
+      return among(I(), vertices.data(), hn::LoadU(I(), sixteen_lanes.corner[c].data() + k));
     };
     const Int a = corner(0), b = corner(1), c = corner(2), some = hn::Or(a, hn::Or(b, c)),
               all = hn::And(a, hn::And(b, c));
@@ -108,8 +100,8 @@ MMVERIFY_LARGE void ask_centroids(const SixteenInput& in, const Words& words, st
     marks.leans_to_opaque |= known.opaque & unknowns;
     asked &= ~known.places;
     if ((asked >> k & ((1u << hn::Lanes(f)) - 1)) == 0) continue;
-    const Float g = hn::Sub(sampled<Texel>(in, at, mask_of(asked, k)), set(in.lean));
-    marks.leans |= bits_of(hn::Gt(hn::Abs(g), set(in.bound)), k) & asked;
+    const Float g = hn::Sub(sampled<Texel>(in, at, mask_of(asked, k)), set(in.shape->lean));
+    marks.leans |= bits_of(hn::Gt(hn::Abs(g), set(in.shape->bound)), k) & asked;
     marks.leans_to_opaque |= bits_of(hn::Gt(g, set(0.0f)), k) & asked;
   }
 }
@@ -121,29 +113,26 @@ HWY_INLINE SixteenMarks sixteen_of(const SixteenInput& in) {
   if (words.is_small)
     for (std::int32_t r = 0; r < in.rows; ++r)
       hwy::Prefetch(static_cast<const Texel*>(in.texels) + std::ptrdiff_t{r} * in.pitch + in.columns / 2);
-  Vertices v;
-  place_vertices(in, v);
   CellMarks cells;
-  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<true>(in, words, v, k, cells);
+  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<true>(in, words, k, cells);
   SixteenMarks marks;
   marks.by_texels = cells.fit & ~cells.meets_mixed;
   marks.lacks_below = marks.by_texels & cells.begins_opaque;
   marks.lacks_opaque = marks.by_texels & ~cells.begins_opaque;
   const std::uint32_t judged = cells.fit & cells.meets_mixed;
   if (judged == 0) return marks;
-  if (in.clear) {
+  if (in.shape->clear) {
     marks.below = judged & cells.have_not;
     marks.opaque = judged & cells.have;
   }
   std::uint32_t left = judged & ~(marks.below & marks.opaque);
   if (left != 0) {
-    const CornerMarks corners = ask_corners<Texel>(in, words, left, v);
+    const CornerMarks corners = ask_corners<Texel>(in, words, left);
     marks.below |= corners.below;
     marks.opaque |= corners.opaque;
     left &= ~(marks.below & marks.opaque);
     if (left != 0) {
-      EdgeMarks edges;
-      ask_edges<Texel>(in, words, v, left, edges);
+      const EdgeMarks edges = ask_edges<Texel>(in, words, left);
       marks.below |= edges.below & left;
       marks.opaque |= edges.opaque & left;
       marks.lacks_below |= left & corners.no_below & ~edges.perhaps_below & ~cells.perhaps_not;
@@ -159,10 +148,8 @@ HWY_INLINE SixteenMarks sixteen_of(const SixteenInput& in) {
 
 SixteenNodes Nodes(const SixteenInput& in) {
   const Words words(in);
-  Vertices v;
-  place_vertices(in, v);
   CellMarks cells;
-  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<false>(in, words, v, k, cells);
+  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<false>(in, words, k, cells);
   return {true, cells.fit & ~cells.meets_mixed, cells.begins_opaque};
 }
 

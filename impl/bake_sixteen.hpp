@@ -4,9 +4,12 @@
 // Coordinates are local: texels from a whole texel near by, none beyond S <= 96 of it in size.  A
 // micro-vertex is
 //   p0 + i/4 (p1 - p0) + j/4 (p2 - p0),   i + j <= 4
-// of three rounded corners; nine roundings of 2^-24 S or less, those of p0, p1 - p0, p2 - p0 and of thirds
-// among them, leave it, and a centroid, within 2^-20 S of its place along either axis.  delta is that and
-// what the corners in binary64 were off; T is a true triangle, T' the computed one, R as in bake_filter.hpp.
+// of a rounded corner and the base triangle's sides, cut to a node's and rounded; nine roundings of 2^-24 S
+// or less, those of p0, p1 - p0, p2 - p0 and of thirds among them, leave it, and a centroid, within 2^-20 S
+// of its place along either axis.  Another corner, or an end, taken from one by what all micro-triangles or
+// edges have in common (bake_sixteen_shape.hpp), is off by no more: five of the nine are made. delta is that
+// and what coordinates in binary64 were off; T is a true triangle, T' the computed one, R as in
+// bake_filter.hpp.
 //
 // The latter is less than 2^-30, so that slopes (bake_lines.hpp) put no line off by more than 2^-21 (1 + |s|)
 // over the rows here.
@@ -21,8 +24,9 @@
 //            that a texel is from its limit, is more than 8 R delta.  Those left out are within 3 delta of an
 //            edge, which speaks for them to within its bound.
 //   edges    In the mixed cells that they may meet alone, for the reasons in bake_cells.hpp: those within
-//            2^4 delta (1 + |s|) of the edge's line and 4 delta of its box; s is off by 2^3 delta (1 + |s|)
-//            where it falls by a quarter of a texel or more, and no line bounds it where it falls by less.
+//            2^4 delta (1 + |s|) of the edge's line and 4 delta of its box; s is rounded once, off by less
+//            than 2^3 delta (1 + |s|) with what sides are off, where it falls by a quarter of a texel or
+//            more, and no line bounds it where it falls by less.
 //   pieces   as there, delta in place of its delta: a cell's own alpha is off g by less than 12 R delta, the
 //            true edge's by 2 R delta more, and roundings are less than 2^-18 R: less than
 //            edge_bound = R (24 delta + 2^-17).
@@ -33,29 +37,25 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "impl/bake_sixteen_shape.hpp"
+
 namespace mmverify::impl::bake::detail {
 
 /// Rows and columns of texels that a node may span.
 inline constexpr std::int64_t sixteen_window = 96;
 
 struct SixteenInput {
+  const SixteenShape* shape;
   /// That at the local origin; what is 4 bytes from those asked for can be read.
   const void* texels;
   std::int32_t pitch;
-  std::int32_t columns, rows;         ///< of texels in the window
-  std::array<float, 2> p0, p01, p02;  ///< x, y; the latter two from p0
-  float threshold, gap, lean, bound, edge_bound, delta;
+  std::int32_t columns, rows;  ///< of texels in the window
+  std::array<float, 2> p0;     ///< x, y
   /// Words of a plane (bake_plane.hpp): row 0 of the strip that column 0 is in, at `bit`; visible is opaque
   /// with MASK.
   const std::uint32_t *opaque, *visible;
   std::size_t strip;
   std::uint32_t bit;
-  /// The lines A, B, C (bake_lines.hpp); what is added to each side; the same of rows.
-  std::array<float, 3> slope, margin;
-  float row_margin;
-  bool ab_left;  ///< of those that are turned as the node is
-  bool has_flat;
-  bool clear;
 };
 
 /// Bit k of each: micro-triangle k of the sixteen.

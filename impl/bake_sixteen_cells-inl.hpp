@@ -152,64 +152,47 @@ struct CellMarks {
   std::uint32_t perhaps = 0, perhaps_not = 0;  ///< of all rows
 };
 
-struct Vertices {
-  HWY_ALIGN Table x, y;
-  HWY_ALIGN SixteenLanes::Ints marks;  ///< 1 below, 2 opaque, 4 no below, 8 no opaque
-};
-
 /// `centres`: whether they are asked.
 template <bool centres>
-MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, const Vertices& v, std::size_t k,
-                              CellMarks& marks) {
-  const auto corner = [&](const Table& of, std::size_t c) HWY_ATTR {
-    return among(F(), of.data(), hn::LoadU(I(), sixteen_lanes.corner[c].data() + k));
+MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::size_t k, CellMarks& marks) {
+  const SixteenShape& shape = *in.shape;
+  const Mask turned = mask_of(sixteen_lanes.turned, k), ab_left = shape.ab_left ? hn::Not(turned) : turned;
+  const auto of = [&](auto member) HWY_ATTR {
+    return hn::IfThenElse(turned, set(member(shape.micro[1])), set(member(shape.micro[0])));
   };
-  const Float x0 = corner(v.x, 0), x1 = corner(v.x, 1), x2 = corner(v.x, 2);
-  const Float y0 = corner(v.y, 0), y1 = corner(v.y, 1), y2 = corner(v.y, 2);
-  const auto least = [](Float a, Float b, Float c) HWY_ATTR { return hn::Min(a, hn::Min(b, c)); };
-  const auto greatest = [](Float a, Float b, Float c) HWY_ATTR { return hn::Max(a, hn::Max(b, c)); };
-  const Float d = set(in.row_margin);
-  const Float top = least(y0, y1, y2), bottom = greatest(y0, y1, y2);
-  const Int first = floored(hn::Sub(top, d)),
-            rows = hn::Add(hn::Sub(floored(hn::Add(bottom, d)), first), set(1));
-  const Int first_column = floored(hn::Sub(least(x0, x1, x2), d)),
-            end_column = hn::Add(floored(hn::Add(greatest(x0, x1, x2), d)), set(1));
+  using Micro = SixteenShape::Micro;
+  const Float i = hn::LoadU(F(), sixteen_lanes.micro_i.data() + k),
+              j = hn::LoadU(F(), sixteen_lanes.micro_j.data() + k), x0 = place(in, 0, i, j),
+              y0 = place(in, 1, i, j);
+  const Float top = hn::Add(y0, of([](const Micro&m) { return m.top; })),
+              bottom = hn::Add(y0, of([](const Micro&m) { return m.bottom; }));
+  const Int first = floored(top), rows = hn::Add(hn::Sub(floored(bottom), first), set(1));
+  const Int first_column = floored(hn::Add(x0, of([](const Micro&m) { return m.left; }))),
+            end_column = hn::Add(floored(hn::Add(x0, of([](const Micro&m) { return m.right; }))), set(1));
   const Int word = words.origin(first_column), origin = hn::ShiftLeft<3>(word);
   marks.fit |= bits_of(hn::RebindMask(F(), hn::Lt(hn::Sub(end_column, origin), set(word_cells + 1))), k);
   const Float x = hn::ConvertTo(F(), origin), left = hn::ConvertTo(F(), hn::Sub(first_column, origin)),
               right = hn::ConvertTo(F(), hn::Sub(end_column, origin));
-  // The lines, in columns of the word; those that bound it to the left.
-  const Mask turned = mask_of(sixteen_lanes.turned, k), ab_left = in.ab_left ? hn::Not(turned) : turned;
-  // For cells, over a row and a margin out; for centres.  With half a place off them, or added, floor and the
-  // number after it are the nearest whole ones.
+  // The lines, in columns of the word.
   std::array<Float, 3> outside, at;
   for (std::size_t l = 0; l < 3; ++l) {
-    const Float s = set(in.slope[l]), a = hn::NegMulAdd(y0, s, x0), b = hn::NegMulAdd(y1, s, x1),
-                c = hn::NegMulAdd(y2, s, x2);
-    const Mask is_left = l == 2 ? hn::Not(ab_left) : ab_left;
-    at[l] = hn::Sub(hn::IfThenElse(is_left, least(a, b, c), greatest(a, b, c)), x);
-    outside[l] =
-        hn::Add(at[l], hn::IfThenElse(is_left, set(std::min(in.slope[l], 0.0f) - in.margin[l] - 0.5f),
-                                      set(std::max(in.slope[l], 0.0f) + in.margin[l] + 0.5f)));
-    at[l] = hn::Add(at[l], set(0.5f));
+    const Float line = hn::Sub(hn::NegMulAdd(y0, set(shape.slope[l]), x0), x);
+    outside[l] = hn::Add(line, of([l](const Micro& m) { return m.outside[l]; }));
+    at[l] = hn::Add(line, of([l](const Micro& m) { return m.at[l]; }));
   }
   // From where to where the lines leave a row.
   struct Span {
     Float from, to;
   };
   const auto span = [&](const std::array<Float, 3>& lines, Float level) HWY_ATTR {
-    const auto line = [&](std::size_t l) HWY_ATTR { return hn::MulAdd(level, set(in.slope[l]), lines[l]); };
+    const auto line = [&](std::size_t l)
+                          HWY_ATTR { return hn::MulAdd(level, set(shape.slope[l]), lines[l]); };
     const Float a = line(0), b = line(1), c = line(2);
     return Span{hn::IfThenElse(ab_left, hn::Max(a, b), c), hn::IfThenElse(ab_left, c, hn::Min(a, b))};
   };
   // Rows that meet a flat edge have centres on both sides of it.
-  Float from_row = top, to_row = bottom;
-  if (in.has_flat) {
-    const Float middle = hn::Max(hn::Min(y0, y1), hn::Min(hn::Max(y0, y1), y2));
-    const Mask above = hn::Lt(hn::Sub(middle, top), hn::Sub(bottom, middle));
-    from_row = hn::IfThenElse(above, middle, top);
-    to_row = hn::IfThenElse(above, bottom, middle);
-  }
+  const Float from_row = hn::Add(y0, of([](const Micro&m) { return m.first_row; })),
+              to_row = hn::Add(y0, of([](const Micro&m) { return m.last_row; }));
   const Int zero = set(0);
   Int some_mixed = zero, begins = zero, have = zero, have_not = zero, perhaps = zero, perhaps_not = zero;
   RowByRow rows_of(in, words, word, first);
@@ -228,10 +211,9 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, const 
     if constexpr (!centres) continue;
     const Span inside = span(at, level);
     Int within = hn::IfThenElseZero(real, run(in_word(inside.from), in_word(inside.to)));
-    if (in.has_flat) {
-      within = hn::IfThenElseZero(
-          hn::RebindMask(I(), hn::And(hn::Ge(level, hn::Sub(top, d)), hn::Le(level, hn::Add(bottom, d)))),
-          within);
+    if (shape.has_flat) {
+      within =
+          hn::IfThenElseZero(hn::RebindMask(I(), hn::And(hn::Ge(level, top), hn::Le(level, bottom))), within);
       perhaps = hn::Or(perhaps, hn::And(within, seen));
       perhaps_not = hn::Or(perhaps_not, hn::AndNot(are, within));
       within = hn::IfThenElseZero(

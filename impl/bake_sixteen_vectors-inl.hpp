@@ -76,6 +76,33 @@ HWY_INLINE Int among_rows(const std::uint32_t* rows, Int at) {
 #endif
 }
 
+/// Of edges, by their directions.
+class Directions {
+ public:
+  HWY_INLINE explicit Directions(Int of)
+#if HWY_TARGET == HWY_SCALAR
+      : of_(of){}
+#else
+      : of_(hn::IndicesFromVec(F(), of)) {
+  }
+#endif
+        HWY_INLINE Float
+        operator()(const SixteenShape::OfEdges& table) const {
+#if HWY_TARGET == HWY_SCALAR
+    return hn::GatherIndex(F(), table.data(), of_);
+#else
+    return hn::TableLookupLanes(hn::LoadDup128(F(), table.data()), of_);
+#endif
+  }
+
+ private:
+#if HWY_TARGET == HWY_SCALAR
+  Int of_;
+#else
+  decltype(hn::IndicesFromVec(F(), Int())) of_;
+#endif
+};
+
 HWY_INLINE std::uint32_t bits_of(Mask mask, std::size_t k) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
   return std::uint32_t{mask.raw} << k;
@@ -87,6 +114,19 @@ HWY_INLINE std::uint32_t bits_of(Mask mask, std::size_t k) {
 }
 HWY_INLINE std::uint32_t zeros_of(Int x, std::size_t k) {
   return bits_of(hn::RebindMask(F(), hn::Eq(x, set(0))), k);
+}
+
+/// All bits of all lanes.
+HWY_INLINE std::uint32_t any_of(Int x) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  return static_cast<std::uint32_t>(_mm512_reduce_or_epi32(x.raw));
+#else
+  HWY_ALIGN std::array<std::int32_t, 16> lanes{};
+  hn::StoreU(x, I(), lanes.data());
+  std::int32_t any = 0;
+  for (std::size_t n = 0; n < hn::MaxLanes(F()); ++n) any |= lanes[n];
+  return static_cast<std::uint32_t>(any);
+#endif
 }
 
 /// Lane l: bit k + l.
@@ -143,7 +183,7 @@ struct Located {
 /// g at places.
 template <class Texel>
 HWY_INLINE Float sampled(const SixteenInput& in, const Located& at) {
-  return hn::Sub(cell<Texel>(in, at.i, at.j).at(at.x, at.y), set(in.threshold));
+  return hn::Sub(cell<Texel>(in, at.i, at.j).at(at.x, at.y), set(in.shape->threshold));
 }
 /// g at those places that are wanted; the others read one texel, which costs less than many.
 template <class Texel>
@@ -156,7 +196,7 @@ HWY_INLINE Float sampled(const SixteenInput& in, Located at, Mask wanted) {
 
 /// p0 + i p01 + j p02, along an axis.
 HWY_INLINE Float place(const SixteenInput& in, std::size_t axis, Float i, Float j) {
-  return hn::MulAdd(j, set(in.p02[axis]), hn::MulAdd(i, set(in.p01[axis]), set(in.p0[axis])));
+  return hn::MulAdd(j, set(in.shape->p02[axis]), hn::MulAdd(i, set(in.shape->p01[axis]), set(in.p0[axis])));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,5 +1,7 @@
 #include "impl/micromap.hpp"
 
+#include <array>
+
 #include "impl/micromap_words.hpp"
 
 namespace mmverify::impl::micromap {
@@ -69,6 +71,20 @@ std::optional<State> uniform(std::span<const std::uint8_t> bytes, Format f, std:
   return static_cast<State>(first);
 }
 
+namespace {
+
+/// By bytes, how many of the even bits are set: at most 4 of each.  Domain: no odd bit is.
+std::uint64_t even_ones(std::uint64_t x) noexcept {
+  x = (x & 0x3333333333333333) + (x >> 2 & 0x3333333333333333);
+  return (x + (x >> 4)) & 0x0f0f0f0f0f0f0f0f;
+}
+std::uint64_t sum_of_bytes(std::uint64_t x) noexcept {
+  x = (x & 0x00ff00ff00ff00ff) + (x >> 8 & 0x00ff00ff00ff00ff);
+  return x * 0x0001000100010001 >> 48;
+}
+
+}  // namespace
+
 StateCounts count_states(std::span<const std::uint8_t> bytes, Format f, std::uint64_t count) {
   require(bytes.size() >= packed_bytes(count, f), "micromap::count_states: too few bytes");
   const auto ones = [](std::uint64_t x) { return static_cast<std::uint64_t>(std::popcount(x)); };
@@ -76,12 +92,20 @@ StateCounts count_states(std::span<const std::uint8_t> bytes, Format f, std::uin
   if (f == Format::two_state) {
     each_word(bytes, count, [&](std::uint64_t word, std::uint64_t) { n[1] += ones(word); });
   } else {
-    each_word(bytes, 2 * count, [&](std::uint64_t word, std::uint64_t) {
-      const std::uint64_t l = word & even_bits, h = word >> 1 & even_bits;
-      n[1] += ones(l & ~h);
-      n[2] += ones(h & ~l);
-      n[3] += ones(h & l);
-    });
+    // Sums in bytes, without a branch or a call for each word; from a block they stay below 256.
+    constexpr std::uint64_t block = 64 * 63;
+    const std::uint64_t total = 2 * count;
+    for (std::uint64_t at = 0; at < total; at += block) {
+      std::array<std::uint64_t, 3> sums{};
+      each_word(bytes.subspan(static_cast<std::size_t>(at / 8)), total - at < block ? total - at : block,
+                [&](std::uint64_t word, std::uint64_t) {
+                  const std::uint64_t l = word & even_bits, h = word >> 1 & even_bits;
+                  sums[0] += even_ones(l & ~h);
+                  sums[1] += even_ones(h & ~l);
+                  sums[2] += even_ones(h & l);
+                });
+      for (std::size_t k = 0; k < 3; ++k) n[k + 1] += sum_of_bytes(sums[k]);
+    }
   }
   n[0] = count - n[1] - n[2] - n[3];
   return n;
