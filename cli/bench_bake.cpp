@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "cli/arguments.hpp"
-#include "cli/build_info.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/tool.hpp"
 #include "proofs/engine/interrupt.hpp"
 
 namespace mmverify::cli {
@@ -76,14 +76,9 @@ Json to_json(const BakeLevel& level) {
 Json to_json(const BakeFigures& figures, const BakeBenchOptions& options) {
   Json j{{"schema", "mmverify.bench/1"},
          {"topic", "bake"},
-         {"tool",
-          {{"version", build::version},
-           {"compiler", build::compiler},
-           {"flags", build::flags},
-           {"seed", options.seed},
-           {"rounds", options.rounds},
-           {"maps", options.textures.empty() ? "generated" : "textures"},
-           {"spec_hash", build::spec_hash}}},
+         {"tool", tool({{"seed", options.seed},
+                        {"rounds", options.rounds},
+                        {"maps", options.textures.empty() ? "generated" : "textures"}})},
          {"textures", figures.textures.size()},
          {"compared", figures.compared},
          {"rows", Json::array()},

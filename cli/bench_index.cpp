@@ -7,7 +7,7 @@
 #include "bench/index_times.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench_plot.hpp"
-#include "cli/build_info.hpp"
+#include "cli/tool.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 
@@ -114,13 +114,7 @@ Json to_json(const IndexErrors& e, bool hard) {
 Json to_json(const std::vector<IndexFigures>& figures, const bench::IndexBenchOptions& options) {
   Json j{{"schema", "mmverify.bench/1"},
          {"topic", "index"},
-         {"tool",
-          {{"version", build::version},
-           {"compiler", build::compiler},
-           {"flags", build::flags},
-           {"seed", options.seed},
-           {"samples", options.samples},
-           {"spec_hash", build::spec_hash}}},
+         {"tool", tool({{"seed", options.seed}, {"samples", options.samples}})},
          {"rows", Json::array()},
          {"subjects", Json::array()}};
   for (const IndexFigures& f : figures) {

@@ -9,6 +9,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/tool.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/cells.hpp"
 #include "proofs/index/plain_sweep.hpp"
@@ -90,7 +91,11 @@ std::string bench_sweep(const Levels& levels, unsigned threads, std::FILE* out) 
   fmt::print(
       out,
       "(in parentheses: the plain rate of the highest level where it was measured, which the ratio is to)\n");
-  const Json j{{"schema", "mmverify.bench/1"}, {"topic", "sweep"}, {"threads", threads}, {"levels", rows}};
+  const Json j{{"schema", "mmverify.bench/1"},
+               {"topic", "sweep"},
+               {"tool", tool(Json::object())},
+               {"threads", threads},
+               {"levels", rows}};
   return j.dump(1) + "\n";
 }
 

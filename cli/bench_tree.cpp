@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "cli/arguments.hpp"
-#include "cli/build_info.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/tool.hpp"
 #include "proofs/engine/interrupt.hpp"
 
 namespace mmverify::cli {
@@ -91,14 +91,9 @@ Json to_json(const TreeFigures& f) {
 Json to_json(const std::vector<TreeFigures>& figures, const TreeBenchOptions& options) {
   Json j{{"schema", "mmverify.bench/1"},
          {"topic", "tree"},
-         {"tool",
-          {{"version", build::version},
-           {"compiler", build::compiler},
-           {"flags", build::flags},
-           {"seed", options.seed},
-           {"samples", options.lookups},
-           {"maps", options.textures.empty() ? "generated" : "textures"},
-           {"spec_hash", build::spec_hash}}},
+         {"tool", tool({{"seed", options.seed},
+                        {"samples", options.lookups},
+                        {"maps", options.textures.empty() ? "generated" : "textures"}})},
          {"rows", Json::array()}};
   for (const TreeFigures& f : figures) j["rows"].push_back(to_json(f));
   return j;

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "cli/build_info.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/tool.hpp"
 #include "proofs/engine/interrupt.hpp"
 
 namespace mmverify::cli {
@@ -169,14 +169,9 @@ Json to_json(const VqDecodeTimes& t) {
 Json to_json(const VqFigures& figures, const VqBenchOptions& options) {
   Json j{{"schema", "mmverify.bench/1"},
          {"topic", "vq"},
-         {"tool",
-          {{"version", build::version},
-           {"compiler", build::compiler},
-           {"flags", build::flags},
-           {"seed", options.seed},
-           {"rounds", options.rounds},
-           {"maps", options.textures.empty() ? "generated" : "textures"},
-           {"spec_hash", build::spec_hash}}},
+         {"tool", tool({{"seed", options.seed},
+                        {"rounds", options.rounds},
+                        {"maps", options.textures.empty() ? "generated" : "textures"}})},
          {"left_out", figures.left_out},
          {"decode", {{"vq2", to_json(figures.vq2)}, {"vq4", to_json(figures.vq4)}}},
          {"rows", Json::array()}};

@@ -2,25 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/build_info.hpp"
 #include "cli/text.hpp"
+#include "cli/tool.hpp"
 
 namespace mmverify::cli {
 namespace {
 
 using namespace proofs;
 using Json = nlohmann::ordered_json;
-
-std::string cpu_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name"))
-      if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
-  return "unknown";
-}
 
 Json counterexample(const Result& r, const Counterexample& c) {
   Json j{{"case", c.at}, {"level", c.level}, {"rank", c.simplicity}};
@@ -64,17 +56,10 @@ Json result(const Result& r) {
 std::string to_json(const Report& report, std::uint64_t seed, const std::optional<Shard>& shard,
                     const Identity& identity, const std::string& scene) {
   Json j{{"schema", "mmverify.result/1"},
-         {"tool",
-          {{"version", build::version},
-           {"compiler", build::compiler},
-           {"flags", build::flags},
-           {"cpu", cpu_name()},
-           {"threads", report.threads},
-           {"seed", seed},
-           {"spec_hash", build::spec_hash},
-           {"source_hash", build::source_hash}}},
+         {"tool", tool({{"threads", report.threads}, {"seed", seed}})},
          {"results", Json::array()},
          {"mutants", Json::array()}};
+  j["tool"]["source_hash"] = build::source_hash;
   if (shard) {
     Json run = Json::object();
     for (const auto& [name, value] : identity) run[name] = value;
