@@ -10,6 +10,7 @@
 #include "cli/bench_bake.hpp"
 #include "cli/bench_index.hpp"
 #include "cli/bench_plot.hpp"
+#include "cli/bench_scene.hpp"
 #include "cli/bench_subject.hpp"
 #include "cli/bench_sweep.hpp"
 #include "cli/bench_tree.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> topics;
-  std::string json, plot, levels, subject, textures;
+  std::string json, plot, levels, subject, scene, textures;
   bench::IndexBenchOptions index;
   std::size_t maps = 0;  ///< the topic's own number
   bool quiet = false, sweep = false;
@@ -73,6 +74,14 @@ int run_subject_bench(const Options& options) {
   if (levels.first != levels.last) throw UsageError(fmt::format("--levels {}: one level", options.levels));
   return run_table(options,
                    [&](std::FILE* out) { return bench_subject(options.subject, levels.first, out); });
+}
+
+/// How fast the triangles of a scene are baked.
+int run_scene_bench(const Options& options) {
+  const bench::BakeBenchOptions bake;
+  const proofs::Levels levels = levels_or(options, {bake.first, bake.last}, 12);
+  return run_table(options,
+                   [&](std::FILE* out) { return bench_scene(options.scene, levels, options.quiet, out); });
 }
 
 /// What a sweep costs from level to level, beside the obvious loop.
@@ -154,6 +163,10 @@ int run_bench(const Options& options) {
     if (std::find(all.begin(), all.end(), topic) == all.end())
       throw UsageError(fmt::format("no topic is called '{}'; there are {}", topic, fmt::join(all, ", ")));
   const proofs::InterruptGuard guard;
+  if (!options.scene.empty()) {
+    if (topics != std::vector<std::string>{"bake"}) throw UsageError("--scene: for bench bake");
+    return run_scene_bench(options);
+  }
   if (!options.subject.empty() || options.sweep) {
     const char* const option = options.sweep ? "--sweep" : "--subject";
     if (topics.front() != "index" || options.topics.size() > 1)
@@ -188,6 +201,10 @@ Action add_bench(CLI::App& program) {
                              ->add_option("--textures", options->textures,
                                           "tree, vq, bake: the PNG files in this folder instead")
                              ->type_name("FOLDER");
+  command
+      ->add_option("--scene", options->scene, "bake: how fast this scene's own triangles are baked, instead")
+      ->type_name("FILE.gltf")
+      ->excludes(textures);
   command->add_option("--maps", options->maps, "vq, bake: how many generated maps or textures")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 16))
       ->excludes(textures);

@@ -6,6 +6,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/tool.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/isolation/cost.hpp"
 #include "proofs/registry.hpp"
@@ -39,6 +40,7 @@ std::string bench_subject(const std::string& library, std::uint32_t level, std::
              check / cost.bare);
   const nlohmann::ordered_json j{{"schema", "mmverify.bench/1"},
                                  {"topic", "subject"},
+                                 {"tool", tool(nlohmann::ordered_json::object())},
                                  {"subject", library},
                                  {"level", level},
                                  {"bare_ns", cost.bare},

@@ -54,7 +54,8 @@ constexpr char footprint_shape[] = R"({"micromaps": "number", "special_indices":
   "vertex_data_bytes": "number", "modes": [{"states": "number", "micromaps": "number", "data_bytes": "number",
   "tree_bytes": "number", "random_access_tree_bytes": "number", "bitmask_bytes": "number"}]})";
 
-constexpr char bench_shape[] = R"({"version": "text", "compiler": "text", "flags": "text", "seed": "number",
+constexpr char bench_shape[] =
+    R"({"version": "text", "compiler": "text", "flags": "text", "cpu?": "text", "seed": "number",
   "spec_hash": "text", "samples?": "number", "rounds?": "number", "maps?": "text"})";
 
 /// By topic; "tool" is bench_shape.
@@ -79,6 +80,8 @@ constexpr std::pair<const char*, const char*> bench_shapes[] = {
         "step": {"seconds": "number"}, "impl": {"seconds": "number"}}]})"},
     {"subject", R"({"schema": "text", "topic": "text", "subject": "text", "level": "level",
       "bare_ns": "number", "isolated_ns": "number", "judged_ns": "number"})"},
+    {"scene", R"({"schema": "text", "topic": "text", "file": "text",
+      "rows": [{"level": "level", "ns": "number", "centre_ns": "number"}]})"},
 };
 
 constexpr const char* verdicts[] = {"proved", "refuted", "checked", "broken", "not_applicable", "incomplete"};

@@ -75,14 +75,20 @@ Json& with(Json& list, const char* member, const Json& value) {
 }
 
 TEST_F(Gate, KnowsEveryFieldOfEveryCommandAndIsGreenOnTheSameRun) {
+  const std::string glb = folder_ / "own.glb";
+  EXPECT_EQ(program({"scene", "--quiet", "--level", "2", "--samples", "9", "-o", glb}).exit_code, 0);
   // Benches take a sanitized program a minute, and write what the others do.
   std::vector<std::pair<const char*, Json>> runs{{"prove", proved()}, {"tree", bench_tree()}};
   if (!sanitized)
-    runs.insert(runs.end(), {{"scene", scene()},
-                             {"index", result_of({"bench", "index", "--levels", "1..2", "--samples", "64"})},
-                             {"vq", bench_vq()},
-                             {"bake", bench_bake()},
-                             {"sweep", result_of({"bench", "index", "--sweep", "--levels", "2..3"})}});
+    runs.insert(
+        runs.end(),
+        {{"scene", scene()},
+         {"index", result_of({"bench", "index", "--levels", "1..2", "--samples", "64"})},
+         {"vq", bench_vq()},
+         {"bake", bench_bake()},
+         {"subject", result_of({"bench", "--subject", MMVERIFY_SUBJECTS "/example.so", "--levels", "4..4"})},
+         {"scene bench", result_of({"bench", "bake", "--scene", glb, "--levels", "2..3"})},
+         {"sweep", result_of({"bench", "index", "--sweep", "--levels", "2..3"})}});
   for (const auto& [name, run] : runs) {
     const Outcome outcome = gate(run, run);
     EXPECT_EQ(outcome.exit_code, 0) << name << outcome.out << outcome.err;

@@ -123,6 +123,28 @@ TEST(CliScene, OfABadFileIsOneLineAnd4) {
   EXPECT_EQ(program({"scene", "--memory", "3"}).exit_code, 2);
 }
 
+TEST(CliScene, ABenchSaysHowFastItsTrianglesAreBaked) {
+  Folder folder;
+  const std::string glb = folder / "out.glb";
+  ASSERT_EQ(program(with(quick, {"-o", glb})).exit_code, 0);
+  const Outcome r = program({"bench", "bake", "--scene", glb, "--levels", "1..2", "--quiet", "--json", "-"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const json bench = parsed(r.out);
+  EXPECT_EQ(bench["triangles"], 42);
+  ASSERT_EQ(bench["rows"].size(), 2u);
+  for (const json& row : bench["rows"]) {
+    EXPECT_EQ(row["micro_triangles"], 42 << 2 * row["level"].get<int>());
+    EXPECT_GT(row["ns"], 0);
+    EXPECT_GT(row["centre_ns"], 0);
+  }
+  expect_complaint(program({"bench", "bake", "--scene", folder / "none.glb", "--quiet"}), 4, "none.glb");
+  expect_complaint(program({"bench", "tree", "--scene", glb}), 2, "--scene: for bench bake");
+  expect_complaint(program({"bench", "bake", "--scene", glb, "--levels", "2..13"}), 2, "highest level");
+  write(folder / "bare.gltf", "{\"asset\": {\"version\": \"2.0\"}}");
+  expect_complaint(program({"bench", "bake", "--scene", folder / "bare.gltf", "--quiet"}), 4,
+                   "nothing to bake");
+}
+
 TEST(CliScene, InTwoStatesIsJudgedAsThat) {
   const Outcome r = program(with(quick, {"--states", "2"}));
   EXPECT_EQ(r.exit_code, 0) << r.out;

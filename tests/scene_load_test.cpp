@@ -547,6 +547,8 @@ struct RealScene {
   const char* file;
   TriangleCounts all, masked;
   std::size_t mask_materials, alpha_textures;
+
+  friend void PrintTo(const RealScene& s, std::ostream* out) { *out << s.file; }
 };
 
 class RealScenes : public testing::TestWithParam<RealScene> {};

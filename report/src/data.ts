@@ -199,7 +199,13 @@ export interface SubjectBench extends Bench {
   judged_ns: number;
 }
 
-export type AnyBench = IndexBench | TreeBench | VqBench | BakeBench | SweepBench | SubjectBench;
+export interface SceneBench extends Bench {
+  topic: "scene";
+  file: string;
+  rows: { level: number; ns: number; centre_ns: number }[];
+}
+
+export type AnyBench = IndexBench | TreeBench | VqBench | BakeBench | SweepBench | SubjectBench | SceneBench;
 
 /** What a subject of topic index answered on all cells of a level, where it differs from the right answer. */
 export interface AskedLevel {

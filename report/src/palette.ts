@@ -11,12 +11,8 @@ export type Shape = (typeof shapes)[number];
 /** The k-th series' look: colour and shape together are the series' own up to 42 of them. */
 export const look = (k: number): { colour: number; shape: Shape } => ({ colour: k % light.length, shape: shapes[k % shapes.length]! });
 
-/** Whether the page is light or dark now. */
-export function scheme(): Scheme {
-  const chosen = document.documentElement.dataset["theme"];
-  if (chosen === "light" || chosen === "dark") return chosen;
-  return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-}
+/** Whether the page is light or dark now; theme.ts says so. */
+export const scheme = (): Scheme => (document.documentElement.dataset["theme"] === "dark" ? "dark" : "light");
 
 export const colour = (k: number): string => (scheme() === "dark" ? dark : light)[k % light.length]!;
 

@@ -1,22 +1,28 @@
 // Light, dark, or as the system has it.
 import { button } from "./dom";
-import { scheme } from "./palette";
+import { type Scheme, scheme } from "./palette";
 
 const changed = new Set<() => void>();
 
 /** Calls back whenever the colours change. */
 export const onTheme = (act: () => void): void => void changed.add(act);
 
-const tell = () => changed.forEach((act) => act());
+function become(next: Scheme): void {
+  document.documentElement.dataset["theme"] = next;
+  changed.forEach((act) => act());
+}
 
+/** As the system has it, until it is pressed. */
 export function themeButton(): HTMLButtonElement {
-  const root = document.documentElement;
-  const words = () => (scheme() === "dark" ? "Light colours" : "Dark colours");
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const follow = (): void => become(dark.matches ? "dark" : "light");
+  const words = (): string => (scheme() === "dark" ? "Light colours" : "Dark colours");
+  dark.addEventListener("change", follow);
+  follow();
   const toggle = button(words(), () => {
-    root.dataset["theme"] = scheme() === "dark" ? "light" : "dark";
-    tell();
+    dark.removeEventListener("change", follow);
+    become(scheme() === "dark" ? "light" : "dark");
   });
   onTheme(() => (toggle.textContent = words()));
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", tell);
   return toggle;
 }

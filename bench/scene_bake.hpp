@@ -1,0 +1,38 @@
+// How fast the triangles of a scene are baked, at their own texture coordinates.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mmverify::bench {
+
+struct SceneBakeOptions {
+  std::string file;                                       ///< glTF or GLB
+  std::uint32_t first = 3, last = 9;                      ///< levels
+  std::size_t rounds = 3;                                 ///< at least 1
+  std::function<void(const std::string&)> progress = {};  ///< told what begins
+};
+
+/// All planned triangles of the scene at one level, one after the other.
+struct SceneBakeLevel {
+  std::uint32_t level = 0;
+  std::uint64_t micro_triangles = 0;
+  double ns = 0;             ///< ours, a micro-triangle of base area; textures are ready
+  double ns_of_centres = 0;  ///< one sample at each centre, as if every texture repeated
+};
+
+struct SceneBakeFigures {
+  std::string file;
+  std::size_t triangles = 0;  ///< distinct by their texture coordinates
+  double ready_ms = 0;        ///< all textures made ready, once a bake of the scene
+  std::vector<SceneBakeLevel> levels;
+};
+
+/// Times are of one thread, the median of the rounds.
+/// Throws std::invalid_argument unless rounds > 0 and first <= last <= 12; scene::BadScene;
+/// std::runtime_error where the scene has nothing to bake.
+SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options);
+
+}  // namespace mmverify::bench

@@ -1,0 +1,65 @@
+#include "cli/bench_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/scene_bake.hpp"
+#include "cli/arguments.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/tool.hpp"
+#include "impl/scene/load.hpp"
+#include "proofs/engine/interrupt.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+constexpr std::size_t rounds = 5;
+
+bench::SceneBakeFigures figures_of(const std::string& file, const proofs::Levels& levels, bool quiet) {
+  const auto progress = [quiet](const std::string& what) {
+    if (proofs::interrupted()) throw proofs::Interrupted();
+    if (!quiet) fmt::print(stderr, "bench scene: {}\n", what);
+  };
+  try {
+    return bench::scene_bake_figures({file, levels.first, levels.last, rounds, progress});
+  } catch (const proofs::Interrupted&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw EnvironmentError(error.what());
+  }
+}
+
+}  // namespace
+
+std::string bench_scene(const std::string& file, const proofs::Levels& levels, bool quiet, std::FILE* out) {
+  const bench::SceneBakeFigures figures = figures_of(file, levels, quiet);
+  fmt::print(
+      out,
+      "{}: {} distinct triangles, one thread, the median of {} rounds; textures made ready in {:.2f} ms\n\n"
+      "{:>5}{:>20}{:>10}{:>12}{:>24}\n",
+      figures.file, grouped(figures.triangles), rounds, figures.ready_ms, "level", "micro-triangles",
+      "ns each", "millions/s", "a centre sample, x ours");
+  using Json = nlohmann::ordered_json;
+  Json rows = Json::array();
+  for (const bench::SceneBakeLevel& level : figures.levels) {
+    const double ratio = level.ns_of_centres / level.ns;
+    fmt::print(out, "{:>5}{:>20}{:>10.2f}{:>12.1f}{:>24.2f}\n", level.level, grouped(level.micro_triangles),
+               level.ns, 1e3 / level.ns, ratio);
+    rows.push_back({{"level", level.level},
+                    {"micro_triangles", level.micro_triangles},
+                    {"ns", level.ns},
+                    {"centre_ns", level.ns_of_centres},
+                    {"ratio_centre_to_ours", ratio}});
+  }
+  const Json j{{"schema", "mmverify.bench/1"},
+               {"topic", "scene"},
+               {"tool", tool({{"rounds", rounds}})},
+               {"file", figures.file},
+               {"triangles", figures.triangles},
+               {"ready_ms", figures.ready_ms},
+               {"rows", rows}};
+  return j.dump(1) + "\n";
+}
+
+}  // namespace mmverify::cli
