@@ -14,6 +14,8 @@ SEEDS = {
     "tree_level_2": bytes([1, 2, 1, 16, 5, 10, 15, 1]),
     # the code that docs/TREE.md works out by hand
     "tree_code_by_hand": bytes([2, 2, 1, 0x05, 0x01, 0x90, 0x5F, 0x01]),
+    # the same with a bit after the last state, which is no code
+    "tree_code_with_padding": bytes([2, 2, 1, 0x05, 0x01, 0x90, 0x5F, 0x81]),
     "vq2_block_zeros": bytes([3]) + bytes(32),
     "vq4_block_counting": bytes([4]) + bytes(range(64)),
     "vq2_map_of_runs": bytes([5]) + RUNS,
@@ -22,7 +24,7 @@ SEEDS = {
     "vq4_held_map": bytes([8]) + bytes(64),
     "lossy_level_0": bytes([9, 0, 3]),
     "lossy_level_3": bytes([9, 3, 12, 13, 14, 15]),
-    "tree_level_12": bytes([1, 251, 1] + [60, 61, 62, 63] * 8),
+    "tree_level_9": bytes([1, 251, 1] + [60, 61, 62, 63] * 8),
 }
 
 FOLDER.mkdir(parents=True, exist_ok=True)

@@ -182,10 +182,10 @@ void look_up(std::uint32_t level, std::uint32_t bits, const Bytes& map, const By
     });
 }
 
-/// Mostly of levels whose maps fit into an input; sometimes of the highest.
+/// Mostly of levels whose maps take no time; sometimes of higher ones.
 std::uint32_t drawn_level(Input& in) {
   const unsigned drawn = in.next();
-  return drawn < 240 ? drawn % 7 : 7 + drawn % 6;
+  return drawn < 250 ? drawn % 7 : 7 + drawn % 3;
 }
 
 void tree_there_and_back(Input& in) {
@@ -280,7 +280,7 @@ void held_map(Input& in, const char* law, auto encode, auto ours, std::size_t by
 /// Of a map whose padding is set.
 void substituted(Input& in) {
   const std::uint32_t level = drawn_level(in);
-  if (subject().micromap_substitute == nullptr || level > 12) return;
+  if (subject().micromap_substitute == nullptr) return;
   Bytes map = drawn_map(in, level, 2);
   const std::uint64_t count = std::uint64_t{1} << (2 * level);
   if (count < 4) map[0] |= 0xfc;
