@@ -48,18 +48,6 @@ Ours ours(const fast::TriangleBaker& baker, const BaseTriangle& uv, std::uint32_
   return o;
 }
 
-/// The median of some rounds' times, in ns.
-template <class Work>
-double timed(std::size_t rounds, const Work& work) {
-  std::vector<double> ns;
-  for (std::size_t round = 0; round < rounds; ++round) {
-    const double start = thread_ns();
-    work();
-    ns.push_back(thread_ns() - start);
-  }
-  return median(ns);
-}
-
 template <class Q>
 std::uint8_t specified(const spec::bake::Texture& t, const BaseTriangle& uv, std::uint32_t level,
                        std::uint32_t index) {
@@ -98,7 +86,7 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
                                             spec::bake::Wrap::repeat};
     for (const BaseTriangle& uv : halves) {
       Ours o;
-      figure(Baker::ours).ns += timed(rounds, [&] { o = ours(baker, uv, level); });
+      figure(Baker::ours).ns += median_ns(rounds, [&] { o = ours(baker, uv, level); });
       const States truth = unpacked(o.map, level);
       figure(Baker::ours).micro_triangles += truth.size();
       leaves += o.counts.leaves;
@@ -120,7 +108,7 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
       for (const auto& [which, into] : obvious) {
         BakeFigure& f = figure(which);
         // Long enough to be taken once.
-        f.ns += timed(1, [&, into = into] { into({v, 0.5}, uv, level, states); });
+        f.ns += median_ns(1, [&, into = into] { into({v, 0.5}, uv, level, states); });
         f.micro_triangles += states.size();
         for (std::size_t k = 0; k < states.size(); ++k) {
           f.wrong += !unknown(states[k]) && states[k] != truth[k] ? 1 : 0;
@@ -142,11 +130,11 @@ BakeSize size_of(int size, const BakeBenchOptions& options) {
   for (std::size_t k = 0; k < maps; ++k) {
     const AlphaTexture texture = leaf_texture(options.seed + k, size);
     const AlphaView v = view(texture);
-    result.ready_ms += timed(options.rounds, [&] { const fast::TriangleBaker made(v, cutoff); }) / 1e6;
+    result.ready_ms += median_ns(options.rounds, [&] { const fast::TriangleBaker made(v, cutoff); }) / 1e6;
     const fast::TriangleBaker baker(v, cutoff);
     for (const BaseTriangle& uv : halves) {
-      result.ns += timed(options.rounds, [&] { ours(baker, uv, level_of_sizes); });
-      result.ns_rasterised += timed(options.rounds, [&] {
+      result.ns += median_ns(options.rounds, [&] { ours(baker, uv, level_of_sizes); });
+      result.ns_rasterised += median_ns(options.rounds, [&] {
         bake_rasterised({v, 0.5}, uv, level_of_sizes, states);
       });
     }
@@ -168,7 +156,7 @@ BakeMargin with_margin(float margin, const std::vector<AlphaTexture>& textures, 
     const fast::TriangleBaker baker(std::span(&mip, 1), cutoff, sampling);
     for (const BaseTriangle& uv : halves) {
       Ours o;
-      result.ns += timed(rounds, [&] { o = ours(baker, uv, level_of_sizes); });
+      result.ns += median_ns(rounds, [&] { o = ours(baker, uv, level_of_sizes); });
       const States states = unpacked(o.map, level_of_sizes);
       mixed += static_cast<std::uint64_t>(std::count_if(states.begin(), states.end(), unknown));
       all += states.size();

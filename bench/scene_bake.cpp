@@ -18,18 +18,6 @@ fast::BaseTriangle base_of(const scene::UvTriangle& uv) {
   return {{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}};
 }
 
-/// The median of some rounds' times, in ns.
-template <class Work>
-double timed(std::size_t rounds, const Work& work) {
-  std::vector<double> ns;
-  for (std::size_t round = 0; round < rounds; ++round) {
-    const double start = thread_ns();
-    work();
-    ns.push_back(thread_ns() - start);
-  }
-  return median(ns);
-}
-
 }  // namespace
 
 SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options) {
@@ -41,27 +29,30 @@ SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options) {
   begins(options.file);
   const scene::Scene loaded = scene::load(options.file);
   const scene::Plan planned = scene::plan(loaded);
-  if (planned.triangles.empty()) throw std::runtime_error(options.file + ": nothing to bake");
   SceneBakeFigures figures{options.file, planned.triangles.size(), 0, {}};
+  if (planned.triangles.empty()) return figures;
   std::vector<fast::TriangleBaker> bakers;
-  figures.ready_ms = timed(options.rounds,
-                           [&] {
-                             bakers.clear();
-                             for (const scene::Surface& surface : planned.surfaces)
-                               bakers.push_back(scene::surface_baker(loaded, surface));
-                           }) /
+  figures.ready_ms = median_ns(options.rounds,
+                               [&] {
+                                 bakers.clear();
+                                 for (const scene::Surface& surface : planned.surfaces)
+                                   bakers.push_back(scene::surface_baker(loaded, surface));
+                               }) /
                      1e6;
   for (std::uint32_t level = options.first; level <= options.last; ++level) {
     begins("level " + std::to_string(level));
     const std::size_t count = std::size_t{1} << 2 * level;
     std::vector<std::uint8_t> map((count + 3) / 4), states(count);
-    const double ours = timed(options.rounds, [&] {
-      for (const scene::PlannedTriangle& t : planned.triangles)
+    const double ours = median_ns(options.rounds, [&] {
+      for (const scene::PlannedTriangle& t : planned.triangles) {
+        if (options.stop) options.stop();
         bakers[t.surface].bake(base_of(t.uvs), level, map);
+      }
     });
     std::size_t sampled = 0;
-    const double centres = timed(1, [&] {
+    const double centres = median_ns(1, [&] {
       for (const scene::PlannedTriangle& t : planned.triangles) {
+        if (options.stop) options.stop();
         const scene::Surface& surface = planned.surfaces[t.surface];
         const scene::Image& image = loaded.images[surface.image];
         const auto* const alpha = std::get_if<std::vector<std::uint8_t>>(&image.alpha);

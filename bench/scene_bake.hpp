@@ -13,6 +13,7 @@ struct SceneBakeOptions {
   std::uint32_t first = 3, last = 9;                      ///< levels
   std::size_t rounds = 3;                                 ///< at least 1
   std::function<void(const std::string&)> progress = {};  ///< told what begins
+  std::function<void()> stop = {};                        ///< asked before each triangle; may throw
 };
 
 /// All planned triangles of the scene at one level, one after the other.
@@ -25,14 +26,13 @@ struct SceneBakeLevel {
 
 struct SceneBakeFigures {
   std::string file;
-  std::size_t triangles = 0;  ///< distinct by their texture coordinates
+  std::size_t triangles = 0;  ///< distinct by their texture coordinates; 0: nothing to bake, and no levels
   double ready_ms = 0;        ///< all textures made ready, once a bake of the scene
   std::vector<SceneBakeLevel> levels;
 };
 
 /// Times are of one thread, the median of the rounds.
-/// Throws std::invalid_argument unless rounds > 0 and first <= last <= 12; scene::BadScene;
-/// std::runtime_error where the scene has nothing to bake.
+/// Throws std::invalid_argument unless rounds > 0 and first <= last <= 12; scene::BadScene.
 SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options);
 
 }  // namespace mmverify::bench

@@ -23,4 +23,16 @@ inline double median(std::vector<double> x) {
   return *middle;
 }
 
+/// The median of some rounds' times, in ns.  Domain: rounds > 0.
+template <class Work>
+double median_ns(std::size_t rounds, const Work& work) {
+  std::vector<double> ns;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const double start = thread_ns();
+    work();
+    ns.push_back(thread_ns() - start);
+  }
+  return median(ns);
+}
+
 }  // namespace mmverify::bench

@@ -8,7 +8,7 @@
 #include "cli/arguments.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/tool.hpp"
-#include "impl/scene/load.hpp"
+#include "impl/scene/bad_scene.hpp"
 #include "proofs/engine/interrupt.hpp"
 
 namespace mmverify::cli {
@@ -17,15 +17,15 @@ namespace {
 constexpr std::size_t rounds = 5;
 
 bench::SceneBakeFigures figures_of(const std::string& file, const proofs::Levels& levels, bool quiet) {
-  const auto progress = [quiet](const std::string& what) {
+  const auto stop = [] {
     if (proofs::interrupted()) throw proofs::Interrupted();
+  };
+  const auto progress = [quiet](const std::string& what) {
     if (!quiet) fmt::print(stderr, "bench scene: {}\n", what);
   };
   try {
-    return bench::scene_bake_figures({file, levels.first, levels.last, rounds, progress});
-  } catch (const proofs::Interrupted&) {
-    throw;
-  } catch (const std::runtime_error& error) {
+    return bench::scene_bake_figures({file, levels.first, levels.last, rounds, progress, stop});
+  } catch (const impl::scene::BadScene& error) {
     throw EnvironmentError(error.what());
   }
 }
@@ -34,6 +34,7 @@ bench::SceneBakeFigures figures_of(const std::string& file, const proofs::Levels
 
 std::string bench_scene(const std::string& file, const proofs::Levels& levels, bool quiet, std::FILE* out) {
   const bench::SceneBakeFigures figures = figures_of(file, levels, quiet);
+  if (figures.triangles == 0) throw UsageError(file + ": nothing to bake");
   fmt::print(
       out,
       "{}: {} distinct triangles, one thread, the median of {} rounds; textures made ready in {:.2f} ms\n\n"

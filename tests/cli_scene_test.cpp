@@ -141,7 +141,7 @@ TEST(CliScene, ABenchSaysHowFastItsTrianglesAreBaked) {
   expect_complaint(program({"bench", "tree", "--scene", glb}), 2, "--scene: for bench bake");
   expect_complaint(program({"bench", "bake", "--scene", glb, "--levels", "2..13"}), 2, "highest level");
   write(folder / "bare.gltf", "{\"asset\": {\"version\": \"2.0\"}}");
-  expect_complaint(program({"bench", "bake", "--scene", folder / "bare.gltf", "--quiet"}), 4,
+  expect_complaint(program({"bench", "bake", "--scene", folder / "bare.gltf", "--quiet"}), 2,
                    "nothing to bake");
 }
 
