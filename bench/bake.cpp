@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "bench/bake_obvious.hpp"
+#include "bench/leaf_texture.hpp"
 #include "bench/timing.hpp"
-#include "bench/vq_maps.hpp"
 #include "impl/bake_triangles.hpp"
 #include "spec/bake_state.hpp"
 

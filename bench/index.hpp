@@ -20,8 +20,8 @@ struct IndexBenchOptions {
   std::uint64_t seed = 1;  ///< of the points
   std::uint32_t first = 1, last = 16;  ///< levels, both included; last at most 16
   std::size_t rounds = 11;             ///< of the timing; 0 counts as 1
-  std::function<void(std::uint64_t)> progress =
-      {};  ///< told from any thread how many more points were judged
+  /// Told from any thread how many more points were judged.
+  std::function<void(std::uint64_t)> progress = {};
 };
 
 /// What came of the points of one level.

@@ -17,7 +17,7 @@
 namespace mmverify::bench {
 namespace {
 
-using impl::tree::Bits;
+using impl::tree::Format;
 using impl::tree::Level;
 using impl::tree::Stream;
 using impl::tree::Tree;
@@ -66,7 +66,7 @@ void compare(const char* who, std::span<const std::uint8_t> got, std::span<const
 
 class Measurement {
  public:
-  Measurement(Level n, Bits b, const std::vector<Map>& maps, const TreeBenchOptions& options)
+  Measurement(Level n, Format b, const std::vector<Map>& maps, const TreeBenchOptions& options)
       : n_(n), bits_(b), b_(static_cast<std::uint32_t>(b)), forms_{maps, {}, {}, {}, {}}, options_(options) {
     std::seed_seq words{static_cast<std::uint32_t>(options.seed),
                         static_cast<std::uint32_t>(options.seed >> 32), n, b_};
@@ -252,7 +252,7 @@ class Measurement {
   }
 
   Level n_;
-  Bits bits_;
+  Format bits_;
   std::uint32_t b_;
   Forms forms_;
   Lookups lookups_;
@@ -275,14 +275,14 @@ const char* to_string(TreeForm form) {
   return "sdsl";
 }
 
-std::size_t tree_map_count(std::uint32_t level, Bits bits) {
+std::size_t tree_map_count(std::uint32_t level, Format bits) {
   constexpr std::uint64_t all = std::uint64_t{64} << 20, most = 1024;
   const std::uint64_t bytes =
       std::max<std::uint64_t>((std::uint64_t{static_cast<std::uint32_t>(bits)} << (2 * level)) / 8, 1);
   return static_cast<std::size_t>(std::min(most, all / bytes));
 }
 
-TreeFigures measure_trees(std::uint32_t level, Bits bits, const std::vector<Map>& maps,
+TreeFigures measure_trees(std::uint32_t level, Format bits, const std::vector<Map>& maps,
                           const TreeBenchOptions& options) {
   if (level > impl::tree::max_level || maps.empty() || options.rounds == 0 || options.lookups == 0)
     throw std::invalid_argument("tree bench: levels up to 12, a map, a round and a lookup at least");
@@ -295,10 +295,10 @@ std::vector<TreeFigures> tree_figures(const TreeBenchOptions& options) {
   std::vector<AlphaTexture> textures;
   if (!options.textures.empty()) textures = alpha_textures(options.textures);
   std::vector<TreeFigures> figures;
-  for (const Bits bits : {Bits::two_state, Bits::four_state})
+  for (const Format bits : {Format::two_state, Format::four_state})
     for (std::uint32_t level = options.first; level <= options.last; ++level) {
       if (options.progress)
-        options.progress("level " + std::to_string(level) + ", " + (bits == Bits::two_state ? "2" : "4") +
+        options.progress("level " + std::to_string(level) + ", " + (bits == Format::two_state ? "2" : "4") +
                          " states");
       std::vector<Map> maps;
       if (textures.empty())

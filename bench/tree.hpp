@@ -27,7 +27,7 @@ const char* to_string(TreeForm form);
 
 struct TreeFormFigures {
   double bits = 0;        ///< a micro-triangle, all memory of the form; paper: its two sequences alone
-  double ns = 0;          ///< a lookup, 1e6 independent random ones over all maps; median over the rounds
+  double ns = 0;          ///< a lookup, of independent random ones over all maps; median over the rounds
   double chained_ns = 0;  ///< a lookup that waits for the one before
   double lines = 0;       ///< 64-byte lines of the form's arrays that a lookup reads, by a model, mean
 };
@@ -50,11 +50,11 @@ struct TreeFigures {
 };
 
 /// How many generated maps a level has: 1,024 up to level 9 and as many as fill 64 MiB beyond.
-std::size_t tree_map_count(std::uint32_t level, impl::tree::Bits bits);
+std::size_t tree_map_count(std::uint32_t level, impl::tree::Format bits);
 
 /// Measures one set of maps of one level and format; every form's answers are compared on the way.
 /// Throws std::runtime_error where two forms disagree.
-TreeFigures measure_trees(std::uint32_t level, impl::tree::Bits bits,
+TreeFigures measure_trees(std::uint32_t level, impl::tree::Format bits,
                           const std::vector<std::vector<std::uint8_t>>& maps,
                           const TreeBenchOptions& options);
 

@@ -10,7 +10,7 @@
 namespace mmverify::bench {
 namespace {
 
-using impl::tree::Bits;
+using impl::tree::Format;
 using impl::tree::Level;
 
 struct Painter {
@@ -63,7 +63,7 @@ struct Painter {
 
 }  // namespace
 
-std::vector<std::uint8_t> leaf_map(Level level, Bits bits, std::uint64_t seed) {
+std::vector<std::uint8_t> leaf_map(Level level, Format bits, std::uint64_t seed) {
   const Leaves leaves(seed, 20, 99);
   const auto b = static_cast<std::uint32_t>(bits);
   std::vector<std::uint8_t> map(static_cast<std::size_t>(((std::uint64_t{b} << (2 * level)) + 7) / 8));

@@ -5,7 +5,7 @@
 namespace mmverify::bench {
 namespace {
 
-using impl::tree::Bits;
+using impl::tree::Format;
 using impl::tree::Level;
 using impl::tree::Stream;
 
@@ -63,13 +63,13 @@ struct Decoder {
 
 }  // namespace
 
-Stream obvious_encode(Level n, Bits b, std::span<const std::uint8_t> map) {
+Stream obvious_encode(Level n, Format b, std::span<const std::uint8_t> map) {
   Encoder encoder{map, static_cast<std::uint32_t>(b)};
   encoder.node(0, std::uint64_t{1} << (2 * n));
   return std::move(encoder.s);
 }
 
-void obvious_decode(Level n, Bits b, const Stream& s, std::span<std::uint8_t> map) {
+void obvious_decode(Level n, Format b, const Stream& s, std::span<std::uint8_t> map) {
   // Padding bits of a map below a byte.
   std::fill(map.begin(), map.begin() + 1, std::uint8_t{0});
   Decoder{s, map, static_cast<std::uint32_t>(b)}.node(0, std::uint64_t{1} << (2 * n));

@@ -8,7 +8,7 @@
 
 namespace mmverify::bench {
 
-using impl::tree::Bits;
+using impl::tree::Format;
 using impl::tree::Level;
 
 struct SdslTree::Parts {
@@ -39,7 +39,7 @@ std::uint32_t state_at(std::span<const std::uint8_t> map, std::uint64_t k, std::
 
 }  // namespace
 
-SdslTree::SdslTree(Level n, Bits b, std::span<const std::uint8_t> map) : parts_(std::make_unique<Parts>()) {
+SdslTree::SdslTree(Level n, Format b, std::span<const std::uint8_t> map) : parts_(std::make_unique<Parts>()) {
   const auto width = static_cast<std::uint32_t>(b);
   // By depth: one state, or 4 where they differ.
   std::vector<std::vector<std::uint8_t>> by_depth(n + 1);

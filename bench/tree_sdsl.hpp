@@ -16,7 +16,7 @@ namespace mmverify::bench {
 class SdslTree {
  public:
   /// Domain: level 0..12 and a map of its size.
-  SdslTree(impl::tree::Level n, impl::tree::Bits b, std::span<const std::uint8_t> map);
+  SdslTree(impl::tree::Level n, impl::tree::Format b, std::span<const std::uint8_t> map);
   ~SdslTree();
   SdslTree(SdslTree&&) noexcept;
   SdslTree& operator=(SdslTree&&) noexcept;

@@ -8,7 +8,7 @@
 namespace mmverify::bench {
 namespace {
 
-using impl::tree::Bits;
+using impl::tree::Format;
 using impl::tree::Level;
 
 struct Half {
@@ -26,7 +26,7 @@ struct Half {
   }
 };
 
-std::vector<std::uint8_t> map_of(const Half& half, Level level, Bits bits) {
+std::vector<std::uint8_t> map_of(const Half& half, Level level, Format bits) {
   const auto b = static_cast<std::uint32_t>(bits);
   std::vector<std::uint8_t> map(static_cast<std::size_t>(((std::uint64_t{b} << (2 * level)) + 7) / 8));
   const double side = std::ldexp(1.0, -static_cast<int>(level));
@@ -48,7 +48,7 @@ std::vector<std::uint8_t> map_of(const Half& half, Level level, Bits bits) {
 }  // namespace
 
 std::vector<std::vector<std::uint8_t>> texture_maps(const std::vector<AlphaTexture>& textures, Level level,
-                                                    Bits bits) {
+                                                    Format bits) {
   std::vector<std::vector<std::uint8_t>> maps;
   for (const AlphaTexture& texture : textures)
     for (const bool second : {false, true}) maps.push_back(map_of({texture, second}, level, bits));

@@ -14,6 +14,6 @@ namespace mmverify::bench {
 ///   (transparent or opaque by the centre) where the centre and the three corners do not agree
 /// A sample, not the exact baker.  Domain: level 0..12.
 std::vector<std::vector<std::uint8_t>> texture_maps(const std::vector<AlphaTexture>& textures,
-                                                    impl::tree::Level level, impl::tree::Bits bits);
+                                                    impl::tree::Level level, impl::tree::Format bits);
 
 }  // namespace mmverify::bench

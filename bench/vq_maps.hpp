@@ -28,15 +28,12 @@ struct OpacityMaps {
 
 /// The smallest rectangle of texels that holds all with alpha >= 1/2, cut out: beyond its edge the edge is
 /// sampled, as papers that crop their pictures have it. None where the texture has no such texel. It points
-/// into the texture. Domain: width, height in 1..16384.
+/// into the texture.
+/// Domain: width, height in 1..16384.
 std::optional<impl::bake::AlphaView> opaque_part(const AlphaTexture& texture);
 
 /// Of each texture that has an opaque part, in order.
 std::vector<OpacityMaps> opacity_maps(const std::vector<AlphaTexture>& textures);
-
-/// A picture of overlapping leaves, size x size texels, outlines fading over 1 to 4.  Named by its seed.
-/// Domain: size in 16..16384.
-AlphaTexture leaf_texture(std::uint64_t seed, int size = 256);
 
 /// Of the leaf textures seed, seed + 1, ...
 std::vector<OpacityMaps> leaf_opacity_maps(std::size_t count, std::uint64_t seed);

@@ -9,7 +9,7 @@
 
 namespace mmverify::cli {
 
-/// "3..7" or "5".  Both ends included; UsageError unless first <= last <= 16.
+/// "3..7" or "5".  Both ends included; UsageError unless first <= last <= proofs::max_level().
 proofs::Levels parse_levels(const std::string& text);
 
 /// "5", of the option --level.

@@ -9,8 +9,8 @@
 namespace mmverify::cli {
 
 /// Prints, level by level, what a sweep of `step` and of `impl` costs, what the plain loop costs where that
-/// is short, their ratio, how the cost grows, and the memory taken; returns the figures as JSON text. Domain:
-/// levels up to 16.  Throws EnvironmentError where the plain loop and the sweep do not agree.
+/// is short, their ratio, how the cost grows, and the memory taken; returns the figures as JSON text.
+/// Domain: levels up to 16.  Throws EnvironmentError where the plain loop and the sweep do not agree.
 std::string bench_sweep(const proofs::Levels& levels, unsigned threads, std::FILE* out);
 
 }  // namespace mmverify::cli

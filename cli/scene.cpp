@@ -76,6 +76,10 @@ Levels chosen_levels(const Plan& plan, const LevelRequest& wanted) {
   }
 }
 
+void stop_if_interrupted() {
+  if (proofs::interrupted()) throw Interrupted();
+}
+
 Baked baked(const Scene& scene, const Plan& plan, const std::vector<unsigned>& of, const Options& options) {
   std::uint64_t total = 0;
   for (const unsigned level : of) total += impl::micromap::micro_triangles(level);
@@ -85,32 +89,11 @@ Baked baked(const Scene& scene, const Plan& plan, const std::vector<unsigned>& o
     return bake(scene, plan, of,
                 {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
                    progress.add(done);
-                   if (proofs::interrupted()) throw Interrupted();
+                   stop_if_interrupted();
                  }});
   } catch (const std::invalid_argument& error) {
     throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
   }
-}
-
-/// Encoded as it would be shipped; uniform maps take nothing.
-template <class Map, class Encode>
-VqFigures vq_figures(const std::vector<Map>& maps, Encode encode) {
-  using impl::vq::State;
-  VqFigures f;
-  f.maps = maps.size();
-  for (const Map& map : maps) {
-    if (proofs::interrupted()) throw Interrupted();
-    f.regions += map.size();
-    f.unknown += static_cast<std::uint64_t>(std::count(map.begin(), map.end(), State::C));
-    if (std::all_of(map.begin(), map.end(), [&](State s) { return s == map[0]; })) {
-      ++f.uniform;
-      continue;
-    }
-    const auto encoded = encode(map);
-    f.bytes += encoded.block.size();
-    f.substitutions += encoded.substitutions;
-  }
-  return f;
 }
 
 /// Every triangle at each of some levels: the paper's figure 5.
@@ -129,8 +112,8 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
     }
     const std::vector<unsigned> of(plan.triangles.size(), level);
     const Baked maps = baked(scene, plan, of, options);
-    all.push_back(
-        {level, footprint(scene, plan, arrays(plan, maps), options.threads), saved(scene, plan, maps)});
+    all.push_back({level, footprint(scene, plan, arrays(plan, maps), options.threads),
+                   any_hit_shares(scene, plan, maps)});
   }
   return all;
 }
@@ -306,9 +289,9 @@ int scene(const Options& options) {
                        array,
                        found,
                        footprint(loaded, planned, array, options.threads),
-                       saved(loaded, planned, maps),
-                       vq_figures(squares.vq2, [](const auto& map) { return impl::vq::encode_optimal(map); }),
-                       vq_figures(squares.vq4, [](const auto& map) { return impl::vq::encode(map); }),
+                       any_hit_shares(loaded, planned, maps),
+                       vq2_footprint(squares, stop_if_interrupted),
+                       vq4_footprint(squares, stop_if_interrupted),
                        load_seconds,
                        bake_seconds,
                        at_levels(loaded, planned, options)};

@@ -7,20 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "impl/scene/any_hit.hpp"
 #include "impl/scene/footprint.hpp"
 #include "impl/scene/levels.hpp"
-#include "impl/scene/saved.hpp"
 #include "impl/scene/square_maps.hpp"
+#include "impl/scene/vq_footprint.hpp"
 #include "proofs/scene.hpp"
 
 namespace mmverify::cli {
-
-/// How the square maps of a scene's pairs fare.
-struct VqFigures {
-  std::uint64_t maps = 0, uniform = 0;                        ///< distinct pairs; those of one state
-  std::uint64_t bytes = 0;                                    ///< of the others' blocks
-  std::uint64_t regions = 0, unknown = 0, substitutions = 0;  ///< C before encoding; and O or T that became C
-};
 
 /// Everything that was found, in the order in which it was.
 struct SceneFigures {
@@ -31,14 +25,14 @@ struct SceneFigures {
   const impl::scene::SceneArrays& arrays;
   const impl::scene::Pairs& pairs;
   impl::scene::Footprint footprint;
-  impl::scene::Saved saved;
-  VqFigures vq2, vq4;
+  impl::scene::AnyHitShares any_hit;
+  impl::scene::VqFootprint vq2, vq4;
   double load_seconds = 0, bake_seconds = 0;
   /// Footprints with every triangle at one level (figure 5), where they were asked for.
   struct AtLevel {
     unsigned level;
     impl::scene::Footprint footprint;
-    impl::scene::Saved saved;
+    impl::scene::AnyHitShares any_hit;
   };
   std::vector<AtLevel> sizes;
 };

@@ -32,30 +32,24 @@ Json to_json(const Footprint& f) {
   return j;
 }
 
-Json to_json(const Saved& s) {
+Json to_json(const AnyHitShares& s) {
   return {{"area", s.area}, {"transparent", s.transparent}, {"opaque", s.opaque}, {"unknown", s.unknown}};
 }
 
-Json to_json(const VqFigures& v) {
+Json to_json(const VqFootprint& v) {
   return {{"maps", v.maps},       {"uniform", v.uniform}, {"bytes", v.bytes},
           {"regions", v.regions}, {"unknown", v.unknown}, {"substitutions", v.substitutions}};
 }
 
 Json plan_json(const Scene& scene, const Plan& plan) {
   const TriangleCounts all = count_triangles(scene);
-  std::uint64_t unique = 0, placed = 0, reordered = 0;
-  for (const PlannedTriangle& t : plan.triangles) {
-    unique += t.unique;
-    placed += t.placed;
-  }
-  for (const PlannedPrimitive& p : plan.primitives)
-    for (const TriangleUse& use : p.triangles) reordered += use.order != VertexOrder{0, 1, 2};
+  const PlanCounts baked = counts(plan);
   Json j{{"triangles", all.unique},
          {"triangles_placed", all.placed},
-         {"baked_triangles", unique},
-         {"baked_triangles_placed", placed},
+         {"baked_triangles", baked.unique},
+         {"baked_triangles_placed", baked.placed},
          {"distinct_triangles", plan.triangles.size()},
-         {"reordered_triangles", reordered},
+         {"reordered_triangles", baked.reordered},
          {"surfaces", Json::array()},
          {"left_out", Json::array()}};
   for (const Surface& s : plan.surfaces)
@@ -99,7 +93,7 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
                {"states", {{"T", states[0]}, {"O", states[1]}, {"UT", states[2]}, {"UO", states[3]}}},
                {"load_seconds", f->load_seconds},
                {"bake_seconds", f->bake_seconds}};
-  j["saved"] = to_json(f->saved);
+  j["saved"] = to_json(f->any_hit);
   j["footprint"] = to_json(f->footprint);
   j["pairs"] = {
       {"pairs", f->pairs.unique}, {"distinct", f->pairs.distinct.size()}, {"unpaired", f->pairs.unpaired}};
@@ -109,7 +103,7 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
   }
   for (const auto& at : f->sizes)
     j["sizes"].push_back(
-        {{"level", at.level}, {"footprint", to_json(at.footprint)}, {"saved", to_json(at.saved)}});
+        {{"level", at.level}, {"footprint", to_json(at.footprint)}, {"saved", to_json(at.any_hit)}});
   return text(j);
 }
 

@@ -43,17 +43,7 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
   const TriangleCounts all = count_triangles(scene);
   fmt::print(out, "{}: {} triangles, {} placed\n", scene.file, grouped(all.unique), grouped(all.placed));
   fmt::print(out, "\nplan\n");
-  std::uint64_t unique = 0, placed = 0, turned = 0, lines = 0, points = 0, limited = 0, limit = 0;
-  for (const PlannedTriangle& t : plan.triangles) {
-    unique += t.unique;
-    placed += t.placed;
-    lines += t.shape == UvShape::line;
-    points += t.shape == UvShape::point;
-    limited += t.level.limited;
-    if (t.level.limited) limit = t.level.level;
-  }
-  for (const PlannedPrimitive& p : plan.primitives)
-    for (const TriangleUse& use : p.triangles) turned += use.order != VertexOrder{0, 1, 2};
+  const PlanCounts baked = counts(plan);
   if (plan.triangles.empty())
     line(out, "bake", "nothing to bake: no triangle is alpha-tested by a texture");
   else
@@ -61,7 +51,7 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
         out, "bake",
         fmt::format(
             "{} triangles ({} placed) of {} primitives on {} surfaces: {} distinct, {} micro-triangles at {}",
-            grouped(unique), grouped(placed), plan.primitives.size(), plan.surfaces.size(),
+            grouped(baked.unique), grouped(baked.placed), plan.primitives.size(), plan.surfaces.size(),
             grouped(plan.triangles.size()), grouped(levels.micro_triangles), levels_text(levels.of)));
   // By reason, in the order of LeftOut.
   std::map<LeftOut, std::array<std::uint64_t, 2>> why;
@@ -73,20 +63,21 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
   for (const auto& [reason, count] : why)
     line(out, "left out",
          fmt::format("{} primitives, {} triangles: {}", count[0], grouped(count[1]), sentence(reason)));
-  if (unique > plan.triangles.size())
+  if (baked.unique > plan.triangles.size())
     line(out, "left out",
-         fmt::format("{} UV-duplicates of other triangles{}", grouped(unique - plan.triangles.size()),
-                     turned == 0
+         fmt::format("{} UV-duplicates of other triangles{}", grouped(baked.unique - plan.triangles.size()),
+                     baked.reordered == 0
                          ? ""
                          : fmt::format("; {} triangles are rotated or mirrored ones: their map is reordered",
-                                       grouped(turned))));
-  if (lines + points != 0)
+                                       grouped(baked.reordered))));
+  if (baked.lines + baked.points != 0)
     line(out, "note",
-         fmt::format("{} distinct triangles see a line of the texture, {} a point", lines, points));
-  if (limited != 0)
+         fmt::format("{} distinct triangles see a line of the texture, {} a point", baked.lines,
+                     baked.points));
+  if (baked.limited != 0)
     line(out, "left out",
          fmt::format("levels above {} of {} distinct triangles, whose texture would bear more: the limit",
-                     limit, limited));
+                     baked.limit, baked.limited));
   if (levels.lowered != 0)
     line(out, "left out",
          fmt::format("levels of {} distinct triangles, lowered to fit the memory budget",
@@ -117,10 +108,10 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
   line(out, "uniform",
        fmt::format("{} of {} distinct triangles: special indices, no map; {} more need 2 states only",
                    grouped(uniform), grouped(f.baked.triangles.size()), grouped(two_state)));
-  if (f.saved.area > 0)
+  if (f.any_hit.area > 0)
     line(out, "any-hit",
          fmt::format("{:.2f} % of the placed area calls no shader ({:.2f} % transparent, {:.2f} % opaque)",
-                     100 * f.saved.known(), 100 * f.saved.transparent, 100 * f.saved.opaque));
+                     100 * f.any_hit.known(), 100 * f.any_hit.transparent, 100 * f.any_hit.opaque));
   else
     line(out, "any-hit", "no area is placed that could be counted");
   fmt::print(out, "\nsizes\n");
@@ -165,7 +156,7 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
     fmt::print(out, "  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10.2f}{:>12}{:>12}{:>10.2f}{:>9.2f} %\n", at.level,
                grouped(p.records), grouped(p.special), bytes_text(p.mode[0].data), bytes_text(p.mode[0].tree),
                share(p.mode[0].data, p.mode[0].tree), bytes_text(p.mode[1].data), bytes_text(p.mode[1].tree),
-               share(p.mode[1].data, p.mode[1].tree), 100 * at.saved.unknown);
+               share(p.mode[1].data, p.mode[1].tree), 100 * at.any_hit.unknown);
   }
 }
 

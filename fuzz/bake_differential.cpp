@@ -2,8 +2,9 @@
 //
 // Input, bytes that are missing being 0:
 //   0  width - 1 (bits 0..2), height - 1 (bits 3..5), texels of 8 bits, 16, binary32 (bits 6..7: 0 1 2, 3 is
-//   0) 1  the wraps' numbers u + 5 v, modulo 25 2  nearest (bit 0), BLEND (bit 1), two mips (bit 2), a second
-//   factor of 1/2 (bit 3), level (bits 4..5),
+//      0)
+//   1  the wraps' numbers u + 5 v, modulo 25
+//   2  nearest (bit 0), BLEND (bit 1), two mips (bit 2), a second factor of 1/2 (bit 3), level (bits 4..5),
 //      coordinates as binary32 by their bits (bit 6), a margin of 1/4 (bit 7)
 //   3  the cutoff's numerator
 //   4  its denominator - 1; 0 stands for 1/2

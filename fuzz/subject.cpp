@@ -134,7 +134,7 @@ Bytes code_of(std::uint32_t level, std::uint32_t bits, const Bytes& map) {
   const bool stream = (subject().flags & MMVERIFY_TREE_STREAM) != 0;
   Bytes algorithm_1;
   if (stream) {
-    const auto paper = fast::tree::encode_stream(level, static_cast<fast::tree::Bits>(bits), map);
+    const auto paper = fast::tree::encode_stream(level, static_cast<fast::tree::Format>(bits), map);
     algorithm_1 = paper.tree;
     algorithm_1.insert(algorithm_1.end(), paper.data.begin(), paper.data.end());
   }

@@ -56,7 +56,7 @@ std::uint32_t crc32c(const Bytes& bytes) {
 void stream(const std::uint8_t* data, std::size_t size) {
   const tree::Level n = data[0] % 13;
   const std::uint32_t b = 1 + (data[1] & 1);
-  const auto bits = static_cast<tree::Bits>(b);
+  const auto bits = static_cast<tree::Format>(b);
   tree::Stream s;
   s.nodes = 4 * std::uint64_t{data[1] / 2u} + 1;
   s.leaves = (3 * s.nodes + 1) / 4;

@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 2) return 0;
   const tree::Level n = data[0] % 8;
   const std::uint32_t b = 1 + (data[1] & 1);
-  const auto bits = static_cast<tree::Bits>(b);
+  const auto bits = static_cast<tree::Format>(b);
   const std::uint64_t count = std::uint64_t{1} << (2 * n);
   const std::vector<std::uint8_t> states = drawn(data + 2, size - 2, (data[1] & 2) != 0, count, b);
   Bytes map((count * b + 7) / 8);

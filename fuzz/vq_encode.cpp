@@ -4,8 +4,7 @@
 // Input: a byte of the format (bit 0: VQ4) and of how the map is drawn (bits 1 and 2), a byte that chooses
 // the encoders (VQ2, by its low two bits: 1 the optimum, 2 Algorithm 1, else both; VQ4: fast unless bit 1,
 // balanced with bit 0 or 1, thorough with bits 2 and 3, Algorithm 2 with bits 4 and 5, read kindly with bit
-// 6), then by how it is
-// drawn
+// 6), then by how it is drawn
 //   0  runs, a byte each: its low two bits the state (3 is C), the rest, plus one, the length
 //   1  regions, two bits each
 //   2  a byte k, k % 12 + 1 vectors of a byte each that hashes to its code words, then for each of the map's

@@ -109,7 +109,8 @@ constexpr std::uint32_t gather(std::uint32_t x) noexcept {
 ///   b0 to the even bits, b1 to the odd; row stands for NOT iw, which saves the masks.
 /// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16,
 /// more is 16. Result in [0, 4^level): exactly the rational evaluation of the reference for every pair of
-/// finite floats. Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+/// finite floats.
+/// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 inline std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const detail::Located p = detail::locate(u, v, n);
@@ -156,8 +157,8 @@ void corners(std::span<const std::uint32_t> index, Level level, const CornerSpan
 ///   row = min(N-1, floor((u+v)N)), col = min(row, floor(vN)), dia = min(N-1, N - ceil(uN)).
 /// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16,
 /// more is 16. Result in [0, 4^level), exact for every pair of finite floats in the triangle; outside it, the
-/// same formula on the clamped numbers, which stays in the range because dia >= N-1-row even there. Source:
-/// Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
+/// same formula on the clamped numbers, which stays in the range because dia >= N-1-row even there.
+/// Source: Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
 inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const detail::Located p = detail::locate(u, v, n);

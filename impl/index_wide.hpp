@@ -66,8 +66,8 @@ constexpr Word wide_curve(const WideSquare<Word>& q) noexcept {
 /// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..30,
 /// more is 30. Result in [0, 4^level): exactly the rational evaluation of the formula, in words without
 /// bounds, for every pair of finite floats; at levels 0..16 that of from_barycentrics. The whole parts and
-/// the carry are exact for the reasons given at detail::locate. Source: VK_EXT_opacity_micromap, appendix
-/// "Reference Code"; the words' width is ours.
+/// the carry are exact for the reasons given at detail::locate.
+/// Source: VK_EXT_opacity_micromap, appendix "Reference Code"; the words' width is ours.
 inline std::uint64_t from_barycentrics_wide(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_wide_level);
   const float side = static_cast<float>(std::int32_t{1} << n);

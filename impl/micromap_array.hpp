@@ -55,9 +55,10 @@ struct Options {
 /// Adds a geometry's maps, in their order, to an array; linear in all bytes.
 /// A map is a special index if it is uniform and that is wanted, else the first equal record from
 /// base_triangle on if sharing is wanted, else a new record at the end, its bytes at the end of the data.  A
-/// triangle's index is its record less base_triangle. Domain: base_triangle at most the number of records,
-/// maps as PackedMap has them, else std::invalid_argument. An index that the encoding cannot hold, or data
-/// beyond 2^32 bytes: std::length_error, naming the triangle. After an error the array is as it was.
+/// triangle's index is its record less base_triangle.
+/// Domain: base_triangle at most the number of records, maps as PackedMap has them, else
+/// std::invalid_argument. An index that the encoding cannot hold, or data beyond 2^32 bytes:
+/// std::length_error, naming the triangle. After an error the array is as it was.
 Geometry append(Array& array, std::span<const PackedMap> maps, const Options& options);
 
 /// The array's usage counts, of its records: ordered by level, then format, none of them zero.

@@ -53,8 +53,9 @@ struct Violation {
 /// A record that overlaps others is listed once, with the one that reaches furthest into it.  Without an
 /// index buffer the first triangle out of range stands for those after it; with a stride of 0, triangle 0
 /// stands for all. Where records or indices are missing, or an index names no record, counts that depend on
-/// them are not judged. Domain: everything; nothing is read outside the spans, whatever the counts, strides
-/// and offsets say. O(n log n) in the bytes given.
+/// them are not judged.
+/// Domain: everything; nothing is read outside the spans, whatever the counts, strides and offsets say. O(n
+/// log n) in the bytes given.
 std::vector<Violation> validate(const Input& in);
 
 /// One line: the rule's id, the place, what was found.

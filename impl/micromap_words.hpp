@@ -87,8 +87,9 @@ inline std::uint64_t load(const std::uint8_t* from, std::size_t bytes) {
 }
 
 /// f(word) for each `in_step` bytes of a packed map of in_bits bits, giving `out_step` bytes each, out_bits
-/// in all; bits after the last are zero in what f gets and in what is stored. Domain: in has ceil(in_bits /
-/// 8) bytes or more, out exactly ceil(out_bits / 8); in_bits / in_step == out_bits / out_step.
+/// in all; bits after the last are zero in what f gets and in what is stored.
+/// Domain: in has ceil(in_bits / 8) bytes or more, out exactly ceil(out_bits / 8); in_bits / in_step ==
+/// out_bits / out_step.
 template <std::size_t in_step, std::size_t out_step, class F>
 void each_word(std::span<const std::uint8_t> in, std::uint64_t in_bits, std::span<std::uint8_t> out,
                std::uint64_t out_bits, F f) {

@@ -13,12 +13,12 @@ namespace mmverify::impl::tree {
 
 using detail::Layout;
 
-Tree Tree::encode(Level n, Bits b, std::span<const std::uint8_t> map) {
+Tree Tree::encode(Level n, Format b, std::span<const std::uint8_t> map) {
   detail::require_map(n, b, map.size());
   return Tree(detail::encode_form(n, b, map, {}));
 }
 
-Tree Tree::encode(Level n, Bits b, std::span<const std::uint8_t> map, Depths depths) {
+Tree Tree::encode(Level n, Format b, std::span<const std::uint8_t> map, Depths depths) {
   detail::require_map(n, b, map.size());
   if (depths.top > depths.block || depths.block >= std::max<Level>(n, 1))
     throw std::invalid_argument("tree: no such depths");
@@ -47,11 +47,9 @@ std::uint64_t Tree::bits() const noexcept { return 8 * Layout::of(memory_.get())
 
 Level Tree::level() const noexcept { return Layout::of(memory_.get()).level(); }
 
-Bits Tree::format() const noexcept {
-  return Layout::of(memory_.get()).b == 1 ? Bits::two_state : Bits::four_state;
+Format Tree::format() const noexcept {
+  return Layout::of(memory_.get()).b == 1 ? Format::two_state : Format::four_state;
 }
-
-std::uint32_t Tree::steps() const noexcept { return Layout::of(memory_.get()).steps(); }
 
 void lookup(std::span<const Tree* const> trees, std::span<const std::uint32_t> which,
             std::span<const std::uint32_t> index, std::span<std::uint8_t> state) {

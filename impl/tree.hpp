@@ -28,7 +28,7 @@ class Tree {
   /// sequences) and the header; of these the shallowest that takes at most 1/32 more than the smallest; the
   /// smallest of all where none fits.  Equal maps give equal forms.
   /// Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown.
-  static Tree encode(Level n, Bits b, std::span<const std::uint8_t> map);
+  static Tree encode(Level n, Format b, std::span<const std::uint8_t> map);
 
   /// Where a form's nodes begin and where its blocks do: k and m.
   struct Depths {
@@ -37,7 +37,7 @@ class Tree {
 
   /// The form with these depths, whatever memory it takes: for who wants to see each of them work.
   /// Domain: as above, and top <= block < max(n, 1), or std::invalid_argument is thrown.
-  static Tree encode(Level n, Bits b, std::span<const std::uint8_t> map, Depths depths);
+  static Tree encode(Level n, Format b, std::span<const std::uint8_t> map, Depths depths);
 
   /// The state of a micro-triangle.  Domain: index < 4^level; its low 2 level bits count.
   std::uint8_t operator[](std::uint64_t index) const noexcept;
@@ -57,10 +57,7 @@ class Tree {
   /// All memory of the form in bits, header and counts included; not this handle, a pointer.
   std::uint64_t bits() const noexcept;
   Level level() const noexcept;
-  Bits format() const noexcept;
-
-  /// How many steps down a lookup takes at most: m-k.
-  std::uint32_t steps() const noexcept;
+  Format format() const noexcept;
 
   /// What a lookup reads: the bytes of the form from header() on, for models of the cache.
   const std::uint8_t* memory() const noexcept { return memory_.get(); }

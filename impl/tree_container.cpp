@@ -51,7 +51,7 @@ struct Sizes {
   bool flat() const { return tree + data >= map; }
 };
 
-Sizes sizes(Level n, Bits b, std::uint64_t internal) {
+Sizes sizes(Level n, Format b, std::uint64_t internal) {
   const std::uint64_t width = static_cast<std::uint32_t>(b);
   return {detail::bytes_for((std::uint64_t{1} << (2 * n)) * width), detail::bytes_for(4 * internal + 1),
           detail::bytes_for((3 * internal + 1) * width)};
@@ -85,7 +85,7 @@ std::optional<Contents> read_or(std::span<const std::uint8_t> bytes, const Refus
   if (bytes[6] != 1 && bytes[6] != 2)
     return refuse(
         6, [&] { return Complaint("format " + number(bytes[6]), "1 (two states) or 2 (four states)"); });
-  const Bits b{bytes[6]};
+  const Format b{bytes[6]};
   if (bytes[7] != Kind::flat && bytes[7] != Kind::tree)
     return refuse(7, [&] { return Complaint("kind " + number(bytes[7]), "0 (flat) or 1 (tree)"); });
   const bool is_flat = bytes[7] == Kind::flat;
@@ -146,7 +146,7 @@ BadContainer::BadContainer(std::size_t byte, const std::string& found, const std
     : std::runtime_error("byte " + number(byte) + ": " + found + "; " + would_do + " would do"),
       byte_(byte) {}
 
-std::vector<std::uint8_t> write(Level n, Bits b, std::span<const std::uint8_t> map) {
+std::vector<std::uint8_t> write(Level n, Format b, std::span<const std::uint8_t> map) {
   detail::require_map(n, b, map.size());
   const Stream s = encode_stream(n, b, map);
   const std::uint64_t internal = s.nodes / 4;

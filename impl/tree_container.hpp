@@ -39,12 +39,12 @@ class BadContainer : public std::runtime_error {
 inline constexpr std::size_t container_header = 16;
 
 /// The container of a map.  Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown.
-std::vector<std::uint8_t> write(Level n, Bits b, std::span<const std::uint8_t> map);
+std::vector<std::uint8_t> write(Level n, Format b, std::span<const std::uint8_t> map);
 
 /// What a container holds: a map, packed.
 struct Contents {
   Level level;
-  Bits format;
+  Format format;
   std::vector<std::uint8_t> map;
 };
 

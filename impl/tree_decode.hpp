@@ -17,7 +17,7 @@ struct Fault {
 };
 
 /// decode_stream, over sequences that lie anywhere.
-std::optional<Fault> decode(Level n, Bits b, std::span<const std::uint8_t> tree, std::uint64_t nodes,
+std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tree, std::uint64_t nodes,
                             std::span<const std::uint8_t> data, std::uint64_t leaves,
                             std::span<std::uint8_t> map);
 

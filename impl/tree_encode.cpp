@@ -15,7 +15,7 @@ namespace mmverify::impl::tree::detail {
 namespace {
 
 /// The form of a map for one choice of k and m.
-Layout layout_for(const Pyramid& pyramid, Level n, Bits b, Level k, Level m) {
+Layout layout_for(const Pyramid& pyramid, Level n, Format b, Level k, Level m) {
   std::uint64_t parents = 0;
   for (Level d = k; d < m; ++d) parents += pyramid.internal(d);
   const std::uint64_t blocks = pyramid.internal(m), ones = parents + blocks;
@@ -30,7 +30,7 @@ Layout layout_for(const Pyramid& pyramid, Level n, Bits b, Level k, Level m) {
           .blocks = blocks};
 }
 
-Layout chosen(const Pyramid& pyramid, Level n, Bits b) {
+Layout chosen(const Pyramid& pyramid, Level n, Format b) {
   const std::uint64_t internal = pyramid.internal();
   const std::uint64_t paper = 4 * internal + 1 + (3 * internal + 1) * static_cast<std::uint32_t>(b);
   const std::uint64_t budget = (paper + paper / 17) / 8 + Layout::nodes_at;
@@ -111,7 +111,7 @@ void put_blocks(std::span<const std::uint64_t> mixed, const std::uint8_t* map, s
 
 }  // namespace
 
-std::unique_ptr<std::uint8_t[]> encode_form(Level n, Bits b, std::span<const std::uint8_t> map,
+std::unique_ptr<std::uint8_t[]> encode_form(Level n, Format b, std::span<const std::uint8_t> map,
                                             std::optional<Tree::Depths> depths) {
   const Pyramid pyramid(n, b, map);
   const Layout layout =

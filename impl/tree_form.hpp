@@ -11,7 +11,7 @@
 namespace mmverify::impl::tree::detail {
 
 /// The memory of a map's form, as Tree::encode says; depths: those, or whatever suits the map.
-std::unique_ptr<std::uint8_t[]> encode_form(Level n, Bits b, std::span<const std::uint8_t> map,
+std::unique_ptr<std::uint8_t[]> encode_form(Level n, Format b, std::span<const std::uint8_t> map,
                                             std::optional<Tree::Depths> depths);
 
 /// The map of a form.  Domain: a map of the level's size.

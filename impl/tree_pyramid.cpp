@@ -4,6 +4,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "impl/micromap_words.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "impl/tree_pyramid.cpp"
 #include <hwy/foreach_target.h>
@@ -15,12 +17,14 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::tree::detail {
 namespace HWY_NAMESPACE {
 
+using micromap::detail::bytes_to_pairs, micromap::detail::nibbles_to_bits;
+
 constexpr std::uint64_t nibbles = 0x1111111111111111, pairs = 0x0303030303030303, bytes = 0x0101010101010101;
 
 /// One bit a nibble: any of the four flags.
 constexpr std::uint64_t any_of_four(std::uint64_t flags) noexcept {
   flags |= flags >> 1;
-  return gather_nibbles((flags | flags >> 2) & nibbles);
+  return nibbles_to_bits((flags | flags >> 2) & nibbles);
 }
 
 /// What a word of children makes of their parents: 16 bits of states; of flags, 16 of 2-state, 8 of 4-state.
@@ -31,7 +35,7 @@ struct Parents {
 /// A parent is internal where a child is or where the first states of its children differ.
 constexpr Parents parents_two(std::uint64_t mixed, std::uint64_t states) noexcept {
   const std::uint64_t first = states & nibbles;
-  return {any_of_four(mixed | (states ^ first * 15)), gather_nibbles(first)};
+  return {any_of_four(mixed | (states ^ first * 15)), nibbles_to_bits(first)};
 }
 
 constexpr Parents parents_four(std::uint64_t mixed, std::uint64_t states) noexcept {
@@ -44,7 +48,7 @@ constexpr Parents parents_four(std::uint64_t mixed, std::uint64_t states) noexce
   differ = (differ | differ >> 7) & 0x0003000300030003;
   differ = (differ | differ >> 14) & 0x0000000f0000000f;
   differ = (differ | differ >> 28) & 0xff;
-  return {any_of_four(mixed) | differ, gather_pairs(first)};
+  return {any_of_four(mixed) | differ, bytes_to_pairs(first)};
 }
 
 // Words of children to their parents' states and flags.  mixed_below: none where the children are of the map.
@@ -103,15 +107,15 @@ constexpr std::uint64_t nodes_at(Level d) noexcept { return std::uint64_t{1} << 
 
 }  // namespace
 
-void require_map(Level n, Bits b, std::size_t map_bytes) {
+void require_map(Level n, Format b, std::size_t map_bytes) {
   if (n > max_level) throw std::invalid_argument("tree: the level is above 12");
-  if (b != Bits::two_state && b != Bits::four_state)
+  if (b != Format::two_state && b != Format::four_state)
     throw std::invalid_argument("tree: a state has 1 or 2 bits");
   if (map_bytes != bytes_for(nodes_at(n) * static_cast<std::uint32_t>(b)))
     throw std::invalid_argument("tree: the map is not ceil(4^level * bits / 8) bytes long");
 }
 
-Pyramid::Pyramid(Level n, Bits b, std::span<const std::uint8_t> map) : b_(static_cast<std::uint32_t>(b)) {
+Pyramid::Pyramid(Level n, Format b, std::span<const std::uint8_t> map) : b_(static_cast<std::uint32_t>(b)) {
   const Level depths = std::max<Level>(n, 1);
   std::size_t size = 0;
   for (Level d = 0; d < depths; ++d) {

@@ -14,28 +14,13 @@
 namespace mmverify::impl::tree::detail {
 
 /// Throws std::invalid_argument unless the level is at most max_level and the map has its size.
-void require_map(Level n, Bits b, std::size_t map_bytes);
-
-/// Gathers the lowest bit of each nibble into 16 bits; the others must be clear.
-constexpr std::uint64_t gather_nibbles(std::uint64_t x) noexcept {
-  x = (x | x >> 3) & 0x0303030303030303;
-  x = (x | x >> 6) & 0x000f000f000f000f;
-  x = (x | x >> 12) & 0x000000ff000000ff;
-  return (x | x >> 24) & 0xffff;
-}
-
-/// Gathers the lowest two bits of each byte into 16 bits; the others must be clear.
-constexpr std::uint64_t gather_pairs(std::uint64_t x) noexcept {
-  x = (x | x >> 6) & 0x000f000f000f000f;
-  x = (x | x >> 12) & 0x000000ff000000ff;
-  return (x | x >> 24) & 0xffff;
-}
+void require_map(Level n, Format b, std::size_t map_bytes);
 
 /// For every depth d in 0..n-1 (0 alone where n = 0), one bit a node: internal or not; and its first state.
 /// Domain: level and size as require_map wants them.  Reads the map once; padding bits are ignored.
 class Pyramid {
  public:
-  Pyramid(Level n, Bits b, std::span<const std::uint8_t> map);
+  Pyramid(Level n, Format b, std::span<const std::uint8_t> map);
 
   /// Flags of depth d, bit k for node k, 64 a word; bits beyond 4^d are zero.
   std::span<const std::uint64_t> mixed(Level d) const noexcept {

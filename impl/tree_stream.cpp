@@ -12,8 +12,6 @@ namespace {
 
 using namespace detail;
 
-constexpr std::uint32_t width(Bits b) noexcept { return static_cast<std::uint32_t>(b); }
-
 /// Algorithm 2 over the pyramid.
 struct Encoder {
   const Pyramid& pyramid;
@@ -76,18 +74,18 @@ bool clear_beyond(std::span<const std::uint8_t> bytes, std::uint64_t bits) noexc
 
 }  // namespace
 
-Stream encode_stream(Level n, Bits b, std::span<const std::uint8_t> map) {
+Stream encode_stream(Level n, Format b, std::span<const std::uint8_t> map) {
   require_map(n, b, map.size());
   const Pyramid pyramid(n, b, map);
   const std::uint64_t internal = pyramid.internal();
   Stream s;
   s.nodes = 4 * internal + 1;
   s.leaves = 3 * internal + 1;
-  const std::uint64_t data_bits = s.leaves * width(b);
+  const std::uint64_t data_bits = s.leaves * bits(b);
   // The writers store whole words.
   s.tree.resize(bytes_for(s.nodes) + 8);
   s.data.resize(bytes_for(data_bits) + 8);
-  Encoder encoder{pyramid, map, n, width(b), BitWriter(s.tree.data()), BitWriter(s.data.data())};
+  Encoder encoder{pyramid, map, n, bits(b), BitWriter(s.tree.data()), BitWriter(s.data.data())};
   if (internal > 0)
     encoder.internal(0, 0);
   else
@@ -131,7 +129,7 @@ Sixteen sixteen(std::uint64_t tree, std::uint64_t data, std::uint32_t b) noexcep
 
 }  // namespace
 
-std::optional<Fault> decode(Level n, Bits b, std::span<const std::uint8_t> tree_bytes, std::uint64_t nodes,
+std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tree_bytes, std::uint64_t nodes,
                             std::span<const std::uint8_t> data_bytes, std::uint64_t leaves,
                             std::span<std::uint8_t> map) {
   using In = Fault::In;
@@ -141,7 +139,7 @@ std::optional<Fault> decode(Level n, Bits b, std::span<const std::uint8_t> tree_
   if (nodes % 4 != 1) return Fault{In::counts, 0, "a number of nodes that is not 4 i + 1"};
   if (leaves != (3 * nodes + 1) / 4)
     return Fault{In::counts, 0, "a number of leaves that is not (3 nodes + 1) / 4"};
-  const std::uint64_t data_bits = leaves * width(b);
+  const std::uint64_t data_bits = leaves * bits(b);
   if (tree_bytes.size() != bytes_for(nodes)) return Fault{In::tree, nodes, "a sequence of another length"};
   if (data_bytes.size() != bytes_for(data_bits))
     return Fault{In::data, data_bits, "a sequence of another length"};
@@ -157,7 +155,7 @@ std::optional<Fault> decode(Level n, Bits b, std::span<const std::uint8_t> tree_
   state[0] = none;
   Level d = 0;
   std::uint64_t bit = 0;  // of the map
-  const std::uint64_t all_bits = (std::uint64_t{1} << (2 * n)) * width(b);
+  const std::uint64_t all_bits = (std::uint64_t{1} << (2 * n)) * bits(b);
   while (true) {
     const std::uint64_t place = tree.place();
     if (place >= nodes) return Fault{In::tree, nodes, "an end before the last subtree"};
@@ -167,13 +165,13 @@ std::optional<Fault> decode(Level n, Bits b, std::span<const std::uint8_t> tree_
       if (d == n) return Fault{In::tree, place, "an internal node on the last level"};
       state[d] = mixed;
       if (d + 2 == n && nodes - place > 20) {
-        const Sixteen below = sixteen(tree.peek(), data.peek(), width(b));
+        const Sixteen below = sixteen(tree.peek(), data.peek(), bits(b));
         // What is wrong, and where, the way of single bits finds out.
         if (below.good) {
           tree.skip(below.tree_bits);
           data.skip(below.data_bits);
-          std::memcpy(map.data() + bit / 8, &below.states, 2 * width(b));
-          bit += 16 * width(b);
+          std::memcpy(map.data() + bit / 8, &below.states, 2 * bits(b));
+          bit += 16 * bits(b);
           while (--left[d] == 0) {
             if (d == 0) {
               if (tree.place() == nodes) return std::nullopt;
@@ -188,11 +186,11 @@ std::optional<Fault> decode(Level n, Bits b, std::span<const std::uint8_t> tree_
       state[d] = none;
       continue;
     }
-    const auto value = static_cast<std::uint32_t>(data.peek() & low_bits(width(b)));
-    data.skip(width(b));
+    const auto value = static_cast<std::uint32_t>(data.peek() & low_bits(bits(b)));
+    data.skip(bits(b));
     state[d] = state[d] == none || state[d] == value ? value : mixed;
     const std::uint64_t run = all_bits >> (2 * d);
-    fill_run(map.data(), bit, run, repeated(value, width(b)));
+    fill_run(map.data(), bit, run, repeated(value, bits(b)));
     bit += run;
     while (--left[d] == 0) {
       if (d == 0) {
@@ -207,11 +205,11 @@ std::optional<Fault> decode(Level n, Bits b, std::span<const std::uint8_t> tree_
 
 }  // namespace detail
 
-bool decode_stream(Level n, Bits b, const Stream& s, std::span<std::uint8_t> map) {
+bool decode_stream(Level n, Format b, const Stream& s, std::span<std::uint8_t> map) {
   return !detail::decode(n, b, s.tree, s.nodes, s.data, s.leaves, map);
 }
 
-std::uint8_t lookup_stream(Level n, Bits b, const Stream& s, std::uint64_t index) {
+std::uint8_t lookup_stream(Level n, Format b, const Stream& s, std::uint64_t index) {
   const std::uint64_t length = std::min<std::uint64_t>(s.nodes, 8 * s.tree.size());
   const auto internal = [&s](std::uint64_t t) { return (s.tree[t >> 3] >> (t & 7) & 1) != 0; };
   std::uint64_t t = 0, d = 0;
@@ -231,9 +229,9 @@ std::uint8_t lookup_stream(Level n, Bits b, const Stream& s, std::uint64_t index
       ++t;
     }
   }
-  const std::uint64_t bit = d * width(b);
+  const std::uint64_t bit = d * bits(b);
   if (bit / 8 >= s.data.size()) return 0;
-  return static_cast<std::uint8_t>(s.data[bit >> 3] >> (bit & 7) & low_bits(width(b)));
+  return static_cast<std::uint8_t>(s.data[bit >> 3] >> (bit & 7) & low_bits(bits(b)));
 }
 
 }  // namespace mmverify::impl::tree

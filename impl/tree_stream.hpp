@@ -10,16 +10,14 @@
 #include <span>
 #include <vector>
 
+#include "impl/micromap.hpp"
+
 namespace mmverify::impl::tree {
 
-/// A subdivision level n.
-using Level = std::uint32_t;
+using micromap::Format, micromap::Level;
 
 /// The highest level in use: 16,777,216 micro-triangles, a map of 2 or 4 MiB.
 inline constexpr Level max_level = 12;
-
-/// Bits a state, by the names of the two formats.
-enum class Bits : std::uint8_t { two_state = 1, four_state = 2 };
 
 /// The two bit sequences, least significant bit first, padded with zeros to whole bytes.
 struct Stream {
@@ -35,14 +33,14 @@ struct Stream {
 /// rest of the work is linear in the tree.
 /// Source: Succinct Opacity Micromaps, Algorithms 1 and 2, with the children pushed from the last to the
 /// first, so that child 0 comes first.
-Stream encode_stream(Level n, Bits b, std::span<const std::uint8_t> map);
+Stream encode_stream(Level n, Format b, std::span<const std::uint8_t> map);
 
 /// The map of a stream; map[k] of every padding bit is zero.
 /// False, and nothing promised about the map, where the stream is no tree of encode_stream: nodes or leaves
 /// that are not 4 i + 1 and 3 i + 1 of one i, a sequence of another length, a padding bit that is set, a tree
 /// that ends early or late or goes below level n, four sibling leaves of one state.
 /// Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown; any stream.
-bool decode_stream(Level n, Bits b, const Stream& s, std::span<std::uint8_t> map);
+bool decode_stream(Level n, Format b, const Stream& s, std::span<std::uint8_t> map);
 
 /// One state, straight from the two sequences: Algorithm 3, a bit at a time, as it is printed.
 ///   t, d = 0; while tree[t]: t = t+1, then skip as many subtrees as the next digit of the index says,
@@ -50,6 +48,6 @@ bool decode_stream(Level n, Bits b, const Stream& s, std::span<std::uint8_t> map
 /// Domain: n in 0..12, index < 4^n (its low 2n bits count); any stream.  Where the stream ends before the
 /// leaf, or goes below level n, the answer is 0; nothing beyond its vectors is read.
 /// Source: Succinct Opacity Micromaps, Algorithm 3.
-std::uint8_t lookup_stream(Level n, Bits b, const Stream& s, std::uint64_t index);
+std::uint8_t lookup_stream(Level n, Format b, const Stream& s, std::uint64_t index);
 
 }  // namespace mmverify::impl::tree

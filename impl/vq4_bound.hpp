@@ -4,8 +4,7 @@
 // is at most p_i, plus (|e| - p_i)+ of the one entry e that it takes.  Of an entry, let S be what the sources
 // that take it and pay (|e| > p_i) have in common: S holds e, so each pays no less for S.  Entries with one
 // and the same S share sources none of which is counted twice, so distinct S will do, and 13 entries keep
-//   at most  sum of p_i + the 13 greatest worth(S),   worth(S) = sum over the sources around S of (|S| -
-//   p_i)+
+//   at most sum of p_i + the 13 greatest worth(S), worth(S) = sum over the sources around S of (|S| - p_i)+
 // over the distinct S that are intersections of sources, each with |S| > p_i.
 // Prices come from a subgradient descent over a pool of sets.  That no other S is worth more than the 13th of
 // the pool is then shown by branch and bound over intersections: a subset of a set e is worth no more than

@@ -9,9 +9,9 @@
 
 namespace mmverify::proofs {
 
-/// One of a library's subjects: index in binary32 or binary64, tree, micromap, vq.
+/// One of a library's subjects: index in binary32 or binary64, tree, micromap, vq, bake.
 struct PluginSubject {
-  std::string kind;  ///< f32, f64, tree, micromap, vq
+  std::string kind;  ///< f32, f64, tree, micromap, vq, bake
   SubjectPtr subject;
 };
 

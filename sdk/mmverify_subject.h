@@ -11,7 +11,7 @@
  * Contract of every entry point (those of maps and codes have more to it, below):
  *   - count is 1 or more; arrays hold count elements (corners: 6 times count). Inputs are read-only.
  *   - the answer for an element depends on that element and the level alone: not on its place in the batch,
- * the batch's size, earlier calls or the thread. Anything else is reported as non-deterministic.
+ *     the batch's size, earlier calls or the thread. Anything else is reported as non-deterministic.
  *   - calls come from several threads of one process at once, unless flags has MMVERIFY_SINGLE_THREADED.
  *   - the rounding and flush-to-zero modes are those of a fresh process, and are left as they were found.
  *   - nothing is thrown across this border.
@@ -156,7 +156,7 @@ typedef struct mmverify_subject {
    * the left, y from the BOTTOM. The order of a block's bits, which the paper does not say, is that of
    * docs/VQ.md.
    *   - Every block is one. A decoder writes the whole map; `region` gives the states at (x[k], y[k]), each
-   * below 16 or 32.
+   *     below 16 or 32.
    *   - An encoder takes every map, O beside T included, and writes a whole block; one map has one block.
    *   - Each stands alone: what the block of an encoder means is found by the specification.
    */
@@ -173,12 +173,12 @@ typedef struct mmverify_subject {
    * the order of the index, packed as maps are, the bits after the last state zero. Nonzero if it is baked; 0
    * if the subject does not support the case, and then what lies in `map` does not count. Cases that it
    * declines are counted and never held for right.
-   *   - O: alpha, as it is sampled, is opaque on the whole closed micro-triangle, and in each mip. MASK:
-   * alpha
-   * >= cutoff; BLEND: alpha >= 1. T: transparent on all of it. MASK: alpha < cutoff; BLEND: alpha <= 0.
+   *   - O: alpha, as it is sampled, is opaque on the whole closed micro-triangle, and in each mip.
+   *     MASK: alpha >= cutoff; BLEND: alpha >= 1.
+   *   - T: transparent on all of it. MASK: alpha < cutoff; BLEND: alpha <= 0.
    *   - Anything may be unknown; how much of it has to be is for the law bake.tight to say.
    *   - With the flag MMVERIFY_BAKE_CENTROID an unknown one is UO where alpha at its centroid, in mip 0, is
-   * >= cutoff (BLEND: >= 1/2), else UT.  A map in 2-state has O for O and UO, T for T and UT. */
+   *     >= cutoff (BLEND: >= 1/2), else UT.  A map in 2-state has O for O and UO, T for T and UT. */
   int (*bake)(const mmverify_bake_case_t* what, uint8_t* map);
 
   /* Arrays will have their entry points after these. */

@@ -164,8 +164,8 @@ struct Range {
   }
 };
 
-/// Over a polygon within one cell: its corners, and on each edge from p to q the point where alpha stands
-/// still,
+/// Over a polygon within one cell: its corners, and on each edge from p to q the point where alpha
+/// stands still,
 ///   alpha(p + t (q - p)) = m + l t + k t^2,   t = -l / 2k in (0, 1).
 /// Inside there is no other extreme: d x y bends up one way and down the other (d = 0: alpha is affine).
 /// Domain: the polygon has a corner, in the cell's own coordinates.

@@ -3,8 +3,9 @@
 //
 //   reference       the bit formula of the Vulkan specification
 //   step            the recursion of Succinct Opacity Micromaps, Algorithm 4, in the readings that the paper
-//   allows corners         the way back: the micro-triangle that carries an index of the curve w_minor_* the
-//   older row order, Color and Attribute Micromaps, figure 4
+//                   allows
+//   corners         the way back: the micro-triangle that carries an index of the curve
+//   w_minor_*       the older row order, Color and Attribute Micromaps, figure 4
 #pragma once
 
 #include <array>

@@ -99,9 +99,10 @@ inline Histogram geometry_histogram(std::span<const Record> records, std::span<c
 /// Adds a geometry's maps, in their order, to an array.
 /// A map is a special index if it is uniform and that is wanted, else the first equal record from
 /// base_triangle on if sharing is wanted, else a new record at the end, its bytes at the end of the data.  A
-/// triangle's index is its record less base_triangle. Domain: base_triangle at most the number of records;
-/// maps as Map has them; else std::invalid_argument.  An index that the encoding cannot hold, or data beyond
-/// 2^32 bytes: std::length_error, naming the triangle. After an error the array is as it was.
+/// triangle's index is its record less base_triangle.
+/// Domain: base_triangle at most the number of records; maps as Map has them; else std::invalid_argument.  An
+/// index that the encoding cannot hold, or data beyond 2^32 bytes: std::length_error, naming the triangle.
+/// After an error the array is as it was.
 inline Geometry append(Array& array, std::span<const Map> maps, const Options& options) {
   if (options.base_triangle > array.records.size())
     throw std::invalid_argument("micromap::append: baseTriangle " + std::to_string(options.base_triangle) +

@@ -75,24 +75,23 @@ inline std::uint64_t key(std::uint32_t level, std::uint32_t format) {
 }  // namespace detail
 
 /// Every violation of the rules of the given sets, in the order of Violation.
-///   align.*, stride.*, records.whole, index.encoding, .stride*, .tight, .count   whole: what was found, what
-///   it is
-///                          held against
+///   align.*, stride.*, records.whole, index.encoding, .stride*, .tight, .count
+///                          whole: what was found, what it is held against
 ///   records.size           record, the first that is missing: bytes, records that there should be
 ///   record.format .level*  record: its format or level; the limit
 ///   record.region          record: its end, the data's size
 ///   record.overlap         record that begins, in the order of (offset, number), before the end of one
-///   before it:
-///                          of those the one with the furthest end (the first such), its own first byte
+///                          before it: of those the one with the furthest end (the first such), its own
+///                          first byte
 ///   counts.format .level* .zero   entry: its format or level; the limit
 ///   counts.array .geometry level 2^32 + format: what the counts say, what there is
 ///   index.size             triangle, the first without an index: bytes, triangles that there should be
 ///   index.special .range   triangle: its code, or its record, and the number of records; without a buffer
-///   the
-///                          first such triangle stands for those after it; with a stride of 0, triangle 0 for
-///                          all
+///                          the first such triangle stands for those after it; with a stride of 0,
+///                          triangle 0 for all
 /// Where records or indices are missing, or an index names no record, counts that depend on them are not
-/// judged. Domain: everything.
+/// judged.
+/// Domain: everything.
 inline std::vector<Violation> validate(const Input& in) {
   std::vector<Violation> found;
   const auto in_force = [&](Rule rule) { return (text(rule).sets & in.sets) != 0; };

@@ -3,14 +3,12 @@
 // What the print leaves open, and how it is taken here:
 //   child order   Algorithm 2's stack is given the children last to first, so that child 0 comes off first.
 //                 Algorithm 3 fits no other order: bitscan passes over `child` subtrees to reach that child.
-//   child digits  the children of a node are the digits 0..3 of the index, most significant digit at the
-//   root:
-//                 the curve nests.
+//   child digits  the children of a node are the digits 0..3 of the index, most significant digit at
+//                 the root: the curve nests.
 //   level n       its nodes are leaves and have their 0 in the tree like all others.
 //   bitscan       returns t and d, as its caller takes them; its count of subtrees to pass ends at 0.
-//   turns         the loops of Algorithms 2 and 3 are the iteration of templates, one turn each, so that a
-//   prover
-//                 can be shown the same turns.
+//   turns         the loops of Algorithms 2 and 3 are the iteration of templates, one turn each, so
+//                 that a prover can be shown the same turns.
 //   bits as bytes bit t of the tree in bit t mod 8 of byte t / 8; value d of b bits in bits b d .. b d + b-1,
 //                 likewise: the packing of micromaps.  The bits after the last are zero.
 #pragma once
@@ -184,7 +182,8 @@ Found at_point(const Succinct& s, const Point<Q>& p) {
 
 /// The map of level n that encodes to s; none where no map does: a tree that ends early or late, or goes
 /// below level n, more or fewer values than leaves, four sibling leaves of one state, a state that the format
-/// lacks. Source: Succinct Opacity Micromaps, 4.2, first paragraph.
+/// lacks.
+/// Source: Succinct Opacity Micromaps, 4.2, first paragraph.
 inline std::optional<States> decode(const Succinct& s, Level n, Format f) {
   States map;
   Cursor<std::uint64_t> at{0, 0};

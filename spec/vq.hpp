@@ -3,7 +3,8 @@
 //
 // Axes.  x counts regions from the left, y from the BOTTOM, as the papers' "X = Y" wants it: only with y
 // upwards do the rows of table 1 give the results that it names.  The left lower triangle of the pair is the
-// half x + y < side. Source: Compressed Opacity Maps, sections 3 to 5.
+// half x + y < side.
+// Source: Compressed Opacity Maps, sections 3 to 5.
 #pragma once
 
 #include <array>
@@ -241,7 +242,8 @@ enum class Half : std::uint8_t { lower, upper };
 
 /// The region of a hit: (u, v) itself in the lower triangle, (1-u, 1-v) in the upper, times side, rounded
 /// down; the far edges belong to the last region.  A point of the shared edge is in the same region from
-/// either triangle. Domain: u, v >= 0 and u + v <= 1.
+/// either triangle.
+/// Domain: u, v >= 0 and u + v <= 1.
 template <std::size_t side>
 Region region_of(Half half, const Rational& u, const Rational& v) {
   const Rational s = half == Half::lower ? u : Rational(1) - u, t = half == Half::lower ? v : Rational(1) - v;

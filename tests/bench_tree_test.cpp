@@ -19,17 +19,17 @@ namespace {
 
 using namespace mmverify::bench;
 using namespace mmverify::tests;
-using mmverify::impl::tree::Bits;
 using mmverify::impl::tree::encode_stream;
+using mmverify::impl::tree::Format;
 using mmverify::impl::tree::Level;
 using mmverify::impl::tree::Stream;
 using mmverify::impl::tree::Tree;
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr Bits both[] = {Bits::two_state, Bits::four_state};
+constexpr Format both[] = {Format::two_state, Format::four_state};
 
 TEST(BenchTree, PeersGiveTheMap) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 0; n <= 5; ++n)
       for (const States& states : assorted(n, b, 20)) {
         const Bytes map = packed(states, b);
@@ -43,7 +43,7 @@ TEST(BenchTree, PeersGiveTheMap) {
       }
 }
 
-std::uint32_t state_at(const Bytes& map, std::uint64_t k, Bits b) {
+std::uint32_t state_at(const Bytes& map, std::uint64_t k, Format b) {
   const std::uint64_t bit = k * width(b);
   return map[bit / 8] >> (bit % 8) & (2 * width(b) - 1);
 }
@@ -53,9 +53,9 @@ std::uint32_t state_at(const Bytes& map, std::uint64_t k, Bits b) {
 TEST(BenchTree, LeafMapsOfTheFormatsAgree) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
     for (const Level n : {0u, 3u, 6u}) {
-      const Bytes two = leaf_map(n, Bits::two_state, seed), four = leaf_map(n, Bits::four_state, seed);
+      const Bytes two = leaf_map(n, Format::two_state, seed), four = leaf_map(n, Format::four_state, seed);
       for (std::uint64_t k = 0; k < micro_triangles(n); ++k)
-        ASSERT_EQ(state_at(two, k, Bits::two_state), state_at(four, k, Bits::four_state) & 1)
+        ASSERT_EQ(state_at(two, k, Format::two_state), state_at(four, k, Format::four_state) & 1)
             << seed << ' ' << k;
     }
 }
@@ -63,15 +63,15 @@ TEST(BenchTree, LeafMapsOfTheFormatsAgree) {
 // The micro-triangle in the middle has its parent's centre: child 1.
 TEST(BenchTree, LeafMapsOfTheLevelsAgree) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Bytes coarse = leaf_map(4, Bits::two_state, seed), fine = leaf_map(5, Bits::two_state, seed);
+    const Bytes coarse = leaf_map(4, Format::two_state, seed), fine = leaf_map(5, Format::two_state, seed);
     for (std::uint64_t k = 0; k < micro_triangles(4); ++k)
-      ASSERT_EQ(state_at(coarse, k, Bits::two_state), state_at(fine, 4 * k + 1, Bits::two_state))
+      ASSERT_EQ(state_at(coarse, k, Format::two_state), state_at(fine, 4 * k + 1, Format::two_state))
           << seed << ' ' << k;
   }
 }
 
 TEST(BenchTree, ModelsReadNoLessThanOneLineAnArrayAndNoMoreThanThereAre) {
-  for (const Bits b : both) {
+  for (const Format b : both) {
     const Bytes map = leaf_map(6, b, 3);
     const Stream s = encode_stream(6, b, map);
     const Tree tree = Tree::encode(6, b, map);
@@ -95,7 +95,7 @@ TEST(BenchTree, ModelsReadNoLessThanOneLineAnArrayAndNoMoreThanThereAre) {
 // Ours over the paper's two sequences, all memory counted: at most 6 % more from level 6 up.
 TEST(BenchTree, MemoryIsNearThePapers) {
   if (sanitized) GTEST_SKIP() << "sizes are exact; the release build adds them up";
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 6; n <= 9; ++n) {
       std::uint64_t ours = 0, paper = 0;
       for (std::uint64_t seed = 1; seed <= 50; ++seed) {
@@ -112,7 +112,7 @@ TEST(BenchTree, FiguresAreComplete) {
   const auto figures = tree_figures({.first = 3, .last = 4, .rounds = 1, .lookups = 2000});
   ASSERT_EQ(figures.size(), 4u);
   for (const TreeFigures& f : figures) {
-    EXPECT_EQ(f.maps, tree_map_count(f.level, Bits{static_cast<std::uint8_t>(f.bits)}));
+    EXPECT_EQ(f.maps, tree_map_count(f.level, Format{static_cast<std::uint8_t>(f.bits)}));
     EXPECT_EQ(f.form(TreeForm::flat).bits, f.bits);
     for (const TreeFormFigures& form : f.forms) {
       EXPECT_GT(form.bits, 0);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "bench/leaf_texture.hpp"
 #include "bench/vq_maps.hpp"
 #include "spec/vq.hpp"
 #include "tests/sanitized.hpp"

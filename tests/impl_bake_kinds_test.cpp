@@ -1,7 +1,6 @@
 // impl/bake_triangles.hpp: every kind of texel, mode, filter, factor, mip and margin as spec/bake_state.hpp
 // has it.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +16,7 @@
 
 #include "impl/bake_triangles.hpp"
 #include "spec/bake_state.hpp"
+#include "tests/every_target.hpp"
 #include "tests/sanitized.hpp"
 
 namespace {
@@ -25,6 +25,7 @@ namespace spec = mmverify::spec::bake;
 using namespace mmverify::impl::bake;
 using mmverify::spec::Rational;
 using mmverify::spec::Rational128;
+using mmverify::tests::on_every_target;
 
 constexpr Wrap every_wrap[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge,
                                Wrap::clamp_to_border, Wrap::mirror_once};
@@ -534,13 +535,7 @@ TYPED_TEST(ImplBakeKinds, EveryTargetMakesTheSameMap) {
     return maps;
   };
   const Maps expected = bake();
-  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().DeInit();
-    EXPECT_EQ(bake(), expected) << hwy::TargetName(target);
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().DeInit();
+  on_every_target([&] { EXPECT_EQ(bake(), expected); });
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

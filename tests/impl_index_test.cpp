@@ -1,6 +1,5 @@
 // impl/index.hpp and impl/binary16.hpp against the exact specification and an oracle of their own.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
@@ -23,12 +22,14 @@
 #include "spec/fixed.hpp"
 #include "spec/index.hpp"
 #include "spec/rational.hpp"
+#include "tests/every_target.hpp"
 
 namespace {
 
 namespace fast = mmverify::impl::index;
 namespace spec = mmverify::spec;
 using mmverify::impl::Binary16;
+using mmverify::tests::on_every_target;
 using spec::Fixed64;
 using spec::Rational;
 
@@ -68,21 +69,6 @@ std::vector<float> random_floats(std::size_t count, std::uint32_t seed) {
                         : static_cast<float>(bits >> 8) * 0x1p-24f;
   }
   return x;
-}
-
-// Runs a check once under every SIMD target that this machine has and the library was built for.
-template <class Check>
-void on_every_target(Check check) {
-  const auto targets = hwy::SupportedAndGeneratedTargets();
-  ASSERT_FALSE(targets.empty());
-  for (const auto target : targets) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().DeInit();  // the next call chooses again
-    check();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().DeInit();
 }
 
 // Six columns of corners with a guard word on either side of each; the spans start off alignment by `skew`

@@ -17,7 +17,7 @@ using namespace mmverify::tests;
 using Bytes = std::vector<std::uint8_t>;
 using ::testing::HasSubstr;
 
-constexpr Bits both[] = {Bits::two_state, Bits::four_state};
+constexpr Format both[] = {Format::two_state, Format::four_state};
 
 /// CRC-32C by its definition, a bit at a time.
 std::uint32_t crc32c(const Bytes& bytes) {
@@ -69,17 +69,17 @@ TEST(TreeContainer, ChecksumOfTheTestIsCastagnolis) {
 }
 
 TEST(TreeContainer, WorkedExamples) {
-  EXPECT_EQ(write(2, Bits::four_state, small_map), flat_example());
+  EXPECT_EQ(write(2, Format::four_state, small_map), flat_example());
   EXPECT_EQ(read(flat_example()).map, small_map);
-  EXPECT_EQ(write(2, Bits::four_state, Bytes(4, 0xff)), tree_example());
+  EXPECT_EQ(write(2, Format::four_state, Bytes(4, 0xff)), tree_example());
   const Contents contents = read(tree_example());
   EXPECT_EQ(contents.map, Bytes(4, 0xff));
   EXPECT_EQ(contents.level, 2u);
-  EXPECT_EQ(contents.format, Bits::four_state);
+  EXPECT_EQ(contents.format, Format::four_state);
 }
 
 TEST(TreeContainer, NeverGrowsByMoreThanTheHeaderAndComesBack) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 0; n <= 7; ++n)
       for (const States& states : assorted(n, b, 30)) {
         const Bytes map = packed(states, b), bytes = write(n, b, map);
@@ -92,8 +92,8 @@ TEST(TreeContainer, NeverGrowsByMoreThanTheHeaderAndComesBack) {
 }
 
 TEST(TreeContainer, PaddingIsZeroed) {
-  EXPECT_EQ(write(1, Bits::two_state, Bytes{0xf5}), write(1, Bits::two_state, Bytes{0x05}));
-  EXPECT_EQ(write(0, Bits::two_state, Bytes{0xff}), write(0, Bits::two_state, Bytes{0x01}));
+  EXPECT_EQ(write(1, Format::two_state, Bytes{0xf5}), write(1, Format::two_state, Bytes{0x05}));
+  EXPECT_EQ(write(0, Format::two_state, Bytes{0xff}), write(0, Format::two_state, Bytes{0x01}));
 }
 
 TEST(TreeContainer, EachComplaintNamesPlaceFindAndRemedy) {
@@ -132,7 +132,7 @@ TEST(TreeContainer, EachComplaintNamesPlaceFindAndRemedy) {
   EXPECT_THAT(complaint(with(tree, 17, 7)),
               HasSubstr("byte 17: a padding bit that is set, bit 2 of the states"));
   // Level 1 as it is kept, 4 bits of states; then one bit too many.
-  const Bytes one = write(1, Bits::two_state, Bytes{0x05});
+  const Bytes one = write(1, Format::two_state, Bytes{0x05});
   EXPECT_THAT(complaint(with(one, 16, 0x15)), HasSubstr("byte 16: a padding bit that is set"));
 }
 
@@ -140,7 +140,7 @@ TEST(TreeContainer, FaultsOfTheTreeArePlaced) {
   // Level 4, four states, a few leaves: 16 quarters of the first child apart.
   States states(256, 0);
   states[5] = 1;
-  const Bytes good = write(4, Bits::four_state, packed(states, Bits::four_state));
+  const Bytes good = write(4, Format::four_state, packed(states, Format::four_state));
   ASSERT_EQ(good[7], 1) << "kept as a tree";
   ASSERT_EQ(good[8], 4) << "one internal node on each level";
   // 17 nodes: 1 1 1 0 1 0000 00 000 000; bit 16 is the last.
@@ -162,7 +162,7 @@ TEST(TreeContainer, FaultsOfTheTreeArePlaced) {
 }
 
 TEST(TreeContainer, EveryTruncationAndEveryFlippedBitIsRefused) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (const Level n : {0u, 1u, 2u, 4u, 5u})
       for (const std::uint64_t longest : {2u, 40u}) {
         const Bytes good = write(n, b, packed(runs(n, b, longest, 7 + n), b));
@@ -201,7 +201,7 @@ TEST(TreeContainer, TakesNoMemoryForWhatIsOnlyAnnounced) {
   EXPECT_THROW(read(bytes), BadContainer);
   EXPECT_LT(largest_allocation, 1024u);
   // A uniform map of level 12 in 18 bytes is 4 MiB.
-  const Bytes uniform = write(12, Bits::four_state, Bytes(std::size_t{4} << 20, 0xaa));
+  const Bytes uniform = write(12, Format::four_state, Bytes(std::size_t{4} << 20, 0xaa));
   ASSERT_EQ(uniform.size(), 18u);
   largest_allocation = 0;
   EXPECT_EQ(read(uniform).map, Bytes(std::size_t{4} << 20, 0xaa));

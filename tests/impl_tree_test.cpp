@@ -1,6 +1,5 @@
 // impl/tree_stream.hpp and impl/tree.hpp against the flat map, the exact specification and trees by hand.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,6 +17,7 @@
 #include "impl/tree_stream.hpp"
 #include "spec/fixed.hpp"
 #include "spec/tree.hpp"
+#include "tests/every_target.hpp"
 #include "tests/tree_cases.hpp"
 
 namespace {
@@ -27,7 +27,7 @@ using namespace mmverify::tests;
 namespace spec = mmverify::spec;
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr Bits both[] = {Bits::two_state, Bits::four_state};
+constexpr Format both[] = {Format::two_state, Format::four_state};
 
 std::vector<bool> bits_of(const Bytes& bytes, std::uint64_t count) {
   std::vector<bool> bits;
@@ -42,19 +42,19 @@ spec::tree::Succinct specified(const States& states, Level n) {
 }
 
 // The stream is the specification's, bit for bit.
-void expect_specified(const States& states, Level n, Bits b, const Stream& s) {
+void expect_specified(const States& states, Level n, Format b, const Stream& s) {
   const spec::tree::Succinct expected = specified(states, n);
   ASSERT_EQ(s.nodes, expected.tree.size());
   ASSERT_EQ(s.leaves, expected.data.size());
   const auto format =
-      b == Bits::two_state ? spec::micromap::Format::two_state : spec::micromap::Format::four_state;
+      b == Format::two_state ? spec::micromap::Format::two_state : spec::micromap::Format::four_state;
   Bytes all = s.tree;
   all.insert(all.end(), s.data.begin(), s.data.end());
   ASSERT_EQ(all, spec::tree::bytes(expected, format));
 }
 
 // Every form gives the map back, and each of its states.
-void expect_all_forms(const States& states, Level n, Bits b) {
+void expect_all_forms(const States& states, Level n, Format b) {
   const Bytes map = packed(states, b);
   Bytes out(map.size(), 0xee);
   const Stream s = encode_stream(n, b, map);
@@ -81,23 +81,6 @@ void expect_all_forms(const States& states, Level n, Bits b) {
   ASSERT_EQ(read(write(n, b, map)).map, map);
 }
 
-// Runs a check once under every SIMD target that this machine has and the library was built for.
-template <class Check>
-void on_every_target(Check check) {
-  const auto targets = hwy::SupportedAndGeneratedTargets();
-  ASSERT_FALSE(targets.empty());
-  for (const auto target : targets) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().DeInit();  // the next call chooses again
-    check();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().DeInit();
-  SCOPED_TRACE("the target that a program gets");
-  check();
-}
-
 // -----------------------------------------------------------------------------------------------------------
 // By hand
 // -----------------------------------------------------------------------------------------------------------
@@ -114,21 +97,21 @@ void on_every_target(Check check) {
 const States by_hand{1, 1, 1, 1, 0, 0, 0, 1, 2, 2, 2, 2, 1, 3, 3, 3};
 
 TEST(ImplTree, WorkedExample) {
-  const Bytes map = packed(by_hand, Bits::four_state);
+  const Bytes map = packed(by_hand, Format::four_state);
   EXPECT_EQ(map, (Bytes{0b01010101, 0b01000000, 0b10101010, 0b11111101}));
-  const Stream s = encode_stream(2, Bits::four_state, map);
+  const Stream s = encode_stream(2, Format::four_state, map);
   EXPECT_EQ(s.nodes, 13u);
   EXPECT_EQ(s.leaves, 10u);
   EXPECT_EQ(s.tree, (Bytes{0b00000101, 0b00000001}));
   EXPECT_EQ(s.data, (Bytes{0b00000001, 0b11011001, 0b00001111}));
   EXPECT_EQ(bits_of(s.tree, 13), (std::vector<bool>{true, false, true, false, false, false, false, false,
                                                     true, false, false, false, false}));
-  expect_all_forms(by_hand, 2, Bits::four_state);
-  expect_specified(by_hand, 2, Bits::four_state, s);
+  expect_all_forms(by_hand, 2, Format::four_state);
+  expect_specified(by_hand, 2, Format::four_state, s);
 }
 
 TEST(ImplTree, UniformMapIsOneLeaf) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 0; n <= 6; ++n)
       for (std::uint8_t state = 0; state < 2 * width(b); ++state) {
         const Stream s = encode_stream(n, b, packed(States(micro_triangles(n), state), b));
@@ -138,13 +121,14 @@ TEST(ImplTree, UniformMapIsOneLeaf) {
 
 TEST(ImplTree, PaddingBitsAreIgnoredAndWrittenAsZeros) {
   // Level 1, two states: four bits of eight; level 0: one or two of eight.
-  EXPECT_EQ(encode_stream(1, Bits::two_state, Bytes{0xf5}), encode_stream(1, Bits::two_state, Bytes{0x05}));
-  EXPECT_EQ(encode_stream(0, Bits::two_state, Bytes{0xfe}), (Stream{{0}, {0}, 1, 1}));
-  EXPECT_EQ(encode_stream(0, Bits::four_state, Bytes{0xfe}), (Stream{{0}, {2}, 1, 1}));
+  EXPECT_EQ(encode_stream(1, Format::two_state, Bytes{0xf5}),
+            encode_stream(1, Format::two_state, Bytes{0x05}));
+  EXPECT_EQ(encode_stream(0, Format::two_state, Bytes{0xfe}), (Stream{{0}, {0}, 1, 1}));
+  EXPECT_EQ(encode_stream(0, Format::four_state, Bytes{0xfe}), (Stream{{0}, {2}, 1, 1}));
   Bytes out(1);
-  Tree::encode(1, Bits::two_state, Bytes{0xf5}).decode(out);
+  Tree::encode(1, Format::two_state, Bytes{0xf5}).decode(out);
   EXPECT_EQ(out, Bytes{0x05});
-  Tree::encode(0, Bits::four_state, Bytes{0xfe}).decode(out);
+  Tree::encode(0, Format::four_state, Bytes{0xfe}).decode(out);
   EXPECT_EQ(out, Bytes{0x02});
 }
 
@@ -154,7 +138,7 @@ TEST(ImplTree, PaddingBitsAreIgnoredAndWrittenAsZeros) {
 
 TEST(ImplTree, EveryMapOfLevels0And1) {
   std::uint64_t maps = 0;
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 0; n <= 1; ++n) {
       const std::uint64_t count = std::uint64_t{1} << (width(b) * micro_triangles(n));
       for (std::uint64_t code = 0; code < count; ++code, ++maps) {
@@ -174,9 +158,9 @@ TEST(ImplTree, EveryTwoStateMapOfLevel2) {
   for (std::uint32_t code = 0; code < 65536; ++code, ++maps) {
     States states;
     for (std::uint32_t k = 0; k < 16; ++k) states.push_back(code >> k & 1);
-    expect_all_forms(states, 2, Bits::two_state);
-    expect_specified(states, 2, Bits::two_state,
-                     encode_stream(2, Bits::two_state, packed(states, Bits::two_state)));
+    expect_all_forms(states, 2, Format::two_state);
+    expect_specified(states, 2, Format::two_state,
+                     encode_stream(2, Format::two_state, packed(states, Format::two_state)));
     if (HasFatalFailure()) FAIL() << "map " << code;
   }
   EXPECT_EQ(maps, 65536u);
@@ -187,7 +171,7 @@ TEST(ImplTree, EveryTwoStateMapOfLevel2) {
 // -----------------------------------------------------------------------------------------------------------
 
 TEST(ImplTree, AssortedMapsOfLevels2To6) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 2; n <= 6; ++n)
       for (const States& states : assorted(n, b, n < 6 ? 40 : 14)) {
         expect_all_forms(states, n, b);
@@ -211,7 +195,7 @@ TEST(ImplTree, TheWordOfANodeIsAQuotient) {
 
 // Whatever the depths of its nodes and its blocks, a form is of the same map.
 TEST(ImplTree, EveryPairOfDepths) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 0; n <= 6; ++n)
       for (const States& states : assorted(n, b, 3))
         for (Level block = 0; block < std::max<Level>(n, 1); ++block)
@@ -247,7 +231,7 @@ TEST(ImplTree, CountsOfEverySize) {
       const std::uint64_t states = k < ones ? 1 + k * 7 % 14 : (k / 5) % 2 * 15;
       map[k / 2] = static_cast<std::uint8_t>(map[k / 2] | states << (4 * (k % 2)));
     }
-    const Tree tree = Tree::encode(n, Bits::two_state, map, {n - 1, n - 1});
+    const Tree tree = Tree::encode(n, Format::two_state, map, {n - 1, n - 1});
     ASSERT_EQ(mmverify::impl::tree::detail::Layout::of(tree.memory()).count_size, size) << ones;
     Bytes out(map.size());
     tree.decode(out);
@@ -269,7 +253,7 @@ TEST(ImplTree, CountsOfEverySize) {
 // The memory of every map, sparse ones too: 18/17 of the paper's and the header where a form of that size is;
 // and no form takes more than one with no node at all but the root, and the map.
 TEST(ImplTree, MemoryIsAsTheBannerSays) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 1; n <= 7; ++n)
       for (const States& states : assorted(n, b, 40)) {
         const Bytes map = packed(states, b);
@@ -286,7 +270,7 @@ TEST(ImplTree, MemoryIsAsTheBannerSays) {
 
 // One micro-triangle apart from the rest, in every place.
 TEST(ImplTree, OneStateApart) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 1; n <= 4; ++n)
       for (std::uint64_t k = 0; k < micro_triangles(n); ++k) {
         States states(micro_triangles(n), 1);
@@ -302,7 +286,7 @@ TEST(ImplTree, SpansEqualTheSingleLookupAtEveryLength) {
   on_every_target([] {
     std::vector<Tree> trees;
     std::vector<States> maps;
-    for (const Bits b : both)
+    for (const Format b : both)
       for (Level n = 0; n <= 7; ++n)
         for (const States& states : assorted(n, b, 6)) {
           trees.push_back(Tree::encode(n, b, packed(states, b)));
@@ -338,7 +322,7 @@ TEST(ImplTree, SpansEqualTheSingleLookupAtEveryLength) {
 
 TEST(ImplTree, EveryStateOnEveryTarget) {
   on_every_target([] {
-    for (const Bits b : both)
+    for (const Format b : both)
       for (Level n = 0; n <= 6; ++n)
         for (const States& states : assorted(n, b, 12)) {
           const Tree tree = Tree::encode(n, b, packed(states, b));
@@ -355,7 +339,7 @@ TEST(ImplTree, EveryStateOnEveryTarget) {
 
 // The representatives k/(4N) of every cell, against Algorithms 3 and 4 in exact numbers.
 TEST(ImplTree, AtAPointEqualsTheSpecification) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 0; n <= 5; ++n)
       for (const States& states : {runs(n, b, 3, 8), runs(n, b, 20, 9)}) {
         const Tree tree = Tree::encode(n, b, packed(states, b));
@@ -379,7 +363,7 @@ TEST(ImplTree, AtAPointEqualsTheSpecification) {
 
 // No two siblings alike: the paper's figure 10, every node internal.
 TEST(ImplTree, WorstCaseOfEveryLevel) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (Level n = 0; n <= max_level; ++n) {
       States states(micro_triangles(n));
       for (std::size_t k = 0; k < states.size(); ++k)
@@ -409,7 +393,7 @@ TEST(ImplTree, WorstCaseOfEveryLevel) {
 }
 
 TEST(ImplTree, LevelTwelveOfRuns) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (const std::uint64_t longest : {30u, 3000u}) {
       const States states = runs(12, b, longest, 3);
       const Bytes map = packed(states, b);
@@ -429,13 +413,13 @@ TEST(ImplTree, LevelTwelveOfRuns) {
 // Malformed
 // -----------------------------------------------------------------------------------------------------------
 
-bool decodes(const Stream& s, Level n = 2, Bits b = Bits::four_state) {
+bool decodes(const Stream& s, Level n = 2, Format b = Format::four_state) {
   Bytes out((micro_triangles(n) * width(b) + 7) / 8);
   return decode_stream(n, b, s, out);
 }
 
 TEST(ImplTreeMalformed, EachKind) {
-  const Stream good = encode_stream(2, Bits::four_state, packed(by_hand, Bits::four_state));
+  const Stream good = encode_stream(2, Format::four_state, packed(by_hand, Format::four_state));
   ASSERT_TRUE(decodes(good));
   const auto spoilt = [&good](auto spoil) {
     Stream s = good;
@@ -466,7 +450,7 @@ TEST(ImplTreeMalformed, EachKind) {
 }
 
 // Whatever decodes is a stream of encode_stream: of a map of its own.
-void expect_refused_or_another(const Stream& s, Level n, Bits b, const Bytes& map) {
+void expect_refused_or_another(const Stream& s, Level n, Format b, const Bytes& map) {
   Bytes out(map.size());
   if (!decode_stream(n, b, s, out)) return;
   ASSERT_NE(out, map) << "two streams of one map";
@@ -474,7 +458,7 @@ void expect_refused_or_another(const Stream& s, Level n, Bits b, const Bytes& ma
 }
 
 TEST(ImplTreeMalformed, EveryTruncationAndEveryFlippedBit) {
-  for (const Bits b : both)
+  for (const Format b : both)
     for (const Level n : {1u, 2u, 3u, 4u}) {
       const States states = runs(n, b, 6, 40 + n);
       const Bytes map = packed(states, b);
@@ -514,24 +498,24 @@ TEST(ImplTreeMalformed, LookupOfAnythingReadsNothingBeyond) {
     for (std::uint8_t& byte : s.data) byte = static_cast<std::uint8_t>(random());
     s.nodes = round % 2 == 0 ? ~std::uint64_t{0} : random() % 100;
     s.leaves = random() % 100;
-    for (const Bits b : both) EXPECT_LT(lookup_stream(6, b, s, random() % 4096), 2 * width(b));
+    for (const Format b : both) EXPECT_LT(lookup_stream(6, b, s, random() % 4096), 2 * width(b));
   }
 }
 
 TEST(ImplTree, RefusesLevelsAndSizesThatMeanNothing) {
   const Bytes four(4);
   Bytes out(4);
-  EXPECT_THROW(encode_stream(13, Bits::two_state, four), std::invalid_argument);
-  EXPECT_THROW(encode_stream(2, Bits::two_state, four), std::invalid_argument);
-  EXPECT_THROW(encode_stream(2, Bits{3}, four), std::invalid_argument);
-  EXPECT_THROW(Tree::encode(13, Bits::two_state, four), std::invalid_argument);
-  EXPECT_THROW(Tree::encode(2, Bits::two_state, four), std::invalid_argument);
-  EXPECT_THROW(Tree::encode(2, Bits::four_state, four, {0, 2}), std::invalid_argument);
-  EXPECT_THROW(Tree::encode(2, Bits::four_state, four, {1, 0}), std::invalid_argument);
-  const Stream s = encode_stream(2, Bits::four_state, four);
-  EXPECT_THROW(decode_stream(3, Bits::four_state, s, out), std::invalid_argument);
-  EXPECT_THROW(decode_stream(13, Bits::four_state, s, out), std::invalid_argument);
-  const Tree tree = Tree::encode(2, Bits::four_state, four);
+  EXPECT_THROW(encode_stream(13, Format::two_state, four), std::invalid_argument);
+  EXPECT_THROW(encode_stream(2, Format::two_state, four), std::invalid_argument);
+  EXPECT_THROW(encode_stream(2, Format{3}, four), std::invalid_argument);
+  EXPECT_THROW(Tree::encode(13, Format::two_state, four), std::invalid_argument);
+  EXPECT_THROW(Tree::encode(2, Format::two_state, four), std::invalid_argument);
+  EXPECT_THROW(Tree::encode(2, Format::four_state, four, {0, 2}), std::invalid_argument);
+  EXPECT_THROW(Tree::encode(2, Format::four_state, four, {1, 0}), std::invalid_argument);
+  const Stream s = encode_stream(2, Format::four_state, four);
+  EXPECT_THROW(decode_stream(3, Format::four_state, s, out), std::invalid_argument);
+  EXPECT_THROW(decode_stream(13, Format::four_state, s, out), std::invalid_argument);
+  const Tree tree = Tree::encode(2, Format::four_state, four);
   EXPECT_THROW(tree.decode(std::span(out).first(3)), std::invalid_argument);
   std::vector<std::uint32_t> three(3), zeros(4);
   EXPECT_THROW(tree.lookup(three, out), std::invalid_argument);

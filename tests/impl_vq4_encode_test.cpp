@@ -1,6 +1,5 @@
 // impl/vq.hpp, encoders of VQ4: what they may do, what they must find, and the bound below them.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <bit>
@@ -11,6 +10,7 @@
 #include "impl/vq4_bound.hpp"
 #include "impl/vq4_search.hpp"
 #include "spec/vq_block.hpp"
+#include "tests/every_target.hpp"
 #include "tests/sanitized.hpp"
 #include "tests/vq_cases.hpp"
 
@@ -255,17 +255,12 @@ TEST(ImplVq4Encode, IsTheSameOnEveryTarget) {
   const Map4 map = blob<Map4>(random, 0.7), noisy = noise<Map4>(random);
   const Proved4 proved = encode_proved(map);
   const Encoded4 balanced = encode(noisy, Effort::balanced);
-  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().DeInit();
+  on_every_target([&] {
     const Proved4 now = encode_proved(map);
     EXPECT_EQ(now.encoded.block, proved.encoded.block);
     EXPECT_EQ(now.least, proved.least);
     EXPECT_EQ(encode(noisy, Effort::balanced).block, balanced.block);
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().DeInit();
+  });
 }
 
 TEST(ImplVq4Encode, DiscontinuousVectorsAreTheOnesThatAreNotValid) {

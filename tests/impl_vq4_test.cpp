@@ -1,16 +1,17 @@
 // impl/vq.hpp, VQ4: the decoders against the specification.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <random>
 
 #include "impl/vq.hpp"
 #include "spec/vq_block.hpp"
+#include "tests/every_target.hpp"
 
 namespace {
 
 namespace spec = mmverify::spec::vq;
 using namespace mmverify::impl::vq;
+using mmverify::tests::on_every_target;
 
 void expect_specified(const Block4& block) {
   const spec::Map<spec::Vq4> expected = spec::decode(spec::from_bytes<spec::Vq4>(block));
@@ -23,10 +24,7 @@ void expect_specified(const Block4& block) {
 }
 
 TEST(ImplVq4, DecodesAsSpecifiedOnEveryTarget) {
-  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().DeInit();
+  on_every_target([] {
     std::mt19937 random(1);
     for (int round = 0; round < 40; ++round) {
       Block4 block;
@@ -34,9 +32,7 @@ TEST(ImplVq4, DecodesAsSpecifiedOnEveryTarget) {
       expect_specified(block);
       if (HasFatalFailure()) return;
     }
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().DeInit();
+  });
 }
 
 // Each bit of each entry alone, under every transform, in every quadrant.

@@ -1,11 +1,9 @@
 // Shared-library subjects and programs on a pipe: right, wrong and misbehaving ones, judged by the built
 // program.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/plugin.hpp"
 
 #include <string>
 
-#include "tests/command.hpp"
 #include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
@@ -13,8 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-std::string library(const std::string& name) { return std::string(MMVERIFY_SUBJECTS) + "/" + name + ".so"; }
 
 Outcome judge(const std::string& name, const std::string& more = "index.equals_reference --levels 6..8") {
   return shell("mmverify prove --quiet --no-mutants --timeout 1 --threads 1 --subject " + library(name) +
@@ -55,9 +51,7 @@ TEST(Subject, one_wrong_tie_is_found_and_replayed) {
   EXPECT_THAT(o.out, HasSubstr("right at levels 6..6, wrong at 7"));
   EXPECT_THAT(o.out,
               HasSubstr("wrong on ties only: 1 vertices and 0 edges of level 7; every interior is right"));
-  const auto at = o.out.find("replay: ");
-  ASSERT_NE(at, std::string::npos);
-  const Outcome again = shell(o.out.substr(at + 8, o.out.find('\n', at) - at - 8));
+  const Outcome again = replayed(o);
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_THAT(again.out, HasSubstr("refuted index.equals_reference level 7 case v:u=3/8,v=1/4"));
 }
@@ -70,7 +64,6 @@ TEST(Subject, one_wrong_tie_passes_where_only_interiors_count) {
 
 TEST(Subject, children_swapped_from_level_2_are_named) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  if (sanitized) GTEST_SKIP() << "the release build runs it; no code of its own";
   const Outcome o = judge("swapped_from_level_2", "index.equals_reference --levels 0..4");
   EXPECT_EQ(o.exit_code, 1);
   EXPECT_THAT(o.out, HasSubstr("the curve, but children 0 and 2 change places from level 2 on"));
@@ -78,14 +71,12 @@ TEST(Subject, children_swapped_from_level_2_are_named) {
 
 TEST(Subject, row_order_is_named) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  if (sanitized) GTEST_SKIP() << "the release build runs it; no code of its own";
   EXPECT_THAT(judge("rows", "index.equals_reference --levels 0..4").out,
               HasSubstr("row order (w-minor), not the curve"));
 }
 
 TEST(Subject, exchanged_barycentrics_are_named) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  if (sanitized) GTEST_SKIP() << "the release build runs it; no code of its own";
   EXPECT_THAT(judge("u_and_v_exchanged", "index.equals_reference --levels 0..4").out,
               HasSubstr("the curve, with (w, u, v) taken as (w, v, u)"));
 }

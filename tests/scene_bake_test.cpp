@@ -8,10 +8,10 @@
 
 #include "impl/index.hpp"
 #include "impl/micromap_reorder.hpp"
+#include "impl/scene/any_hit.hpp"
 #include "impl/scene/bake.hpp"
 #include "impl/scene/footprint.hpp"
 #include "impl/scene/levels.hpp"
-#include "impl/scene/saved.hpp"
 #include "impl/scene/square_maps.hpp"
 #include "proofs/scene.hpp"
 
@@ -215,13 +215,13 @@ TEST(SceneFootprint, AddsUp) {
 
 TEST(SceneSaved, IsByAreaAndPlacement) {
   Made made;
-  const Saved all = saved(made.s, made.p, made.b);
+  const AnyHitShares all = any_hit_shares(made.s, made.p, made.b);
   // Four halves of the unit square and a corner of 1/800, five times as large.
   EXPECT_NEAR(all.area, 5 * (4 * 0.5 + 0.05 * 0.05 / 2), 1e-6);
   EXPECT_NEAR(all.transparent + all.opaque + all.unknown, 1, 1e-12);
   // One more placement, twice as long in x: twice the area of a flat quad.
   made.s.meshes[0].placements.others.push_back({{2, 0, 0, 0, 1, 0, 0, 0, 1}, 1});
-  EXPECT_NEAR(saved(made.s, made.p, made.b).area, all.area * 7 / 5, 1e-6);
+  EXPECT_NEAR(any_hit_shares(made.s, made.p, made.b).area, all.area * 7 / 5, 1e-6);
 }
 
 proofs::Report judged(const proofs::scene::Data& data, std::optional<std::uint64_t> samples = 400) {

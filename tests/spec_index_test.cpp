@@ -185,8 +185,7 @@ TEST(ByHand, TraceOfAQuarterAndAQuarter) {
 // (3/8, 3/8), level 2:
 //   u v w = 3/8 3/8 1/4: M, digit 1, mid-flip set; u_M, w_M, v_M = 1/2, 1/4, 1/4
 //   u v w = 1/2 1/4 1/4: not L, not T; 2u = 1.  As printed the exception asks for a tie of v, there is none:
-//   R,
-//     digit 2.  In the prose of Appendix A it asks for a tie of u, and mid-flip is set: M, digit 1.
+//     R, digit 2.  In the prose of Appendix A it asks for a tie of u, and mid-flip is set: M, digit 1.
 // 1*4 + 2 = 6, or 1*4 + 1 = 5.
 TEST(ByHand, TraceOfThreeEighths) {
   EXPECT_EQ(index::reference(at(3, 3, 8), 2), 6u);

@@ -11,12 +11,12 @@ namespace mmverify::tests {
 
 using States = std::vector<std::uint8_t>;
 
-inline std::uint32_t width(impl::tree::Bits b) { return static_cast<std::uint32_t>(b); }
+inline std::uint32_t width(impl::tree::Format b) { return static_cast<std::uint32_t>(b); }
 
 inline std::uint64_t micro_triangles(impl::tree::Level n) { return std::uint64_t{1} << (2 * n); }
 
 /// Packs states, the first in the lowest bits of the first byte.
-inline std::vector<std::uint8_t> packed(const States& states, impl::tree::Bits b) {
+inline std::vector<std::uint8_t> packed(const States& states, impl::tree::Format b) {
   std::vector<std::uint8_t> map((states.size() * width(b) + 7) / 8);
   for (std::size_t k = 0; k < states.size(); ++k) {
     const std::size_t bit = k * width(b);
@@ -26,7 +26,7 @@ inline std::vector<std::uint8_t> packed(const States& states, impl::tree::Bits b
 }
 
 /// States in runs of 1 to `longest`, so that leaves of every size occur; a run may repeat the state before.
-inline States runs(impl::tree::Level n, impl::tree::Bits b, std::uint64_t longest, std::uint32_t seed) {
+inline States runs(impl::tree::Level n, impl::tree::Format b, std::uint64_t longest, std::uint32_t seed) {
   std::mt19937 random(seed);
   States states;
   while (states.size() < micro_triangles(n)) {
@@ -38,7 +38,7 @@ inline States runs(impl::tree::Level n, impl::tree::Bits b, std::uint64_t longes
 }
 
 /// Mixed seeds and run lengths for a level: from single states to the whole map.
-inline std::vector<States> assorted(impl::tree::Level n, impl::tree::Bits b, std::uint32_t count) {
+inline std::vector<States> assorted(impl::tree::Level n, impl::tree::Format b, std::uint32_t count) {
   std::vector<States> all{States(micro_triangles(n), 0), States(micro_triangles(n), width(b) == 1 ? 1 : 3)};
   for (std::uint32_t seed = 0; seed < count; ++seed)
     all.push_back(runs(n, b, std::uint64_t{1} << (seed % (2 * n + 1)), 100 * n + seed));

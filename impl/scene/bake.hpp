@@ -27,8 +27,9 @@ struct Baked {
 
 /// A margin for samplers in hardware: 1/256 of a texel, by which coordinates cut to 8 bits of fraction, as
 /// filter weights have, are off at most, and 1/1024 for texture coordinates that are off by 2^-20 of a
-/// texture of 1024 texels, a few roundings of interpolation in binary32. Source: Vulkan, limits
-/// subTexelPrecisionBits (8 where more than the 4 that it asks for); the rest is a choice.
+/// texture of 1024 texels, a few roundings of interpolation in binary32.
+/// Source: Vulkan, limits subTexelPrecisionBits (8 where more than the 4 that it asks for); the rest is a
+/// choice.
 inline constexpr float sampler_margin = 0x1.4p-8f;
 
 struct BakeOptions {

@@ -15,12 +15,11 @@ using namespace micromap;
 ModeFootprint of_map(Level level, Format format, std::span<const std::uint8_t> map) {
   ModeFootprint size;
   if (uniform(map, format, micro_triangles(level))) return size;
-  const auto b = format == Format::two_state ? tree::Bits::two_state : tree::Bits::four_state;
-  const tree::Stream stream = tree::encode_stream(level, b, map);
+  const tree::Stream stream = tree::encode_stream(level, format, map);
   size.records = 1;
   size.data = map.size();
   size.tree = stream.tree.size() + stream.data.size();
-  size.our_tree = (tree::Tree::encode(level, b, map).bits() + 7) / 8;
+  size.our_tree = (tree::Tree::encode(level, format, map).bits() + 7) / 8;
   return size;
 }
 

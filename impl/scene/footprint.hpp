@@ -12,8 +12,8 @@ namespace mmverify::impl::scene {
 struct ModeFootprint {
   std::uint64_t records = 0;  ///< micromaps that are not uniform in this mode
   std::uint64_t data = 0;     ///< their packed maps
-  std::uint64_t tree =
-      0;  ///< the same maps as the paper's two bit sequences, each map's from a whole byte on
+  /// The same maps as the paper's two bit sequences, each map's from a whole byte on.
+  std::uint64_t tree = 0;
   std::uint64_t our_tree = 0;  ///< the same maps in impl/tree's form for random access
   std::uint64_t bitmask = 0;   ///< 1 or 2 bits a texel of every alpha texture in use
 };

@@ -17,8 +17,7 @@ namespace mmverify::impl::scene {
 ///   - A mesh is used once per node that names it, in whatever scene, times EXT_mesh_gpu_instancing's count.
 /// Errors: BadScene, naming file and place, where
 ///   - a file or chunk is missing, empty or cut off. Of buffers and images all, also where nothing needs
-///   them:
-///     half a scene is not the scene that was asked for, and whoever writes it anew writes every image;
+///     them: half a scene is not the scene that was asked for, and whoever writes it anew writes every image;
 ///   - the JSON is no glTF 2.0, of wrong types, with references to nothing, nested more than 64 deep;
 ///   - an accessor reaches beyond its view, a view beyond its buffer, an index beyond the vertices;
 ///   - a position or UV is not finite; nodes have two parents or form a circle;

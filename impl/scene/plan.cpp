@@ -164,4 +164,19 @@ Filter filter_of(const Sampler& sampler) {
 
 Plan plan(const Scene& scene, unsigned level_limit) { return Planner(scene, level_limit).planned(); }
 
+PlanCounts counts(const Plan& plan) {
+  PlanCounts c;
+  for (const PlannedTriangle& t : plan.triangles) {
+    c.unique += t.unique;
+    c.placed += t.placed;
+    c.lines += t.shape == UvShape::line;
+    c.points += t.shape == UvShape::point;
+    c.limited += t.level.limited;
+    if (t.level.limited) c.limit = t.level.level;
+  }
+  for (const PlannedPrimitive& p : plan.primitives)
+    for (const TriangleUse& use : p.triangles) c.reordered += use.order != VertexOrder{0, 1, 2};
+  return c;
+}
+
 }  // namespace mmverify::impl::scene

@@ -80,6 +80,16 @@ struct Plan {
   std::vector<LeftOutPrimitive> left_out;
 };
 
+/// Of a plan's triangles.
+struct PlanCounts {
+  std::uint64_t unique = 0, placed = 0;  ///< that they stand for
+  std::uint64_t reordered = 0;           ///< of those, with another order of vertices
+  std::uint64_t lines = 0, points = 0;   ///< distinct ones whose UVs have no area
+  std::uint64_t limited = 0;             ///< distinct ones whose highest useful level is above the limit
+  unsigned limit = 0;                    ///< that limit, where there are any
+};
+PlanCounts counts(const Plan& plan);
+
 /// Each primitive of the scene in either of the last two lists, in the scene's order.
 /// `level_limit` is the device's (maxOpacity4StateSubdivisionLevel); finest_level holds besides.
 /// Domain: a scene of load(), or one whose indices name something and whose UVs are finite.

@@ -74,8 +74,8 @@ struct Material {
   float base_color_alpha = 1;
   std::optional<BaseColorTexture> texture;
   std::vector<std::string> animated;  ///< KHR_animation_pointer's targets that change this alpha or these UVs
-  bool specular_glossiness =
-      false;  ///< KHR_materials_pbrSpecularGlossiness puts another texture in its place
+  /// KHR_materials_pbrSpecularGlossiness puts another texture in its place.
+  bool specular_glossiness = false;
 };
 
 /// KHR_materials_variants: the material in these variants.

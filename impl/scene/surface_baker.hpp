@@ -7,8 +7,9 @@
 namespace mmverify::impl::scene {
 
 /// Alpha is filtered as filter_of() says; mip levels below the first are the renderer's own and are not
-/// baked. Margin: in texels; see bake::Sampling. Domain: a surface of a plan of this scene, which outlives
-/// the baker. Errors: std::invalid_argument as of bake::TriangleBaker.
+/// baked. Margin: in texels; see bake::Sampling.
+/// Domain: a surface of a plan of this scene, which outlives the baker.
+/// Errors: std::invalid_argument as of bake::TriangleBaker.
 bake::TriangleBaker surface_baker(const Scene& scene, const Surface& surface, float margin = 0);
 
 }  // namespace mmverify::impl::scene

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "proofs/bake/subject.hpp"
+#include "proofs/engine/cases.hpp"
 
 namespace mmverify::proofs::bake {
 
@@ -28,13 +29,6 @@ inline Finding wrong(std::string expected, std::string got) {
   return wrong([=] { return Said{expected, got}; });
 }
 inline Finding unsupported() { return {0, true, true}; }
-
-/// Order-dependent hash of states, for digests.
-inline std::uint64_t hash_of(const std::vector<State>& states) {
-  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a
-  for (const State s : states) hash = (hash ^ static_cast<std::uint8_t>(s)) * 0x100000001B3u;
-  return hash;
-}
 
 inline const char* name_of(State s) {
   constexpr const char* names[] = {"T", "O", "UT", "UO"};

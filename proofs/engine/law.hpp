@@ -81,8 +81,8 @@ struct Law {
   std::string id, topic;
   std::string says = {}, source = {};
   Method method = Method::exhaustive;
-  std::vector<std::string> subjects =
-      {};  ///< built-in subjects of a run that names none: those that the law is true of
+  /// Built-in subjects of a run that names none: those that the law is true of.
+  std::vector<std::string> subjects = {};
   Levels fast = {}, long_run = {};
   /// Where one run settles many levels: which, in words.  It is then run once, as level 0, whatever levels
   /// are asked for, and its counterexamples and mutants name levels of their own.  Empty: a run settles its
@@ -99,8 +99,8 @@ struct Law {
   /// it.
   bool divisible = false;
   std::function<Tally(const Subject&, Level, const Run&)> judge = {};
-  std::function<Replayed(const Subject&, Level, const std::string&)> replay =
-      {};  ///< throws BadCase; empty: none
+  /// Throws BadCase; empty: none.
+  std::function<Replayed(const Subject&, Level, const std::string&)> replay = {};
   std::vector<Mutant> mutants = {};
   /// Given the lowest level run and the one where a subject was first refuted, lines that say what it did
   /// instead.  Empty: nothing to say.

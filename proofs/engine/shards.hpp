@@ -26,8 +26,8 @@ struct ShardsDoNotAddUp : std::runtime_error {
 };
 
 /// The run that was divided: each result's counts, digest and counterexamples over all shares, in the order
-/// of the first shard.  `method_of` names a law's method, by its id. Domain: at least one shard.  Throws
-/// ShardsDoNotAddUp.
+/// of the first shard.  `law_of` gives a law by its id.
+/// Domain: at least one shard.  Throws ShardsDoNotAddUp.
 Report merge_shards(std::vector<ShardRun> shards, std::size_t errors,
                     const std::function<const Law&(const std::string&)>& law_of);
 

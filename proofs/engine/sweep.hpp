@@ -22,8 +22,8 @@ struct Run {
   std::size_t errors = 1;  ///< counterexamples kept
   std::uint64_t seed = 1;  ///< of every sample
   Tier tier = Tier::fast;  ///< decides the size of samples
-  bool rationals =
-      true;  ///< the slow, exact numbers where a law has a choice; its mutants are as wrong in fast ones
+  /// The slow, exact numbers where a law has a choice; its mutants are as wrong in fast ones.
+  bool rationals = true;
   bool interiors_only = false;   ///< leave out the cells on lines: for who promises nothing there
   Division* division = nullptr;  ///< null: the whole domain, and no journal
 };
@@ -31,8 +31,8 @@ struct Run {
 /// Judges [0, units) in chunks of `units_per_chunk`; the judge counts its cases in the tally.
 /// Chunks are skipped once the run is interrupted; the missing cases show in the tally.  Under a Division
 /// only its shard's chunks are judged, those that its journal has are added from there, and finished runs of
-/// chunks are appended to it. Domain: units_per_chunk > 0; a judge that is divided calls sweep once.  Throws
-/// BadJournal.
+/// chunks are appended to it.
+/// Domain: units_per_chunk > 0; a judge that is divided calls sweep once.  Throws BadJournal.
 Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk,
             const std::function<void(Chunk, Tally&)>& judge);
 

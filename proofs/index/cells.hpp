@@ -42,8 +42,8 @@ struct Row {
 };
 
 /// The cells of level n, numbered strip by strip from v = 0 up. Strip j, with M = N-j, is four rows, at
-///   v = j/N (vertices and edges), (j+1/4)/N (upright micro-triangles), (j+1/2)/N (edges), (j+3/4)/N
-///   (inverted ones),
+///   v = j/N (vertices and edges), (j+1/4)/N (upright micro-triangles), (j+1/2)/N (edges) and
+///   (j+3/4)/N (inverted ones),
 /// of 2M+1, M, 2M and M-1 cells; strip N is the v-corner alone.
 class Cells {
  public:

@@ -14,7 +14,8 @@ struct Difference {
 
 /// Holds at level n if the subject equals the reference on all cells where no stated difference has begun,
 /// and else differs first, in the order of simplicity, at the point stated last; at its from_level with the
-/// stated answers. Domain: stated by ascending from_level.
+/// stated answers.
+/// Domain: stated by ascending from_level.
 Tally differs_first(const IndexSubject&, Level, const Run&, const std::vector<Difference>& stated);
 
 /// Holds at level n if one of two points, derived from the subject's precision p, gets a wrong index:

@@ -35,8 +35,8 @@ struct WrongCells {
 };
 
 /// Asks the subject on all cells of level n, and compares with the Vulkan formula or, in row order, with
-/// figure 4, both on the points as the subject receives them; lists the wrong cells of a window. Domain: a
-/// subject that has the order's entry point, n up to its highest level.
+/// figure 4, both on the points as the subject receives them; lists the wrong cells of a window.
+/// Domain: a subject that has the order's entry point, n up to its highest level.
 WrongCells wrong_cells(const IndexSubject& subject, Level n, Order order, const CellWindow& window);
 
 }  // namespace mmverify::proofs::index

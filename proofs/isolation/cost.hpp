@@ -10,8 +10,8 @@ namespace mmverify::proofs::isolation {
 /// Nanoseconds an index, medians over rounds that take turns.
 struct Cost {
   double bare = 0;  ///< the library loaded here, called in a loop over batches of 4096
-  double isolated =
-      0;             ///< the same calls made by a worker, the switch of processes and all re-asking included
+  /// The same calls made by a worker, the switch of processes and all re-asking included.
+  double isolated = 0;
   double ratio = 0;  ///< median of isolated / bare, round by round
 };
 

@@ -93,7 +93,7 @@ Finding builds(const MicromapSubject& s, const BuildCase& c) {
   const std::size_t records = o.deduplicate ? different.size() : stored;
   if (in.record_count != records)
     return wrong(fmt::format("{} records", records), fmt::format("{}", in.record_count));
-  return {micromap::hash_of(built.data) ^ micromap::hash_of(built.indices), true, {}, {}};
+  return {proofs::hash_of(built.data) ^ proofs::hash_of(built.indices), true, {}, {}};
 }
 
 void drop_bit(Bytes& bytes, std::size_t byte, unsigned bit) {

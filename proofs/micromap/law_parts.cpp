@@ -29,10 +29,6 @@ std::string hex(const Bytes& bytes) {
 
 }  // namespace
 
-Finding wrong(std::string expected, std::string got) {
-  return {0, false, std::move(expected), std::move(got)};
-}
-
 Finding same(const char* what, const Bytes& expected, const Bytes& got) {
   if (expected == got) return {hash_of(got), true, {}, {}};
   if (expected.size() == got.size() && expected.size() > 24) {
@@ -41,12 +37,6 @@ Finding same(const char* what, const Bytes& expected, const Bytes& got) {
     return wrong(fmt::format("{} byte {} {:02x}", what, k, expected[k]), fmt::format("{:02x}", got[k]));
   }
   return wrong(fmt::format("{} {}", what, hex(expected)), hex(got));
-}
-
-std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a
-  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001B3u;
-  return hash;
 }
 
 Law over(Law law, std::vector<Entry> entries, Cases cases) {
@@ -73,21 +63,13 @@ Law over(Law law, std::vector<Entry> entries, Cases cases) {
   };
   law.cases = [count = cases.count](Level n, const Run&) { return count(n); };
   law.judge = [cases](const Subject& s, Level n, const Run& run) {
-    return sweep(run, cases.count(n), cases.chunk, [&](Chunk chunk, Tally& tally) {
-      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-        const Finding found = cases.check(of_micromap(s), n, k, run);
-        tally.count(Kind::interior, 1);
-        tally.digest(k, found.answer);
-        if (!found.holds)
-          tally.mismatch(Kind::interior, {n, k, 0}, [&] {
-            return Counterexample{{n, k, 0}, n, cases.text(n, k, run), {}, found.expected, found.got};
-          });
-      }
-    });
+    return each_case(
+        run, n, cases.count(n), cases.chunk,
+        [&](std::uint64_t k) { return cases.check(of_micromap(s), n, k, run); },
+        [&](std::uint64_t k) { return cases.text(n, k, run); });
   };
   law.replay = [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
-    const Finding found = replay(of_micromap(s), n, at);
-    return found.holds ? Replayed{true, "ok", "ok", {}} : Replayed{false, found.expected, found.got, {}};
+    return replayed(replay(of_micromap(s), n, at));
   };
   return law;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "proofs/engine/cases.hpp"
 #include "proofs/micromap/subject.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -15,18 +16,8 @@ inline constexpr char packing_source[] =
 inline constexpr char lossy_source[] = "Vulkan's Opacity Micromaps (Vulkanised 2026), Lossy Micromaps";
 inline constexpr char design_source[] = "this project's definition, docs/MICROMAP.md";
 
-/// What a check found: a number for the digest, and what was wrong first.
-struct Finding {
-  std::uint64_t answer = 0;
-  bool holds = true;
-  std::string expected, got;
-};
-Finding wrong(std::string expected, std::string got);
-
 /// Holds just if the bytes are equal; `what` names them.
 Finding same(const char* what, const Bytes& expected, const Bytes& got);
-
-std::uint64_t hash_of(std::span<const std::uint8_t> bytes);
 
 /// The first finding that does not hold; otherwise their answers together.
 template <class... Findings>

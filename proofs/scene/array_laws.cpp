@@ -42,8 +42,8 @@ Law valid_law(const Data& data) {
          micromap::Input in = input_of(data, k, records);
          in.array_counts = counts;
          const auto violations = micromap::validate(in);
-         if (violations.empty()) return {in.triangles, {}, {}};
-         return {0, "no violation", micromap::describe(violations.front())};
+         if (violations.empty()) return {in.triangles};
+         return wrong("no violation", micromap::describe(violations.front()));
        }});
 }
 
@@ -114,9 +114,9 @@ Law indirection_law(const Data& data) {
            }
            found.answer = found.answer * 31 + got;
            if (got != expected)
-             return {0,
-                     fmt::format("state {} of micro-triangle {} of triangle {}", expected, index, triangle),
-                     fmt::format("{}", got)};
+             return wrong(
+                 fmt::format("state {} of micro-triangle {} of triangle {}", expected, index, triangle),
+                 fmt::format("{}", got));
          }
          return found;
        }});

@@ -6,15 +6,9 @@
 #include <functional>
 #include <string>
 
-#include "proofs/engine/law.hpp"
+#include "proofs/engine/cases.hpp"
 
 namespace mmverify::proofs::scene {
-
-/// What was found of one part; `expected` empty: it holds.
-struct Finding {
-  std::uint64_t answer = 0;  ///< for the digest
-  std::string expected = {}, got = {};
-};
 
 /// A law on all parts of a level: `parts` says how many, `what` names them, `check` judges one.
 struct Parts {
@@ -37,35 +31,17 @@ inline Law over(Law law, Parts parts) {
     return fmt::format("no {}", parts.what);
   };
   law.judge = [parts](const Subject&, Level n, const Run& run) {
-    return sweep(run, parts.count(n), 1, [&](Chunk chunk, Tally& tally) {
-      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-        const Finding found = parts.check(n, k);
-        tally.count(Kind::interior, 1);
-        tally.digest(k, found.answer);
-        if (!found.expected.empty())
-          tally.mismatch(Kind::interior, {n, k, 0}, [&] {
-            return Counterexample{{n, k, 0}, n, fmt::format("{}", k), {}, found.expected, found.got};
-          });
-      }
-    });
+    return each_case(
+        run, n, parts.count(n), 1, [&](std::uint64_t k) { return parts.check(n, k); },
+        [](std::uint64_t k) { return fmt::format("{}", k); });
   };
   law.replay = [parts](const Subject&, Level n, const std::string& at) {
     std::uint64_t k = 0;
     if (std::sscanf(at.c_str(), "%lu", &k) != 1 || fmt::format("{}", k) != at || k >= parts.count(n))
       throw BadCase(fmt::format("{}: not one of the {} {}", at, parts.count(n), parts.what));
-    const Finding found = parts.check(n, k);
-    return found.expected.empty() ? Replayed{true, "ok", "ok", {}}
-                                  : Replayed{false, found.expected, found.got, {}};
+    return replayed(parts.check(n, k));
   };
   return law;
-}
-
-/// FNV-1a, for digests.
-template <class Bytes>
-std::uint64_t hash_of(const Bytes& bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325u;
-  for (const auto byte : bytes) hash = (hash ^ static_cast<std::uint8_t>(byte)) * 0x100000001B3u;
-  return hash;
 }
 
 }  // namespace mmverify::proofs::scene

@@ -11,8 +11,8 @@
 namespace mmverify::proofs::scene {
 
 /// The index at level n, in the order of the planned triangle, of micro-triangle `index` of a use whose
-/// vertex k is the planned one's vertex order[k]: through corners, as the specification has them. Domain:
-/// index < 4^n; n in 0..16.
+/// vertex k is the planned one's vertex order[k]: through corners, as the specification has them.
+/// Domain: index < 4^n; n in 0..16.
 inline std::uint32_t in_planned_order(std::uint32_t index, Level n, const impl::scene::VertexOrder& order) {
   // The centroid's barycentrics of the vertices, in thirds of 1/N.
   std::array<std::uint32_t, 3> mine{};

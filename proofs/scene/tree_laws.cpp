@@ -12,46 +12,45 @@ namespace tree = impl::tree;
 
 /// A record's map; of 4-state it is judged, of 2-state as well.
 struct Map {
-  tree::Bits bits;
+  micromap::Format format;
   std::span<const std::uint8_t> bytes;
 };
 
 Map map_of(const Data& data, const micromap::Record& record) {
   const auto format = static_cast<micromap::Format>(record.format);
-  return {
-      format == micromap::Format::two_state ? tree::Bits::two_state : tree::Bits::four_state,
-      std::span(data.arrays.array.data)
-          .subspan(record.offset, micromap::packed_bytes(micromap::micro_triangles(record.level), format))};
+  return {format, std::span(data.arrays.array.data)
+                      .subspan(record.offset,
+                               micromap::packed_bytes(micromap::micro_triangles(record.level), format))};
 }
 
 unsigned state_at(const Map& map, std::uint64_t index) {
-  const unsigned b = static_cast<unsigned>(map.bits);
+  const unsigned b = micromap::bits(map.format);
   return map.bytes[index * b / 8] >> (index * b % 8) & ((1u << b) - 1);
 }
 
 Finding round_trip(const Map& map, Level n) {
   micromap::Bytes back(map.bytes.size());
-  const tree::Stream stream = tree::encode_stream(n, map.bits, map.bytes);
-  if (!tree::decode_stream(n, map.bits, stream, back) ||
+  const tree::Stream stream = tree::encode_stream(n, map.format, map.bytes);
+  if (!tree::decode_stream(n, map.format, stream, back) ||
       !std::equal(back.begin(), back.end(), map.bytes.begin()))
-    return {0, "the map, from its two bit sequences", "another"};
-  const tree::Tree form = tree::Tree::encode(n, map.bits, map.bytes);
+    return wrong("the map, from its two bit sequences", "another");
+  const tree::Tree form = tree::Tree::encode(n, map.format, map.bytes);
   form.decode(back);
   if (!std::equal(back.begin(), back.end(), map.bytes.begin()))
-    return {0, "the map, from the form for random access", "another"};
+    return wrong("the map, from the form for random access", "another");
   const std::uint64_t count = micromap::micro_triangles(n);
   for (std::uint64_t k = 0; k < 256; ++k) {
     // All digits meet: both ends, and places drawn.
     const std::uint64_t index = k == 0 ? 0 : k == 1 ? count - 1 : Random(1, n, k).below(count);
     if (const unsigned got = form[index], expected = state_at(map, index); got != expected)
-      return {0, fmt::format("state {} at {}", expected, index), fmt::format("{}", got)};
+      return wrong(fmt::format("state {} at {}", expected, index), fmt::format("{}", got));
     if (k < 8) {
-      const unsigned got = tree::lookup_stream(n, map.bits, stream, index), expected = state_at(map, index);
+      const unsigned got = tree::lookup_stream(n, map.format, stream, index), expected = state_at(map, index);
       if (got != expected)
-        return {0, fmt::format("state {} at {}, by Algorithm 3", expected, index), fmt::format("{}", got)};
+        return wrong(fmt::format("state {} at {}, by Algorithm 3", expected, index), fmt::format("{}", got));
     }
   }
-  return {stream.nodes * 0x9E3779B97F4A7C15u + hash_of(stream.tree), {}, {}};
+  return {stream.nodes * 0x9E3779B97F4A7C15u + hash_of(stream.tree)};
 }
 
 }  // namespace

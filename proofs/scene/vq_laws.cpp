@@ -23,12 +23,12 @@ Finding conservative(const Map& map, const Encoded& encoded) {
     const auto was = static_cast<unsigned>(map[k]), is = static_cast<unsigned>(back[k]);
     if (was == is) continue;
     if (is != static_cast<unsigned>(vq::State::C))
-      return {0, fmt::format("state {} or C of region {}", was, k), fmt::format("{}", is)};
+      return wrong(fmt::format("state {} or C of region {}", was, k), fmt::format("{}", is));
     ++substitutions;
   }
   if (substitutions != encoded.substitutions)
-    return {0, fmt::format("{} substitutions", substitutions), fmt::format("{}", encoded.substitutions)};
-  return {hash_of(encoded.block), {}, {}};
+    return wrong(fmt::format("{} substitutions", substitutions), fmt::format("{}", encoded.substitutions));
+  return {hash_of(encoded.block)};
 }
 
 /// A region is C if anything in it is, or O meets T, by the exact states of its two micro-triangles.
@@ -49,9 +49,9 @@ Finding exact_region(const ExactSurfaces& exact, const impl::scene::Pair& pair, 
   }
   const vq::State expected = marks == 1 ? vq::State::T : marks == 2 ? vq::State::O : vq::State::C;
   if (got != expected)
-    return {0, fmt::format("state {} of region ({}, {})", static_cast<unsigned>(expected), x, y),
-            fmt::format("{}", static_cast<unsigned>(got))};
-  return {marks, {}, {}};
+    return wrong(fmt::format("state {} of region ({}, {})", static_cast<unsigned>(expected), x, y),
+                 fmt::format("{}", static_cast<unsigned>(got)));
+  return {marks};
 }
 
 /// Regions that are looked at: they span thousands of texels each.

@@ -15,8 +15,8 @@ struct Change {
   std::function<void(const Map&, float, float, std::uint8_t&)> point = {};    ///< map, u, v: the state
   std::function<void(const Map&, Bytes&)> bytes = {};                         ///< the code's bytes
   std::function<CodePtr(Level, Format, std::span<const std::uint8_t>, CodePtr)> open = {};
-  std::function<std::uint64_t(Level, std::uint64_t, std::uint64_t)> reads =
-      {};  ///< level, index, true number
+  /// Level, index, true number.
+  std::function<std::uint64_t(Level, std::uint64_t, std::uint64_t)> reads = {};
 };
 
 TreeSubjectPtr altered(const std::string& name, const std::string& base, Change change);

@@ -44,21 +44,6 @@ std::pair<Format, Bytes> string_from(const std::string& text) {
   return {format, bytes};
 }
 
-/// A case of one index or none, judged alike on its own and in the sweep.
-Replayed replayed(const Finding& found) {
-  return found.holds ? Replayed{true, "ok", "ok", {}}
-                     : Replayed{false, found.where + " " + found.expected, found.got, {}};
-}
-
-void add(Tally& tally, Level n, std::uint64_t k, const std::string& at, const Finding& found) {
-  tally.count(Kind::interior, 1);
-  tally.digest(k, found.answer);
-  if (!found.holds)
-    tally.mismatch(Kind::interior, {n, k, 0}, [&] {
-      return Counterexample{{n, k, 0}, n, at, {}, found.where + " " + found.expected, found.got};
-    });
-}
-
 /// The number after "k=".
 std::uint64_t number_from(const std::string& text, std::uint64_t limit) {
   const Parts parts = parts_of(text, "k=([0-9]{1,10})");
@@ -71,7 +56,7 @@ Finding reads(const TreeSubject& s, Level n, std::uint64_t k) {
   const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
                       got = s.encode(alternating_map(n, Format::two_state))->tree_bits_read(k);
   if (got != expected) return wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
-  return {got, true, {}, {}, {}};
+  return {got};
 }
 
 Finding worst_size(const TreeSubject& s, Level n, Format f) {
@@ -81,7 +66,7 @@ Finding worst_size(const TreeSubject& s, Level n, Format f) {
   if (bytes.size() != expected)
     return wrong(fmt::format("bytes, {} bits,", spec::tree::most_bits(n, f)), fmt::format("{}", expected),
                  fmt::format("{}", bytes.size()));
-  return {hash_of(bytes), true, {}, {}, {}};
+  return {hash_of(bytes)};
 }
 
 constexpr Format formats[] = {Format::two_state, Format::four_state};
@@ -109,13 +94,12 @@ Law canonical_law() {
   law.divisible = true;
   law.on_lines = false;
   law.judge = [](const Subject& s, Level n, const Run& run) {
-    return sweep(run, 2 * strings, 1024, [&](Chunk chunk, Tally& tally) {
-      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-        const Format f = formats[k / strings];
-        const Bytes bytes = string_number(k % strings);
-        add(tally, n, k, text_of(f, bytes), bytes_are_canonical(of_tree(s), n, f, bytes));
-      }
-    });
+    return each_case(
+        run, n, 2 * strings, 1024,
+        [&](std::uint64_t k) {
+          return bytes_are_canonical(of_tree(s), n, formats[k / strings], string_number(k % strings));
+        },
+        [](std::uint64_t k) { return text_of(formats[k / strings], string_number(k % strings)); });
   };
   law.replay = [](const Subject& s, Level n, const std::string& at) {
     const auto [f, bytes] = string_from(at);
@@ -162,14 +146,15 @@ Law bits_read_law() {
   law.on_lines = false;
   law.judge = [](const Subject& s, Level n, const Run& run) {
     const CodePtr code = of_tree(s).encode(alternating_map(n, Format::two_state));
-    return sweep(run, micro_triangles(n), 64, [&](Chunk chunk, Tally& tally) {
-      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-        const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k), got = code->tree_bits_read(k);
-        add(tally, n, k, fmt::format("k={}", k),
-            got == expected ? Finding{got, true, {}, {}, {}}
-                            : wrong("bits", fmt::format("{}", expected), fmt::format("{}", got)));
-      }
-    });
+    return each_case(
+        run, n, micro_triangles(n), 64,
+        [&](std::uint64_t k) {
+          const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
+                              got = code->tree_bits_read(k);
+          return got == expected ? Finding{got}
+                                 : wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
+        },
+        [](std::uint64_t k) { return fmt::format("k={}", k); });
   };
   law.replay = [](const Subject& s, Level n, const std::string& at) {
     return replayed(reads(of_tree(s), n, number_from(at, micro_triangles(n))));
@@ -203,10 +188,9 @@ Law worst_size_law() {
   law.unfit = needing({Entry::bytes, Entry::stream});
   law.on_lines = false;
   law.judge = [](const Subject& s, Level n, const Run& run) {
-    return sweep(run, 2, 1, [&](Chunk chunk, Tally& tally) {
-      const Format f = formats[chunk.begin];
-      add(tally, n, chunk.begin, fmt::format("k={}", chunk.begin), worst_size(of_tree(s), n, f));
-    });
+    return each_case(
+        run, n, 2, 1, [&](std::uint64_t k) { return worst_size(of_tree(s), n, formats[k]); },
+        [](std::uint64_t k) { return fmt::format("k={}", k); });
   };
   law.replay = [](const Subject& s, Level n, const std::string& at) {
     return replayed(worst_size(of_tree(s), n, formats[number_from(at, 2)]));

@@ -69,7 +69,7 @@ const Points& all_points(Level n) {
 }
 
 /// A hash of what was answered.
-Finding answered(std::span<const std::uint8_t> states) { return {hash_of(states), true, {}, {}, {}}; }
+Finding answered(std::span<const std::uint8_t> states) { return {hash_of(states)}; }
 
 }  // namespace
 
@@ -83,7 +83,7 @@ Finding round_trip_and_lookups_of_level_2(const TreeSubject& s, const Map& map) 
   code->lookup(indices, states);
   bool same = decoded == map.packed;
   for (std::uint32_t k = 0; k < states.size(); ++k) same = same && states[k] == state_at(map, k);
-  if (same) return {hash_of(decoded), true, {}, {}, {}};
+  if (same) return {hash_of(decoded)};
   if (Finding found = same_map(map, decoded); !found.holds) return found;
   return lookups(s, map);
 }
@@ -120,7 +120,7 @@ Finding stream_is_specified(const TreeSubject& s, const Map& map) {
   const States states = spec::micromap::unpack(map.packed, map.format, micro_triangles(map.level));
   const Bytes expected = spec::tree::bytes(spec::tree::encode(states, map.level), map.format),
               got = s.encode(map)->bytes();
-  if (got == expected) return {hash_of(got), true, {}, {}, {}};
+  if (got == expected) return {hash_of(got)};
   const auto [at, other] = std::mismatch(expected.begin(), expected.end(), got.begin(), got.end());
   const auto byte = at - expected.begin();
   return wrong(fmt::format("bytes from {} on", byte), hex({at, expected.end()}).substr(0, 64),
@@ -142,7 +142,7 @@ Finding sizes(const TreeSubject& s, const Map& map) {
   const std::uint64_t expected = (nodes + 7) / 8 + (leaves * bits(map.format) + 7) / 8;
   if (bytes.size() != expected)
     return wrong("bytes", fmt::format("{}", expected), fmt::format("{}", bytes.size()));
-  return {nodes, true, {}, {}, {}};
+  return {nodes};
 }
 
 Finding damage(const TreeSubject& s, const Map& map) {
@@ -170,7 +170,7 @@ Finding damage(const TreeSubject& s, const Map& map) {
     bytes.pop_back();
     if (auto found = judge(bytes, fmt::format("cut to {} bytes,", bytes.size()))) return *found;
   }
-  return {taken, true, {}, {}, {}};
+  return {taken};
 }
 
 Finding bytes_are_canonical(const TreeSubject& s, Level n, Format f, std::span<const std::uint8_t> bytes) {
@@ -179,13 +179,13 @@ Finding bytes_are_canonical(const TreeSubject& s, Level n, Format f, std::span<c
   const CodePtr code = s.open(n, f, bytes);
   if (meant.has_value() != (code != nullptr))
     return wrong("bytes", meant ? "taken" : "refused", meant ? "refused" : "taken");
-  if (code == nullptr) return {0, true, {}, {}, {}};
+  if (code == nullptr) return {0};
   const Map map{n, f, spec::micromap::pack(*meant, f)};
   if (Finding same = same_map(map, code->decode()); !same.holds) return same;
   const Bytes again = s.encode(map)->bytes();
   if (!std::equal(again.begin(), again.end(), bytes.begin(), bytes.end()))
     return wrong("encoded again", hex(bytes), hex(again));
-  return {hash_of(again), true, {}, {}, {}};
+  return {hash_of(again)};
 }
 
 }  // namespace mmverify::proofs::tree

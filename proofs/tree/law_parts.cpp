@@ -23,24 +23,13 @@ Law over(Law law, std::vector<Entry> entries, Check check, Domain domain) {
   law.unfit = needing(std::move(entries));
   law.cases = [count = domain.count](Level n, const Run&) { return count(n); };
   law.judge = [check, domain](const Subject& s, Level n, const Run& run) {
-    return sweep(run, domain.count(n), domain.chunk, [&](Chunk chunk, Tally& tally) {
-      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-        const Map map = domain.map(n, k, run);
-        const Finding found = check(of_tree(s), map);
-        tally.count(Kind::interior, 1);
-        tally.digest(k, found.answer);
-        if (!found.holds)
-          tally.mismatch(Kind::interior, {n, k, 0}, [&] {
-            return Counterexample{
-                {n, k, 0}, n, domain.text(map, k, run), {}, found.where + " " + found.expected, found.got};
-          });
-      }
-    });
+    const auto map = [&](std::uint64_t k) { return domain.map(n, k, run); };
+    return each_case(
+        run, n, domain.count(n), domain.chunk, [&](std::uint64_t k) { return check(of_tree(s), map(k)); },
+        [&](std::uint64_t k) { return domain.text(map(k), k, run); });
   };
   law.replay = [check](const Subject& s, Level n, const std::string& at) {
-    const Finding found = check(of_tree(s), map_from_text(n, at));
-    return found.holds ? Replayed{true, "ok", "ok", {}}
-                       : Replayed{false, found.where + " " + found.expected, found.got, {}};
+    return replayed(check(of_tree(s), map_from_text(n, at)));
   };
   return law;
 }
@@ -49,8 +38,8 @@ std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
 
 }  // namespace
 
-Finding wrong(std::string where, std::string expected, std::string got) {
-  return {0, false, std::move(where), std::move(expected), std::move(got)};
+Finding wrong(const std::string& where, const std::string& expected, std::string got) {
+  return proofs::wrong(where + " " + expected, std::move(got));
 }
 
 std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries) {
@@ -127,13 +116,7 @@ Finding same_map(const Map& expected, const Bytes& got) {
       return wrong(fmt::format("state {}", k), fmt::format("{}", state_at(expected, k)),
                    fmt::format("{}", state_at(found, k)));
   if (got != expected.packed) return wrong("padding bits", "0", "1");
-  return {hash_of(got), true, {}, {}, {}};
-}
-
-std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a
-  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001B3u;
-  return hash;
+  return {hash_of(got)};
 }
 
 std::string hex(std::span<const std::uint8_t> bytes) { return fmt::format("{:02x}", fmt::join(bytes, " ")); }

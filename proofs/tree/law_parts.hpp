@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "proofs/engine/cases.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::tree {
@@ -13,17 +14,10 @@ inline constexpr char succinct_4_1[] = "Succinct Opacity Micromaps, 4.1, Algorit
 inline constexpr char succinct_4_2[] = "Succinct Opacity Micromaps, 4.2, Algorithm 3";
 inline constexpr char succinct_6_2[] = "Succinct Opacity Micromaps, 6.2 and 6.2.1, figures 9 and 10";
 
-/// What a check of one map found: a number for the digest, and what was wrong first.
-struct Finding {
-  std::uint64_t answer = 0;
-  bool holds = true;
-  std::string where, expected, got;
-};
-
 using Check = std::function<Finding(const TreeSubject&, const Map&)>;
 
-/// A failed finding.
-Finding wrong(std::string where, std::string expected, std::string got);
+/// A failed finding: "WHERE EXPECTED" and what was there.
+Finding wrong(const std::string& where, const std::string& expected, std::string got);
 
 /// Why a law that needs these entries does not apply, if so.
 std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries);
@@ -39,9 +33,6 @@ Law on_samples(Law law, std::vector<Entry> entries, Check check);
 
 /// The first difference of two maps, as a finding; `answer` is a hash of the second.
 Finding same_map(const Map& expected, const Bytes& got);
-
-/// Order-dependent hash of bytes, for digests.
-std::uint64_t hash_of(std::span<const std::uint8_t> bytes);
 
 /// "05 01 90"
 std::string hex(std::span<const std::uint8_t> bytes);

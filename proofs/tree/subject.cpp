@@ -14,7 +14,7 @@ namespace fast = impl::tree;
 
 [[noreturn]] void no_entry() { throw std::logic_error("a tree subject was asked for what it has not"); }
 
-fast::Bits fast_bits(Format f) { return static_cast<fast::Bits>(bits(f)); }
+fast::Format fast_bits(Format f) { return static_cast<fast::Format>(bits(f)); }
 
 Bytes empty_map(Level n, Format f) {
   return Bytes(spec::micromap::packed_bytes(spec::micromap::micro_triangles(n), f), 0);

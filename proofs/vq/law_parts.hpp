@@ -7,28 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "proofs/engine/cases.hpp"
 #include "proofs/vq/subject.hpp"
 
 namespace mmverify::proofs::vq {
-
-/// What a check of one case found: a number for the digest, and what was wrong first.
-struct Finding {
-  std::uint64_t answer = 0;
-  bool holds = true;
-  std::string expected = {}, got = {};
-};
-
-inline Finding wrong(std::string expected, std::string got) {
-  return {0, false, std::move(expected), std::move(got)};
-}
-
-/// Order-dependent hash of bytes or states, for digests.
-template <class Array>
-std::uint64_t hash_of(const Array& values) {
-  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a
-  for (const auto value : values) hash = (hash ^ static_cast<std::uint8_t>(value)) * 0x100000001B3u;
-  return hash;
-}
 
 /// Of a law about one format.
 template <class Format>
@@ -75,22 +57,14 @@ Law over(Law law, Lacks lacks, Cases<Case> cases) {
   };
   law.cases = cases.count;
   law.judge = [cases, of_vq](const Subject& s, Level n, const Run& run) {
-    return sweep(run, cases.count(n, run), cases.chunk, [&](Chunk chunk, Tally& tally) {
-      for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-        const Case one = cases.number(n, k, run.seed);
-        const Finding found = cases.check(of_vq(s), one);
-        tally.count(Kind::interior, 1);
-        tally.digest(k, found.answer);
-        if (!found.holds)
-          tally.mismatch(Kind::interior, {n, k, 0}, [&] {
-            return Counterexample{{n, k, 0}, n, cases.text(one), {}, found.expected, found.got};
-          });
-      }
-    });
+    const auto number = [&](std::uint64_t k) { return cases.number(n, k, run.seed); };
+    return each_case(
+        run, n, cases.count(n, run), cases.chunk,
+        [&](std::uint64_t k) { return cases.check(of_vq(s), number(k)); },
+        [&](std::uint64_t k) { return cases.text(number(k)); });
   };
   law.replay = [cases, of_vq](const Subject& s, Level n, const std::string& at) {
-    const Finding found = cases.check(of_vq(s), cases.read(n, at));
-    return found.holds ? Replayed{true, "ok", "ok", {}} : Replayed{false, found.expected, found.got, {}};
+    return replayed(cases.check(of_vq(s), cases.read(n, at)));
   };
   return law;
 }

@@ -23,7 +23,7 @@ std::vector<Counterexample> counterexamples(const TreeSubject& subject, const Ru
     for (std::uint64_t k = 0; k < map_count(n) && found.size() < run.errors && !interrupted(); ++k) {
       const Map map = map_number(n, k);
       if (const Finding f = as_specified(subject, map); !f.holds)
-        found.push_back({{n, k, 0}, n, text_of_states(map), {}, f.where + " " + f.expected, f.got});
+        found.push_back({{n, k, 0}, n, text_of_states(map), {}, f.expected, f.got});
     }
   return found;
 }
@@ -69,9 +69,7 @@ Law all_levels_law() {
     return discharge(statements_about(s).value(), dynamic_cast<const TreeSubject&>(s), run);
   };
   law.replay = [](const Subject& s, Level n, const std::string& at) {
-    const Finding found = as_specified(dynamic_cast<const TreeSubject&>(s), map_from_text(n, at));
-    return found.holds ? Replayed{true, "ok", "ok", {}}
-                       : Replayed{false, found.where + " " + found.expected, found.got, {}};
+    return replayed(as_specified(dynamic_cast<const TreeSubject&>(s), map_from_text(n, at)));
   };
   law.mutants = mutants_of_all_levels();
   law.on_lines = false;

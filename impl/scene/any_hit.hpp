@@ -1,4 +1,4 @@
-// How many any-hit calls micromaps save.
+// The share of rays for which the any-hit shader is still called, and of those that micromaps decide.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace mmverify::impl::scene {
 
 /// Shares of the placed area of the planned triangles, each micro-triangle 4^-level of its triangle's.
-struct Saved {
+struct AnyHitShares {
   double area = 0;         ///< in the scene's units, squared
   double transparent = 0;  ///< share in 0..1
   double opaque = 0;
@@ -17,8 +17,7 @@ struct Saved {
 };
 
 /// Of rays that meet the triangles evenly over their area; a triangle counts as often, and as large, as nodes
-/// place it.  In double precision.  Where no area is placed, or one beyond
-/// double precision, all are 0.
-Saved saved(const Scene& scene, const Plan& plan, const Baked& baked);
+/// place it.  In double precision.  Where no area is placed, or one beyond double precision, all are 0.
+AnyHitShares any_hit_shares(const Scene& scene, const Plan& plan, const Baked& baked);
 
 }  // namespace mmverify::impl::scene

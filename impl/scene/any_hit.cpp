@@ -1,4 +1,4 @@
-#include "impl/scene/saved.hpp"
+#include "impl/scene/any_hit.hpp"
 
 #include <cmath>
 
@@ -27,8 +27,8 @@ double area(const Placement& m, const Vector& a, const Vector& b) {
 
 }  // namespace
 
-Saved saved(const Scene& scene, const Plan& plan, const Baked& baked) {
-  Saved sum;
+AnyHitShares any_hit_shares(const Scene& scene, const Plan& plan, const Baked& baked) {
+  AnyHitShares sum;
   for (const PlannedPrimitive& planned : plan.primitives) {
     const Primitive& primitive = scene.primitives[planned.primitive];
     const Mesh& mesh = scene.meshes[primitive.mesh];

@@ -1,4 +1,4 @@
-// The laws that are checked on samples.
+// The judges on samples.
 #include <fmt/format.h>
 
 #include <array>

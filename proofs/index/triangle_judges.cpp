@@ -1,4 +1,4 @@
-// The laws about all micro-triangles of a level together: each index once, neighbours in a row.
+// The judges of all micro-triangles of a level together: each index once, neighbours in a row.
 #include <fmt/format.h>
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// The laws that compare answers on cells.
+// The judges that compare answers on cells.
 #include <fmt/format.h>
 
 #include "proofs/index/judges.hpp"

@@ -1,0 +1,143 @@
+// The tables of docs/ that are computed, each between marks that name it.
+//   document_tables            prints them
+//   document_tables --update   puts them into docs/
+//   document_tables --check    fails where docs/ says something else
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "impl/micromap.hpp"
+#include "impl/micromap_level.hpp"
+#include "proofs/engine/runner.hpp"
+#include "proofs/registry.hpp"
+#include "proofs/tree/maps.hpp"
+
+namespace {
+
+using namespace mmverify::proofs;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What each reading of the paper comes to
+// ---------------------------------------------------------------------------------------------------------------------
+
+std::string row(const Result& r) {
+  const auto cell = [&](Kind kind) {
+    const Count& c = r.by_kind[static_cast<std::size_t>(kind)];
+    return fmt::format("{} / {}", c.mismatches, c.cases);
+  };
+  std::string first = "-";
+  if (!r.counterexamples.empty()) {
+    const Counterexample& c = r.counterexamples.front();
+    first = fmt::format("{}: {}, got {}", c.at, c.expected, c.got);
+  }
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", r.subject, r.level, to_string(r.verdict),
+                     cell(Kind::vertex), cell(Kind::edge), cell(Kind::interior), first);
+}
+
+std::string readings() {
+  constexpr Level last_level = 6;
+  std::string text =
+      "| subject | level | verdict | vertices wrong | edges wrong | interiors wrong | simplest "
+      "counterexample |\n"
+      "|---|---|---|---|---|---|---|\n";
+  const Law& law = *find_law("index.equals_reference");
+  for (const char* subject : {"step", "step-appendix-middle", "step-appendix-ties", "step-appendix-names"})
+    for (Level n = 0; n <= last_level; ++n) text += row(run_level(law, *find_subject(subject), n, Run{}));
+  return text;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What one bit a state costs
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// -sum p log2 p, in bits.
+double entropy(const mmverify::impl::micromap::StateCounts& states, double all) {
+  double bits = 0;
+  for (const std::uint64_t n : states)
+    if (n != 0) bits -= static_cast<double>(n) / all * std::log2(static_cast<double>(n) / all);
+  return bits;
+}
+
+std::string modes() {
+  namespace micromap = mmverify::impl::micromap;
+  constexpr std::uint64_t seed = 1, discs = 40;
+  std::string text =
+      "| level | T | O | C | asks in 4-state | in T/C | in O/C | entropy, bits a state |\n"
+      "|---|---|---|---|---|---|---|---|\n";
+  for (const Level n : {3u, 5u, 7u, 9u}) {
+    micromap::StateCounts sum{};
+    for (std::uint64_t k = 0; k < discs; ++k) {
+      // Of ten samples in a row the fourth is a disc in four states.
+      const tree::Map map = tree::sample_map(n, seed, 10 * k + 3);
+      const auto states =
+          micromap::count_states(map.packed, micromap::Format::four_state, micromap::micro_triangles(n));
+      for (std::size_t s = 0; s < sum.size(); ++s) sum[s] += states[s];
+    }
+    const auto all = static_cast<double>(discs * micromap::micro_triangles(n));
+    const auto asks = [&](const micromap::Cost& cost) { return static_cast<double>(cost.any_hit) / all; };
+    text += fmt::format("| {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.2f} |\n", n,
+                        static_cast<double>(sum[0]) / all, static_cast<double>(sum[1]) / all,
+                        static_cast<double>(sum[2] + sum[3]) / all, asks(micromap::cost(sum)),
+                        asks(micromap::cost(sum, micromap::Mode::T_C)),
+                        asks(micromap::cost(sum, micromap::Mode::O_C)), entropy(sum, all));
+  }
+  return text;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Into the documents
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct Table {
+  const char *name, *document;
+  std::string (*make)();
+};
+constexpr Table tables[] = {{"readings", MMVERIFY_DOCS "/ERRATA.md", readings},
+                            {"modes", MMVERIFY_DOCS "/MICROMAP.md", modes}};
+
+std::string read(const char* path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The document with the table as it is now; empty where the marks are missing.
+std::string renewed(std::string text, const Table& table) {
+  const std::string begin = fmt::format("<!-- table {} -->\n", table.name), end = "<!-- end of table -->\n";
+  const auto from = text.find(begin);
+  const auto to = text.find(end, from == std::string::npos ? from : from + begin.size());
+  if (from == std::string::npos || to == std::string::npos) return {};
+  return text.replace(from + begin.size(), to - from - begin.size(), table.make());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string_view asked = argc == 2 ? argv[1] : "";
+  if (argc > 2 || (argc == 2 && asked != "--update" && asked != "--check")) {
+    fmt::print(stderr, "usage: document_tables [--update | --check]\n");
+    return 2;
+  }
+  int code = 0;
+  for (const Table& table : tables) {
+    if (argc == 1) {
+      fmt::print("{}\n", table.make());
+      continue;
+    }
+    const std::string before = read(table.document), after = renewed(before, table);
+    if (after.empty()) {
+      fmt::print(stderr, "{}: the marks of table {} are missing\n", table.document, table.name);
+      code = 4;
+    } else if (before != after && asked == "--check") {
+      fmt::print(stderr, "{}: table {} is not what is computed; if the change is meant, run ./run tables\n",
+                 table.document, table.name);
+      code = 1;
+    } else if (before != after) {
+      std::ofstream(table.document) << after;
+    }
+  }
+  return code;
+}
