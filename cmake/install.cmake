@@ -11,7 +11,7 @@ install(FILES
   impl/micromap_validate.hpp impl/tree.hpp impl/tree_container.hpp impl/tree_stream.hpp impl/vq.hpp
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mmverify/impl)
 file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*.svg ${PROJECT_SOURCE_DIR}/docs/*.png)
-install(FILES ${documents} docs/result.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${documents} docs/result.schema.json docs/bench.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY proofs/statements examples docs/ci DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # find_package(mmverify)
