@@ -5,13 +5,11 @@ install(TARGETS mmverify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS mmverify-worker RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/mmverify)
 install(FILES sdk/mmverify_subject.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS mmverify_impl EXPORT mmverify ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES
-  impl/bake.hpp impl/bake_map.hpp impl/bake_triangles.hpp impl/bake_wrap.hpp impl/binary16.hpp impl/index.hpp impl/index_wide.hpp
-  impl/micromap.hpp impl/micromap_array.hpp impl/micromap_level.hpp impl/micromap_reorder.hpp impl/micromap_rules.hpp
-  impl/micromap_validate.hpp impl/tree.hpp impl/tree_container.hpp impl/tree_stream.hpp impl/vq.hpp
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mmverify/impl)
+file(STRINGS cmake/public_headers.txt public_headers REGEX "^[^#]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt)
+install(FILES ${public_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mmverify/impl)
 file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*.svg ${PROJECT_SOURCE_DIR}/docs/*.png)
-install(FILES ${documents} docs/result.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${documents} docs/result.schema.json docs/bench.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY proofs/statements examples docs/ci DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # find_package(mmverify)

@@ -3,10 +3,10 @@
 
 Below it the folder bake_differential; see the head of the harness for what an input is.
 """
-import pathlib
 import random
 import struct
-import sys
+
+import seeds
 
 REPEAT, MIRROR, CLAMP, BORDER, ONCE = range(5)
 U8, U16, F32 = 0, 64, 128
@@ -54,7 +54,4 @@ SEEDS = {
     "factors": case(4, 4, NOISE[:16], CROSSING, how=HALF, factor=100, cutoff=(1, 3)),
 }
 
-folder = pathlib.Path(sys.argv[1], "bake_differential")
-folder.mkdir(parents=True, exist_ok=True)
-for name, data in SEEDS.items():
-    (folder / name).write_bytes(data)
+seeds.write({"bake_differential": SEEDS})

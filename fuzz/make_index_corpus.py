@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the seed corpus of index_differential: python3 fuzz/make_index_corpus.py fuzz/corpus/index_differential
+"""Writes the seed corpus of index_differential: python3 fuzz/make_index_corpus.py fuzz/corpus
 
-A record is u, v (binary32) and a level byte; see index_differential.cpp.
+Below it the folder index_differential. A record is u, v (binary32) and a level byte; see index_differential.cpp.
 """
-import pathlib
 import struct
-import sys
+
+import seeds
 
 ULP1 = 2.0**-24  # spacing of binary32 just below 1
 TINY = 2.0**-149
@@ -38,7 +38,8 @@ SEEDS = {
     "levels_beyond": [(0.3, 0.6, n) for n in (15, 16, 17, 31)],
 }
 
-folder = pathlib.Path(sys.argv[1])
-folder.mkdir(parents=True, exist_ok=True)
-for name, records in SEEDS.items():
-    (folder / name).write_bytes(b"".join(struct.pack("<ffB", *record) for record in records))
+seeds.write({
+    "index_differential": {
+        name: b"".join(struct.pack("<ffB", *record) for record in records) for name, records in SEEDS.items()
+    }
+})  # fmt: skip

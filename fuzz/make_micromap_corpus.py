@@ -3,9 +3,9 @@
 
 The records are described in micromap_codec.cpp and micromap_array.cpp.
 """
-import pathlib
 import struct
-import sys
+
+import seeds
 
 U8, U16, U32, I16, I32 = range(5)
 EXT, KHR, DXR, GLTF = 1, 2, 4, 8
@@ -115,8 +115,4 @@ SEEDS = {
     },
 }
 
-for target, files in SEEDS.items():
-    folder = pathlib.Path(sys.argv[1]) / target
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, seed in files.items():
-        (folder / name).write_bytes(seed)
+seeds.write(SEEDS)

@@ -6,10 +6,10 @@ See scene_input.hpp for what an input is.
 import base64
 import copy
 import json
-import pathlib
 import struct
-import sys
 import zlib
+
+import seeds
 
 EXT = "EXT_mesh_opacity_micromap"
 FLOAT, U8, I16, U16, U32 = 5126, 5121, 5122, 5123, 5125
@@ -420,8 +420,4 @@ VALIDATE = {
     "no_extension": File().parts(),
 }
 
-for target, files in {"scene_load": LOAD, "scene_validate": VALIDATE}.items():
-    folder = pathlib.Path(sys.argv[1]) / target
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, seed in files.items():
-        (folder / name).write_bytes(seed)
+seeds.write({"scene_load": LOAD, "scene_validate": VALIDATE})

@@ -1,9 +1,12 @@
-#!/usr/bin/python3
-"""Writes fuzz/corpus/subject: one seed for each thing that fuzz/subject.cpp asks.  usage: fuzz/make_subject_corpus.py"""
-import pathlib
+#!/usr/bin/env python3
+"""Writes the seed corpus of the harness of other people's libraries: python3 fuzz/make_subject_corpus.py fuzz/corpus
+
+Below it the folder subject; one seed for each thing that subject.cpp asks.
+"""
 import struct
 
-FOLDER = pathlib.Path(__file__).resolve().parent / "corpus/subject"
+import seeds
+
 RUNS = bytes([28, 29, 30, 31] * 4)  # T, O, UT, UO (or T, C, O, C), 128 of each
 
 SEEDS = {
@@ -27,6 +30,4 @@ SEEDS = {
     "tree_level_9": bytes([1, 251, 1] + [60, 61, 62, 63] * 8),
 }
 
-FOLDER.mkdir(parents=True, exist_ok=True)
-for name, seed in SEEDS.items():
-    (FOLDER / name).write_bytes(seed)
+seeds.write({"subject": SEEDS})

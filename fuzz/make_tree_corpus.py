@@ -3,10 +3,10 @@
 
 Below it the folders tree_round_trip and tree_decoder; see the head of each harness for what an input is.
 """
-import pathlib
 import random
 import struct
-import sys
+
+import seeds
 
 
 def crc32c(data):
@@ -137,8 +137,4 @@ DECODER = {
     "one_leaf": stream(12, 1, 1, [0], [1]),
 }
 
-for name, seeds in {"tree_round_trip": ROUND_TRIP, "tree_decoder": DECODER}.items():
-    folder = pathlib.Path(sys.argv[1], name)
-    folder.mkdir(parents=True, exist_ok=True)
-    for seed, data in seeds.items():
-        (folder / seed).write_bytes(data)
+seeds.write({"tree_round_trip": ROUND_TRIP, "tree_decoder": DECODER})

@@ -3,9 +3,9 @@
 
 Below it the folders vq_encode and vq_decode; see the head of each harness for what an input is.
 """
-import pathlib
 import random
-import sys
+
+import seeds
 
 VQ2, VQ4 = 0, 1
 RUNS, REGIONS, VECTORS, BLOCK = 0, 2, 4, 6  # how the map is drawn, in the first byte
@@ -84,8 +84,4 @@ DECODE = {
     "vq4_cut": bytes([3]) + block(4, EVERY4, [4, 4, 4], CODES4)[:40],
 }
 
-for name, seeds in {"vq_encode": ENCODE, "vq_decode": DECODE}.items():
-    folder = pathlib.Path(sys.argv[1], name)
-    folder.mkdir(parents=True, exist_ok=True)
-    for seed, data in seeds.items():
-        (folder / seed).write_bytes(data)
+seeds.write({"vq_encode": ENCODE, "vq_decode": DECODE})
