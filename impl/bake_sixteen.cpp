@@ -41,6 +41,7 @@ HWY_INLINE Known known_by_cells(const SixteenInput& in, const Words& words, cons
 /// what some do.
 struct CornerMarks {
   std::uint32_t below = 0, opaque = 0, no_below = 0, no_opaque = 0;
+  std::uint32_t one_no_below = 0, one_no_opaque = 0;  ///< what one of them does not
 };
 /// vertices: 1 below, 2 opaque, 4 no below, 8 no opaque.
 HWY_INLINE CornerMarks of_corners(const SixteenLanes::Ints& vertices, std::uint32_t asked) {
@@ -58,6 +59,8 @@ HWY_INLINE CornerMarks of_corners(const SixteenLanes::Ints& vertices, std::uint3
     marks.opaque |= have(some, 2) & asked;
     marks.no_below |= have(all, 4) & asked;
     marks.no_opaque |= have(all, 8) & asked;
+    marks.one_no_below |= have(some, 4) & asked;
+    marks.one_no_opaque |= have(some, 8) & asked;
   }
   return marks;
 }
@@ -143,8 +146,8 @@ HWY_INLINE SixteenMarks node_of(const SixteenInput& in, const Words& words) {
     if (few.are_few) {
       const FewMarks found = ask_few<Texel>(in, words, met, few);
       corners = of_corners(found.vertices, left);
-      marks.lacks_below |= corners.no_below & found.no_below;
-      marks.lacks_opaque |= corners.no_opaque & found.no_opaque;
+      marks.lacks_below |= corners.one_no_below & found.no_below;
+      marks.lacks_opaque |= corners.one_no_opaque & found.no_opaque;
       marks.leans = found.leans;
       marks.leans_to_opaque = found.leans_to_opaque;
       left &= ~(marks.lacks_below | marks.lacks_opaque);

@@ -46,7 +46,8 @@
 //            closed sets without a common point, but T is connected; so if a corner lacks it, too, all of T
 //            does.  Cells that T only seems to meet may keep this from being said, and make nothing wrong.
 //   places   A micro-vertex, or centroid, more than 2 delta from its cell's border is truly in it: if that is
-//            not mixed, it bears what the cell's texels do.
+//            not mixed, it bears what the cell's texels do.  Nearer it does where, with one limit, clear is
+//            more than 8 R delta: alpha of the cell is that far from the limit, and differs by 2 R delta.
 #pragma once
 
 #include <array>

@@ -119,7 +119,9 @@ struct FewMarks {
 HWY_INLINE Int unmixed(const SixteenInput& in, const Words& words, const Located& at) {
   const Float half = set(0.5f);
   const Float from_middle = hn::Max(hn::Abs(hn::Sub(at.x, half)), hn::Abs(hn::Sub(at.y, half)));
-  const auto is_within = hn::RebindMask(I(), hn::Lt(from_middle, set(0.5f - 2 * in.shape->delta)));
+  // Where marks are clear, a border is as good.
+  const float most = in.shape->clear && in.shape->gap == 0 ? 1.0f : 0.5f - 2 * in.shape->delta;
+  const auto is_within = hn::RebindMask(I(), hn::Lt(from_middle, set(most)));
   const Int one = set(1), are = words.row(words.opaque[0], at.j), mixed = words.row(words.mixed, at.j);
   const auto has = [&](Int x) HWY_ATTR { return hn::Eq(hn::And(hn::Shr(x, at.i), one), one); };
   const Int marks = hn::IfThenElse(has(are), set(2 + 4), set(1 + 8));
