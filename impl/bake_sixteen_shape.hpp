@@ -32,7 +32,7 @@ struct SixteenShape {
     std::array<float, 3> outside, at;
   };
   std::array<Micro, 2> micro{};
-  /// The whole node, from its first corner; without rows within and lines for centres.
+  /// The whole node, from its first corner, if is_small.
   Micro whole{};
   /// Whether a micro-triangle meets at most 4 rows and 4 columns of cells.
   bool is_small = false;
@@ -58,8 +58,8 @@ struct SixteenShape {
     const Spot across{b.x / 4, b.y / 4}, down{c.x / 4, c.y / 4}, far{across.x + down.x, across.y + down.y};
     take_micro(micro[0], {Spot{0, 0}, across, down}, lines, ab_left, margin);
     take_micro(micro[1], {across, down, far}, lines, !ab_left, margin);
-    take_micro(whole, {Spot{0, 0}, b, c}, lines, ab_left, margin);
     is_small = micro[0].right - micro[0].left < 2.5f && micro[0].bottom - micro[0].top < 2.5f;
+    if (is_small) take_micro(whole, {Spot{0, 0}, b, c}, lines, ab_left, margin);
   }
   /// Of the same node; off: what its corners in binary32 are off.
   void take_edges(Spot b, Spot c, double off, double margin) noexcept {
