@@ -35,34 +35,41 @@ class Bilinear {
         cells_(sides, base, delta, filter_.bound(), filter_.usable() && margin == 0),
         lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {
     if (level < 2 || !in_vectors() || !cells_.lines().usable) return;
-    const double part = std::ldexp(1.0, 2 - static_cast<int>(level));
-    const Spot b{(base[1].x - base[0].x) * part, (base[1].y - base[0].y) * part},
-        c{(base[2].x - base[0].x) * part, (base[2].y - base[0].y) * part};
-    // One more for each side's rounding to whole texels.
-    const double size = std::max(std::max({b.x, c.x, 0.0}) - std::min({b.x, c.x, 0.0}),
-                                 std::max({b.y, c.y, 0.0}) - std::min({b.y, c.y, 0.0})) +
-                        6;
-    const std::array<std::array<Spot, 2>, 4> of_nodes{{{b, c},
-                                                       {b, {b.x - c.x, b.y - c.y}},
-                                                       {{{-b.x, -b.y}, {c.x - b.x, c.y - b.y}}},
-                                                       {{{-b.x, -b.y}, {-c.x, -c.y}}}}};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto& [to1, to2] = of_nodes[k];
-      shapes_[k] = shape(to1, to2, k % 2 == 1, size);
-      judging(shapes_[k], to1, to2, size);
+    for (std::uint32_t height = 2; height <= level; height = height == 2 ? 4 : height + 1) {
+      const double part = std::ldexp(1.0, static_cast<int>(height) - static_cast<int>(level));
+      const Spot b{(base[1].x - base[0].x) * part, (base[1].y - base[0].y) * part},
+          c{(base[2].x - base[0].x) * part, (base[2].y - base[0].y) * part};
+      const double extent = std::max(std::max({b.x, c.x, 0.0}) - std::min({b.x, c.x, 0.0}),
+                                     std::max({b.y, c.y, 0.0}) - std::min({b.y, c.y, 0.0}));
+      // One more for each side's rounding to whole texels.
+      const double more = 6;
+      if (height > 2 && extent + more > sixteen_window) return;
+      const bool is_shared = height == 2 && 2 * extent + more < most_shared;
+      if (is_shared) share_ = true;
+      const double size = (is_shared ? 2 * extent : extent) + more;
+      const std::array<std::array<Spot, 2>, 4> of_nodes{{{b, c},
+                                                         {b, {b.x - c.x, b.y - c.y}},
+                                                         {{{-b.x, -b.y}, {c.x - b.x, c.y - b.y}}},
+                                                         {{{-b.x, -b.y}, {-c.x, -c.y}}}}};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto& [to1, to2] = of_nodes[k];
+        SixteenShape& of = shapes_[height][k];
+        of = {to1, to2, cells_.lines(), k % 2 == 1, margin_in(size)};
+        if (height == 2) judging(of, to1, to2, size);
+      }
+      largest_ = height;
     }
   }
 
   Marks texels(const Triangle& p) const noexcept { return filter_.texels(filter_.box(p)); }
   /// Of the sixteen nodes that one is cut into, if they can be asked together.
-  SixteenNodes sixteen_nodes(const Triangle& p, bool turned) const noexcept {
-    if (!in_vectors()) return {};
+  SixteenNodes sixteen_nodes(const Triangle& p, bool turned, std::uint32_t height,
+                             std::uint32_t index) const noexcept {
+    if (height > largest_) return {};
     SixteenInput in;
     const Window w(filter_.box(p));
     if (!placed(p, w, in)) return {};
-    const SixteenShape of_node = shape({p[1].x - p[0].x, p[1].y - p[0].y}, {p[2].x - p[0].x, p[2].y - p[0].y},
-                                       turned, static_cast<double>(w.size));
-    in.shape = &of_node;
+    in.shape = &shape(height, turned, index);
     return detail::sixteen_nodes(in);
   }
 
@@ -102,15 +109,43 @@ class Bilinear {
       }
       return codes;
     }
-    std::uint32_t codes = 0, left = 0xffff;
-    if (marks) {
-      const std::uint32_t unknowns = marks->below & marks->opaque,
-                          leaning = unknowns & marks->leans_to_opaque;
-      const std::uint32_t decided = marks->lacks_below | marks->lacks_opaque | (unknowns & marks->leans);
-      counts.leaves += marks->leaves;
-      codes = spread(decided & (leaning | marks->lacks_below)) | spread(decided & unknowns) << 1;
-      left = ~decided & 0xffff;
-    }
+    return coded(marks ? *marks : SixteenMarks{}, p, turned, index, counts);
+  }
+
+  /// The four nodes of sixteen that one is cut into, asked together, if they are small enough; else false.
+  bool sixty_four(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts,
+                  std::array<std::uint32_t, 4>& codes) const {
+    if constexpr (std::is_same_v<Texel, float>) return false;
+    if (!share_) return false;
+    SixteenInput in;
+    const Window w(filter_.box(p));
+    if (!placed(p, w, in)) return false;
+    const std::array<Triangle, 4> of = children(p);
+    std::array<SixteenNode, 4> nodes;
+    std::array<SixteenMarks, 4> marks;
+    for (std::uint32_t c = 0; c < 4; ++c)
+      nodes[c] = {&shape(2, turned != (c == 1), index + 16 * c), local(of[c][0], w)};
+    detail::sixteen<Texel>(in, nodes, marks.data());
+    for (std::uint32_t c = 0; c < 4; ++c)
+      codes[c] = coded(marks[c], of[c], turned != (c == 1), index + 16 * c, counts);
+    return true;
+  }
+
+ private:
+  /// The edges between the four children of a node, each asked at most once: 0 p01 p02, 1 p01 p12, 2 p02 p12.
+  struct Quad {
+    std::array<Marks, 3> edge{};
+  };
+  static constexpr std::size_t own = 3;  ///< an edge of no other child
+
+  /// The codes of a node; what its marks do not decide is asked one by one.
+  std::uint32_t coded(const SixteenMarks& marks, const Triangle& p, bool turned, std::uint32_t index,
+                      BakeCounts& counts) const {
+    const std::uint32_t unknowns = marks.below & marks.opaque, leaning = unknowns & marks.leans_to_opaque,
+                        decided = marks.lacks_below | marks.lacks_opaque | (unknowns & marks.leans),
+                        left = ~decided & 0xffff;
+    counts.leaves += marks.leaves;
+    std::uint32_t codes = spread(decided & (leaning | marks.lacks_below)) | spread(decided & unknowns) << 1;
     if (left == 0) return codes;
     const std::array<Triangle, 4> of = children(p);
     for (std::uint32_t c = 0; c < 4; ++c) {
@@ -123,13 +158,6 @@ class Bilinear {
     }
     return codes;
   }
-
- private:
-  /// The edges between the four children of a node, each asked at most once: 0 p01 p02, 1 p01 p12, 2 p02 p12.
-  struct Quad {
-    std::array<Marks, 3> edge{};
-  };
-  static constexpr std::size_t own = 3;  ///< an edge of no other child
 
   /// Bit k to bit 2k.
   static std::uint32_t spread(std::uint32_t x) noexcept {
@@ -165,11 +193,11 @@ class Bilinear {
   /// lines.
   double delta_in(double size) const noexcept { return filter_.delta() + 0x1p-20 * size; }
   double margin_in(double size) const noexcept { return 0x1p-18 * size + 0x1p10 * filter_.delta(); }
-  /// Of a node at p0, p0 + b, p0 + c.
-  SixteenShape shape(Spot b, Spot c, bool turned, double size) const noexcept {
-    return {b, c, cells_.lines(), turned, margin_in(size)};
+  /// Of the node of this height at `index`.
+  const SixteenShape& shape(std::uint32_t height, bool turned, std::uint32_t index) const noexcept {
+    return shapes_[height][2 * reversed(index) + turned];
   }
-  /// And what judges alpha there.
+  /// And what judges alpha there: a node at p0, p0 + b, p0 + c.
   void judging(SixteenShape& of, Spot b, Spot c, double size) const noexcept {
     const double delta = delta_in(size);
     of.take_edges(b, c, delta, margin_in(size));
@@ -178,6 +206,7 @@ class Bilinear {
     of.lean = static_cast<float>(lean_);
     of.bound = static_cast<float>(sides_.scale * (2 * delta + 0x1p-19));
     of.edge_bound = static_cast<float>(sides_.scale * (24 * delta + 0x1p-17));
+    of.beyond_bound = static_cast<float>(sides_.scale * (0x1p5 * delta + 0x1p-14));
     of.clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
   }
 
@@ -201,11 +230,14 @@ class Bilinear {
   static void place(const Triangle& p, const Window& w, SixteenInput& in) noexcept {
     in.columns = static_cast<std::int32_t>(w.width);
     in.rows = static_cast<std::int32_t>(w.height);
-    in.p0 = {static_cast<float>(p[0].x - static_cast<double>(w.left)),
-             static_cast<float>(p[0].y - static_cast<double>(w.top))};
+    in.p0 = local(p[0], w);
+  }
+  static std::array<float, 2> local(Spot p, const Window& w) noexcept {
+    return {static_cast<float>(p.x - static_cast<double>(w.left)),
+            static_cast<float>(p.y - static_cast<double>(w.top))};
   }
 
-  /// Whether the edge p0 p1 of the node of sixteen at `index` goes the other way than the base triangle's:
+  /// Whether the edge p0 p1 of the node at `index` goes the other way than the base triangle's:
   /// each fourth child's does (children()).
   static std::size_t reversed(std::uint32_t index) noexcept {
     // The parity of the even bits, folded: not all processors that this is compiled for can count.
@@ -223,9 +255,14 @@ class Bilinear {
   std::optional<SixteenMarks> asked(const Triangle& p, bool turned, std::uint32_t index) const {
     SixteenInput in;
     const Window w(filter_.box(p));
-    in.shape = &shapes_[2 * reversed(index) + turned];
-    const bool in_picture = placed(p, w, in);
-    if (in_picture) return detail::sixteen<Texel>(in);
+    in.shape = &shape(2, turned, index);
+    const auto marks = [&in] {
+      const SixteenNode node{in.shape, in.p0};
+      SixteenMarks found;
+      detail::sixteen<Texel>(in, {&node, 1}, &found);
+      return found;
+    };
+    if (placed(p, w, in)) return marks();
     if (w.size > most_copied || !cells_.lines().usable) return std::nullopt;
     place(p, w, in);
     constexpr std::size_t pitch = most_copied;
@@ -239,7 +276,7 @@ class Bilinear {
     in.visible = sides_.limits.blend ? visible_rows.data() : opaque_rows.data();
     in.strip = pitch;
     in.bit = 0;
-    return detail::sixteen<Texel>(in);
+    return marks();
   }
 
   /// A micro-triangle by the cells that it meets, or else as one of no quad.
@@ -331,8 +368,12 @@ class Bilinear {
   const ExactBase& exact_;
   Within inner_;
   CellJudge<Texel> cells_;
-  /// Of nodes of sixteen with p0 at either end of their edges p0 p1: not turned, turned.
-  std::array<SixteenShape, 4> shapes_;
+  /// By height, of nodes with p0 at either end of their edges p0 p1: not turned, turned.
+  std::array<std::array<SixteenShape, 4>, max_bake_level + 1> shapes_;
+  std::uint32_t largest_ = 0;  ///< of these heights; 0: none
+  /// Whether nodes are small enough for four of them to share a window.
+  static constexpr double most_shared = 32;
+  bool share_ = false;
   double lean_;  ///< g where alpha begins to lean to opaque: blended, half of the way from 1 to 0
 };
 

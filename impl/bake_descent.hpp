@@ -40,12 +40,20 @@ class Descent {
     std::memset(map_ + index / 4, all == opaque ? 0x55 : 0, std::size_t{1} << (2 * height - 2));
   }
 
+  /// Of a node of sixteen.
+  void store(std::uint32_t codes, std::uint32_t index) {
+    for (std::uint32_t k = 0; k < 4; ++k) map_[index / 4 + k] = static_cast<std::uint8_t>(codes >> (8 * k));
+  }
+
   /// A node that texels do not settle.
   void cut(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index) {
-    if (height == 2) {
-      const std::uint32_t codes = judge_.sixteen(p, turned, index, counts);
-      for (std::uint32_t k = 0; k < 4; ++k) map_[index / 4 + k] = static_cast<std::uint8_t>(codes >> (8 * k));
-      return;
+    if (height == 2) return store(judge_.sixteen(p, turned, index, counts), index);
+    if (height == 3) {
+      std::array<std::uint32_t, 4> codes;
+      if (judge_.sixty_four(p, turned, index, counts, codes)) {
+        for (std::uint32_t c = 0; c < 4; ++c) store(codes[c], index + 16 * c);
+        return;
+      }
     }
     if (height == 1) {
       map_[index / 4] = static_cast<std::uint8_t>(
@@ -54,7 +62,7 @@ class Descent {
     }
     const std::uint32_t child = std::uint32_t{1} << (2 * height - 2);
     const std::array<Triangle, 4> of = children(p);
-    const auto sixteen = height >= 4 ? judge_.sixteen_nodes(p, turned) : SixteenNodes{};
+    const auto sixteen = height >= 4 ? judge_.sixteen_nodes(p, turned, height, index) : SixteenNodes{};
     for (std::uint32_t c = 0; c < 4; ++c) {
       const bool is_turned = turned != (c == 1);
       if (sixteen.known)

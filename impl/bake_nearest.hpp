@@ -38,7 +38,13 @@ class Nearest {
         usable_(delta < 0x1p-10) {}
 
   Marks texels(const Triangle& p) const noexcept { return texels(box(p)); }
-  SixteenNodes sixteen_nodes(const Triangle&, bool) const noexcept { return {}; }
+  SixteenNodes sixteen_nodes(const Triangle&, bool, std::uint32_t, std::uint32_t) const noexcept {
+    return {};
+  }
+  bool sixty_four(const Triangle&, bool, std::uint32_t, BakeCounts&,
+                  std::array<std::uint32_t, 4>&) const noexcept {
+    return false;
+  }
 
   unsigned single(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
     const Box around = box(p);

@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "impl/bake_sixteen_edges-inl.hpp"
+#include "impl/bake_sixteen_few-inl.hpp"
 
 // Compiled once for each target.
 HWY_BEFORE_NAMESPACE();
@@ -40,7 +41,29 @@ HWY_INLINE Known known_by_cells(const SixteenInput& in, const Words& words, cons
 /// what some do.
 struct CornerMarks {
   std::uint32_t below = 0, opaque = 0, no_below = 0, no_opaque = 0;
+  std::uint32_t one_no_below = 0, one_no_opaque = 0;  ///< what one of them does not
 };
+/// vertices: 1 below, 2 opaque, 4 no below, 8 no opaque.
+HWY_INLINE CornerMarks of_corners(const SixteenLanes::Ints& vertices, std::uint32_t asked) {
+  CornerMarks marks;
+  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) {
+    const auto corner = [&](std::size_t c) HWY_ATTR {
+      return among(I(), vertices.data(), hn::LoadU(I(), sixteen_lanes.corner[c].data() + k));
+    };
+    const Int a = corner(0), b = corner(1), c = corner(2), some = hn::Or(a, hn::Or(b, c)),
+              all = hn::And(a, hn::And(b, c));
+    const auto have = [k](Int x, std::int32_t bit) HWY_ATTR {
+      return bits_of(hn::RebindMask(F(), hn::Eq(hn::And(x, set(bit)), set(bit))), k);
+    };
+    marks.below |= have(some, 1) & asked;
+    marks.opaque |= have(some, 2) & asked;
+    marks.no_below |= have(all, 4) & asked;
+    marks.no_opaque |= have(all, 8) & asked;
+    marks.one_no_below |= have(some, 4) & asked;
+    marks.one_no_opaque |= have(some, 8) & asked;
+  }
+  return marks;
+}
 template <class Texel>
 MMVERIFY_LARGE CornerMarks ask_corners(const SixteenInput& in, const Words& words, std::uint32_t asked) {
   const F f;
@@ -67,22 +90,7 @@ MMVERIFY_LARGE CornerMarks ask_corners(const SixteenInput& in, const Words& word
     }
     hn::StoreU(marks, I(), vertices.data() + k);
   }
-  CornerMarks marks;
-  for (std::size_t k = 0; k < 16; k += hn::Lanes(f)) {
-    const auto corner = [&](std::size_t c) HWY_ATTR {
-      return among(I(), vertices.data(), hn::LoadU(I(), sixteen_lanes.corner[c].data() + k));
-    };
-    const Int a = corner(0), b = corner(1), c = corner(2), some = hn::Or(a, hn::Or(b, c)),
-              all = hn::And(a, hn::And(b, c));
-    const auto have = [k](Int x, std::int32_t bit) HWY_ATTR {
-      return bits_of(hn::RebindMask(F(), hn::Eq(hn::And(x, set(bit)), set(bit))), k);
-    };
-    marks.below |= have(some, 1) & asked;
-    marks.opaque |= have(some, 2) & asked;
-    marks.no_below |= have(all, 4) & asked;
-    marks.no_opaque |= have(all, 8) & asked;
-  }
-  return marks;
+  return of_corners(vertices, asked);
 }
 
 /// How alpha leans at the centroids of `unknowns`.
@@ -106,16 +114,23 @@ MMVERIFY_LARGE void ask_centroids(const SixteenInput& in, const Words& words, st
   }
 }
 
+/// By a small shape in a small window, if they are few.
 template <class Texel>
-HWY_INLINE SixteenMarks sixteen_of(const SixteenInput& in) {
-  const Words words(in);
-  // Texels may be far; they are on their way while bits are looked at.
-  if (words.is_small)
-    for (std::int32_t r = 0; r < in.rows; ++r)
-      hwy::Prefetch(static_cast<const Texel*>(in.texels) + std::ptrdiff_t{r} * in.pitch + in.columns / 2);
-  CellMarks cells;
-  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<true>(in, words, k, cells);
+HWY_INLINE SixteenMarks node_of(const SixteenInput& in, const Words& words) {
   SixteenMarks marks;
+  MetCells met;
+  FewCells few;
+  if (in.shape->is_small && words.is_small) {
+    few.take(in, words);
+    if (few.are_none) {
+      marks.by_texels = 0xffff;
+      (few.begin_opaque ? marks.lacks_below : marks.lacks_opaque) = 0xffff;
+      return marks;
+    }
+    met.column = few.first_column();
+  }
+  CellMarks cells;
+  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<true>(in, words, k, cells, met);
   marks.by_texels = cells.fit & ~cells.meets_mixed;
   marks.lacks_below = marks.by_texels & cells.begins_opaque;
   marks.lacks_opaque = marks.by_texels & ~cells.begins_opaque;
@@ -127,9 +142,20 @@ HWY_INLINE SixteenMarks sixteen_of(const SixteenInput& in) {
   }
   std::uint32_t left = judged & ~(marks.below & marks.opaque);
   if (left != 0) {
-    const CornerMarks corners = ask_corners<Texel>(in, words, left);
-    marks.below |= corners.below;
-    marks.opaque |= corners.opaque;
+    CornerMarks corners;
+    if (few.are_few) {
+      const FewMarks found = ask_few<Texel>(in, words, met, few);
+      corners = of_corners(found.vertices, left);
+      marks.lacks_below |= corners.one_no_below & found.no_below;
+      marks.lacks_opaque |= corners.one_no_opaque & found.no_opaque;
+      marks.leans = found.leans;
+      marks.leans_to_opaque = found.leans_to_opaque;
+      left &= ~(marks.lacks_below | marks.lacks_opaque);
+    } else {
+      corners = ask_corners<Texel>(in, words, left);
+    }
+    marks.below |= corners.below & left;
+    marks.opaque |= corners.opaque & left;
     left &= ~(marks.below & marks.opaque);
     if (left != 0) {
       const EdgeMarks edges = ask_edges<Texel>(in, words, left);
@@ -140,21 +166,43 @@ HWY_INLINE SixteenMarks sixteen_of(const SixteenInput& in) {
     }
   }
   const std::uint32_t unknowns = marks.below & marks.opaque;
-  if (unknowns != 0) ask_centroids<Texel>(in, words, unknowns, marks);
+  if ((unknowns & ~marks.leans) != 0) ask_centroids<Texel>(in, words, unknowns & ~marks.leans, marks);
   const std::uint32_t decided = marks.lacks_below | marks.lacks_opaque | (unknowns & marks.leans);
   marks.leaves = static_cast<std::uint32_t>(hwy::PopCount(decided & ~marks.by_texels));
   return marks;
 }
 
+template <class Texel>
+HWY_INLINE void sixteen_of(const SixteenInput& window, std::span<const SixteenNode> nodes,
+                           SixteenMarks* marks) {
+  const Words words(window);
+  // Texels may be far; they are on their way while bits are looked at.
+  if (words.is_small)
+    for (std::int32_t r = 0; r < window.rows; ++r)
+      hwy::Prefetch(static_cast<const Texel*>(window.texels) + std::ptrdiff_t{r} * window.pitch +
+                    window.columns / 2);
+  SixteenInput in = window;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    in.shape = nodes[n].shape;
+    in.p0 = nodes[n].p0;
+    marks[n] = node_of<Texel>(in, words);
+  }
+}
+
 SixteenNodes Nodes(const SixteenInput& in) {
   const Words words(in);
   CellMarks cells;
-  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<false>(in, words, k, cells);
+  MetCells met;
+  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<false>(in, words, k, cells, met);
   return {true, cells.fit & ~cells.meets_mixed, cells.begins_opaque};
 }
 
-SixteenMarks Sixteen8(const SixteenInput& in) { return sixteen_of<std::uint8_t>(in); }
-SixteenMarks Sixteen16(const SixteenInput& in) { return sixteen_of<std::uint16_t>(in); }
+void Sixteen8(const SixteenInput& in, std::span<const SixteenNode> nodes, SixteenMarks* marks) {
+  sixteen_of<std::uint8_t>(in, nodes, marks);
+}
+void Sixteen16(const SixteenInput& in, std::span<const SixteenNode> nodes, SixteenMarks* marks) {
+  sixteen_of<std::uint16_t>(in, nodes, marks);
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace mmverify::impl::bake::detail
@@ -169,12 +217,12 @@ HWY_EXPORT(Sixteen16);
 
 SixteenNodes sixteen_nodes(const SixteenInput& in) { return HWY_DYNAMIC_DISPATCH(Nodes)(in); }
 template <>
-SixteenMarks sixteen<std::uint8_t>(const SixteenInput& in) {
-  return HWY_DYNAMIC_DISPATCH(Sixteen8)(in);
+void sixteen<std::uint8_t>(const SixteenInput& in, std::span<const SixteenNode> nodes, SixteenMarks* marks) {
+  HWY_DYNAMIC_DISPATCH(Sixteen8)(in, nodes, marks);
 }
 template <>
-SixteenMarks sixteen<std::uint16_t>(const SixteenInput& in) {
-  return HWY_DYNAMIC_DISPATCH(Sixteen16)(in);
+void sixteen<std::uint16_t>(const SixteenInput& in, std::span<const SixteenNode> nodes, SixteenMarks* marks) {
+  HWY_DYNAMIC_DISPATCH(Sixteen16)(in, nodes, marks);
 }
 
 }  // namespace mmverify::impl::bake::detail

@@ -31,11 +31,29 @@
 //            true edge's by 2 R delta more, and roundings are less than 2^-18 R: less than
 //            edge_bound = R (24 delta + 2^-17).
 // What neither a corner, nor a piece, nor a centre within bears, T does not.
+//
+// Micro-triangles less than 2.5 texels wide and high, which meet few mixed cells, need no pieces for most:
+//   beyond   Each mixed cell's own alpha g_C = a + bx + cy + dxy is continued beyond it over all of T.  It is
+//            least and greatest on T's edges, and along one, from v to w,
+//              g_C = v + (w - v) s - K s (1 - s) >= min(v, w) - max(K, 0) / 4,   K = d dx dy,
+//            so that its values at T's corners, less the greatest max(K, 0) / 4, bound it from below; from
+//            above likewise.  T is within 2.5 texels of a cell that it meets, where g_C changes by less than
+//            6 R a texel along either axis: corners are off by 12 R delta, K / 4 by 5 R delta, and roundings
+//            of values below 2^5 R are less than 2^-15 R: less than
+//            beyond_bound = R (2^5 delta + 2^-14).
+//            Where g_C is beyond that in each mixed cell that T may meet, T's part in these lacks a mark. The
+//            rest of T is in cells of one mark each: were some of them of the mark lacked, T would be two
+//            closed sets without a common point, but T is connected; so if a corner lacks it, too, all of T
+//            does.  Cells that T only seems to meet may keep this from being said, and make nothing wrong.
+//   places   A micro-vertex, or centroid, more than 2 delta from its cell's border is truly in it: if that is
+//            not mixed, it bears what the cell's texels do.  Nearer it does where, with one limit, clear is
+//            more than 8 R delta: alpha of the cell is that far from the limit, and differs by 2 R delta.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "impl/bake_sixteen_shape.hpp"
 
@@ -75,8 +93,14 @@ struct SixteenNodes {
 /// No texel is read.
 SixteenNodes sixteen_nodes(const SixteenInput& input);
 
+/// One of several nodes in a window: what else the input's shape and p0 say.
+struct SixteenNode {
+  const SixteenShape* shape;
+  std::array<float, 2> p0;
+};
+/// marks[n] of nodes[n].
 /// Texel: std::uint8_t or std::uint16_t.
 template <class Texel>
-SixteenMarks sixteen(const SixteenInput& input);
+void sixteen(const SixteenInput& input, std::span<const SixteenNode> nodes, SixteenMarks* marks);
 
 }  // namespace mmverify::impl::bake::detail

@@ -152,9 +152,17 @@ struct CellMarks {
   std::uint32_t perhaps = 0, perhaps_not = 0;  ///< of all rows
 };
 
+/// Of each micro-triangle of a small shape in a small window, which mixed cells it may meet, in rows from its
+/// first: bit 16 r + i of low, for column `column` + i of row r, and of high from the third row on.
+struct MetCells {
+  std::int32_t column = 0;
+  Ints low, high, first;  ///< first: 16 rows to the first
+};
+
 /// `centres`: whether they are asked.
 template <bool centres>
-MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::size_t k, CellMarks& marks) {
+MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::size_t k, CellMarks& marks,
+                              MetCells& met) {
   const SixteenShape& shape = *in.shape;
   const Mask turned = mask_of(sixteen_lanes.turned, k), ab_left = shape.ab_left ? hn::Not(turned) : turned;
   const auto of = [&](auto member) HWY_ATTR {
@@ -194,7 +202,8 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
   const Float from_row = hn::Add(y0, of([](const Micro&m) { return m.first_row; })),
               to_row = hn::Add(y0, of([](const Micro&m) { return m.last_row; }));
   const Int zero = set(0);
-  Int some_mixed = zero, begins = zero, have = zero, have_not = zero, perhaps = zero, perhaps_not = zero;
+  Int some_mixed = zero, begins = zero, have = zero, have_not = zero, perhaps = zero, perhaps_not = zero,
+      met_low = zero, met_high = zero;
   RowByRow rows_of(in, words, word, first);
   const std::int32_t last = hn::GetLane(hn::MaxOfLanes(I(), rows));
   for (std::int32_t r = 0; r < last; ++r) {
@@ -206,7 +215,13 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     const Span about = span(outside, level);
     const Int cells =
         hn::IfThenElseZero(real, run(in_word(hn::Max(about.from, left)), in_word(hn::Min(about.to, right))));
-    some_mixed = hn::Or(some_mixed, hn::And(cells, rows_of.mixed));
+    const Int mixed = hn::And(cells, rows_of.mixed);
+    some_mixed = hn::Or(some_mixed, mixed);
+    if (shape.is_small) {
+      const Int from_column = hn::Shr(mixed, set(met.column));
+      Int& met_here = r < 2 ? met_low : met_high;
+      met_here = hn::Or(met_here, r % 2 == 0 ? from_column : hn::ShiftLeft<16>(from_column));
+    }
     begins = hn::Or(begins, hn::And(cells, are));
     if constexpr (!centres) continue;
     const Span inside = span(at, level);
@@ -223,6 +238,10 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     have_not = hn::Or(have_not, hn::AndNot(are, within));
   }
   const std::uint32_t here = ((1u << hn::Lanes(F())) - 1) << k;
+  const std::size_t part = k / hn::Lanes(F());
+  met.low[part] = met_low;
+  met.high[part] = met_high;
+  met.first[part] = hn::ShiftLeft<4>(first);
   marks.meets_mixed |= here & ~zeros_of(some_mixed, k);
   marks.begins_opaque |= here & ~zeros_of(begins, k);
   marks.have |= here & ~zeros_of(have, k);

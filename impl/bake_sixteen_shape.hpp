@@ -17,7 +17,7 @@ namespace mmverify::impl::bake::detail {
 
 struct SixteenShape {
   std::array<float, 2> p01{}, p02{};  ///< x, y
-  float threshold = 0, gap = 0, lean = 0, bound = 0, edge_bound = 0, delta = 0;
+  float threshold = 0, gap = 0, lean = 0, bound = 0, edge_bound = 0, beyond_bound = 0, delta = 0;
   std::array<float, 3> slope{};  ///< of the lines A, B, C (bake_lines.hpp)
   bool ab_left = false;          ///< of micro-triangles that are turned as the node is
   bool has_flat = false;
@@ -32,11 +32,17 @@ struct SixteenShape {
     std::array<float, 3> outside, at;
   };
   std::array<Micro, 2> micro{};
+  /// The whole node, from its first corner, if is_small.
+  Micro whole{};
+  /// Whether a micro-triangle meets at most 4 rows and 4 columns of cells.
+  bool is_small = false;
 
   /// By direction: (1, 0), (0, 1) and (-1, 1) from an edge's first corner.
   using OfEdges = std::array<float, 4>;
   /// 0 for an edge that does not go along the axis.
   alignas(16) OfEdges dx{}, dy{}, per_x{}, per_y{};
+  /// The least and the greatest dx dy / 4, and 0.
+  float least_bend = 0, most_bend = 0;
   /// Their boxes, grown by the margin; slopes, 0 where they fall by less than a quarter of a texel; lines to
   /// both sides at row 0, over a row, with half a place off them, or added.
   alignas(16) OfEdges left{}, right{}, top{}, bottom{}, edge_slope{}, low{}, high{};
@@ -52,6 +58,8 @@ struct SixteenShape {
     const Spot across{b.x / 4, b.y / 4}, down{c.x / 4, c.y / 4}, far{across.x + down.x, across.y + down.y};
     take_micro(micro[0], {Spot{0, 0}, across, down}, lines, ab_left, margin);
     take_micro(micro[1], {across, down, far}, lines, !ab_left, margin);
+    is_small = micro[0].right - micro[0].left < 2.5f && micro[0].bottom - micro[0].top < 2.5f;
+    if (is_small) take_micro(whole, {Spot{0, 0}, b, c}, lines, ab_left, margin);
   }
   /// Of the same node; off: what its corners in binary32 are off.
   void take_edges(Spot b, Spot c, double off, double margin) noexcept {
@@ -100,6 +108,8 @@ struct SixteenShape {
     edge_slope[e] = static_cast<float>(s);
     low[e] = static_cast<float>(std::min(s, 0.0) - out - 0.5);
     high[e] = static_cast<float>(std::max(s, 0.0) + out + 0.5);
+    least_bend = std::min(least_bend, dx[e] * dy[e] * 0.25f);
+    most_bend = std::max(most_bend, dx[e] * dy[e] * 0.25f);
   }
 };
 

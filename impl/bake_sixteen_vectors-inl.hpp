@@ -26,6 +26,11 @@ using Mask = hn::Mask<F>;
 using Int = hn::Vec<I>;
 using Table = SixteenLanes::Floats;
 
+/// Vectors that sixteen take.
+constexpr std::size_t parts = 16 / hn::MaxLanes(F());
+using Floats = std::array<Float, parts>;
+using Ints = std::array<Int, parts>;
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Vectors
 // ---------------------------------------------------------------------------------------------------------------------
