@@ -223,14 +223,13 @@ std::string Families::domain() const {
 
 namespace {
 
-std::vector<std::pair<Wrap, Wrap>> pairs(bool alike) {
+std::vector<std::pair<Wrap, Wrap>> every_pair() {
   constexpr Wrap every[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge, Wrap::clamp_to_border,
                             Wrap::mirror_once};
-  std::vector<std::pair<Wrap, Wrap>> chosen;
+  std::vector<std::pair<Wrap, Wrap>> pairs;
   for (const Wrap u : every)
-    for (const Wrap v : every)
-      if (!alike || u == v) chosen.emplace_back(u, v);
-  return chosen;
+    for (const Wrap v : every) pairs.emplace_back(u, v);
+  return pairs;
 }
 
 /// Half of the texture; across texel lines; turned over and beyond every edge; far below 0; on a line; in a
@@ -257,21 +256,21 @@ constexpr Cutoff met_by_texels{128, 255}, met_midway{1, 2};
 
 const Families& bilinear_families() {
   static const Families families(
-      {{2, {0, 128, 255}, met_by_texels, Filter::bilinear, false, pairs(false), on_two()},
-       {3, {0, 255}, met_midway, Filter::bilinear, false, pairs(true), on_three()}});
+      {{2, {0, 128, 255}, met_by_texels, Filter::bilinear, false, every_pair(), on_two()},
+       {3, {0, 255}, met_midway, Filter::bilinear, false, every_pair(), on_three()}});
   return families;
 }
 
 const Families& nearest_families() {
   static const Families families(
-      {{2, {0, 128, 255}, met_by_texels, Filter::nearest, false, pairs(false), on_two()},
-       {3, {0, 255}, met_midway, Filter::nearest, false, pairs(true), on_three()}});
+      {{2, {0, 128, 255}, met_by_texels, Filter::nearest, false, every_pair(), on_two()},
+       {3, {0, 255}, met_midway, Filter::nearest, false, every_pair(), on_three()}});
   return families;
 }
 
 const Families& blend_families() {
-  static const Families families({{2, {0, 128, 255}, {}, Filter::bilinear, true, pairs(true), on_two()},
-                                  {2, {0, 128, 255}, {}, Filter::nearest, true, pairs(true), on_two()}});
+  static const Families families({{2, {0, 128, 255}, {}, Filter::bilinear, true, every_pair(), on_two()},
+                                  {2, {0, 128, 255}, {}, Filter::nearest, true, every_pair(), on_two()}});
   return families;
 }
 
@@ -279,7 +278,7 @@ const Families& grid_families() {
   static const Families families = [] {
     // Beyond the first texel mirrored once, a centre, the texture's edge.
     constexpr float along[] = {-0.8125f, 0.25f, 1};
-    Family f{2, {0, 128, 255}, met_by_texels, Filter::bilinear, false, pairs(false), {}};
+    Family f{2, {0, 128, 255}, met_by_texels, Filter::bilinear, false, every_pair(), {}};
     const auto point = [&](std::uint32_t k) { return std::pair{along[k % 3], along[k / 3]}; };
     for (std::uint32_t k = 0; k < 9 * 9 * 9; ++k) {
       const auto [p, q, r] = std::tuple{point(k % 9), point(k / 9 % 9), point(k / 81)};
