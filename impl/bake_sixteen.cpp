@@ -114,11 +114,75 @@ MMVERIFY_LARGE void ask_centroids(const SixteenInput& in, const Words& words, st
   }
 }
 
-/// By a small shape in a small window, if they are few.
+/// What cells say, and which of those that meet mixed ones are left.
+template <bool keeps>
+HWY_INLINE std::uint32_t take_cells(const SixteenInput& in, const Words& words, CellMarks& cells,
+                                    MetCells& met, SixteenMarks& marks) {
+  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<true, keeps>(in, words, k, cells, met);
+  marks.by_texels = cells.fit & ~cells.meets_mixed;
+  marks.lacks_below = marks.by_texels & cells.begins_opaque;
+  marks.lacks_opaque = marks.by_texels & ~cells.begins_opaque;
+  const std::uint32_t judged = cells.fit & cells.meets_mixed;
+  if (in.shape->clear) {
+    marks.below = judged & cells.have_not;
+    marks.opaque = judged & cells.have;
+  }
+  return judged & ~(marks.below & marks.opaque);
+}
+
+/// What some corners bear, those of `left`.
+HWY_INLINE void take_corners(const CornerMarks& corners, std::uint32_t& left, SixteenMarks& marks) {
+  marks.below |= corners.below & left;
+  marks.opaque |= corners.opaque & left;
+  left &= ~(marks.below & marks.opaque);
+}
+
+/// What edges bear; no_below, no_opaque: what nothing else does, beside the centres within.
+HWY_INLINE void take_edges(const EdgeMarks& edges, const CellMarks& cells, std::uint32_t no_below,
+                           std::uint32_t no_opaque, std::uint32_t left, SixteenMarks& marks) {
+  marks.below |= edges.below & left;
+  marks.opaque |= edges.opaque & left;
+  marks.lacks_below |= left & no_below & ~(marks.below | edges.perhaps_below | cells.perhaps_not);
+  marks.lacks_opaque |= left & no_opaque & ~(marks.opaque | edges.perhaps_opaque | cells.perhaps);
+}
+
+/// By few cells.
+template <class Texel>
+HWY_INLINE void judge_few(const SixteenInput& in, const Words& words, const FewCells& few,
+                          SixteenMarks& marks) {
+  CellMarks cells;
+  MetCells met;
+  met.column = few.first_column();
+  std::uint32_t left = take_cells<true>(in, words, cells, met, marks);
+  if (left == 0) return;
+  const FewMarks found = ask_few<Texel>(in, words, met, few);
+  const CornerMarks corners = of_corners(found.vertices, left);
+  marks.lacks_below |= corners.one_no_below & ~found.perhaps_below;
+  marks.lacks_opaque |= corners.one_no_opaque & ~found.perhaps_opaque;
+  marks.leans = found.leans;
+  marks.leans_to_opaque = found.leans_to_opaque;
+  left &= ~(marks.lacks_below | marks.lacks_opaque);
+  take_corners(corners, left, marks);
+  if (left == 0) return;
+  const EdgeMarks edges = ask_few_edges<Texel>(in, few, found, left & ~marks.below, left & ~marks.opaque);
+  take_edges(edges, cells, corners.one_no_below, corners.one_no_opaque, left, marks);
+}
+/// By any.
+template <class Texel>
+HWY_INLINE void judge_many(const SixteenInput& in, const Words& words, SixteenMarks& marks) {
+  CellMarks cells;
+  MetCells met;
+  std::uint32_t left = take_cells<false>(in, words, cells, met, marks);
+  if (left == 0) return;
+  const CornerMarks corners = ask_corners<Texel>(in, words, left);
+  take_corners(corners, left, marks);
+  if (left == 0) return;
+  take_edges(ask_edges<Texel>(in, words, left), cells, corners.no_below, corners.no_opaque, left, marks);
+}
+
 template <class Texel>
 HWY_INLINE SixteenMarks node_of(const SixteenInput& in, const Words& words) {
   SixteenMarks marks;
-  MetCells met;
   FewCells few;
   if (in.shape->is_small && words.is_small) {
     few.take(in, words);
@@ -127,44 +191,11 @@ HWY_INLINE SixteenMarks node_of(const SixteenInput& in, const Words& words) {
       (few.begin_opaque ? marks.lacks_below : marks.lacks_opaque) = 0xffff;
       return marks;
     }
-    met.column = few.first_column();
   }
-  CellMarks cells;
-  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<true>(in, words, k, cells, met);
-  marks.by_texels = cells.fit & ~cells.meets_mixed;
-  marks.lacks_below = marks.by_texels & cells.begins_opaque;
-  marks.lacks_opaque = marks.by_texels & ~cells.begins_opaque;
-  const std::uint32_t judged = cells.fit & cells.meets_mixed;
-  if (judged == 0) return marks;
-  if (in.shape->clear) {
-    marks.below = judged & cells.have_not;
-    marks.opaque = judged & cells.have;
-  }
-  std::uint32_t left = judged & ~(marks.below & marks.opaque);
-  if (left != 0) {
-    CornerMarks corners;
-    if (few.are_few) {
-      const FewMarks found = ask_few<Texel>(in, words, met, few);
-      corners = of_corners(found.vertices, left);
-      marks.lacks_below |= corners.one_no_below & found.no_below;
-      marks.lacks_opaque |= corners.one_no_opaque & found.no_opaque;
-      marks.leans = found.leans;
-      marks.leans_to_opaque = found.leans_to_opaque;
-      left &= ~(marks.lacks_below | marks.lacks_opaque);
-    } else {
-      corners = ask_corners<Texel>(in, words, left);
-    }
-    marks.below |= corners.below & left;
-    marks.opaque |= corners.opaque & left;
-    left &= ~(marks.below & marks.opaque);
-    if (left != 0) {
-      const EdgeMarks edges = ask_edges<Texel>(in, words, left);
-      marks.below |= edges.below & left;
-      marks.opaque |= edges.opaque & left;
-      marks.lacks_below |= left & corners.no_below & ~edges.perhaps_below & ~cells.perhaps_not;
-      marks.lacks_opaque |= left & corners.no_opaque & ~edges.perhaps_opaque & ~cells.perhaps;
-    }
-  }
+  if (few.are_few)
+    judge_few<Texel>(in, words, few, marks);
+  else
+    judge_many<Texel>(in, words, marks);
   const std::uint32_t unknowns = marks.below & marks.opaque;
   if ((unknowns & ~marks.leans) != 0) ask_centroids<Texel>(in, words, unknowns & ~marks.leans, marks);
   const std::uint32_t decided = marks.lacks_below | marks.lacks_opaque | (unknowns & marks.leans);
@@ -193,7 +224,7 @@ SixteenNodes Nodes(const SixteenInput& in) {
   const Words words(in);
   CellMarks cells;
   MetCells met;
-  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<false>(in, words, k, cells, met);
+  for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) ask_cells<false, false>(in, words, k, cells, met);
   return {true, cells.fit & ~cells.meets_mixed, cells.begins_opaque};
 }
 

@@ -45,6 +45,11 @@
 //            rest of T is in cells of one mark each: were some of them of the mark lacked, T would be two
 //            closed sets without a common point, but T is connected; so if a corner lacks it, too, all of T
 //            does.  Cells that T only seems to meet may keep this from being said, and make nothing wrong.
+//   single   A cell where g_C is not is asked by itself.  T's part in it is bounded by pieces of T's edges and
+//            of the cell's own; one bilinear alpha is least and greatest there, and on the cell's own edges
+//            where their pieces end: at a centre, or on an edge of T.  If neither a piece of T's edges in
+//            that cell bears the mark, nor a centre within, T's part in it lacks it, as if g_C were beyond.
+//            A mark that T is known to bear is not asked for.
 //   places   A micro-vertex, or centroid, more than 2 delta from its cell's border is truly in it: if that is
 //            not mixed, it bears what the cell's texels do.  Nearer it does where, with one limit, clear is
 //            more than 8 R delta: alpha of the cell is that far from the limit, and differs by 2 R delta.

@@ -159,8 +159,9 @@ struct MetCells {
   Ints low, high, first;  ///< first: 16 rows to the first
 };
 
-/// `centres`: whether they are asked.
-template <bool centres>
+/// `centres`: whether they are asked; `keeps`: whether the met cells are kept.
+/// Domain, if so: shape.is_small, words.is_small.
+template <bool centres, bool keeps>
 MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::size_t k, CellMarks& marks,
                               MetCells& met) {
   const SixteenShape& shape = *in.shape;
@@ -217,7 +218,7 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
         hn::IfThenElseZero(real, run(in_word(hn::Max(about.from, left)), in_word(hn::Min(about.to, right))));
     const Int mixed = hn::And(cells, rows_of.mixed);
     some_mixed = hn::Or(some_mixed, mixed);
-    if (shape.is_small) {
+    if constexpr (keeps) {
       const Int from_column = hn::Shr(mixed, set(met.column));
       Int& met_here = r < 2 ? met_low : met_high;
       met_here = hn::Or(met_here, r % 2 == 0 ? from_column : hn::ShiftLeft<16>(from_column));
@@ -238,10 +239,12 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     have_not = hn::Or(have_not, hn::AndNot(are, within));
   }
   const std::uint32_t here = ((1u << hn::Lanes(F())) - 1) << k;
-  const std::size_t part = k / hn::Lanes(F());
-  met.low[part] = met_low;
-  met.high[part] = met_high;
-  met.first[part] = hn::ShiftLeft<4>(first);
+  if constexpr (keeps) {
+    const std::size_t part = k / hn::Lanes(F());
+    met.low[part] = met_low;
+    met.high[part] = met_high;
+    met.first[part] = hn::ShiftLeft<4>(first);
+  }
   marks.meets_mixed |= here & ~zeros_of(some_mixed, k);
   marks.begins_opaque |= here & ~zeros_of(begins, k);
   marks.have |= here & ~zeros_of(have, k);

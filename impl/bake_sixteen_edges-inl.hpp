@@ -21,12 +21,67 @@ struct EdgeMarks {
   std::uint32_t perhaps_below = 0, perhaps_opaque = 0;  ///< not certain that there is none
 };
 
+/// Of edges (SixteenLanes).
+HWY_INLINE Int direction_of(Int edges) { return hn::ShiftRight<24>(edges); }
+HWY_INLINE Int first_corner_of(Int edges) { return hn::And(hn::ShiftRight<16>(edges), set(15)); }
+
+/// What pieces of edges bear.
+class PieceMarks {
+ public:
+  HWY_INLINE PieceMarks() : certain_(set(0)), perhaps_(certain_) {}
+
+  /// Of edges, 0 for none, each in a cell; x, y: its first corner, from the cell's.
+  HWY_INLINE void judge(const SixteenShape& shape, Int edge, const Cell& c, Float x, Float y) {
+    const Directions by(direction_of(edge));
+    const Float dx = by(shape.dx), dy = by(shape.dy), zero = hn::Zero(F()), one = set(1.0f);
+    const Float low = set(-4 * shape.delta), high = set(1 + 4 * shape.delta);
+    Float from = zero, to = one;
+    const auto cut = [&](Float p, Float d, Float per) HWY_ATTR {
+      const Float one_end = hn::Mul(hn::Sub(low, p), per), other = hn::Mul(hn::Sub(high, p), per);
+      const Mask stays = hn::Eq(d, zero);
+      const Mask outside = hn::And(stays, hn::Or(hn::Lt(p, low), hn::Gt(p, high)));
+      const Float begin = hn::IfThenElse(stays, zero, hn::Min(one_end, other)),
+                  end = hn::IfThenElse(stays, one, hn::Max(one_end, other));
+      from = hn::Max(from, begin);
+      to = hn::IfThenElse(outside, set(-1.0f), hn::Min(to, end));
+    };
+    cut(x, dx, by(shape.per_x));
+    cut(y, dy, by(shape.per_y));
+    const auto at = [&](Float t) HWY_ATTR {
+      return hn::Sub(c.at(hn::MulAdd(t, dx, x), hn::MulAdd(t, dy, y)), set(shape.threshold));
+    };
+    const Float v = at(from), w = at(to), part = hn::Sub(to, from), rise = hn::Sub(w, v);
+    const Float K = hn::Mul(hn::Mul(c.twist, hn::Mul(dx, part)), hn::Mul(dy, part));
+    // v + rise s - K s (1 - s), where it stands still; elsewhere v.
+    const Mask stands = hn::Lt(hn::Abs(rise), hn::Abs(K));
+    const Float s = hn::IfThenElseZero(
+        stands, hn::Sub(set(0.5f), hn::Div(rise, hn::IfThenElse(stands, hn::Add(K, K), one))));
+    const Float still = hn::MulAdd(s, hn::NegMulAdd(K, hn::Sub(one, s), rise), v);
+    const Float least = hn::Min(still, hn::Min(v, w)), greatest = hn::Max(still, hn::Max(v, w));
+    const Float bound = set(shape.edge_bound), beyond = set(shape.edge_bound + shape.gap);
+    const Int at_edge = hn::IfThenElseZero(hn::RebindMask(I(), hn::Le(from, to)), hn::And(edge, set(0xffff))),
+              above = hn::ShiftLeft<16>(at_edge);
+    const auto those = [](Int of, Mask m) HWY_ATTR { return hn::IfThenElseZero(hn::RebindMask(I(), m), of); };
+    certain_ = hn::Or(certain_, hn::Or(those(at_edge, hn::Lt(least, hn::Neg(bound))),
+                                       those(above, hn::Gt(greatest, set(shape.edge_bound - shape.gap)))));
+    perhaps_ = hn::Or(perhaps_, hn::Or(those(at_edge, hn::Not(hn::Gt(least, bound))),
+                                       those(above, hn::Not(hn::Lt(greatest, hn::Neg(beyond))))));
+  }
+  HWY_INLINE EdgeMarks marks() const {
+    const std::uint32_t certain = any_of(certain_), perhaps = any_of(perhaps_);
+    return {certain & 0xffff, certain >> 16, perhaps & 0xffff, perhaps >> 16};
+  }
+
+ private:
+  /// Of edges' micro-triangles: bits of below, and from bit 16 on of opaque.
+  Int certain_, perhaps_;
+};
+
 /// Pieces of some edges, in mixed cells, judged a vector of them at a time.
 template <class Texel>
 class Pieces {
  public:
-  HWY_INLINE explicit Pieces(const SixteenInput& in)
-      : in_(in), certain_(set(0)), perhaps_(certain_), pending_(certain_) {}
+  HWY_INLINE explicit Pieces(const SixteenInput& in) : in_(in), pending_(set(0)) {}
 
   /// Of edges, by their place in a list.
   HWY_INLINE void edges(Float x, Float y, Int edges) {
@@ -67,10 +122,7 @@ class Pieces {
     judge(count_);
     count_ = 0;
   }
-  HWY_INLINE EdgeMarks marks() const {
-    const std::uint32_t certain = any_of(certain_), perhaps = any_of(perhaps_);
-    return {certain & 0xffff, certain >> 16, perhaps & 0xffff, perhaps >> 16};
-  }
+  HWY_INLINE EdgeMarks marks() const { return found_.marks(); }
 
  private:
   MMVERIFY_LARGE void judge(std::size_t count) {
@@ -80,51 +132,13 @@ class Pieces {
     const Int place = hn::And(all, byte), i = hn::And(hn::ShiftRight<8>(all), byte),
               j = hn::ShiftRight<16>(all);
     const auto of = [&place](const Table& table) HWY_ATTR { return among(F(), table.data(), place); };
-    const SixteenShape& shape = *in_.shape;
     const Int edge = among(I(), edges_.data(), place);
-    const Directions by(hn::ShiftRight<22>(edge));
-    const Cell c = cell<Texel>(in_, i, j);
-    // From the cell's corner.
-    const Float x = hn::Sub(of(x_), hn::ConvertTo(F(), i)), y = hn::Sub(of(y_), hn::ConvertTo(F(), j)),
-                dx = by(shape.dx), dy = by(shape.dy), zero = hn::Zero(F()), one = set(1.0f);
-    const Float low = set(-4 * shape.delta), high = set(1 + 4 * shape.delta);
-    Float from = zero, to = one;
-    const auto cut = [&](Float p, Float d, Float per) HWY_ATTR {
-      const Float one_end = hn::Mul(hn::Sub(low, p), per), other = hn::Mul(hn::Sub(high, p), per);
-      const Mask stays = hn::Eq(d, zero);
-      const Mask outside = hn::And(stays, hn::Or(hn::Lt(p, low), hn::Gt(p, high)));
-      const Float begin = hn::IfThenElse(stays, zero, hn::Min(one_end, other)),
-                  end = hn::IfThenElse(stays, one, hn::Max(one_end, other));
-      from = hn::Max(from, begin);
-      to = hn::IfThenElse(outside, set(-1.0f), hn::Min(to, end));
-    };
-    cut(x, dx, by(shape.per_x));
-    cut(y, dy, by(shape.per_y));
-    const auto at = [&](Float t) HWY_ATTR {
-      return hn::Sub(c.at(hn::MulAdd(t, dx, x), hn::MulAdd(t, dy, y)), set(shape.threshold));
-    };
-    const Float v = at(from), w = at(to), part = hn::Sub(to, from), rise = hn::Sub(w, v);
-    const Float K = hn::Mul(hn::Mul(c.twist, hn::Mul(dx, part)), hn::Mul(dy, part));
-    // v + rise s - K s (1 - s), where it stands still; elsewhere v.
-    const Mask stands = hn::Lt(hn::Abs(rise), hn::Abs(K));
-    const Float s = hn::IfThenElseZero(
-        stands, hn::Sub(set(0.5f), hn::Div(rise, hn::IfThenElse(stands, hn::Add(K, K), one))));
-    const Float still = hn::MulAdd(s, hn::NegMulAdd(K, hn::Sub(one, s), rise), v);
-    const Float least = hn::Min(still, hn::Min(v, w)), greatest = hn::Max(still, hn::Max(v, w));
-    const Float bound = set(shape.edge_bound), beyond = set(shape.edge_bound + shape.gap);
-    const Int at_edge = hn::IfThenElseZero(hn::And(is_one, hn::RebindMask(I(), hn::Le(from, to))),
-                                           hn::And(edge, set(0xffff))),
-              above = hn::ShiftLeft<16>(at_edge);
-    const auto those = [](Int of, Mask m) HWY_ATTR { return hn::IfThenElseZero(hn::RebindMask(I(), m), of); };
-    certain_ = hn::Or(certain_, hn::Or(those(at_edge, hn::Lt(least, hn::Neg(bound))),
-                                       those(above, hn::Gt(greatest, set(shape.edge_bound - shape.gap)))));
-    perhaps_ = hn::Or(perhaps_, hn::Or(those(at_edge, hn::Not(hn::Gt(least, bound))),
-                                       those(above, hn::Not(hn::Lt(greatest, hn::Neg(beyond))))));
+    found_.judge(*in_.shape, hn::IfThenElseZero(is_one, edge), cell<Texel>(in_, i, j),
+                 hn::Sub(of(x_), hn::ConvertTo(F(), i)), hn::Sub(of(y_), hn::ConvertTo(F(), j)));
   }
 
   const SixteenInput& in_;
-  /// Of edges' micro-triangles: bits of below, and from bit 16 on of opaque.
-  Int certain_, perhaps_;
+  PieceMarks found_;
   HWY_ALIGN Table x_, y_;
   HWY_ALIGN SixteenLanes::Ints edges_;
   /// Places in the vector of edges, columns and rows, from bits 0, 8 and 16 on: what is to be judged, and
@@ -142,13 +156,12 @@ template <class Texel>
 HWY_INLINE void add_pieces(const SixteenInput& in, const Words& words, const std::int32_t* list,
                            std::size_t count, Pieces<Texel>& pieces) {
   const SixteenShape& shape = *in.shape;
-  const Int edges = hn::LoadU(I(), list), seven = set(7);
-  const Float quarter = set(0.25f),
-              i = hn::Mul(hn::ConvertTo(F(), hn::And(hn::ShiftRight<16>(edges), seven)), quarter),
-              j = hn::Mul(hn::ConvertTo(F(), hn::And(hn::ShiftRight<19>(edges), seven)), quarter);
+  const Int edges = hn::LoadU(I(), list), corner = first_corner_of(edges);
+  const Float i = among(F(), sixteen_lanes.vertex_i.data(), corner),
+              j = among(F(), sixteen_lanes.vertex_j.data(), corner);
   const Float x0 = place(in, 0, i, j), y0 = place(in, 1, i, j);
   pieces.edges(x0, y0, edges);
-  const Directions by(hn::ShiftRight<22>(edges));
+  const Directions by(direction_of(edges));
   const Int first = floored(hn::Add(y0, by(shape.top))),
             rows = hn::Add(hn::Sub(floored(hn::Add(y0, by(shape.bottom))), first), set(1));
   const Int first_column = floored(hn::Add(x0, by(shape.left))),

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <limits>
 
-#include "impl/bake_sixteen_cells-inl.hpp"
+#include "impl/bake_sixteen_edges-inl.hpp"
 
 // Once for each target.
 #if defined(MMVERIFY_IMPL_BAKE_SIXTEEN_FEW_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
@@ -110,7 +110,9 @@ HWY_INLINE Floats among_all(const Floats& table, const Ints& at) {
 
 /// Bit k of each, of micro-triangle k.
 struct FewMarks {
-  std::uint32_t no_below = 0, no_opaque = 0;     ///< in no mixed cell that it meets, for certain
+  /// Of few's cells, in their order: those that it may meet and may bear the mark in; of all of them.
+  std::array<std::uint32_t, FewCells::most> below_in, opaque_in;
+  std::uint32_t perhaps_below = 0, perhaps_opaque = 0;
   std::uint32_t leans = 0, leans_to_opaque = 0;  ///< how it leans, and that this is certain
   SixteenLanes::Ints vertices;  ///< what they bear: 1 below, 2 opaque, 4 no below, 8 no opaque
 };
@@ -140,21 +142,33 @@ HWY_INLINE Int from_bit(Int x, Int from) {
 }
 
 /// A cell and its alpha.
+template <class Texel>
 struct OneCell {
   std::int32_t column, row;
+  std::int32_t a, right, below, twist;
+
+  HWY_INLINE OneCell(const SixteenInput& in, std::int32_t i, std::int32_t j) : column(i), row(j) {
+    const Texel* const top = static_cast<const Texel*>(in.texels) + std::ptrdiff_t{j} * in.pitch + i;
+    const Texel* const under = top + in.pitch;
+    a = top[0];
+    right = top[1] - a;
+    below = under[0] - a;
+    twist = under[1] - under[0] - right;
+  }
+};
+
+/// The same for all lanes.
+struct CellOfAll {
   Float i, j;
   Int place;
   Cell alpha;
 
   template <class Texel>
-  HWY_INLINE OneCell(const SixteenInput& in, std::int32_t at_i, std::int32_t at_j, Texel)
-      : column(at_i), row(at_j), i(number(at_i)), j(number(at_j)), place(set(at_i | at_j << 8)) {
-    const Texel* const top = static_cast<const Texel*>(in.texels) + std::ptrdiff_t{at_j} * in.pitch + at_i;
-    const Texel* const under = top + in.pitch;
-    const std::int32_t a = top[0], right = top[1] - a, below = under[0] - a,
-                       twist = under[1] - under[0] - right;
-    alpha = Cell{number(a), number(right), number(below), number(twist)};
-  }
+  HWY_INLINE explicit CellOfAll(const OneCell<Texel>& one)
+      : i(number(one.column)),
+        j(number(one.row)),
+        place(set(one.column | one.row << 8)),
+        alpha{number(one.a), number(one.right), number(one.below), number(one.twist)} {}
 
  private:
   static HWY_INLINE Float number(std::int32_t x) { return hn::ConvertTo(F(), set(x)); }
@@ -178,7 +192,7 @@ struct Places {
     }
   }
   /// Alpha of a cell, taken where it is their own.
-  HWY_INLINE Floats take(const OneCell& of) {
+  HWY_INLINE Floats take(const CellOfAll& of) {
     Floats g;
     for (std::size_t p = 0; p < parts; ++p) {
       g[p] = of.alpha.at(hn::Sub(x[p], of.i), hn::Sub(y[p], of.j));
@@ -199,41 +213,42 @@ MMVERIFY_LARGE FewMarks ask_few(const SixteenInput& in, const Words& words, cons
   Places vertices(in, words, sixteen_lanes.vertex_i, sixteen_lanes.vertex_j),
       centroids(in, words, sixteen_lanes.centroid_i, sixteen_lanes.centroid_j);
   std::array<Ints, 3> corner;
-  // Of the cells that each meets, the least and the greatest.
-  Floats least, greatest;
-  for (std::size_t p = 0; p < parts; ++p) {
+  for (std::size_t p = 0; p < parts; ++p)
     for (std::size_t c = 0; c < 3; ++c)
       corner[c][p] = hn::LoadU(I(), sixteen_lanes.corner[c].data() + p * lanes);
-    least[p] = set(HUGE_VALF);
-    greatest[p] = set(-HUGE_VALF);
-  }
+  FewMarks marks;
+  const Float above = set(shape.threshold + shape.beyond_bound),
+              under = set(shape.threshold - shape.beyond_bound - shape.gap);
+  std::size_t at = 0;
   for (std::size_t n = 0; n < few.bits.size(); ++n)
     for (std::uint64_t rest = few.bits[n]; rest != 0; rest &= rest - 1) {
       const auto bit = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(rest));
-      const OneCell cell(in, few.column(bit), few.row(n, bit), Texel{});
+      const OneCell<Texel> one_cell(in, few.column(bit), few.row(n, bit));
+      const CellOfAll cell(one_cell);
       const Floats g = vertices.take(cell);
       centroids.take(cell);
       const Float one = hn::Mul(cell.alpha.twist, set(shape.least_bend)),
                   other = hn::Mul(cell.alpha.twist, set(shape.most_bend)), dip = hn::Max(one, other),
                   rise = hn::Min(one, other);
       const Floats a = among_all(g, corner[0]), b = among_all(g, corner[1]), c = among_all(g, corner[2]);
+      std::uint32_t below = 0, opaque = 0;
       for (std::size_t p = 0; p < parts; ++p) {
-        const Int from = hn::Sub(set(16 * cell.row), met.first[p]);
+        const Int from = hn::Sub(set(16 * one_cell.row), met.first[p]);
         const Int row = hn::Or(from_bit(met.low[p], from), from_bit(met.high[p], hn::Sub(from, set(32))));
         const Mask meets =
-            hn::RebindMask(f, hn::Ne(hn::And(row, set(1 << (cell.column - met.column))), set(0)));
+            hn::RebindMask(f, hn::Ne(hn::And(row, set(1 << (one_cell.column - met.column))), set(0)));
         const Float low = hn::Min(a[p], hn::Min(b[p], c[p])), high = hn::Max(a[p], hn::Max(b[p], c[p]));
-        least[p] = hn::IfThenElse(meets, hn::Min(least[p], hn::Sub(low, dip)), least[p]);
-        greatest[p] = hn::IfThenElse(meets, hn::Max(greatest[p], hn::Sub(high, rise)), greatest[p]);
+        below |= bits_of(hn::And(meets, hn::Le(hn::Sub(low, dip), above)), p * lanes);
+        opaque |= bits_of(hn::And(meets, hn::Ge(hn::Sub(high, rise), under)), p * lanes);
       }
+      marks.below_in[at] = below;
+      marks.opaque_in[at] = opaque;
+      marks.perhaps_below |= below;
+      marks.perhaps_opaque |= opaque;
+      ++at;
     }
-  FewMarks marks;
-  const Float above = set(shape.threshold + shape.beyond_bound),
-              under = set(shape.threshold - shape.beyond_bound - shape.gap);
   for (std::size_t p = 0; p < parts; ++p) {
     const std::size_t k = p * lanes;
-    marks.no_below |= bits_of(hn::Gt(least[p], above), k);
-    marks.no_opaque |= bits_of(hn::Lt(greatest[p], under), k);
     const auto bit = [](Mask m, std::int32_t b)
                          HWY_ATTR { return hn::IfThenElseZero(hn::RebindMask(I(), m), set(b)); };
     const Float g = hn::Sub(vertices.at[p], set(shape.threshold)), bound = set(shape.bound);
@@ -249,6 +264,85 @@ MMVERIFY_LARGE FewMarks ask_few(const SixteenInput& in, const Words& words, cons
     marks.leans_to_opaque |= bits_of(hn::Or(has(4), hn::Gt(lean, hn::Zero(f))), k);
   }
   return marks;
+}
+
+/// A whole number of each of few's cells.
+class OfCells {
+ public:
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  HWY_INLINE OfCells() : of_(set(0)) {}
+#else
+  HWY_INLINE OfCells() : of_{} {}
+#endif
+  HWY_INLINE void put(std::size_t n, std::int32_t x) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    of_ = hn::IfThenElse(hn::RebindMask(I(), mask_of(1u << n, 0)), set(x), of_);
+#else
+    of_[n] = x;
+#endif
+  }
+  HWY_INLINE Float operator()(Int cells) const {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return hn::ConvertTo(F(), hn::TableLookupLanes(of_, hn::IndicesFromVec(I(), cells)));
+#else
+    return hn::ConvertTo(F(), among(I(), of_.data(), cells));
+#endif
+  }
+
+ private:
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  Int of_;
+#else
+  HWY_ALIGN SixteenLanes::Ints of_;
+#endif
+};
+
+/// The edges of micro-triangles in those cells where they may bear a mark that is asked.
+template <class Texel>
+MMVERIFY_LARGE EdgeMarks ask_few_edges(const SixteenInput& in, const FewCells& few, const FewMarks& found,
+                                       std::uint32_t ask_below, std::uint32_t ask_opaque) {
+  const std::size_t lanes = hn::Lanes(F());
+  HWY_ALIGN Table x, y;
+  for (std::size_t k = 0; k < 16; k += lanes) {
+    const Float i = hn::LoadU(F(), sixteen_lanes.vertex_i.data() + k),
+                j = hn::LoadU(F(), sixteen_lanes.vertex_j.data() + k);
+    hn::StoreU(place(in, 0, i, j), F(), x.data() + k);
+    hn::StoreU(place(in, 1, i, j), F(), y.data() + k);
+  }
+  OfCells column, row, a, right, below, twist;
+  // Edges, and from bit 20 on cells; room for a vector more.
+  HWY_ALIGN std::array<std::int32_t, 32 * FewCells::most + 16> list;
+  std::size_t count = 0, at = 0;
+  for (std::size_t n = 0; n < few.bits.size(); ++n)
+    for (std::uint64_t rest = few.bits[n]; rest != 0; rest &= rest - 1, ++at) {
+      const std::uint32_t asked = (found.below_in[at] & ask_below) | (found.opaque_in[at] & ask_opaque);
+      if (asked == 0) continue;
+      const auto bit = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(rest));
+      const OneCell<Texel> cell(in, few.column(bit), few.row(n, bit));
+      column.put(at, cell.column);
+      row.put(at, cell.row);
+      a.put(at, cell.a);
+      right.put(at, cell.right);
+      below.put(at, cell.below);
+      twist.put(at, cell.twist);
+      const Int number = set(static_cast<std::int32_t>(at << 20));
+      for (std::size_t e = 0; e < 32; e += lanes) {
+        const Int edges = hn::LoadU(I(), sixteen_lanes.edges.data() + e);
+        const Mask those = have_any(edges, asked);
+        hn::StoreU(hn::Compress(hn::Or(edges, number), hn::RebindMask(I(), those)), I(), list.data() + count);
+        count += hn::CountTrue(F(), those);
+      }
+    }
+  PieceMarks pieces;
+  for (std::size_t n = 0; n < count; n += lanes) {
+    const auto is_one = hn::FirstN(I(), std::min(count - n, lanes));
+    const Int edges = hn::IfThenElseZero(is_one, hn::LoadU(I(), list.data() + n)),
+              cells = hn::And(hn::ShiftRight<20>(edges), set(15)), corners = first_corner_of(edges);
+    pieces.judge(*in.shape, edges, Cell{a(cells), right(cells), below(cells), twist(cells)},
+                 hn::Sub(among(F(), x.data(), corners), column(cells)),
+                 hn::Sub(among(F(), y.data(), corners), row(cells)));
+  }
+  return pieces.marks();
 }
 
 }  // namespace HWY_NAMESPACE

@@ -21,7 +21,7 @@ struct SixteenLanes {
   Ints at_vertex{};                   ///< bit k: micro-vertex v is micro-triangle k's
   std::uint32_t turned = 0;           ///< bit k: micro-triangle k is, as seen from the node
   /// An edge, of 30, and two more that are nobody's, to fill vectors.  Bit k: micro-triangle k has it; from
-  /// bits 16 and 19 on, i and j of its first corner, of 4; from bit 22 on, its direction (SixteenShape).
+  /// bit 16 on, its first corner; from bit 24 on, its direction (SixteenShape); bits 20 to 23 are free.
   std::array<std::int32_t, 32> edges{};
 
   constexpr SixteenLanes() {
@@ -53,7 +53,7 @@ struct SixteenLanes {
     }
     std::size_t e = 0;
     const auto edge = [&](std::uint32_t i, std::uint32_t j, std::int32_t to, std::uint32_t direction) {
-      std::uint32_t of = i << 16 | j << 19 | direction << 22;
+      std::uint32_t of = static_cast<std::uint32_t>(number(i, j)) << 16 | direction << 24;
       for (std::uint32_t k = 0; k < 16; ++k) {
         const auto has = [&](std::int32_t v) {
           return corner[0][k] == v || corner[1][k] == v || corner[2][k] == v;
