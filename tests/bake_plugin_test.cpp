@@ -89,8 +89,8 @@ TEST(BakeSubject, what_it_declines_is_counted_and_never_proved) {
   const Outcome some = judge("bake_declines_borders", "bake.conservative --levels 0");
   EXPECT_EQ(some.exit_code, 0) << some.out << some.err;
   EXPECT_THAT(some.out, HasSubstr("checked    bake.conservative"));
-  // 9 of the 25 pairs for 2x2 textures, 1 of 5 for 3x3.
-  EXPECT_THAT(some.out, HasSubstr("declined: 6,422 of these cases"));
+  // 9 of the 25 pairs: 9 (81 * 6 + 512 * 4).
+  EXPECT_THAT(some.out, HasSubstr("declined: 22,806 of these cases"));
   const Outcome all = judge("bake_declines_all", "bake.conservative --levels 0");
   EXPECT_EQ(all.exit_code, 2) << "nothing was run";
   EXPECT_THAT(all.out, HasSubstr("n/a        bake.conservative"));
