@@ -208,10 +208,15 @@ HWY_INLINE void sixteen_of(const SixteenInput& window, std::span<const SixteenNo
                            SixteenMarks* marks) {
   const Words words(window);
   // Texels may be far; they are on their way while bits are looked at.
-  if (words.is_small)
-    for (std::int32_t r = 0; r < window.rows; ++r)
-      hwy::Prefetch(static_cast<const Texel*>(window.texels) + std::ptrdiff_t{r} * window.pitch +
-                    window.columns / 2);
+  for (std::int32_t r = 0; r < window.rows; ++r) {
+    const Texel* const row = static_cast<const Texel*>(window.texels) + std::ptrdiff_t{r} * window.pitch;
+    if (words.is_small) {
+      hwy::Prefetch(row + window.columns / 2);
+      continue;
+    }
+    for (std::int32_t c = 0; c < window.columns; c += 64) hwy::Prefetch(row + c);
+    hwy::Prefetch(row + window.columns - 1);
+  }
   SixteenInput in = window;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     in.shape = nodes[n].shape;

@@ -52,12 +52,7 @@ struct Words {
     }
   }
 
-  /// Rows of texels: of 32 from column 8 s on.  Of cells where it is small: s is 0.
-  HWY_INLINE Int row(const Rows& of, Int s, Int j) const {
-    if (is_small) return row(of[0], j);
-    return hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(of[0].data()),
-                           hn::Add(hn::Mul(s, set(static_cast<std::int32_t>(rows))), j));
-  }
+  /// Row j, of texels or of cells, where it is small.
   HWY_INLINE Int row(const std::array<std::uint32_t, rows>& of, Int j) const {
     return few_rows ? among(I(), reinterpret_cast<const std::int32_t*>(of.data()), j)
                     : among_rows(of.data(), j);
@@ -87,6 +82,54 @@ struct Words {
   }
 };
 
+/// Four rows of each lane's own word, from a row of its own on.
+class FourRows {
+ public:
+  HWY_INLINE void take(const Words::Rows& of, Int word, Int first) {
+    const I d;
+    const auto* const all = reinterpret_cast<const std::int32_t*>(of[0].data());
+    const Int at = hn::Add(hn::Mul(word, set(static_cast<std::int32_t>(Words::rows))), first);
+#if HWY_TARGET == HWY_SCALAR
+    for (std::int32_t r = 0; r < 4; ++r)
+      hn::StoreU(hn::GatherIndex(d, all, hn::Add(at, set(r))), d, rows_[static_cast<std::size_t>(r)].data());
+#else
+    // Each lane's four are loaded at once, which costs less than to gather them, and turned.
+    HWY_ALIGN SixteenLanes::Ints begin;
+    hn::StoreU(at, d, begin.data());
+    const auto fours = [&](std::size_t n) HWY_ATTR { return fours_of(d, all, begin.data() + n); };
+    const Int a = fours(0), b = fours(1), c = fours(2), e = fours(3);
+    const hn::Repartition<std::int64_t, I> two;
+    const auto low = [two](Int x, Int y)
+                         HWY_ATTR { return hn::BitCast(two, hn::InterleaveLower(I(), x, y)); };
+    const auto high = [two](Int x, Int y)
+                          HWY_ATTR { return hn::BitCast(two, hn::InterleaveUpper(I(), x, y)); };
+    const auto put = [&](std::size_t r, auto x)
+                         HWY_ATTR { hn::StoreU(hn::BitCast(d, x), d, rows_[r].data()); };
+    put(0, hn::InterleaveLower(two, low(a, b), low(c, e)));
+    put(1, hn::InterleaveUpper(two, low(a, b), low(c, e)));
+    put(2, hn::InterleaveLower(two, high(a, b), high(c, e)));
+    put(3, hn::InterleaveUpper(two, high(a, b), high(c, e)));
+#endif
+  }
+  HWY_INLINE Int operator[](std::size_t r) const { return hn::LoadU(I(), rows_[r].data()); }
+
+ private:
+#if HWY_TARGET != HWY_SCALAR
+  /// Block b: four from begin[4 b] on.
+  template <class D>
+  static HWY_INLINE hn::Vec<D> fours_of(D d, const std::int32_t* all, const std::int32_t* begin) {
+    if constexpr (hn::MaxLanes(D()) == 4) {
+      return hn::LoadU(d, all + begin[0]);
+    } else {
+      const hn::Half<D> half;
+      return hn::Combine(d, fours_of(half, all, begin + hn::MaxLanes(half)), fours_of(half, all, begin));
+    }
+  }
+#endif
+
+  HWY_ALIGN std::array<SixteenLanes::Ints, 4> rows_;
+};
+
 /// Its rows one after another, of words of each lane's own.
 class RowByRow {
  public:
@@ -98,21 +141,20 @@ class RowByRow {
         last_(set(in.rows - 2)),
         next_are_(set(0)),
         next_seen_(next_are_) {
-    if (!words.is_small) take(row);
+    if (!words.is_small) take_next(first);
   }
   HWY_INLINE void ask() {
     if (words_.is_small) {
       // Lanes that are done stay in the window.
       const Int at = hn::Min(row, last_);
-      take(at);
-      are = next_are_;
-      seen = next_seen_;
+      are = words_.row(words_.opaque[0], at);
+      seen = one_plane_ ? are : words_.row((*words_.seen)[0], at);
       mixed = words_.row(words_.mixed, at);
       return;
     }
     are = next_are_;
     seen = next_seen_;
-    take(hn::Min(hn::Add(row, set(1)), hn::Add(last_, set(1))));
+    take_next(hn::Add(row, set(1)));
     mixed = mixed_of(are, next_are_, seen, next_seen_);
   }
   HWY_INLINE void go_on() { row = hn::Add(row, set(1)); }
@@ -121,15 +163,24 @@ class RowByRow {
   Int are, seen, mixed;  ///< what ask() found: opaque, visible; cells that are mixed
 
  private:
-  HWY_INLINE void take(Int at) {
-    next_are_ = words_.row(words_.opaque, word_, at);
-    next_seen_ = one_plane_ ? next_are_ : words_.row(*words_.seen, word_, at);
+  HWY_INLINE void take_next(Int at) {
+    const std::size_t r = taken_++ % 4;
+    if (r == 0) {
+      // Lanes that are done stay near the window: Words has room.
+      const Int first = hn::Min(at, hn::Add(last_, set(2)));
+      opaque_.take(words_.opaque, word_, first);
+      if (!one_plane_) visible_.take(*words_.seen, word_, first);
+    }
+    next_are_ = opaque_[r];
+    next_seen_ = one_plane_ ? next_are_ : visible_[r];
   }
 
   const Words& words_;
   Int word_;
   bool one_plane_;
   Int last_, next_are_, next_seen_;
+  std::size_t taken_ = 0;
+  FourRows opaque_, visible_;
 };
 
 /// Bits [from, end).  Domain: 0 <= from, end < 32.

@@ -243,10 +243,12 @@ MMVERIFY_LARGE FewMarks ask_few(const SixteenInput& in, const Words& words, cons
       }
       marks.below_in[at] = below;
       marks.opaque_in[at] = opaque;
-      marks.perhaps_below |= below;
-      marks.perhaps_opaque |= opaque;
       ++at;
     }
+  for (std::size_t n = 0; n < at; ++n) {
+    marks.perhaps_below |= marks.below_in[n];
+    marks.perhaps_opaque |= marks.opaque_in[n];
+  }
   for (std::size_t p = 0; p < parts; ++p) {
     const std::size_t k = p * lanes;
     const auto bit = [](Mask m, std::int32_t b)

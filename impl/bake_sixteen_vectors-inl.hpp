@@ -73,9 +73,7 @@ HWY_INLINE hn::Vec<D> among(D d, const Value* table, Int at) {
 HWY_INLINE Int among_rows(const std::uint32_t* rows, Int at) {
   const auto* const table = reinterpret_cast<const std::int32_t*>(rows);
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-  const auto index = hn::IndicesFromVec(I(), hn::And(at, set(15)));
-  return hn::IfThenElse(hn::Gt(at, set(15)), hn::TableLookupLanes(hn::LoadU(I(), table + 16), index),
-                        hn::TableLookupLanes(hn::LoadU(I(), table), index));
+  return Int{_mm512_permutex2var_epi32(hn::LoadU(I(), table).raw, at.raw, hn::LoadU(I(), table + 16).raw)};
 #else
   return hn::GatherIndex(I(), table, at);
 #endif
