@@ -1,5 +1,7 @@
 #include "bench/scene_bake.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <variant>
 
@@ -14,6 +16,8 @@ namespace {
 namespace fast = impl::bake;
 namespace scene = impl::scene;
 
+constexpr std::size_t rounds_of_centres = 3;
+
 fast::BaseTriangle base_of(const scene::UvTriangle& uv) {
   return {{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}};
 }
@@ -21,7 +25,8 @@ fast::BaseTriangle base_of(const scene::UvTriangle& uv) {
 }  // namespace
 
 SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options) {
-  if (options.rounds == 0 || options.first > options.last || options.last > fast::max_bake_level)
+  if (options.rounds == 0 || options.rounds > options.most_rounds || options.first > options.last ||
+      options.last > fast::max_bake_level)
     throw std::invalid_argument("bake bench: a round at least, levels up to 12");
   const auto begins = [&](const std::string& what) {
     if (options.progress) options.progress(what);
@@ -43,14 +48,15 @@ SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options) {
     begins("level " + std::to_string(level));
     const std::size_t count = std::size_t{1} << 2 * level;
     std::vector<std::uint8_t> map((count + 3) / 4), states(count);
-    const double ours = median_ns(options.rounds, [&] {
+    const auto bake_all = [&] {
       for (const scene::PlannedTriangle& t : planned.triangles) {
         if (options.stop) options.stop();
         bakers[t.surface].bake(base_of(t.uvs), level, map);
       }
-    });
+    };
     std::size_t sampled = 0;
-    const double centres = median_ns(1, [&] {
+    const auto sample_all = [&] {
+      sampled = 0;
       for (const scene::PlannedTriangle& t : planned.triangles) {
         if (options.stop) options.stop();
         const scene::Surface& surface = planned.surfaces[t.surface];
@@ -61,10 +67,25 @@ SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options) {
         bake_centre({{alpha->data(), image.width, image.height, image.width}, double{surface.cutoff}},
                     base_of(t.uvs), level, states);
       }
-    });
-    const auto of = [count](std::size_t triangles) { return static_cast<double>(triangles * count); };
-    figures.levels.push_back({level, planned.triangles.size() * count, ours / of(planned.triangles.size()),
-                              sampled == 0 ? 0 : centres / of(sampled)});
+    };
+    // Round by round, so that what disturbs one disturbs the other.
+    std::vector<double> ours, centres;
+    while (ours.size() < options.rounds ||
+           (ours.size() < options.most_rounds &&
+            std::accumulate(ours.begin(), ours.end(), 0.0) < options.seconds * 1e9)) {
+      ours.push_back(once_ns(bake_all));
+      if (centres.size() < rounds_of_centres) centres.push_back(once_ns(sample_all));
+    }
+    const auto of = [count](double ns, std::size_t triangles) {
+      return ns / static_cast<double>(triangles * count);
+    };
+    const auto fastest = [](const std::vector<double>& of_rounds) {
+      return *std::min_element(of_rounds.begin(), of_rounds.end());
+    };
+    const std::size_t triangles = planned.triangles.size();
+    figures.levels.push_back({level, triangles * count, ours.size(), of(median(ours), triangles),
+                              of(fastest(ours), triangles),
+                              sampled == 0 ? 0 : of(fastest(centres), sampled)});
   }
   return figures;
 }

@@ -11,7 +11,8 @@ namespace mmverify::bench {
 struct SceneBakeOptions {
   std::string file;                                       ///< glTF or GLB
   std::uint32_t first = 3, last = 9;                      ///< levels
-  std::size_t rounds = 3;                                 ///< at least 1
+  std::size_t rounds = 3, most_rounds = 100;              ///< of a level; at least 1
+  double seconds = 2;                                     ///< more rounds until ours have taken as long
   std::function<void(const std::string&)> progress = {};  ///< told what begins
   std::function<void()> stop = {};                        ///< asked before each triangle; may throw
 };
@@ -20,8 +21,11 @@ struct SceneBakeOptions {
 struct SceneBakeLevel {
   std::uint32_t level = 0;
   std::uint64_t micro_triangles = 0;
-  double ns = 0;             ///< ours, a micro-triangle of base area; textures are ready
-  double ns_of_centres = 0;  ///< one sample at each centre, as if every texture repeated
+  std::size_t rounds = 0;
+  double ns = 0;          ///< ours, a micro-triangle of base area, the median round; textures are ready
+  double fastest_ns = 0;  ///< of the rounds: what others on the machine disturb least
+  double ns_of_centres =
+      0;  ///< one sample at each centre, as if every texture repeated; the fastest of three
 };
 
 struct SceneBakeFigures {
@@ -31,8 +35,8 @@ struct SceneBakeFigures {
   std::vector<SceneBakeLevel> levels;
 };
 
-/// Times are of one thread, the median of the rounds.
-/// Throws std::invalid_argument unless rounds > 0 and first <= last <= 12; scene::BadScene.
+/// Times are of one thread.
+/// Throws std::invalid_argument unless 0 < rounds <= most_rounds and first <= last <= 12; scene::BadScene.
 SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options);
 
 }  // namespace mmverify::bench

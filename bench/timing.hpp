@@ -23,15 +23,19 @@ inline double median(std::vector<double> x) {
   return *middle;
 }
 
+/// Of one round, in ns.
+template <class Work>
+double once_ns(const Work& work) {
+  const double start = thread_ns();
+  work();
+  return thread_ns() - start;
+}
+
 /// The median of some rounds' times, in ns.  Domain: rounds > 0.
 template <class Work>
 double median_ns(std::size_t rounds, const Work& work) {
   std::vector<double> ns;
-  for (std::size_t round = 0; round < rounds; ++round) {
-    const double start = thread_ns();
-    work();
-    ns.push_back(thread_ns() - start);
-  }
+  for (std::size_t round = 0; round < rounds; ++round) ns.push_back(once_ns(work));
   return median(ns);
 }
 
