@@ -112,22 +112,27 @@ class Bilinear {
     return coded(marks ? *marks : SixteenMarks{}, p, turned, index, counts);
   }
 
-  /// The four nodes of sixteen that one is cut into, asked together, if they are small enough; else false.
-  bool sixty_four(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts,
-                  std::array<std::uint32_t, 4>& codes) const {
+  /// The codes of those that are wanted of the four nodes of sixteen that one is cut into; false if they are
+  /// not asked together, for there is but one, or they are too large.  Bit c of wanted: node c.
+  bool sixty_four(const Triangle& p, bool turned, std::uint32_t index, std::uint32_t wanted,
+                  BakeCounts& counts, std::array<std::uint32_t, 4>& codes) const {
     if constexpr (std::is_same_v<Texel, float>) return false;
-    if (!share_) return false;
+    if (!share_ || (wanted & (wanted - 1)) == 0) return false;
     SixteenInput in;
     const Window w(filter_.box(p));
     if (!placed(p, w, in)) return false;
     const std::array<Triangle, 4> of = children(p);
     std::array<SixteenNode, 4> nodes;
     std::array<SixteenMarks, 4> marks;
+    std::size_t count = 0;
     for (std::uint32_t c = 0; c < 4; ++c)
-      nodes[c] = {&shape(2, turned != (c == 1), index + 16 * c), local(of[c][0], w)};
-    detail::sixteen<Texel>(in, nodes, marks.data());
+      if ((wanted >> c & 1) != 0)
+        nodes[count++] = {&shape(2, turned != (c == 1), index + 16 * c), local(of[c][0], w)};
+    detail::sixteen<Texel>(in, {nodes.data(), count}, marks.data());
+    count = 0;
     for (std::uint32_t c = 0; c < 4; ++c)
-      codes[c] = coded(marks[c], of[c], turned != (c == 1), index + 16 * c, counts);
+      if ((wanted >> c & 1) != 0)
+        codes[c] = coded(marks[count++], of[c], turned != (c == 1), index + 16 * c, counts);
     return true;
   }
 

@@ -45,45 +45,48 @@ class Descent {
     for (std::uint32_t k = 0; k < 4; ++k) map_[index / 4 + k] = static_cast<std::uint8_t>(codes >> (8 * k));
   }
 
+  /// Of a node's quarters, nodes of sixteen, those that are wanted; false if they are not asked together.
+  bool together(const Triangle& p, bool turned, std::uint32_t index, std::uint32_t wanted) {
+    std::array<std::uint32_t, 4> codes{};
+    if (!judge_.sixty_four(p, turned, index, wanted, counts, codes)) return false;
+    for (std::uint32_t c = 0; c < 4; ++c)
+      if ((wanted >> c & 1) != 0) store(codes[c], index + 16 * c);
+    return true;
+  }
+
   /// A node that texels do not settle.
   void cut(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index) {
     if (height == 2) return store(judge_.sixteen(p, turned, index, counts), index);
-    if (height == 3) {
-      std::array<std::uint32_t, 4> codes;
-      if (judge_.sixty_four(p, turned, index, counts, codes)) {
-        for (std::uint32_t c = 0; c < 4; ++c) store(codes[c], index + 16 * c);
-        return;
-      }
-    }
     if (height == 1) {
       map_[index / 4] = static_cast<std::uint8_t>(
           judge_.four(p, middle(p[0], p[1]), middle(p[0], p[2]), middle(p[1], p[2]), turned, index, counts));
       return;
     }
+    if (height == 3 && together(p, turned, index, 15)) return;
     const std::uint32_t child = std::uint32_t{1} << (2 * height - 2);
-    const std::array<Triangle, 4> of = children(p);
     const auto sixteen = height >= 4 ? judge_.sixteen_nodes(p, turned, height, index) : SixteenNodes{};
+    const std::uint32_t left = ~sixteen.of_one_mark & 0xffff;
+    for (std::uint32_t k = 0; k < 16; ++k)
+      if ((left >> k & 1) == 0)
+        fill((sixteen.opaque >> k & 1) != 0 ? opaque : below, height - 2, index + k * (child / 4));
+    const std::array<Triangle, 4> of = children(p);
     for (std::uint32_t c = 0; c < 4; ++c) {
       const bool is_turned = turned != (c == 1);
       if (sixteen.known)
-        quarter(of[c], is_turned, height - 2, index + c * child, sixteen, 4 * c);
+        quarter(of[c], is_turned, height - 1, index + c * child, left >> (4 * c) & 15);
       else
         node(of[c], is_turned, height - 1, index + c * child);
     }
   }
 
-  /// Four nodes of the sixteen, from `first` on.
+  /// Those children of a node that are left.
   void quarter(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index,
-               const SixteenNodes& sixteen, std::uint32_t first) {
-    const std::uint32_t child = std::uint32_t{1} << (2 * height);
+               std::uint32_t left) {
+    if (left == 0 || (height == 3 && together(p, turned, index, left))) return;
+    const std::uint32_t child = std::uint32_t{1} << (2 * height - 2);
     const std::array<Triangle, 4> of = children(p);
-    for (std::uint32_t c = 0; c < 4; ++c) {
-      const std::uint32_t at = index + c * child, bit = std::uint32_t{1} << (first + c);
-      if ((sixteen.of_one_mark & bit) != 0)
-        fill((sixteen.opaque & bit) != 0 ? opaque : below, height, at);
-      else
-        cut(of[c], turned != (c == 1), height, at);
-    }
+    for (std::uint32_t c = 0; c < 4; ++c)
+      if ((left >> c & 1) != 0) cut(of[c], turned != (c == 1), height - 1, index + c * child);
   }
 
   const Judge& judge_;

@@ -41,7 +41,7 @@ class Nearest {
   SixteenNodes sixteen_nodes(const Triangle&, bool, std::uint32_t, std::uint32_t) const noexcept {
     return {};
   }
-  bool sixty_four(const Triangle&, bool, std::uint32_t, BakeCounts&,
+  bool sixty_four(const Triangle&, bool, std::uint32_t, std::uint32_t, BakeCounts&,
                   std::array<std::uint32_t, 4>&) const noexcept {
     return false;
   }

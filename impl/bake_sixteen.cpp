@@ -152,10 +152,12 @@ HWY_INLINE void judge_few(const SixteenInput& in, const Words& words, const FewC
                           SixteenMarks& marks) {
   CellMarks cells;
   MetCells met;
-  met.column = few.first_column();
+  met.grid = few.grid;
   std::uint32_t left = take_cells<true>(in, words, cells, met, marks);
   if (left == 0) return;
-  const FewMarks found = ask_few<Texel>(in, words, met, few);
+  FewAlpha alpha;
+  alpha.take<Texel>(in, few);
+  const FewMarks found = ask_few(in, words, met, alpha);
   const CornerMarks corners = of_corners(found.vertices, left);
   marks.lacks_below |= corners.one_no_below & ~found.perhaps_below;
   marks.lacks_opaque |= corners.one_no_opaque & ~found.perhaps_opaque;
@@ -164,7 +166,7 @@ HWY_INLINE void judge_few(const SixteenInput& in, const Words& words, const FewC
   left &= ~(marks.lacks_below | marks.lacks_opaque);
   take_corners(corners, left, marks);
   if (left == 0) return;
-  const EdgeMarks edges = ask_few_edges<Texel>(in, few, found, left & ~marks.below, left & ~marks.opaque);
+  const EdgeMarks edges = ask_few_edges(in, alpha, found, left & ~marks.below, left & ~marks.opaque);
   take_edges(edges, cells, corners.one_no_below, corners.one_no_opaque, left, marks);
 }
 /// By any.

@@ -203,15 +203,33 @@ struct CellMarks {
   std::uint32_t perhaps = 0, perhaps_not = 0;  ///< of all rows
 };
 
-/// Of each micro-triangle of a small shape in a small window, which mixed cells it may meet, in rows from its
-/// first: bit 16 r + i of low, for column `column` + i of row r, and of high from the third row on.
+/// x shifted to begin at bit `to`; no bits where that is not in [0, 32).
+HWY_INLINE Int to_bit(Int x, Int to) {
+  const auto bits = hn::BitCast(U(), x);
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  return hn::BitCast(I(), hn::Shl(bits, hn::BitCast(U(), to)));
+#else
+  const auto is_in = hn::Eq(hn::And(to, set(~31)), set(0));
+  return hn::IfThenElseZero(is_in, hn::BitCast(I(), hn::Shl(bits, hn::BitCast(U(), hn::And(to, set(31))))));
+#endif
+}
+
+/// A grid of up to 16 rows of 8 columns of cells, or of 16, in words: bit b of word w is of row
+/// row + (32 w + b) / columns.
+struct CellGrid {
+  static constexpr std::size_t most_words = 8;
+  std::int32_t row = 0, column = 0;
+  bool is_narrow = true;  ///< 8 columns
+  std::size_t words = 0;  ///< of its rows
+};
+/// Which mixed cells of a grid each micro-triangle of a small shape may meet, a word after the other.
 struct MetCells {
-  std::int32_t column = 0;
-  Ints low, high, first;  ///< first: 16 rows to the first
+  CellGrid grid;
+  std::array<Ints, CellGrid::most_words> words;
 };
 
 /// `centres`: whether they are asked; `keeps`: whether the met cells are kept.
-/// Domain, if so: shape.is_small, words.is_small.
+/// Domain, if so: shape.is_small, words.is_small, met.grid of what the node may meet.
 template <bool centres, bool keeps>
 MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::size_t k, CellMarks& marks,
                               MetCells& met) {
@@ -255,7 +273,14 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
               to_row = hn::Add(y0, of([](const Micro&m) { return m.last_row; }));
   const Int zero = set(0);
   Int some_mixed = zero, begins = zero, have = zero, have_not = zero, perhaps = zero, perhaps_not = zero,
-      met_low = zero, met_high = zero;
+      met_0 = zero, met_1 = zero, to = zero, to_next = zero;
+  const std::size_t part = k / hn::Lanes(F());
+  if constexpr (keeps) {
+    const Int rows_on = hn::Sub(first, set(met.grid.row));
+    to = met.grid.is_narrow ? hn::ShiftLeft<3>(rows_on) : hn::ShiftLeft<4>(rows_on);
+    to_next = set(met.grid.is_narrow ? 8 : 16);
+    for (std::size_t w = 2; w < met.grid.words; ++w) met.words[w][part] = zero;
+  }
   RowByRow rows_of(in, words, word, first);
   const std::int32_t last = hn::GetLane(hn::MaxOfLanes(I(), rows));
   for (std::int32_t r = 0; r < last; ++r) {
@@ -270,9 +295,14 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     const Int mixed = hn::And(cells, rows_of.mixed);
     some_mixed = hn::Or(some_mixed, mixed);
     if constexpr (keeps) {
-      const Int from_column = hn::Shr(mixed, set(met.column));
-      Int& met_here = r < 2 ? met_low : met_high;
-      met_here = hn::Or(met_here, r % 2 == 0 ? from_column : hn::ShiftLeft<16>(from_column));
+      const Int from_column = hn::Shr(mixed, set(met.grid.column));
+      met_0 = hn::Or(met_0, to_bit(from_column, to));
+      met_1 = hn::Or(met_1, to_bit(from_column, hn::Sub(to, set(32))));
+      for (std::size_t w = 2; w < met.grid.words; ++w) {
+        const Int here = hn::Sub(to, set(static_cast<std::int32_t>(32 * w)));
+        met.words[w][part] = hn::Or(met.words[w][part], to_bit(from_column, here));
+      }
+      to = hn::Add(to, to_next);
     }
     begins = hn::Or(begins, hn::And(cells, are));
     if constexpr (!centres) continue;
@@ -291,10 +321,8 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
   }
   const std::uint32_t here = ((1u << hn::Lanes(F())) - 1) << k;
   if constexpr (keeps) {
-    const std::size_t part = k / hn::Lanes(F());
-    met.low[part] = met_low;
-    met.high[part] = met_high;
-    met.first[part] = hn::ShiftLeft<4>(first);
+    met.words[0][part] = met_0;
+    met.words[1][part] = met_1;
   }
   marks.meets_mixed |= here & ~zeros_of(some_mixed, k);
   marks.begins_opaque |= here & ~zeros_of(begins, k);
