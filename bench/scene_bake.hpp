@@ -12,7 +12,7 @@ struct SceneBakeOptions {
   std::string file;                                       ///< glTF or GLB
   std::uint32_t first = 3, last = 9;                      ///< levels
   std::size_t rounds = 3, most_rounds = 100;              ///< of a level; at least 1
-  double seconds = 2;                                     ///< more rounds until ours have taken as long
+  double seconds = 3;                                     ///< more rounds until ours have taken as long
   std::function<void(const std::string&)> progress = {};  ///< told what begins
   std::function<void()> stop = {};                        ///< asked before each triangle; may throw
 };
