@@ -16,8 +16,6 @@ namespace {
 namespace fast = impl::bake;
 namespace scene = impl::scene;
 
-constexpr std::size_t rounds_of_centres = 3;
-
 fast::BaseTriangle base_of(const scene::UvTriangle& uv) {
   return {{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}};
 }
@@ -27,7 +25,8 @@ fast::BaseTriangle base_of(const scene::UvTriangle& uv) {
 SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options) {
   if (options.rounds == 0 || options.rounds > options.most_rounds || options.first > options.last ||
       options.last > fast::max_bake_level)
-    throw std::invalid_argument("bake bench: a round at least, levels up to 12");
+    throw std::invalid_argument(
+        "bake bench: a round at least, and no more at least than at most; levels up to 12");
   const auto begins = [&](const std::string& what) {
     if (options.progress) options.progress(what);
   };
@@ -68,13 +67,13 @@ SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options) {
                     base_of(t.uvs), level, states);
       }
     };
-    // Round by round, so that what disturbs one disturbs the other.
+    // Both for as long, in turns, so that what disturbs one disturbs the other.
     std::vector<double> ours, centres;
+    const auto sum = [](const std::vector<double>& ns) { return std::accumulate(ns.begin(), ns.end(), 0.0); };
     while (ours.size() < options.rounds ||
-           (ours.size() < options.most_rounds &&
-            std::accumulate(ours.begin(), ours.end(), 0.0) < options.seconds * 1e9)) {
+           (ours.size() < options.most_rounds && sum(ours) < options.seconds * 1e9)) {
       ours.push_back(once_ns(bake_all));
-      if (centres.size() < rounds_of_centres) centres.push_back(once_ns(sample_all));
+      if (sum(centres) < sum(ours)) centres.push_back(once_ns(sample_all));
     }
     const auto of = [count](double ns, std::size_t triangles) {
       return ns / static_cast<double>(triangles * count);

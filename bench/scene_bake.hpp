@@ -11,8 +11,8 @@ namespace mmverify::bench {
 struct SceneBakeOptions {
   std::string file;                                       ///< glTF or GLB
   std::uint32_t first = 3, last = 9;                      ///< levels
-  std::size_t rounds = 3, most_rounds = 100;              ///< of a level; at least 1
-  double seconds = 3;                                     ///< more rounds until ours have taken as long
+  std::size_t rounds = 3, most_rounds = 1000;             ///< of a level, at least and at most
+  double seconds = 3;                                     ///< between these, rounds until ours took so long
   std::function<void(const std::string&)> progress = {};  ///< told what begins
   std::function<void()> stop = {};                        ///< asked before each triangle; may throw
 };
@@ -24,14 +24,14 @@ struct SceneBakeLevel {
   std::size_t rounds = 0;
   double ns = 0;          ///< ours, a micro-triangle of base area, the median round; textures are ready
   double fastest_ns = 0;  ///< of the rounds: what others on the machine disturb least
-  double ns_of_centres =
-      0;  ///< one sample at each centre, as if every texture repeated; the fastest of three
+  /// One sample at each centre, as if every texture repeated, the fastest round: they take as long as ours.
+  double ns_of_centres = 0;
 };
 
 struct SceneBakeFigures {
   std::string file;
   std::size_t triangles = 0;  ///< distinct by their texture coordinates; 0: nothing to bake, and no levels
-  double ready_ms = 0;        ///< all textures made ready, once a bake of the scene
+  double ready_ms = 0;        ///< all textures made ready, once a bake of the scene: the median
   std::vector<SceneBakeLevel> levels;
 };
 

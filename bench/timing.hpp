@@ -9,7 +9,8 @@
 
 namespace mmverify::bench {
 
-/// Processor time of this thread in ns: others on the machine take none of it.
+/// Processor time of this thread in ns: it stands still while others run in its place.  That they share caches,
+/// a core, or the machine below this one may still be seen in it.
 inline double thread_ns() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

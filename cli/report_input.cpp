@@ -81,7 +81,7 @@ constexpr std::pair<const char*, const char*> bench_shapes[] = {
     {"subject", R"({"schema": "text", "topic": "text", "subject": "text", "level": "level",
       "bare_ns": "number", "isolated_ns": "number", "judged_ns": "number"})"},
     {"scene", R"({"schema": "text", "topic": "text", "file": "text",
-      "rows": [{"level": "level", "ns": "number", "centre_ns": "number"}]})"},
+      "rows": [{"level": "level", "fastest_ns": "number", "centre_ns": "number"}]})"},
 };
 
 constexpr const char* verdicts[] = {"proved", "refuted", "checked", "broken", "not_applicable", "incomplete"};

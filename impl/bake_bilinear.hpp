@@ -113,7 +113,7 @@ class Bilinear {
   }
 
   /// The codes of those that are wanted of the four nodes of sixteen that one is cut into; false if they are
-  /// not asked together, for there is but one, or they are too large.  Bit c of wanted: node c.
+  /// not asked together: there is but one, they are too large, or vectors cannot be asked (placed()).  Bit c of wanted: node c.
   bool sixty_four(const Triangle& p, bool turned, std::uint32_t index, std::uint32_t wanted,
                   BakeCounts& counts, std::array<std::uint32_t, 4>& codes) const {
     if constexpr (std::is_same_v<Texel, float>) return false;

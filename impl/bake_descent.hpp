@@ -14,8 +14,8 @@
 namespace mmverify::impl::bake::detail {
 
 /// Children in the order and with the corners of impl/index.hpp.
-/// Judge: what texels bear about a triangle, and the states of single micro-triangles, of four and of
-/// sixteen.
+/// Judge: what texels bear about a triangle and about the sixteen nodes that one is cut into, and the states of
+/// single micro-triangles, of four, of sixteen and of four times sixteen.
 template <class Judge>
 class Descent {
  public:

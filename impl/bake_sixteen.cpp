@@ -2,8 +2,6 @@
 
 #include <hwy/cache_control.h>
 
-#include <cmath>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "impl/bake_sixteen.cpp"
 #include <hwy/foreach_target.h>
@@ -209,6 +207,7 @@ template <class Texel>
 HWY_INLINE void sixteen_of(const SixteenInput& window, std::span<const SixteenNode> nodes,
                            SixteenMarks* marks) {
   const Words words(window);
+  constexpr auto line = static_cast<std::int32_t>(64 / sizeof(Texel));
   // Texels may be far; they are on their way while bits are looked at.
   for (std::int32_t r = 0; r < window.rows; ++r) {
     const Texel* const row = static_cast<const Texel*>(window.texels) + std::ptrdiff_t{r} * window.pitch;
@@ -216,7 +215,7 @@ HWY_INLINE void sixteen_of(const SixteenInput& window, std::span<const SixteenNo
       hwy::Prefetch(row + window.columns / 2);
       continue;
     }
-    for (std::int32_t c = 0; c < window.columns; c += 64) hwy::Prefetch(row + c);
+    for (std::int32_t c = 0; c < window.columns; c += line) hwy::Prefetch(row + c);
     hwy::Prefetch(row + window.columns - 1);
   }
   SixteenInput in = window;

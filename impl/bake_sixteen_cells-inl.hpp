@@ -25,11 +25,12 @@ HWY_INLINE Int mixed_of(Int opaque_top, Int opaque_under, Int seen_top, Int seen
   return hn::AndNot(hn::And(all, next(all)), hn::Or(some, next(some)));
 }
 
-/// The window's bits: word [s][row] is of 32 texels from column 8 s on, so that whatever is up to 24 columns
+/// The window's bits: word s rows + row is of 32 texels from column 8 s on, so that whatever is up to 24 columns
 /// wide is in one.
 struct Words {
   static constexpr std::size_t rows = sixteen_window + 16, most = sixteen_window / 8;
-  using Rows = std::array<std::array<std::uint32_t, rows>, most>;
+  using Rows = std::array<std::uint32_t, rows * most>;
+  static_assert(rows >= sixteen_window + 4, "for FourRows");
   HWY_ALIGN Rows opaque, visible;
   HWY_ALIGN std::array<std::uint32_t, rows> mixed;  ///< cells that are, where it is small
   const Rows* seen;                                 ///< visible, or with MASK opaque
@@ -46,16 +47,15 @@ struct Words {
     const U u;
     for (std::size_t r = 0; r + 1 < static_cast<std::size_t>(in.rows); r += hn::Lanes(u)) {
       const auto at = [r](const Rows& of, std::size_t next)
-                          HWY_ATTR { return hn::BitCast(I(), hn::LoadU(U(), of[0].data() + r + next)); };
+                          HWY_ATTR { return hn::BitCast(I(), hn::LoadU(U(), of.data() + r + next)); };
       hn::StoreU(hn::BitCast(u, mixed_of(at(opaque, 0), at(opaque, 1), at(*seen, 0), at(*seen, 1))), u,
                  mixed.data() + r);
     }
   }
 
   /// Row j, of texels or of cells, where it is small.
-  HWY_INLINE Int row(const std::array<std::uint32_t, rows>& of, Int j) const {
-    return few_rows ? among(I(), reinterpret_cast<const std::int32_t*>(of.data()), j)
-                    : among_rows(of.data(), j);
+  HWY_INLINE Int row(const std::uint32_t* of, Int j) const {
+    return few_rows ? among(I(), reinterpret_cast<const std::int32_t*>(of), j) : among_rows(of, j);
   }
   /// Where words that hold column x begin.
   HWY_INLINE Int origin(Int x) const { return is_small ? set(0) : hn::ShiftRight<3>(x); }
@@ -76,7 +76,7 @@ struct Words {
         const auto low = hn::LoadU(u, word + r), high = hn::LoadU(u, word + in.strip + r);
         // 32 - bit places, which no shift may be.
         hn::StoreU(hn::Or(hn::Shr(low, low_shift), hn::Shl(hn::Add(high, high), high_shift)), u,
-                   to[s].data() + r);
+                   to.data() + s * rows + static_cast<std::size_t>(r));
       }
     }
   }
@@ -87,7 +87,7 @@ class FourRows {
  public:
   HWY_INLINE void take(const Words::Rows& of, Int word, Int first) {
     const I d;
-    const auto* const all = reinterpret_cast<const std::int32_t*>(of[0].data());
+    const auto* const all = reinterpret_cast<const std::int32_t*>(of.data());
     const Int at = hn::Add(hn::Mul(word, set(static_cast<std::int32_t>(Words::rows))), first);
 #if HWY_TARGET == HWY_SCALAR
     for (std::int32_t r = 0; r < 4; ++r)
@@ -147,9 +147,9 @@ class RowByRow {
     if (words_.is_small) {
       // Lanes that are done stay in the window.
       const Int at = hn::Min(row, last_);
-      are = words_.row(words_.opaque[0], at);
-      seen = one_plane_ ? are : words_.row((*words_.seen)[0], at);
-      mixed = words_.row(words_.mixed, at);
+      are = words_.row(words_.opaque.data(), at);
+      seen = one_plane_ ? are : words_.row(words_.seen->data(), at);
+      mixed = words_.row(words_.mixed.data(), at);
       return;
     }
     are = next_are_;
@@ -229,7 +229,7 @@ struct MetCells {
 };
 
 /// `centres`: whether they are asked; `keeps`: whether the met cells are kept.
-/// Domain, if so: shape.is_small, words.is_small, met.grid of what the node may meet.
+/// Domain, if kept: shape.is_small, words.is_small, met.grid of what the node may meet.
 template <bool centres, bool keeps>
 MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::size_t k, CellMarks& marks,
                               MetCells& met) {
@@ -295,6 +295,8 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     const Int mixed = hn::And(cells, rows_of.mixed);
     some_mixed = hn::Or(some_mixed, mixed);
     if constexpr (keeps) {
+      // What is before the grid is only within its margin, and not met; what is beyond a row of it seems to be
+      // in the next one, which may keep a mark from being said.
       const Int from_column = hn::Shr(mixed, set(met.grid.column));
       met_0 = hn::Or(met_0, to_bit(from_column, to));
       met_1 = hn::Or(met_1, to_bit(from_column, hn::Sub(to, set(32))));

@@ -1,5 +1,6 @@
 // A node of sixteen that meets few mixed cells, cell by cell (impl/bake_sixteen.cpp).
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -59,7 +60,7 @@ class FewCells {
         return hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(of.data()) + grid.row + r);
       };
       const Int cells = hn::IfThenZeroElse(hn::Gt(row, set(last_row)), run(in_word(from), in_word(to)));
-      begin = hn::Or(begin, hn::And(cells, rows(words.opaque[0])));
+      begin = hn::Or(begin, hn::And(cells, rows(words.opaque)));
       const Int at_0 = hn::Shr(hn::And(cells, rows(words.mixed)), set(grid.column));
       if (grid.is_narrow)
         hn::StoreU(hn::DemoteTo(hn::Rebind<std::uint8_t, I>(), at_0), hn::Rebind<std::uint8_t, I>(),
@@ -145,6 +146,7 @@ class FewAlpha {
   HWY_ALIGN Table most_below, least_opaque;
 
  private:
+  /// a, right, below and twist, in whole numbers.
   HWY_ALIGN std::array<SixteenLanes::Ints, 4> whole_;
 };
 
@@ -177,7 +179,8 @@ HWY_INLINE Int unmixed(const SixteenInput& in, const Words& words, const Located
   // Where marks are clear, a border is as good.
   const float most = in.shape->clear && in.shape->gap == 0 ? 1.0f : 0.5f - 2 * in.shape->delta;
   const auto is_within = hn::RebindMask(I(), hn::Lt(from_middle, set(most)));
-  const Int one = set(1), are = words.row(words.opaque[0], at.j), mixed = words.row(words.mixed, at.j);
+  const Int one = set(1), are = words.row(words.opaque.data(), at.j),
+            mixed = words.row(words.mixed.data(), at.j);
   const auto has = [&](Int x) HWY_ATTR { return hn::Eq(hn::And(hn::Shr(x, at.i), one), one); };
   const Int marks = hn::IfThenElse(has(are), set(2 + 4), set(1 + 8));
   return hn::IfThenElseZero(hn::AndNot(has(mixed), is_within), marks);

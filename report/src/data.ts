@@ -202,7 +202,7 @@ export interface SubjectBench extends Bench {
 export interface SceneBench extends Bench {
   topic: "scene";
   file: string;
-  rows: { level: number; ns: number; centre_ns: number }[];
+  rows: { level: number; fastest_ns: number; centre_ns: number }[];
 }
 
 export type AnyBench = IndexBench | TreeBench | VqBench | BakeBench | SweepBench | SubjectBench | SceneBench;
