@@ -67,6 +67,21 @@ class Gate : public testing::Test {
   Folder folder_;
 };
 
+/// So many of a result's cases, all of one kind.
+void set_cases(Json& result, std::uint64_t cases) {
+  for (auto& [kind, count] : result["by_kind"].items()) count["cases"] = 0;
+  result["by_kind"]["interior"]["cases"] = cases;
+  result["cases_run"] = cases;
+}
+
+/// A result that passed, as it is where that many of its cases are wrong.
+void refute(Json& result, std::uint64_t mismatches, const char* verdict = "refuted") {
+  result["verdict"] = verdict;
+  result["mismatches"] = mismatches;
+  result["by_kind"]["interior"]["mismatches"] = mismatches;
+  result["counterexample"] = {{"case", "v:u=0,v=0"}, {"expected", 0}, {"got", 1}};
+}
+
 /// The first object in a list with this member of this value.
 Json& with(Json& list, const char* member, const Json& value) {
   for (Json& one : list)
@@ -103,9 +118,8 @@ TEST_F(Gate, AVerdict) {
   const auto checked = [](Json& j) { with(j["results"], "verdict", "proved")["verdict"] = "checked"; };
   expect_red(proved(), checked, ": verdict proved -> checked\n");
   const auto refuted = [](Json& j) {
-    Json& r = j["results"][0];
-    r["verdict"] = "refuted";
-    r["mismatches"] = 2;
+    set_cases(j["results"][0], j["results"][0]["cases_run"]);
+    refute(j["results"][0], 2);
   };
   expect_red(proved(), refuted, "worse   index.in_range");
   expect_red(proved(), refuted, ": mismatches 0 -> 2\n");
@@ -121,15 +135,70 @@ TEST_F(Gate, ABetterVerdictIsRedUntilBlessed) {
 }
 
 TEST_F(Gate, CaseCounts) {
-  expect_red(
-      proved(), [](Json& j) { j["results"][1]["cases_run"] = j["results"][1]["cases_run"].get<int>() - 1; },
-      ": cases_run ");
+  // A proof of fewer cases expects fewer: not a proof cut short, which contradicts itself.
+  const auto fewer = [](Json& j) {
+    Json& r = j["results"][1];
+    set_cases(r, r["cases_run"].get<std::uint64_t>() - 1);
+    r["cases_expected"] = r["cases_run"];
+  };
+  expect_red(proved(), fewer, ": cases_run ");
+  expect_red(proved(), fewer, ": cases_expected ");
   // 64 bits are compared, not the double that is nearest.
   Json large = proved();
-  large["results"][1]["cases_run"] = 9007199254740993u;
+  large["results"][1]["cases_expected"] = 9007199254740993u;
+  set_cases(large["results"][1], 9007199254740993u);
   expect_red(
-      large, [](Json& j) { j["results"][1]["cases_run"] = 9007199254740992u; },
+      large,
+      [](Json& j) {
+        j["results"][1]["verdict"] = "incomplete";
+        set_cases(j["results"][1], 9007199254740992u);
+      },
       ": cases_run 9007199254740993 -> 9007199254740992");
+}
+
+// The sums stay: what moves from one kind of cell to another is seen in by_kind alone.
+TEST_F(Gate, CountsOfAKind) {
+  expect_red(
+      proved(),
+      [](Json& j) {
+        Json& kinds = j["results"][2]["by_kind"];
+        kinds["vertex"]["cases"] = kinds["vertex"]["cases"].get<int>() - 1;
+        kinds["edge"]["cases"] = kinds["edge"]["cases"].get<int>() + 1;
+      },
+      ": by_kind.vertex.cases ");
+  expect_red(
+      proved(), [](Json& j) { j["results"][2]["by_kind"]["edge"].erase("mismatches"); },
+      ": by_kind.edge.mismatches 0");
+  Json on_vertices = proved();
+  refute(on_vertices["results"][2], 1);
+  expect_red(
+      on_vertices,
+      [](Json& j) {
+        Json& kinds = j["results"][2]["by_kind"];
+        kinds["interior"]["mismatches"] = 0;
+        kinds["vertex"]["mismatches"] = 1;
+      },
+      ": by_kind.vertex.mismatches 0 -> 1\n");
+}
+
+TEST_F(Gate, AResultThatContradictsItselfIsNoResult) {
+  const auto complains = [&](const std::function<void(Json&)>& plant, const std::string& words) {
+    Json changed = proved();
+    plant(changed["results"][2]);
+    const std::string good = file("good.json", proved()), bad = file("bad.json", changed);
+    for (const auto& arguments : {std::vector<std::string>{"gate", "--baseline", good, bad},
+                                  {"gate", "--baseline", bad, good},
+                                  {"gate", "--baseline", folder_ / "new.json", bad, "--bless"}})
+      expect_complaint(program(arguments), 4, "bad.json: results[");
+    expect_complaint(program({"gate", "--baseline", good, bad}), 4, words);
+  };
+  complains(
+      [](Json& r) {
+        r["counterexample"] = {{"case", "v:u=0,v=0"}};
+      },
+      "a counterexample, beside 0 mismatches");
+  complains([](Json& r) { r["verdict"] = "refuted"; }, "refuted, with 0 mismatches");
+  complains([](Json& r) { r["by_kind"] = "gone"; }, "results[].by_kind: no rule says");
 }
 
 TEST_F(Gate, AMutantThatSurvives) {
@@ -225,7 +294,7 @@ TEST_F(Gate, ASpeedThatWasNoneIsNotPassedOver) {
 TEST_F(Gate, WhatIsBlessedThoughItIsNoSuccessIsNamed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   Json refuted = proved();
-  refuted["results"][0]["verdict"] = "refuted";
+  refute(refuted["results"][0], 1);
   const std::string path = file("refuted.json", refuted);
   const Outcome blessed = program({"gate", "--baseline", folder_ / "r.json", path, "--bless"});
   EXPECT_THAT(blessed.out, HasSubstr("gate: 1 results are refuted"));
@@ -279,7 +348,7 @@ TEST_F(Gate, LibrariesOfOneNameAreToldApartByTheirFolders) {
     for (const char* subject : {first, second})
       for (Json r : once) {
         r["subject"] = subject;
-        if (std::string(subject).find("wrong") != std::string::npos) r["verdict"] = "refuted";
+        if (std::string(subject).find("wrong") != std::string::npos) refute(r, 1);
         results.push_back(r);
       }
     return both;
@@ -303,7 +372,7 @@ TEST_F(Gate, SpeedsOfTwoProcessorsAreSaidToBe) {
 
 TEST_F(Gate, BlessingMakesItGreen) {
   Json changed = proved();
-  changed["results"][0]["cases_run"] = 1;
+  changed["results"][0]["verdict"] = "checked";
   const std::string baseline = folder_ / "b.json", now = file("now.json", changed);
   ASSERT_EQ(program({"gate", "--baseline", baseline, file("old.json", proved()), "--bless"}).exit_code, 0);
   ASSERT_EQ(program({"gate", "--baseline", baseline, now}).exit_code, 1);
@@ -315,14 +384,16 @@ TEST_F(Gate, SomeOfManyDifferencesUnlessAllAreAskedFor) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   Json changed = result_of({"prove", "index.in_range", "--subject", "step", "--levels", "0..9"});
   Json many = changed;
-  for (Json& r : many["results"])
-    for (int k = 0; k < 4; ++k) {
-      r["cases_run"] = 0;
-      r["cases_expected"] = 0;
-      r["mismatches"] = 7;
-      r["verdict"] = "broken";
-    }
-  EXPECT_THAT(gate(changed, many).out, HasSubstr("worse   and 20 more; see --all"));
+  for (Json& r : many["results"]) {
+    set_cases(r, 7);
+    r["cases_expected"] = 7;
+    refute(r, 7);
+  }
+  const std::string some = gate(changed, many).out;
+  std::size_t shown = 0;
+  for (std::size_t at = 0; (at = some.find("worse   index", at)) != std::string::npos; ++at) ++shown;
+  EXPECT_EQ(shown, 20u);
+  EXPECT_THAT(some, testing::ContainsRegex("worse   and [0-9]+ more; see --all"));
   EXPECT_THAT(gate(changed, many, {"--all"}).out, Not(HasSubstr("see --all")));
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "gate/compare.hpp"
+#include "gate/contradictions.hpp"
 
 namespace {
 
@@ -137,6 +138,9 @@ TEST(Gate, TheFiguresThatMatterPointTheRightWay) {
   } all[] = {{"mmverify.result/1", "results[].verdict", Rule::verdict},
              {"mmverify.result/1", "results[].cases_run", Rule::more},
              {"mmverify.result/1", "results[].mismatches", Rule::less},
+             {"mmverify.result/1", "results[].by_kind.vertex.cases", Rule::more},
+             {"mmverify.result/1", "results[].by_kind.edge.mismatches", Rule::less},
+             {"mmverify.result/1", "results[].by_kind.interior.declined", Rule::less},
              {"mmverify.result/1", "mutants[].killed", Rule::yes},
              {"mmverify.result/1", "scene.bake.states.T", Rule::more},
              {"mmverify.result/1", "scene.bake.states.UO", Rule::less},
@@ -212,6 +216,77 @@ TEST(Gate, WhatIsNoBaseline) {
   EXPECT_THAT(baseline("{}", R"({"g": 1})"), HasSubstr("g: no object"));
   for (const char* figures : {R"({"g": {"f": [1]}})", R"({"g": {"f": {}}})"})
     EXPECT_THAT(baseline("{}", figures), HasSubstr("a figure is a text, a number, true, false or null"));
+}
+
+/// A result of two kinds of cells, as one that passed or as one that was refuted.
+Json result_of(const std::string& verdict) {
+  Json passed = Json::parse(R"({"verdict": "proved", "cases_expected": 9, "cases_run": 9, "mismatches": 0,
+      "by_kind": {"vertex": {"cases": 4, "mismatches": 0}, "edge": {"cases": 5, "mismatches": 0, "declined": 0}},
+      "counterexample": null})");
+  if (verdict == "refuted") {
+    passed["mismatches"] = passed["by_kind"]["edge"]["mismatches"] = 2;
+    passed["counterexample"] = {{"case", "x"}};
+    passed["more_counterexamples"] = Json::array({{{"case", "y"}}});
+  }
+  passed["verdict"] = verdict;
+  return passed;
+}
+
+TEST(Contradictions, ThereAreNoneInWhatIsWritten) {
+  for (const char* verdict : {"proved", "checked", "refuted", "incomplete"})
+    EXPECT_EQ(contradiction_in(result_of(verdict)), std::nullopt) << verdict;
+  for (const char* verdict : {"broken", "not_applicable", "incomplete"}) {
+    Json none = result_of(verdict);
+    none["cases_run"] = none["by_kind"]["vertex"]["cases"] = none["by_kind"]["edge"]["cases"] = 0;
+    EXPECT_EQ(contradiction_in(none), std::nullopt) << verdict;
+  }
+  EXPECT_EQ(contradiction_in(Json::object()), std::nullopt);
+}
+
+TEST(Contradictions, EachIsFound) {
+  const struct {
+    const char *verdict, *pointer;
+    Json value;
+    const char* words;
+  } all[] = {
+      {"proved", "/counterexample", {{"case", "x"}}, "a counterexample, beside 0 mismatches"},
+      {"proved", "/more_counterexamples", Json::array({1}), "more counterexamples, beside 0 mismatches"},
+      {"refuted", "/counterexample", nullptr, "no counterexample, beside 2 mismatches"},
+      {"proved", "/by_kind/vertex/cases", 5, "by_kind adds up to 10 cases, the result says 9"},
+      {"proved", "/by_kind/vertex/mismatches", 1, "by_kind adds up to 1 mismatches, the result says 0"},
+      {"refuted", "/mismatches", 3, "by_kind adds up to 2 mismatches, the result says 3"},
+      {"refuted", "/verdict", "proved", "proved, with 2 mismatches"},
+      {"refuted", "/verdict", "checked", "checked, with 2 mismatches"},
+      {"proved", "/verdict", "refuted", "refuted, with 0 mismatches"},
+      {"proved", "/cases_expected", 10, "proved, with 9 of 10 cases run"},
+      {"checked", "/cases_expected", 8, "9 cases run, more than the 8 expected"},
+      {"proved", "/by_kind/edge/declined", 1, "proved, with 1 cases declined"},
+      {"checked", "/by_kind/edge/declined", 6, "edge: more mismatches and declined cases than cases"},
+      {"refuted", "/by_kind/edge/declined", 4, "edge: more mismatches and declined cases than cases"}};
+  for (const auto& [verdict, pointer, value, words] : all) {
+    Json changed = result_of(verdict);
+    changed[Json::json_pointer(pointer)] = value;
+    EXPECT_EQ(contradiction_in(changed), words) << pointer;
+  }
+  Json none = result_of("checked");
+  none["cases_run"] = none["by_kind"]["vertex"]["cases"] = none["by_kind"]["edge"]["cases"] = 0;
+  EXPECT_EQ(contradiction_in(none), "checked, with no case run");
+}
+
+TEST(Contradictions, ACountIsAWholeNumber) {
+  for (const Json& value : {Json(1.5), Json("9"), Json(-1), Json(nullptr)}) {
+    Json changed = result_of("proved");
+    changed["by_kind"]["edge"]["cases"] = value;
+    EXPECT_THAT(complaint([&] { contradiction_in(changed); }), HasSubstr("where a whole number should be"));
+  }
+}
+
+TEST(Contradictions, TheyAreNamedByPlaceAndLaw) {
+  Json run = run_of({"a", "b"});
+  run["results"][1]["mismatches"] = 1;
+  EXPECT_THAT(
+      complaint([&] { figures_of(run); }),
+      HasSubstr("results[1] (\"l\" on \"b\", level 1) contradicts itself: proved, with 1 mismatches"));
 }
 
 TEST(Gate, ABaselineSaysWhatTheResultSaid) {

@@ -1,0 +1,21 @@
+// What one result says against itself: a file that was changed, cut or made by hand.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+namespace mmverify::gate {
+
+/// What a member of "results" says against itself, or nothing:
+///   - the counts of by_kind add up to cases_run and to mismatches, and no kind has more mismatches and
+///     declined cases than cases;
+///   - there is a counterexample just where there are mismatches;
+///   - `refuted` has mismatches; `proved` and `checked` have cases and no mismatches;
+///   - `proved` has run every case that it expects and declined none; nothing has run more.
+/// A member that is absent contradicts nothing: the comparison with a baseline says that it is gone.
+/// Domain: an object.  Throws NoResult where a count is no whole number of 64 bits.
+/// Source: docs/result.schema.json, and the sums that scripts/check-schema adds to it.
+std::optional<std::string> contradiction_in(const nlohmann::ordered_json& result);
+
+}  // namespace mmverify::gate
