@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_code.hpp"
+#include "gate/contradictions.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -95,6 +96,7 @@ ShardRun shard_run(const Json& j) {
   for (const auto& [name, value] : shard.at("run").items())
     run.identity.emplace_back(name, value.get<std::string>());
   j.at("tool").at("threads").get_to(run.report.threads);
+  gate::refuse_contradictions(j);  // a merge adds up counts, and would call a planted one its own
   for (const Json& r : j.at("results")) run.report.results.push_back(result(r));
   if (j.contains("mutants"))
     for (const Json& m : j.at("mutants")) run.report.mutants.push_back(mutant(m));

@@ -4,6 +4,8 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/read_json.hpp"
+#include "gate/contradictions.hpp"
+#include "gate/figures.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -181,6 +183,11 @@ Json result_run(const Json& j, const std::string& path) {
                                                     {"FOOTPRINT", Json::parse(footprint_shape)}});
   Json run = taken(j, shape, path);
   if (run["results"].empty()) fail(path, "results: there are none");
+  try {
+    gate::refuse_contradictions(j);
+  } catch (const gate::NoResult& why) {
+    fail(path, why.what());
+  }
   const auto two_modes = [&](const Json& footprint, const std::string& place) {
     if (footprint["modes"].size() != 2) fail(place + ".modes", "two should stand here, of 2 and of 4 states");
   };

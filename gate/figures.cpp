@@ -168,28 +168,6 @@ std::string schema_in(const Json& j) {
   return j.at("schema").get<std::string>();
 }
 
-/// Throws NoResult where a result contradicts itself.
-void check_results(const Json& run) {
-  if (!run.contains("results") || !run.at("results").is_array()) return;
-  std::size_t k = 0;
-  for (const Json& result : run.at("results")) {
-    const std::string place = fmt::format("results[{}]", k++);
-    if (!result.is_object()) throw NoResult(place + ": no object");
-    std::optional<std::string> why;
-    try {
-      why = contradiction_in(result);
-    } catch (const NoResult& wrong) {
-      throw NoResult(fmt::format("{}.{}", place, wrong.what()));
-    }
-    if (why) {
-      const auto name = [&](const char* member) { return text_of(result.value(member, Json())); };
-      throw NoResult(
-          fmt::format("{} ({} on {}, level {}) contradicts itself: {}; take the file that mmverify wrote",
-                      place, name("law"), name("subject"), name("level"), *why));
-    }
-  }
-}
-
 void add(const Json& run, Figures& figures, std::set<std::string>& topics) {
   const std::string schema = schema_in(run);
   if (schema != "mmverify.result/1" && schema != "mmverify.bench/1")
@@ -213,7 +191,7 @@ void add(const Json& run, Figures& figures, std::set<std::string>& topics) {
     figures.processor = run.at("tool").at("cpu").get<std::string>();
   Walk(figures, topic.empty() ? schema : schema + " " + topic, short_names(subjects_of(run)))
       .object(run, "", topic, "");
-  check_results(run);
+  refuse_contradictions(run);
 }
 
 }  // namespace

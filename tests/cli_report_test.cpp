@@ -150,6 +150,7 @@ TEST_F(Report, AsksInRowOrderWhereThatIsTheLaws) {
   json run = json::parse(said_by_prove({"index.row_order", "--subject", "impl", "--levels", "2"}));
   json& result = run["results"][0];
   result["verdict"] = "refuted";
+  result["mismatches"] = result["by_kind"]["interior"]["mismatches"] = 1;
   result["counterexample"] = {{"case", "i:u=1/16,v=1/16"}, {"level", 2}, {"expected", "0"}, {"got", "1"}};
   write(wrong_, run.dump());
   ASSERT_EQ(report({wrong_}).exit_code, 0);
@@ -280,6 +281,7 @@ TEST_F(Report, AMisshapenPlaceIsNamed) {
   refuse("/results/1/counterexample/case", json::array(),
          "counterexample.case: a text should stand here, not a list");
   refuse("/tool/seed", std::string(200, 'x'), "tool.seed");
+  refuse("/results/1/counterexample", nullptr, "results[1] (");
 }
 
 TEST_F(Report, AnUnwritablePlaceIsNamed) {

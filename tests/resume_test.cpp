@@ -138,6 +138,22 @@ TEST_F(Resume, MergeTrustsOnlyWhatItCanStandFor) {
   EXPECT_EQ(results_in(at("merged"))[0]["verdict"], "proved");
 }
 
+// A merge adds up by_kind: what stands beside it must say the same.
+TEST_F(Resume, MergeTakesNoShardThatContradictsItself) {
+  const Arguments run{"prove",  "index.equals_reference", "--subject", "step-appendix-ties", "--levels", "3",
+                      "--quiet"};
+  EXPECT_EQ(program(with(run, {"--shard", "1/1", "--json", at("one")})).exit_code, 1);
+  json shard = json::parse(text_of(at("one")));
+  for (auto& [kind, count] : shard["results"][0]["by_kind"].items()) count["mismatches"] = 0;
+  std::ofstream(at("forged")) << shard;
+  expect_complaint(program({"merge", at("forged"), "-o", at("merged")}), 4, "forged: results[0]");
+  shard["results"][0]["mismatches"] = 0;
+  std::ofstream(at("forged")) << shard;
+  expect_complaint(program({"merge", at("forged"), "-o", at("merged")}), 4,
+                   "a counterexample, beside 0 mismatches");
+  EXPECT_FALSE(fs::exists(at("merged")));
+}
+
 TEST_F(Resume, AShardThatFailsLeavesNoOldResultToMerge) {
   const Arguments run = with(sweep_of("4"), {"--shard", "1/2", "--json", at("shard")});
   expect_success(run);
