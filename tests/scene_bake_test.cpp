@@ -13,51 +13,16 @@
 #include "impl/scene/footprint.hpp"
 #include "impl/scene/levels.hpp"
 #include "impl/scene/square_maps.hpp"
-#include "proofs/scene.hpp"
+#include "tests/made_scene.hpp"
 
 namespace {
 
 using namespace mmverify;
 using namespace mmverify::impl::scene;
+using namespace mmverify::tests;
 namespace micromap = mmverify::impl::micromap;
 namespace index = mmverify::impl::index;
 using testing::ElementsAre;
-
-/// A disc of alpha in 16 x 16 texels, soft at its rim, off the centre so that nothing is symmetric.
-Image disc() {
-  Image image{"disc", 16, 16, std::vector<std::uint8_t>(256)};
-  auto& alpha = std::get<0>(image.alpha);
-  for (std::size_t y = 0; y < 16; ++y)
-    for (std::size_t x = 0; x < 16; ++x) {
-      const double r = std::hypot(static_cast<double>(x) - 6.3, static_cast<double>(y) - 8.9);
-      alpha[x + 16 * y] = static_cast<std::uint8_t>(std::clamp(255 * (5.5 - r), 0.0, 255.0));
-    }
-  return image;
-}
-
-/// Two quads with the texture on: one as two triangles that share an edge, one whose triangles are the same
-/// UVs with other orders of vertices, and an opaque corner of it, which is uniform.
-Scene scene() {
-  Scene s;
-  s.file = "made.gltf";
-  s.images.push_back(disc());
-  Material material;
-  material.mode = AlphaMode::mask;
-  material.texture = BaseColorTexture{0, 0, {}, {}};
-  s.materials.push_back(material);
-  s.meshes.push_back({"quads", 2, {5, {}}});
-  Primitive p;
-  p.material = 0;
-  p.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.4f, 0.5f}, {0.45f, 0.5f}, {0.4f, 0.55f}};
-  for (const Uv& uv : p.uvs) p.positions.push_back({uv[0], uv[1], 0});
-  p.triangles = {{0, 1, 2}, {2, 3, 0}, {1, 2, 0}, {1, 0, 2}, {4, 5, 6}};
-  s.primitives.push_back(p);
-  return s;
-}
-
-unsigned code(std::span<const std::uint8_t> map, std::uint32_t at, unsigned b = 2) {
-  return map[at * b / 8] >> (at * b % 8) & ((1u << b) - 1);
-}
 
 TEST(MicromapReorder, NamesTheSamePlaces) {
   std::mt19937 random(1);
@@ -111,24 +76,6 @@ TEST(SceneLevels, LowersTheFinestUntilTheyFit) {
   EXPECT_THROW(levels(p, {{}, 2}), std::invalid_argument);
   EXPECT_THROW(levels(p, {13, 1 << 20}), std::invalid_argument);
 }
-
-/// A scene all the way.
-struct Made {
-  Scene s = scene();
-  Plan p = plan(s);
-  Levels l;
-  Baked b;
-  SceneArrays a;
-  Pairs q;
-  SquareMaps m;
-  explicit Made(std::optional<unsigned> level = {}, const BakeOptions& options = {})
-      : l(levels(p, {level, 1 << 20})),
-        b(bake(s, p, l.of, options)),
-        a(arrays(p, b)),
-        q(pairs(s, p)),
-        m(square_maps(s, p, q)) {}
-  proofs::scene::Data data() const { return {s, p, b, a, q, m, 0}; }
-};
 
 TEST(SceneBake, IsTheSameForAnyNumberOfThreads) {
   const Made one({}, {1, false, 0, {}}), three({}, {3, false, 0, {}});
@@ -224,105 +171,6 @@ TEST(SceneSaved, IsByAreaAndPlacement) {
   EXPECT_NEAR(any_hit_shares(made.s, made.p, made.b).area, all.area * 7 / 5, 1e-6);
 }
 
-proofs::Report judged(const proofs::scene::Data& data, std::optional<std::uint64_t> samples = 400) {
-  const proofs::scene::SceneLaws laws =
-      proofs::scene::scene_laws(data, {samples}, "mmverify scene made.gltf");
-  proofs::RunOptions run;
-  run.show_progress = false;
-  run.mutants = false;
-  return proofs::run_jobs(laws.jobs, run, [](const proofs::Result&) {});
-}
-
-std::map<std::string, proofs::Verdict> verdicts(const proofs::Report& report) {
-  std::map<std::string, proofs::Verdict> weakest;
-  for (const proofs::Result& r : report.results) {
-    const auto [at, is_new] = weakest.try_emplace(r.law, r.verdict);
-    if (r.verdict == proofs::Verdict::refuted || is_new) at->second = r.verdict;
-  }
-  return weakest;
-}
-
-TEST(SceneLaws, HoldOfOurOwnMaps) {
-  using enum proofs::Verdict;
-  const Made made;
-  for (const auto& [law, verdict] : verdicts(judged(made.data(), 40)))
-    EXPECT_EQ(verdict, law == "vq.square_map" || law.starts_with("bake.") ? checked : proved) << law;
-  for (const auto& [law, verdict] : verdicts(judged(made.data(), std::nullopt)))
-    EXPECT_EQ(verdict, law == "vq.square_map" ? checked : proved) << law;
-}
-
-TEST(SceneLaws, CatchWrongMaps) {
-  using enum proofs::Verdict;
-  {  // One micro-triangle of 2048 that is unknown is opaque.
-    Made made;
-    BakedTriangle& t = made.b.triangles[0];
-    std::uint32_t at = 0;
-    while (code(t.map, at) != 3) ++at;
-    t.map[at / 4] = static_cast<std::uint8_t>(t.map[at / 4] ^ (2u << (2 * (at % 4))));
-    --t.states[3], ++t.states[1];
-    const proofs::Report report = judged(made.data(), std::nullopt);
-    auto found = verdicts(report);
-    EXPECT_EQ(found["bake.conservative"], refuted);
-    EXPECT_EQ(found["bake.tight"], proved);
-    EXPECT_EQ(found["micromap.indirection"], refuted);  // the array was made before
-    for (const proofs::Result& r : report.results)
-      if (r.law == "bake.conservative" && r.verdict == refuted) {
-        EXPECT_EQ(r.counterexamples.at(0).at, "t0:i" + std::to_string(at));
-        EXPECT_EQ(r.replayed_by, "mmverify scene made.gltf --replay bake.conservative");
-      }
-  }
-  {  // One that is transparent is unknown.
-    Made made;
-    BakedTriangle& t = made.b.triangles[1];
-    std::uint32_t at = 1023;
-    while (code(t.map, at) != 0) --at;
-    t.map[at / 4] = static_cast<std::uint8_t>(t.map[at / 4] | 2u << (2 * (at % 4)));
-    --t.states[0], ++t.states[2];
-    auto found = verdicts(judged(made.data(), std::nullopt));
-    EXPECT_EQ(found["bake.conservative"], proved);
-    EXPECT_EQ(found["bake.tight"], refuted);
-  }
-  {  // A code names the neighbour's record.
-    Made made;
-    std::swap(made.a.primitives[0].geometry.indices[0], made.a.primitives[0].geometry.indices[2]);
-    EXPECT_EQ(verdicts(judged(made.data()))["micromap.indirection"], refuted);
-  }
-  {  // A code beyond the records, and counts that are off.
-    Made made;
-    made.a.primitives[0].geometry.counts[0].count += 1;
-    EXPECT_EQ(verdicts(judged(made.data()))["micromap.valid"], refuted);
-  }
-  {  // A region that is mixed is called opaque.
-    Made made;
-    for (impl::vq::Map2& map : made.m.vq2) map.fill(impl::vq::State::O);
-    EXPECT_EQ(verdicts(judged(made.data()))["vq.square_map"], refuted);
-  }
-}
-
-TEST(SceneLaws, AnotherSurfaceIsAnotherRun) {
-  const auto fingerprint = [](const Made& made) {
-    return proofs::scene::SceneSubject(made.data(), "bake").fingerprint();
-  };
-  const Made made;
-  EXPECT_EQ(fingerprint(made), fingerprint(Made()));
-  Made other;
-  other.p.surfaces[0].cutoff = 0.25f;
-  EXPECT_NE(fingerprint(other), fingerprint(made));
-}
-
-TEST(SceneLaws, JudgeTwoStatesAsSuch) {
-  const Made made(4, {0, true, 0, {}});
-  const auto two_state = [](const Made& m) {
-    return proofs::scene::Data{m.s, m.p, m.b, m.a, m.q, m.m, 0, true};
-  };
-  auto found = verdicts(judged(two_state(made), std::nullopt));
-  EXPECT_EQ(found["bake.force2"], proofs::Verdict::proved);
-  Made wrong(4, {0, true, 0, {}});
-  auto& map = wrong.b.triangles[0].map;
-  map[5] = static_cast<std::uint8_t>(map[5] ^ 4);
-  EXPECT_EQ(verdicts(judged(two_state(wrong), std::nullopt))["bake.force2"], proofs::Verdict::refuted);
-}
-
 TEST(ScenePlan, LeavesOutWhatOneMapCannotSay) {
   const auto why = [](auto change) {
     Scene s = scene();
@@ -338,19 +186,6 @@ TEST(ScenePlan, LeavesOutWhatOneMapCannotSay) {
             LeftOut::two_filters);
   EXPECT_EQ(why([](Scene& s) { s.primitives[0].vertex_alpha = VertexAlpha{2, 2}; }), LeftOut::vertex_alpha);
   EXPECT_EQ(why([](Scene& s) { s.primitives[0].uvs[3][1] = -0x1p20f; }), LeftOut::far_uvs);
-}
-
-TEST(SceneLaws, NameTheSameCasesAgain) {
-  const Made made;
-  const proofs::scene::Data data = made.data();
-  const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(data, {50}, "");
-  for (const proofs::Job& job : laws.jobs)
-    if (job.law->id == "bake.tight" && job.levels.first == 5) {
-      EXPECT_TRUE(job.law->replay(*job.subject, 5, "t0:i17").holds);
-      EXPECT_THROW(job.law->replay(*job.subject, 5, "t0:i1024"), proofs::BadCase);
-      EXPECT_THROW(job.law->replay(*job.subject, 5, "t0:i17x"), proofs::BadCase);
-      EXPECT_THROW(job.law->replay(*job.subject, 5, "t2:i0"), proofs::BadCase);
-    }
 }
 
 }  // namespace

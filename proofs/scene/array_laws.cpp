@@ -1,4 +1,8 @@
 // The scene's array, and its way from a triangle to its states.
+#include <optional>
+#include <span>
+#include <vector>
+
 #include "impl/micromap_validate.hpp"
 #include "proofs/scene/law_groups.hpp"
 #include "proofs/scene/law_parts.hpp"
@@ -47,40 +51,103 @@ Law valid_law(const Data& data) {
        }});
 }
 
-/// The uses of planned triangles that have this level, each distinct triangle and order of vertices once.
+/// A triangle of a primitive that has a micromap.
+struct Use {
+  std::size_t primitive, triangle;
+};
+
+/// The triangles of all primitives, by the level of their maps.
 struct Uses {
   struct One {
-    std::size_t primitive, triangle;
+    Use use;
+    Use first;  ///< with the same planned triangle and order of vertices: the use itself, or one before it
   };
   std::vector<std::vector<One>> of = std::vector<std::vector<One>>(17);
 
   explicit Uses(const Data& data) {
-    std::vector<std::array<bool, 64>> seen(data.baked.triangles.size());
+    std::vector<std::array<std::optional<Use>, 64>> seen(data.baked.triangles.size());
     for (std::size_t p = 0; p < data.plan.primitives.size(); ++p) {
       const auto& triangles = data.plan.primitives[p].triangles;
       for (std::size_t t = 0; t < triangles.size(); ++t) {
         const auto& o = triangles[t].order;
-        bool& known = seen[triangles[t].triangle][static_cast<std::size_t>(o[0] * 16 + o[1] * 4 + o[2])];
-        if (!known) of[data.baked.triangles[triangles[t].triangle].level].push_back({p, t});
-        known = true;
+        std::optional<Use>& first =
+            seen[triangles[t].triangle][static_cast<std::size_t>(o[0] * 16 + o[1] * 4 + o[2])];
+        if (!first) first = Use{p, t};
+        of[data.baked.triangles[triangles[t].triangle].level].push_back({{p, t}, *first});
       }
     }
   }
 };
 
-/// The state that a device finds at micro-triangle `index` of a primitive's triangle: by its code, its record
-/// and its data.
-unsigned by_indirection(const Data& data, std::size_t primitive, std::size_t triangle, std::uint32_t index) {
-  const auto& bytes = data.arrays.primitives[primitive].geometry.indices;
+std::uint32_t code_of(const Data& data, const Use& use) {
+  const auto& bytes = data.arrays.primitives[use.primitive].geometry.indices;
   const std::size_t width = micromap::width(data.arrays.encoding) / 8;
   std::uint32_t code = 0;
-  for (std::size_t k = 0; k < width; ++k) code |= std::uint32_t{bytes[triangle * width + k]} << (8 * k);
+  for (std::size_t k = 0; k < width; ++k) code |= std::uint32_t{bytes[use.triangle * width + k]} << (8 * k);
+  return code;
+}
+
+/// States of `b` bits, packed.
+unsigned state_at(std::span<const std::uint8_t> map, std::uint64_t index, unsigned b) {
+  return map[index * b / 8] >> (index * b % 8) & ((1u << b) - 1);
+}
+
+/// What a device finds by a code: one state of a whole triangle, or a record's map.
+struct Found {
+  std::optional<unsigned> special;
+  std::span<const std::uint8_t> map;
+  unsigned bits = 0;
+
+  unsigned at(std::uint64_t index) const { return special ? *special : state_at(map, index, bits); }
+};
+
+/// Nothing where the code names no record, or a record no map of the level within the data.
+std::optional<Found> found_by(const Data& data, std::uint32_t code, Level n) {
   if (const auto state = micromap::special_state(code, data.arrays.encoding))
-    return static_cast<unsigned>(*state);
+    return Found{static_cast<unsigned>(*state), {}, 0};
+  if (code >= data.arrays.array.records.size()) return std::nullopt;
   const micromap::Record& record = data.arrays.array.records[code];
-  const unsigned b = record.format;
-  const std::size_t bit = std::size_t{index} * b;
-  return data.arrays.array.data[record.offset + bit / 8] >> (bit % 8) & ((1u << b) - 1);
+  if (record.level != n || (record.format != 1 && record.format != 2)) return std::nullopt;
+  const auto size =
+      micromap::packed_bytes(micromap::micro_triangles(n), static_cast<micromap::Format>(record.format));
+  const std::span<const std::uint8_t> all(data.arrays.array.data);
+  if (record.offset > all.size() || size > all.size() - record.offset) return std::nullopt;
+  return Found{std::nullopt, all.subspan(record.offset, size), record.format};
+}
+
+/// Every state of one use against what was baked, and how many of each state the plan says that there are.
+Finding leads_to_its_states(const Data& data, Level n, const Use& at) {
+  const TriangleUse& use = data.plan.primitives[at.primitive].triangles[at.triangle];
+  const BakedTriangle& baked = data.baked.triangles[use.triangle];
+  const std::uint32_t code = code_of(data, at);
+  const auto found = found_by(data, code, n);
+  if (!found)
+    return wrong(
+        fmt::format("a map of level {} for triangle {} of primitive {}", n, at.triangle, at.primitive),
+        fmt::format("code {}", code));
+  const bool planned_order = use.order == impl::scene::VertexOrder{0, 1, 2};
+  const unsigned b = micromap::bits(baked.format);
+  micromap::StateCounts counts{};
+  Finding finding;
+  for (std::uint64_t index = 0; index < micromap::micro_triangles(n); ++index) {
+    const auto place = static_cast<std::uint32_t>(index);
+    const unsigned expected =
+        baked.uniform ? static_cast<unsigned>(*baked.uniform)
+                      : state_at(baked.map, planned_order ? place : in_planned_order(place, n, use.order), b);
+    const unsigned got = found->at(index);
+    if (got != expected)
+      return wrong(fmt::format("state {} of micro-triangle {} of triangle {} of primitive {}", expected,
+                               index, at.triangle, at.primitive),
+                   fmt::format("{}", got));
+    ++counts[got];
+    finding.answer = finding.answer * 31 + got;
+  }
+  if (counts != baked.states)
+    return wrong(fmt::format("{} T, {} O, {} UT, {} UO of planned triangle {}", counts[0], counts[1],
+                             counts[2], counts[3], use.triangle),
+                 fmt::format("{} T, {} O, {} UT, {} UO", baked.states[0], baked.states[1], baked.states[2],
+                             baked.states[3]));
+  return finding;
 }
 
 Law indirection_law(const Data& data) {
@@ -90,35 +157,15 @@ Law indirection_law(const Data& data) {
        .topic = "micromap",
        .says =
            "a triangle's code, record and data give the states that were baked for it, in its own order of "
-           "vertices",
+           "vertices, and as many of each as were counted",
        .source = "VkAccelerationStructureTrianglesOpacityMicromapKHR; VkMicromapTriangleKHR"},
-      {"triangles with a map and order of their own", [uses](Level n) { return uses->of[n].size(); },
+      {"triangles of its primitives", [uses](Level n) { return uses->of[n].size(); },
        [&data, uses](Level n, std::uint64_t k) -> Finding {
-         const auto [primitive, triangle] = uses->of[n][k];
-         const TriangleUse& use = data.plan.primitives[primitive].triangles[triangle];
-         const BakedTriangle& baked = data.baked.triangles[use.triangle];
-         // All of a small map; of a large one steps that meet every digit.
-         const std::uint64_t count = micromap::micro_triangles(n);
-         const std::uint64_t step = n <= 6 ? 1 : (count >> 12) + 1;
-         Finding found;
-         for (std::uint64_t at = 0; at < count; at += step) {
-           const auto index = static_cast<std::uint32_t>(at);
-           const unsigned got = by_indirection(data, primitive, triangle, index);
-           unsigned expected = 0;
-           if (baked.uniform) {
-             expected = static_cast<unsigned>(*baked.uniform);
-           } else {
-             const std::size_t b = micromap::bits(baked.format);
-             const std::size_t bit = in_planned_order(index, n, use.order) * b;
-             expected = baked.map[bit / 8] >> (bit % 8) & ((1u << b) - 1);
-           }
-           found.answer = found.answer * 31 + got;
-           if (got != expected)
-             return wrong(
-                 fmt::format("state {} of micro-triangle {} of triangle {}", expected, index, triangle),
-                 fmt::format("{}", got));
-         }
-         return found;
+         const auto& [use, first] = uses->of[n][k];
+         const bool is_first = use.primitive == first.primitive && use.triangle == first.triangle;
+         // With the code of the first use comes what that one's own case has looked at, state by state.
+         if (!is_first && code_of(data, use) == code_of(data, first)) return {code_of(data, use)};
+         return leads_to_its_states(data, n, use);
        }});
 }
 

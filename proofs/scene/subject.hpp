@@ -1,14 +1,30 @@
 // A scene's own data in the dock: what was baked from it and built of that.
 #pragma once
 
+#include <functional>
 #include <mutex>
 #include <string>
 
 #include "impl/scene/arrays.hpp"
 #include "impl/scene/square_maps.hpp"
+#include "impl/tree.hpp"
+#include "impl/vq.hpp"
 #include "proofs/engine/law.hpp"
 
 namespace mmverify::proofs::scene {
+
+/// What codes the maps: this project's, or in a test a wrong one, which the laws must refute.
+struct Codecs {
+  using Map = std::span<const std::uint8_t>;
+  std::function<impl::tree::Stream(Level, impl::micromap::Format, Map)> stream =
+      [](Level n, impl::micromap::Format f, Map map) { return impl::tree::encode_stream(n, f, map); };
+  std::function<impl::tree::Tree(Level, impl::micromap::Format, Map)> tree =
+      [](Level n, impl::micromap::Format f, Map map) { return impl::tree::Tree::encode(n, f, map); };
+  std::function<impl::vq::Encoded2(const impl::vq::Map2&)> vq2 = impl::vq::encode_optimal;
+  std::function<impl::vq::Encoded4(const impl::vq::Map4&)> vq4 = [](const impl::vq::Map4& map) {
+    return impl::vq::encode(map);
+  };
+};
 
 /// All that its laws look at.  Not owned, but for nothing: the scene outlives its laws.
 struct Data {
@@ -20,6 +36,7 @@ struct Data {
   const impl::scene::SquareMaps& squares;
   float margin = 0;        ///< that was baked with
   bool two_state = false;  ///< whether it was forced to 2-state
+  Codecs codecs = {};
 };
 
 class SceneSubject : public Subject {

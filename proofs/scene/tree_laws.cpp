@@ -28,13 +28,13 @@ unsigned state_at(const Map& map, std::uint64_t index) {
   return map.bytes[index * b / 8] >> (index * b % 8) & ((1u << b) - 1);
 }
 
-Finding round_trip(const Map& map, Level n) {
+Finding round_trip(const Codecs& codecs, const Map& map, Level n) {
   micromap::Bytes back(map.bytes.size());
-  const tree::Stream stream = tree::encode_stream(n, map.format, map.bytes);
+  const tree::Stream stream = codecs.stream(n, map.format, map.bytes);
   if (!tree::decode_stream(n, map.format, stream, back) ||
       !std::equal(back.begin(), back.end(), map.bytes.begin()))
     return wrong("the map, from its two bit sequences", "another");
-  const tree::Tree form = tree::Tree::encode(n, map.format, map.bytes);
+  const tree::Tree form = codecs.tree(n, map.format, map.bytes);
   form.decode(back);
   if (!std::equal(back.begin(), back.end(), map.bytes.begin()))
     return wrong("the map, from the form for random access", "another");
@@ -66,7 +66,7 @@ std::vector<Law> tree_laws(const Data& data) {
             .source = "Succinct Opacity Micromaps, Algorithms 1 to 3"},
            {"micromaps", [by_level](Level n) { return (*by_level)[n].size(); },
             [by_level, &data](Level n, std::uint64_t k) {
-              return round_trip(map_of(data, (*by_level)[n][k]), n);
+              return round_trip(data.codecs, map_of(data, (*by_level)[n][k]), n);
             }})};
 }
 

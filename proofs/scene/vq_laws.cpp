@@ -71,7 +71,7 @@ std::vector<Law> vq_laws(const Data& data) {
            .source = "Compressed Opacity Maps, 3"},
           {"pairs", [pairs](Level n) { return n == 4 ? pairs() : 0; },
            [&data](Level, std::uint64_t k) {
-             return conservative<spec::vq::Vq2>(data.squares.vq2[k], vq::encode_optimal(data.squares.vq2[k]));
+             return conservative<spec::vq::Vq2>(data.squares.vq2[k], data.codecs.vq2(data.squares.vq2[k]));
            }}),
       over(
           {.id = "vq4.conservative",
@@ -81,7 +81,7 @@ std::vector<Law> vq_laws(const Data& data) {
            .source = "Compressed Opacity Maps, 3"},
           {"pairs", [pairs](Level n) { return n == 5 ? pairs() : 0; },
            [&data](Level, std::uint64_t k) {
-             return conservative<spec::vq::Vq4>(data.squares.vq4[k], vq::encode(data.squares.vq4[k]));
+             return conservative<spec::vq::Vq4>(data.squares.vq4[k], data.codecs.vq4(data.squares.vq4[k]));
            }})};
   Law squares =
       over({.id = "vq.square_map",
