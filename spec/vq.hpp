@@ -2,8 +2,8 @@
 // region that a hit on either triangle of a pair falls in.  Blocks of them are in spec/vq_block.hpp.
 //
 // Axes.  x counts regions from the left, y from the BOTTOM, as the papers' "X = Y" wants it: only with y
-// upwards do the rows of table 1 give the results that it names.  The left lower triangle of the pair is the
-// half x + y < side.
+// upwards do the rows of table 1, in the order of its caption, give the results that it names (docs/ERRATA.md
+// has the order of the text).  The left lower triangle of the pair is the half x + y < side.
 // Source: Compressed Opacity Maps, sections 3 to 5.
 #pragma once
 

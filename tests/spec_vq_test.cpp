@@ -67,6 +67,34 @@ TEST(SpecVq, ThereAre231713VectorsOfSixteen) {
   EXPECT_EQ(sum, 231'713u);
 }
 
+// 4.1 applies LR, TB and R90 "in turn", the caption of table 1 "right to left": R90 first.  By matrices over
+// (x, y), of an axis y that points up or down on the page; "anticlockwise" is what one sees there.
+TEST(SpecVq, TheCaptionOfTable1FitsWithYUpwardsAndTheTextWithYDownwards) {
+  using Matrix = std::array<int, 4>;  // x' = a x + b y, y' = c x + d y
+  const auto after = [](const Matrix& f, const Matrix& g) {
+    return Matrix{f[0] * g[0] + f[1] * g[2], f[0] * g[1] + f[1] * g[3], f[2] * g[0] + f[3] * g[2],
+                  f[2] * g[1] + f[3] * g[3]};
+  };
+  const Matrix identity{1, 0, 0, 1}, lr{-1, 0, 0, 1}, tb{1, 0, 0, -1}, half_turn{-1, 0, 0, -1},
+      x_is_y{0, 1, 1, 0}, x_is_minus_y{0, -1, -1, 0};
+  for (const bool upwards : {false, true})
+    for (const bool rotation_first : {false, true}) {
+      const Matrix r90 = upwards ? Matrix{0, -1, 1, 0} : Matrix{0, 1, -1, 0},
+                   r270 = upwards ? Matrix{0, 1, -1, 0} : Matrix{0, -1, 1, 0};
+      const Matrix named[8] = {identity, r90, tb, x_is_minus_y, lr, x_is_y, half_turn, r270};
+      int misnamed = 0;
+      for (int row = 0; row < 8; ++row) {
+        const Matrix first = rotation_first ? (row & 1 ? r90 : identity) : (row & 4 ? lr : identity),
+                     last = rotation_first ? (row & 4 ? lr : identity) : (row & 1 ? r90 : identity);
+        if (after(last, after(row & 2 ? tb : identity, first)) != named[row]) {
+          EXPECT_TRUE(row == 3 || row == 5);
+          ++misnamed;
+        }
+      }
+      EXPECT_EQ(misnamed, upwards == rotation_first ? 0 : 2) << upwards << rotation_first;
+    }
+}
+
 // Table 1's names, by what each does to the corners and edges of 4x4 regions, y upwards.
 TEST(SpecVq, Table1HoldsWithYUpwards) {
   const std::uint32_t last = 3;

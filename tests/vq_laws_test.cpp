@@ -48,6 +48,9 @@ TEST(VqLaws, CasesAddUpToTheirClosedForms) {
   EXPECT_EQ(cases("vq.codes", 2), 131'072u + 2 * 262'144u + 1'048'576u + 4 * 240u);
   EXPECT_EQ(cases("vq2.conservative", 4), 3u * 64 * 81);
   EXPECT_EQ(cases("vq2.conservative_in_pairs", 4), 6u * 81 * 81);
+  EXPECT_EQ(judged("vq2.no_other_bit", "vq", 4).cases_run(), 1u << 14);
+  EXPECT_EQ(judged("vq4.no_other_bit", "vq", 5).cases_run(), 1u << 15);
+  EXPECT_EQ(judged("vq2.field_values", "vq-spec", 4).cases_run(), 1u << 15);
   EXPECT_EQ(cases("vq4.every_code_word", 5), std::uint64_t{8} << 20);
 }
 

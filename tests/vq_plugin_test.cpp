@@ -18,9 +18,11 @@ Outcome judge(const std::string& name, const std::string& what) {
 TEST(VqSubject, the_example_in_c_keeps_every_law_that_it_has_entry_points_for) {
   const Outcome o = judge("vq_example", "vq");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  for (const char* law : {"vq2.region_is_map", "vq4.region_is_map", "vq2.conservative"})
+  for (const char* law :
+       {"vq2.region_is_map", "vq4.region_is_map", "vq2.no_other_bit", "vq4.no_other_bit", "vq2.conservative"})
     EXPECT_THAT(o.out, HasSubstr(std::string("proved     ") + law));
-  for (const char* law : {"vq2.conservative_on_samples", "vq4.conservative_on_samples"})
+  for (const char* law : {"vq2.on_random_blocks", "vq4.on_random_blocks", "vq2.conservative_on_samples",
+                          "vq4.conservative_on_samples"})
     EXPECT_THAT(o.out, HasSubstr(std::string("checked    ") + law));
   // What it does not promise: vectors, fields, few substitutions.
   for (const char* law : {"vq.vectors", "vq2.block_bits", "vq2.lossless_when_it_fits", "vq2.optimum"})

@@ -1,157 +1,14 @@
 // Laws of decoders: both ways to decode a block mean the same map.
-#include "proofs/vq/fields.hpp"
+#include "proofs/vq/blocks.hpp"
+#include "proofs/vq/decoder_checks.hpp"
 #include "proofs/vq/law_groups.hpp"
-#include "proofs/vq/law_parts.hpp"
-#include "proofs/vq/texts.hpp"
+#include "proofs/vq/slipping_decoder.hpp"
 
 namespace mmverify::proofs::vq {
 namespace {
 
 using enum State;
-using spec::vq::Quadrant;
 using spec::vq::Region;
-
-/// The regions that each transform fills the regions of a vector from.
-template <std::size_t side>
-const std::array<std::array<std::uint8_t, side * side>, 8>& sources() {
-  static const auto table = [] {
-    std::array<std::array<std::uint8_t, side * side>, 8> all{};
-    for (std::uint32_t t = 0; t < 8; ++t)
-      for (std::uint32_t k = 0; k < side * side; ++k) {
-        const Region at{k % static_cast<std::uint32_t>(side), k / static_cast<std::uint32_t>(side)},
-            from = spec::vq::filled_from<side>(Transform::of(t), at);
-        all[t][k] = static_cast<std::uint8_t>(from.x + side * from.y);
-      }
-    return all;
-  }();
-  return table;
-}
-
-/// The specification's map, each entry decoded once.
-template <class Format>
-Map<Format> specified(const Format& fields) {
-  constexpr std::size_t side = Format::side, indices = std::size_t{1} << Format::index_bits;
-  const auto& from = sources<side>();
-  std::array<std::array<Vector<side>, indices>, 4> turned;
-  for (std::uint32_t index = 0; index < indices; ++index)
-    for (std::size_t q = 0; q < 4; ++q) {
-      const Vector<side> entry = fields.entry(static_cast<Quadrant>(q), index);
-      for (std::size_t k = 0; k < side * side; ++k)
-        turned[q][index][k] = entry[from[fields.transforms[q].number()][k]];
-    }
-  Map<Format> map;
-  for (std::size_t vector = 0; vector < 64; ++vector) {
-    const std::size_t X = vector % 8, Y = vector / 8;
-    const auto q = static_cast<std::size_t>(
-        spec::vq::quadrant_of(static_cast<std::uint32_t>(X), static_cast<std::uint32_t>(Y)));
-    const Vector<side>& v = turned[q][fields.indices[vector]];
-    for (std::size_t y = 0; y < side; ++y)
-      std::copy_n(v.begin() + static_cast<std::ptrdiff_t>(side * y), side,
-                  map.begin() + static_cast<std::ptrdiff_t>(side * X + 8 * side * (side * Y + y)));
-  }
-  return map;
-}
-
-template <class Format>
-Finding same_map(const char* who, const Map<Format>& expected, const Map<Format>& got) {
-  if (got == expected) return {};
-  std::size_t k = 0;
-  while (got[k] == expected[k]) ++k;
-  return wrong(fmt::format("{} region {},{} {}", who, k % (8 * Format::side), k / (8 * Format::side),
-                           letters({&expected[k], 1})),
-               static_cast<unsigned>(got[k]) < 3 ? letters({&got[k], 1})
-                                                 : fmt::format("{}", static_cast<unsigned>(got[k])));
-}
-
-template <class Format>
-struct Coordinates {
-  std::array<std::uint32_t, std::tuple_size_v<Map<Format>>> x, y;
-};
-template <class Format>
-constexpr Coordinates<Format> everywhere = [] {
-  Coordinates<Format> all{};
-  for (std::uint32_t k = 0; k < all.x.size(); ++k) {
-    all.x[k] = k % (8 * Format::side);
-    all.y[k] = k / (8 * Format::side);
-  }
-  return all;
-}();
-
-template <class Format>
-Finding decodes(const VqSubject& s, const BlockBytes<Format>& block) {
-  const Map<Format> expected = specified(spec::vq::from_bytes<Format>(block));
-  const Codec<Format>& codec = s.parts.codec<Format>();
-  if (codec.decode)
-    if (Finding whole = same_map<Format>("decoded", expected, codec.decode(block)); !whole.holds)
-      return whole;
-  if (codec.regions) {
-    Map<Format> got;
-    codec.regions(block, everywhere<Format>.x, everywhere<Format>.y, got);
-    if (Finding one_by_one = same_map<Format>("asked for", expected, got); !one_by_one.holds)
-      return one_by_one;
-  }
-  return {hash_of(block)};
-}
-
-/// Code words with at most three bits of `bits` set, or clear.
-std::vector<std::uint32_t> few_bits(std::uint32_t bits) {
-  std::vector<std::uint32_t> all;
-  const std::uint32_t ones = (1u << bits) - 1;
-  for (std::uint32_t word = 0; word <= ones; ++word) {
-    const auto set = static_cast<std::uint32_t>(__builtin_popcount(word));
-    if (set <= 3 || set + 3 >= bits) all.push_back(word);
-  }
-  return all;
-}
-
-/// All words of 5 bits; of the longer codes those of few bits.
-template <class Format>
-const std::vector<std::uint32_t>& chosen_words() {
-  static const std::vector<std::uint32_t> words = few_bits(Format::side == 2 ? 5 : 20);
-  return words;
-}
-
-/// Every index is in each quadrant, at other places for another shift.
-template <class Format>
-void lay_indices(Format& fields, std::uint32_t shift) {
-  for (std::uint32_t vector = 0; vector < 64; ++vector) {
-    const std::uint32_t place = vector % 4 + 4 * (vector / 8 % 4);
-    fields.indices[vector] = static_cast<std::uint8_t>((place + shift) % (1u << Format::index_bits));
-  }
-}
-
-/// The codebook whose entries all hold a word, cut to their bits.
-template <class Format>
-Format filled(const std::function<std::uint32_t(std::uint32_t entry)>& word) {
-  Values values(fields_of<Format>);
-  for (std::uint32_t k = 0; k < entries<Format>; ++k)
-    values[67 + k] = word(k) & ((1u << places<Format>[67 + k].bits) - 1);
-  return with<Format>(values);
-}
-
-template <class Format>
-constexpr std::uint32_t shifts = 1u << Format::index_bits;
-
-/// First each word in all entries, under each transform; then every shift of the indices under all 512
-/// triples of transforms.
-template <class Format>
-Format block_number(std::uint64_t k) {
-  const std::uint64_t first = 8 * chosen_words<Format>().size();
-  if (k < first) {
-    Format fields = filled<Format>([&](std::uint32_t) { return chosen_words<Format>()[k / 8]; });
-    for (std::uint32_t q = 1; q < 4; ++q)
-      fields.transforms[q] = Transform::of((static_cast<std::uint32_t>(k) + q) % 8);
-    lay_indices(fields, static_cast<std::uint32_t>(k / 8));
-    return fields;
-  }
-  k -= first;
-  // No two entries alike.
-  Format fields = filled<Format>([](std::uint32_t entry) { return 0x52F3Bu * (2 * entry + 1) >> entry; });
-  for (std::uint32_t q = 1; q < 4; ++q)
-    fields.transforms[q] = Transform::of(static_cast<std::uint32_t>(k >> 3 * (q - 1)) % 8);
-  lay_indices(fields, static_cast<std::uint32_t>(k / 512));
-  return fields;
-}
 
 template <class Format>
 std::optional<std::string> lacks_decoder(const VqSubject& s) {
@@ -162,22 +19,41 @@ std::optional<std::string> lacks_decoder(const VqSubject& s) {
 }
 
 template <class Format>
-Cases<BlockBytes<Format>> blocks() {
+using BlockOfNumber = std::function<BlockBytes<Format>(std::uint64_t seed, std::uint64_t k)>;
+
+template <class Format>
+Law on_blocks(Law law, std::function<std::uint64_t(const Run&)> count, BlockOfNumber<Format> number,
+              std::function<Finding(const VqSubject&, const BlockBytes<Format>&)> check,
+              std::uint64_t chunk = 64) {
   Cases<BlockBytes<Format>> cases;
+  cases.count = [=](Level, const Run& run) { return count(run); };
+  cases.number = [=](Level, std::uint64_t k, std::uint64_t seed) { return number(seed, k); };
   cases.text = text_of_block<Format>;
   cases.read = [](Level n, const std::string& at) {
     const BlockBytes<Format> block = block_from_text<Format>(at);
     check_level<Format>(n);
     return block;
   };
-  cases.check = decodes<Format>;
-  cases.chunk = 64;
-  return cases;
+  cases.check = std::move(check);
+  cases.chunk = chunk;
+  law.source = figure_11;
+  law.fast = level_alone<Format>;
+  return over(std::move(law), lacks_decoder<Format>, cases);
 }
 
+std::function<std::uint64_t(const Run&)> always(std::uint64_t count) {
+  return [=](const Run&) { return count; };
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Mutants
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A change of whole maps; regions alone are not there, which halves the time of a sweep.
 template <class Format>
 std::function<void(Parts&)> decodes_wrongly(std::function<void(const Format&, Map<Format>&)> change) {
   return [=](Parts& parts) {
+    parts.codec<Format>().regions = {};
     auto& decode = parts.codec<Format>().decode;
     decode = [=, real = decode](const BlockBytes<Format>& block) {
       Map<Format> map = real(block);
@@ -201,121 +77,229 @@ std::function<void(Parts&)> asked_wrongly(Region where, std::function<bool(const
   };
 }
 
+/// One region, where the fields that it is made of have some values and another bit of the block is set.
+template <class Format>
+std::function<void(Parts&)> also_reads(Region where, std::uint32_t index, std::uint32_t transform,
+                                       std::size_t bit) {
+  return [=](Parts& parts) {
+    parts.codec<Format>().regions = {};
+    auto& decode = parts.codec<Format>().decode;
+    decode = [=, real = decode](const BlockBytes<Format>& block) {
+      Map<Format> map = real(block);
+      const std::uint32_t X = where.x / Format::side, Y = where.y / Format::side;
+      const Format fields = spec::vq::from_bytes<Format>(block);
+      const auto q = static_cast<std::size_t>(spec::vq::quadrant_of(X, Y));
+      State& state = map[where.x + 8 * Format::side * where.y];
+      if (state == O && fields.indices[X + 8 * Y] == index && fields.transforms[q].number() == transform &&
+          (block[bit / 8] >> bit % 8 & 1) != 0)
+        state = C;
+      return map;
+    };
+  };
+}
+
+/// Regions that are right when they are asked for in their order, all at once.
+template <class Format, class Change>
+std::function<void(Parts&)> in_some_calls(Change change) {
+  return [=](Parts& parts) {
+    parts.codec<Format>().decode = {};
+    auto& regions = parts.codec<Format>().regions;
+    regions = [=, real = regions](const BlockBytes<Format>& block, auto x, auto y, auto state) {
+      real(block, x, y, state);
+      change(x, y, state);
+    };
+  };
+}
+
+template <class Format>
+Mutant slipping(const char* name, Slip slip) {
+  return mutant(name, "vq", level_alone<Format>, slips<Format>(slip));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Laws
+// ---------------------------------------------------------------------------------------------------------------------
+
+constexpr char both_ways_say[] =
+    "a block decodes, whole and region by region, to the map whose vectors are its entries, transformed";
+
 template <class Format>
 Law region_law(const char* id, std::vector<Mutant> mutants) {
-  auto cases = blocks<Format>();
-  cases.count = [](Level, const Run&) -> std::uint64_t {
-    return 8 * chosen_words<Format>().size() + 512 * shifts<Format>;
-  };
-  cases.number = [](Level, std::uint64_t k, std::uint64_t) {
-    return spec::vq::bytes(block_number<Format>(k));
-  };
-  return over(
+  mutants.push_back(slipping<Format>("every quadrant has the indices of BL", Slip::bottom_left_for_all));
+  mutants.push_back(slipping<Format>("the halves have each other's indices", Slip::halves_exchanged));
+  mutants.push_back(slipping<Format>("one index of 64 is its neighbour's", Slip::one_index_of_64));
+  return on_blocks<Format>(
       {.id = id,
        .topic = "vq",
-       .says = "a block decodes, whole and region by region, to the map whose vectors are its entries, "
-               "transformed",
-       .source = figure_11,
+       .says = both_ways_say,
        .subjects = {"vq-spec", "vq"},
-       .fast = level_alone<Format>,
-       .fast_seconds = 0.5,
+       .fast_seconds = Format::side == 2 ? 0.1 : 1.5,
        .domain =
            [](const Subject&, Level) {
              return fmt::format(
-                 "every region, each transform of each quadrant, each entry with {}; each "
-                 "index at each place under all 512 transform triples",
-                 Format::side == 2 ? "all words"
-                                   : "the words that have at most three of 20 bits set or clear");
+                 "every region; each transform of each quadrant with each entry and {}, the other entries at "
+                 "others; each index at each place under all 512 transform triples, any two index fields "
+                 "with all pairs of values{}",
+                 Format::side == 2 ? "all its words"
+                                   : "its words that have at most three of 20 bits set or clear",
+                 Format::side == 2 ? " under each value of any transform" : "");
            },
        .mutants = std::move(mutants)},
-      lacks_decoder<Format>, cases);
+      always(word_blocks<Format>() + index_blocks<Format>),
+      [](std::uint64_t, std::uint64_t k) {
+        const std::uint64_t first = word_blocks<Format>();
+        return spec::vq::bytes(k < first ? word_block<Format>(k) : index_block<Format>(k - first));
+      },
+      decodes<Format>);
 }
 
-constexpr std::uint64_t all_words = 1u << 20;
+template <class Format>
+Law other_bits_law(const char* id, std::vector<std::string> subjects, std::vector<Mutant> mutants) {
+  return on_blocks<Format>(
+      {.id = id,
+       .topic = "vq",
+       .says =
+           "a region's state depends on its own index, transform and entry, and on no other bit of the block",
+       .subjects = std::move(subjects),
+       .fast_seconds = Format::side == 2 ? 0.3 : 0.5,
+       .domain =
+           [](const Subject&, Level) {
+             return fmt::format(
+                 "{} blocks: every region, with each value of its index, of its transform and of the two "
+                 "bits of its entry beside either value of every other bit",
+                 scattered_blocks<Format>);
+           },
+       .mutants = std::move(mutants)},
+      always(scattered_blocks<Format>),
+      [](std::uint64_t, std::uint64_t k) { return scattered_block<Format>(k); }, decodes<Format>);
+}
 
-/// Word k mod 2^20 in the first entry and in each other one a word of its own, all of them over all k; the
-/// transforms by k / 2^20.
-Vq4 any_word_number(std::uint64_t k) {
-  const auto word = static_cast<std::uint32_t>(k % all_words),
-             turn = static_cast<std::uint32_t>(k / all_words);
-  Vq4 fields = filled<Vq4>([&](std::uint32_t entry) { return word * (2 * entry + 1) + 0x9E37u * entry; });
-  for (std::uint32_t q = 1; q < 4; ++q) fields.transforms[q] = Transform::of((turn + q) % 8);
-  lay_indices(fields, word);
-  return fields;
+template <class Format>
+Law random_law(const char* id, std::uint64_t fast, std::uint64_t long_run) {
+  return on_blocks<Format>(
+      {.id = id,
+       .topic = "vq",
+       .says =
+           "a block decodes to its map, whole and region by region, whichever regions are asked for together",
+       .method = Method::sample,
+       .subjects = {"vq"},
+       .fast_seconds = 0.3,
+       .domain =
+           [](const Subject&, Level) {
+             return std::string(
+                 "blocks of random bits; a region alone, up to 40 with repetitions, all in another order");
+           },
+       .mutants = {mutant("a region asked for alone", "vq", level_alone<Format>,
+                          in_some_calls<Format>([](auto x, auto y, auto state) {
+                            if (state.size() == 1 && x[0] == 5 && y[0] > 11) state[0] = state[0] == C ? T : C;
+                          })),
+                   mutant("the last of a call whose size is odd, where it is asked for twice in turn", "vq",
+                          level_alone<Format>, in_some_calls<Format>([](auto x, auto y, auto state) {
+                            const std::size_t n = state.size();
+                            if (n % 2 != 0 && n > 1 && x[n - 1] == x[n - 2] && y[n - 1] == y[n - 2])
+                              state[n - 1] = T;
+                          })),
+                   mutant("a row that is asked for after the one above it", "vq", level_alone<Format>,
+                          in_some_calls<Format>([](auto x, auto y, auto state) {
+                            for (std::size_t k = 1; k < state.size(); ++k)
+                              if (y[k] + 1 == y[k - 1] && x[k] == 3) state[k] = state[k] == O ? C : O;
+                          })),
+                   slipping<Format>("an index takes its lowest bit from the first of its row",
+                                    Slip::low_bits_of_the_row),
+                   slipping<Format>("an entry's last region is the next entry's", Slip::entries_one_on),
+                   slipping<Format>("BL and BR change transforms where TR is rotated by 180",
+                                    Slip::turn_of_the_other)}},
+      [=](const Run& run) { return run.tier == Tier::fast ? fast : long_run; },
+      [](std::uint64_t seed, std::uint64_t k) { return random_block<Format>(seed, k); },
+      decodes_in_any_order<Format>);
 }
 
 Law every_word_law() {
-  auto cases = blocks<Vq4>();
-  cases.count = [](Level, const Run&) { return 8 * all_words; };
-  cases.number = [](Level, std::uint64_t k, std::uint64_t) { return spec::vq::bytes(any_word_number(k)); };
-  cases.chunk = 4096;
   const auto word_of = [](const Vq4& fields, std::uint32_t index) { return fields.codebook[index - 3]; };
-  Law law = over({.id = "vq4.every_code_word",
-                  .topic = "vq",
-                  .says = "both ways to decode, for every code word of every entry",
-                  .source = figure_11,
-                  .subjects = {"vq"},
-                  .fast = level_alone<Vq4>,
-                  .domain =
-                      [](const Subject&, Level) {
-                        return std::string(
-                            "every region, each transform of each quadrant, each entry with all its words");
-                      },
-                  .mutants = {mutant("one word of entry 15, transposed in BR", "vq", level_alone<Vq4>,
-                                     decodes_wrongly<Vq4>([=](const Vq4& f, Map<Vq4>& map) {
-                                       if (word_of(f, 15) == 0xABCDE && f.transforms[3].number() == 5)
-                                         for (State& s : map) s = s == O ? T : s;
-                                     })),
-                              mutant("one word of entry 3", "vq", level_alone<Vq4>,
-                                     asked_wrongly<Vq4>(
-                                         {31, 31}, [=](const Vq4& f) { return word_of(f, 3) == 0x12345; })),
-                              mutant("one word of entry 7", "vq", level_alone<Vq4>,
-                                     asked_wrongly<Vq4>(
-                                         {0, 16}, [=](const Vq4& f) { return word_of(f, 7) == 0x2FACE; }))}},
-                 lacks_decoder<Vq4>, cases);
-  law.long_only = true;
-  return law;
+  return on_blocks<Vq4>(
+      {.id = "vq4.every_code_word",
+       .topic = "vq",
+       .says = "both ways to decode, for every code word of every entry",
+       .subjects = {"vq"},
+       .domain =
+           [](const Subject&, Level) {
+             return std::string(
+                 "every region, each transform of each quadrant, each entry with all its words, the other "
+                 "entries at others, every index in each quadrant");
+           },
+       .mutants = {mutant("one word of entry 15, transposed in BR", "vq", level_alone<Vq4>,
+                          decodes_wrongly<Vq4>([=](const Vq4& f, Map<Vq4>& map) {
+                            if (word_of(f, 15) == 0xABCDE && f.transforms[3].number() == 5)
+                              for (State& s : map) s = s == O ? T : s;
+                          })),
+                   mutant(
+                       "one word of entry 3", "vq", level_alone<Vq4>,
+                       asked_wrongly<Vq4>({31, 31}, [=](const Vq4& f) { return word_of(f, 3) == 0x12345; })),
+                   mutant(
+                       "one word of entry 7", "vq", level_alone<Vq4>,
+                       asked_wrongly<Vq4>({0, 16}, [=](const Vq4& f) { return word_of(f, 7) == 0x2FACE; })),
+                   slipping<Vq4>("every quadrant has the indices of BL", Slip::bottom_left_for_all),
+                   slipping<Vq4>("an entry's last region is the next entry's", Slip::entries_one_on)},
+       .long_only = true},
+      always(every_word_blocks),
+      [](std::uint64_t, std::uint64_t k) { return spec::vq::bytes(every_word_block(k)); }, decodes<Vq4>,
+      4096);
 }
 
 }  // namespace
 
 std::vector<Law> decoder_laws() {
+  const auto two = [](const char* name, const auto& change) {
+    return mutant(name, "vq", level_alone<Vq2>, change);
+  };
+  const auto four = [](const char* name, const auto& change) {
+    return mutant(name, "vq", level_alone<Vq4>, change);
+  };
   return {
       region_law<Vq2>(
           "vq2.region_is_map",
-          {mutant(
-               "one entry of BR, under Rotate 270", "vq", level_alone<Vq2>,
+          {two("one entry of BR, under Rotate 270",
                asked_wrongly<Vq2>(
                    {15, 2}, [](const Vq2& f) { return f.transforms[3].number() == 7 && f.own[3][1] == 21; })),
-           mutant("one triple of transforms", "vq", level_alone<Vq2>,
-                  decodes_wrongly<Vq2>([](const Vq2& f, Map<Vq2>& map) {
-                    if (f.transforms[1].number() == 3 && f.transforms[2].number() == 6 &&
-                        f.transforms[3].number() == 1)
-                      std::swap(map[254], map[255]);
-                  })),
-           mutant(
-               "TL takes TR's transform where that is Reflect TB", "vq-spec", level_alone<Vq2>,
-               asked_wrongly<Vq2>(
-                   {0, 0}, [](const Vq2& f) { return f.transforms[1].number() == 2 && f.shared[0] == 1; }))}),
+           two("one triple of transforms", decodes_wrongly<Vq2>([](const Vq2& f, Map<Vq2>& map) {
+                 if (f.transforms[1].number() == 3 && f.transforms[2].number() == 6 &&
+                     f.transforms[3].number() == 1)
+                   std::swap(map[254], map[255]);
+               })),
+           two("the right has the own entries of the left", slips<Vq2>(Slip::entries_of_the_left)),
+           two("the rotation is undone first", slips<Vq2>(Slip::turned_first)),
+           mutant("TL takes TR's transform where that is Reflect TB", "vq-spec", level_alone<Vq2>,
+                  asked_wrongly<Vq2>(
+                      {0, 15},
+                      [](const Vq2& f) { return f.transforms[1].number() == 2 && f.shared[0] == 1; }))}),
       region_law<Vq4>("vq4.region_is_map",
-                      {mutant("one entry of BR, under Rotate 270", "vq", level_alone<Vq4>,
-                              asked_wrongly<Vq4>({30, 1},
-                                                 [](const Vq4& f) {
-                                                   return f.transforms[3].number() == 7 &&
-                                                          f.codebook[12] == 0x80401;
-                                                 })),
-                       mutant("the second palette of a vertical line", "vq", level_alone<Vq4>,
-                              decodes_wrongly<Vq4>([](const Vq4& f, Map<Vq4>& map) {
-                                if (f.codebook[3] == 0x20001 && f.transforms[2].number() == 6)
-                                  map[0] = map[0] == C ? T : C;
-                              })),
-                       mutant("one triple of transforms", "vq", level_alone<Vq4>,
-                              asked_wrongly<Vq4>({16, 16},
-                                                 [](const Vq4& f) {
-                                                   return f.transforms[1].number() == 7 &&
-                                                          f.transforms[2].number() == 4 &&
-                                                          f.transforms[3].number() == 2 && f.indices[0] == 9;
-                                                 }))}),
+                      {four("one entry of BR, under Rotate 270",
+                            asked_wrongly<Vq4>({30, 1},
+                                               [](const Vq4& f) {
+                                                 return f.transforms[3].number() == 7 &&
+                                                        f.codebook[12] == 0x80401;
+                                               })),
+                       four("the second palette of a vertical line",
+                            decodes_wrongly<Vq4>([](const Vq4& f, Map<Vq4>& map) {
+                              if (f.codebook[3] == 0x20001 && f.transforms[2].number() == 6)
+                                map[0] = map[0] == C ? T : C;
+                            })),
+                       four("one triple of transforms", decodes_wrongly<Vq4>([](const Vq4& f, Map<Vq4>& map) {
+                              if (f.transforms[1].number() == 7 && f.transforms[2].number() == 4 &&
+                                  f.transforms[3].number() == 2 && f.indices[0] == 9)
+                                map[528] = map[528] == C ? T : C;
+                            }))}),
+      other_bits_law<Vq2>("vq2.no_other_bit", {"vq-spec", "vq"},
+                          {two("one region reads the last bit", also_reads<Vq2>({3, 4}, 5, 6, 255)),
+                           two("a region of TL reads BR's transform", also_reads<Vq2>({1, 15}, 7, 0, 200)),
+                           two("the last region reads the first index", also_reads<Vq2>({15, 15}, 3, 7, 0))}),
+      other_bits_law<Vq4>(
+          "vq4.no_other_bit", {"vq"},
+          {four("one region reads the last bit", also_reads<Vq4>({9, 14}, 11, 6, 511)),
+           four("a region of TL reads BR's transform", also_reads<Vq4>({2, 31}, 7, 0, 264)),
+           four("the last region reads the first index", also_reads<Vq4>({31, 31}, 15, 7, 0))}),
+      random_law<Vq2>("vq2.on_random_blocks", 20'000, 20'000'000),
+      random_law<Vq4>("vq4.on_random_blocks", 6'000, 4'000'000),
       every_word_law()};
 }
 

@@ -127,8 +127,8 @@ template <class Format>
 std::function<std::string(const Subject&, Level)> sample_maps() {
   return [](const Subject&, Level) {
     return fmt::format(
-        "maps of {0}x{0} regions: shapes, O beside T, turned quadrants, few vectors, uniform, one odd "
-        "region, noise",
+        "maps of {0}x{0} regions: shapes, O beside T, turned quadrants, few vectors, a block's but for up to "
+        "three regions, uniform, one odd region, noise",
         8 * Format::side);
   };
 }

@@ -1,4 +1,5 @@
 // Laws of fields: where the bits of each lie in a block.
+#include "proofs/vq/blocks.hpp"
 #include "proofs/vq/fields.hpp"
 #include "proofs/vq/law_groups.hpp"
 #include "proofs/vq/law_parts.hpp"
@@ -8,7 +9,7 @@ namespace mmverify::proofs::vq {
 namespace {
 
 template <class Format>
-Finding lie_in_their_places(const VqSubject& s, const Values& values) {
+Finding lie_in_their_places(const VqSubject& s, const Values<Format>& values) {
   const Format fields = with<Format>(values);
   const BlockBytes<Format> expected = bits_of_values<Format>(values);
   const Codec<Format>& codec = s.parts.codec<Format>();
@@ -24,7 +25,7 @@ template <class Format>
 constexpr std::uint64_t two_bits = 1 + Format::bits + Format::bits*(Format::bits - 1) / 2;
 
 template <class Format>
-Values two_bits_number(std::uint64_t k) {
+Values<Format> two_bits_number(std::uint64_t k) {
   BlockBytes<Format> block{};
   const std::uint8_t others = k < two_bits<Format> ? 0 : 0xFF;
   k %= two_bits<Format>;
@@ -43,20 +44,6 @@ Values two_bits_number(std::uint64_t k) {
   return values_of_bits<Format>(block);
 }
 
-/// A block a word of the longest code: each field holds it times an odd number, plus one that is the field's,
-/// in its own bits.  So every field has each of its values, whatever the others have.
-template <class Format>
-constexpr std::uint64_t words = std::uint64_t{1} << (Format::side == 2 ? 5 : 20);
-
-template <class Format>
-Values word_number(std::uint64_t k) {
-  Values values;
-  for (std::uint32_t field = 0; field < fields_of<Format>; ++field)
-    values.push_back((static_cast<std::uint32_t>(k) * (2 * field + 1) + 0x9E37u * field) &
-                     ((1u << places<Format>[field].bits) - 1));
-  return values;
-}
-
 template <class Format>
 std::optional<std::string> lacks_fields(const VqSubject& s) {
   if (!s.parts.codec<Format>().bytes || !s.parts.codec<Format>().fields)
@@ -65,11 +52,13 @@ std::optional<std::string> lacks_fields(const VqSubject& s) {
 }
 
 template <class Format>
-Law law_of_fields(Law law, std::uint64_t count, std::function<Values(std::uint64_t)> number) {
-  Cases<Values> cases;
+Law law_of_fields(Law law, std::uint64_t count, std::function<Values<Format>(std::uint64_t)> number) {
+  Cases<Values<Format>> cases;
   cases.count = [=](Level, const Run&) { return count; };
   cases.number = [=](Level, std::uint64_t k, std::uint64_t) { return number(k); };
-  cases.text = [](const Values& values) { return text_of_block<Format>(bits_of_values<Format>(values)); };
+  cases.text = [](const Values<Format>& values) {
+    return text_of_block<Format>(bits_of_values<Format>(values));
+  };
   cases.read = [](Level n, const std::string& at) {
     const BlockBytes<Format> block = block_from_text<Format>(at);
     check_level<Format>(n);
@@ -108,11 +97,16 @@ Law values_law(const char* id, std::vector<Mutant> mutants) {
        .says = "a field of a block holds each of its values, the others whatever theirs are",
        .subjects = {"vq-spec"},
        .fast_seconds = 0.1,
-       .domain = [](const Subject&,
-                    Level) { return fmt::format("every value of every field, in {} blocks", words<Format>); },
+       .domain =
+           [](const Subject&, Level) {
+             return fmt::format(
+                 "every value of every field, every pair of values of two fields of up to 5 bits, in {} "
+                 "blocks",
+                 field_blocks<Format>);
+           },
        .mutants = std::move(mutants),
        .long_only = Format::side == 4},
-      words<Format>, word_number<Format>);
+      field_blocks<Format>, [](std::uint64_t k) { return values_of_bits<Format>(field_block<Format>(k)); });
 }
 
 template <class Format>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "proofs/vq/subject.hpp"
 
@@ -42,10 +41,12 @@ constexpr std::array<Place, fields_of<Format>> places = [] {
 static_assert(places<Vq2>.back().first + places<Vq2>.back().bits == 256);
 static_assert(places<Vq4>.back().first + places<Vq4>.back().bits == 512);
 
-using Values = std::vector<std::uint32_t>;
+/// A value each field.
+template <class Format>
+using Values = std::array<std::uint32_t, fields_of<Format>>;
 
 template <class Format>
-Format with(const Values& values) {
+Format with(const Values<Format>& values) {
   Format f;
   for (std::size_t k = 0; k < 64; ++k) f.indices[k] = static_cast<std::uint8_t>(values[k]);
   for (std::size_t k = 0; k < 3; ++k) f.transforms[k + 1] = Transform::of(values[64 + k]);
@@ -60,7 +61,7 @@ Format with(const Values& values) {
 }
 
 template <class Format>
-BlockBytes<Format> bits_of_values(const Values& values) {
+BlockBytes<Format> bits_of_values(const Values<Format>& values) {
   BlockBytes<Format> block{};
   for (std::size_t k = 0; k < values.size(); ++k)
     for (std::uint64_t at = places<Format>[k].first, left = values[k]; left != 0;
@@ -70,13 +71,14 @@ BlockBytes<Format> bits_of_values(const Values& values) {
 }
 
 template <class Format>
-Values values_of_bits(const BlockBytes<Format>& block) {
-  Values values;
-  for (const Place& place : places<Format>) {
+Values<Format> values_of_bits(const BlockBytes<Format>& block) {
+  Values<Format> values;
+  for (std::size_t field = 0; field < values.size(); ++field) {
+    const Place& place = places<Format>[field];
     std::uint32_t value = 0;
     for (std::uint32_t k = 0; k < place.bits; ++k)
       value |= (block[(place.first + k) / 8] >> ((place.first + k) % 8) & 1u) << k;
-    values.push_back(value);
+    values[field] = value;
   }
   return values;
 }

@@ -127,6 +127,43 @@ Map<Format> one_odd_region(Random& random) {
   return map;
 }
 
+/// Indices and codes.  Few: each quadrant has two to four indices of its own choice.
+template <class Format>
+void fill(Format& fields, bool few, Random& random) {
+  const std::uint64_t kinds = few ? 2 + random.below(3) : 1u << Format::index_bits;
+  std::array<std::array<std::uint64_t, 4>, 4> kind_of{};
+  for (auto& of_quadrant : kind_of)
+    for (auto& kind : of_quadrant) kind = random.below(1u << Format::index_bits);
+  for (std::uint32_t vector = 0; vector < 64; ++vector) {
+    const auto q = static_cast<std::size_t>(spec::vq::quadrant_of(vector % 8, vector / 8));
+    fields.indices[vector] =
+        static_cast<std::uint8_t>(few ? kind_of[q][random.below(kinds)] : random.below(kinds));
+  }
+  const auto code = [&](std::uint32_t bits) {
+    return static_cast<std::uint32_t>(random.below(std::uint64_t{1} << bits));
+  };
+  if constexpr (Format::side == 2) {
+    for (auto& c : fields.shared) c = static_cast<std::uint8_t>(code(5));
+    for (auto& pair : fields.own)
+      for (auto& c : pair) c = static_cast<std::uint8_t>(code(5));
+  } else {
+    for (std::uint32_t index = 3; index < 16; ++index)
+      fields.codebook[index - 3] = code(spec::vq::bits_of(Vq4::code_of(index)));
+  }
+}
+
+/// A block's map but for up to three regions: what fits no block, by little.
+template <class Format>
+Map<Format> near_a_block(Random& random) {
+  Format fields;
+  for (std::size_t q = 1; q < 4; ++q) fields.transforms[q] = any_transform(random);
+  fill(fields, random.below(2) != 0, random);
+  Map<Format> map = spec::vq::decode(fields);
+  for (std::uint64_t odd = 1 + random.below(3); odd > 0; --odd)
+    map[random.below(map.size())] = any_state(random);
+  return map;
+}
+
 }  // namespace
 
 template <class Format>
@@ -159,6 +196,11 @@ Map<Format> sample_map(std::uint64_t seed, std::uint64_t k) {
     case 13:
     case 29:
       return one_odd_region<Format>(random);
+    case 15:
+    case 17:
+    case 21:
+    case 27:
+      return near_a_block<Format>(random);
     default:
       break;
   }
@@ -172,23 +214,7 @@ Format sample_block(std::uint64_t seed, std::uint64_t k) {
   Format fields;
   for (std::uint32_t q = 1; q < 4; ++q)
     fields.transforms[q] = Transform::of(static_cast<std::uint32_t>(k >> 3 * (q - 1)) % 8);
-  const bool few = random.below(8) != 0;
-  const std::uint64_t kinds = few ? 2 + random.below(3) : 1u << Format::index_bits;
-  std::array<std::uint64_t, 4> kind_of{};
-  for (auto& kind : kind_of) kind = random.below(1u << Format::index_bits);
-  for (auto& index : fields.indices)
-    index = static_cast<std::uint8_t>(few ? kind_of[random.below(kinds)] : random.below(kinds));
-  const auto code = [&](std::uint32_t bits) {
-    return static_cast<std::uint32_t>(random.below(std::uint64_t{1} << bits));
-  };
-  if constexpr (Format::side == 2) {
-    for (auto& c : fields.shared) c = static_cast<std::uint8_t>(code(5));
-    for (auto& pair : fields.own)
-      for (auto& c : pair) c = static_cast<std::uint8_t>(code(5));
-  } else {
-    for (std::uint32_t index = 3; index < 16; ++index)
-      fields.codebook[index - 3] = code(spec::vq::bits_of(Vq4::code_of(index)));
-  }
+  fill(fields, random.below(4) != 0, random);
   return fields;
 }
 

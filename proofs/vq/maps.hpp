@@ -16,11 +16,13 @@ void put(Map<Format>& map, std::uint32_t vector, const Vector<Format::side>& v);
 
 /// Sample k of a seed, the same everywhere: shapes with a wide outline, with O beside T, two at once, a
 /// quadrant repeated and turned; in each 32, a uniform map, two with one odd region, two of a few vectors
-/// repeated and turned, and noise, which takes encoders longest.
+/// repeated and turned, four that are a block's but for up to three regions, and noise, which takes encoders
+/// longest.
 template <class Format>
 Map<Format> sample_map(std::uint64_t seed, std::uint64_t k);
 
-/// Block k of a seed: its transforms are triple k mod 512; its indices a few, or in one of 8 blocks any.
+/// Block k of a seed: its transforms are triple k mod 512; its indices a few of each quadrant's own, or in one of
+/// 4 blocks any.
 template <class Format>
 Format sample_block(std::uint64_t seed, std::uint64_t k);
 

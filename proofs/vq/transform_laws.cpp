@@ -47,21 +47,22 @@ struct Pair {
   std::uint32_t then, first, side;
 };
 
-/// A vector whose one O must arrive where the matrix says, for each place of it.
+/// A vector of one state but for one region, which must arrive where the matrix says: for each place of it, each
+/// state in each other.
 template <std::size_t side>
 Finding moves(const VqSubject& s, const char* what, Linear does, const auto& turned) {
   constexpr int last = side - 1;
-  for (int y = 0; y <= last; ++y)
-    for (int x = 0; x <= last; ++x) {
-      const int X = 2 * x - last, Y = 2 * y - last;
-      Vector<side> v = spec::vq::uniform<side>(T), expected = v;
-      v[static_cast<std::size_t>(x + (last + 1) * y)] = O;
-      const int to_x = (does.a * X + does.b * Y + last) / 2, to_y = (does.c * X + does.d * Y + last) / 2;
-      expected[static_cast<std::size_t>(to_x + (last + 1) * to_y)] = O;
-      const Vector<side> got = turned(s.parts.vectors<side>(), v);
-      if (got != expected)
-        return wrong(fmt::format("{} of {} {}", what, letters(v), letters(expected)), letters(got));
-    }
+  for (int k = 0; k < 6 * (last + 1) * (last + 1); ++k) {
+    const int x = k / 6 % (last + 1), y = k / 6 / (last + 1), X = 2 * x - last, Y = 2 * y - last;
+    const auto around = static_cast<State>(k % 3), odd = static_cast<State>((k + 1 + k / 3 % 2) % 3);
+    Vector<side> v = spec::vq::uniform<side>(around), expected = v;
+    v[static_cast<std::size_t>(x + (last + 1) * y)] = odd;
+    const int to_x = (does.a * X + does.b * Y + last) / 2, to_y = (does.c * X + does.d * Y + last) / 2;
+    expected[static_cast<std::size_t>(to_x + (last + 1) * to_y)] = odd;
+    const Vector<side> got = turned(s.parts.vectors<side>(), v);
+    if (got != expected)
+      return wrong(fmt::format("{} of {} {}", what, letters(v), letters(expected)), letters(got));
+  }
   return {};
 }
 
@@ -132,7 +133,10 @@ Law transforms_law() {
        .fast_seconds = 0.1,
        .domain =
            [](const Subject&, Level n) {
-             return fmt::format("all pairs of rows, on every region of {} vectors", n == 1 ? "2x2" : "4x4");
+             return fmt::format(
+                 "all pairs of rows, on {} vectors of one state but for one region, each region, each two "
+                 "states",
+                 n == 1 ? "2x2" : "4x4");
            },
        .mutants = {mutant("Rotate 270 leaves two middle regions of 4x4 in each other's place", "vq-spec",
                           {2, 2}, turns(four, 7, [](auto& v) { std::swap(v[5], v[6]); })),
