@@ -55,7 +55,8 @@ Law in_range_law() {
                       on_points("the hypotenuse of level 6 has a row of its own", "reference", {0, 6},
                                 [](Level n, const GridPoint& p, std::uint32_t answer) {
                                   return n == 6 && p.u + p.v == Fixed64(1) ? answer + (1u << 12) : answer;
-                                })}};
+                                })},
+          .float_companion = "index.exact_on_floats"};
 }
 
 Law bijective_law() {
@@ -82,7 +83,8 @@ Law bijective_law() {
                                 [](Level n, const GridPoint&, std::uint32_t answer) {
                                   return n == 6 && answer % 4 == 3 ? answer - 1 : answer;
                                 })},
-          .on_lines = false};
+          .on_lines = false,
+          .float_companion = "index.exact_on_floats"};
 }
 
 Law nested_law() {
@@ -109,7 +111,8 @@ Law nested_law() {
                       on_points("order of the first digit changes from level 6 on", "reference", {0, 7},
                                 [](Level n, const GridPoint&, std::uint32_t answer) {
                                   return n >= 6 ? answer ^ (2u << (2 * n - 2)) : answer;
-                                })}};
+                                })},
+          .float_companion = "index.exact_on_floats"};
 }
 
 Law contiguous_law() {
@@ -117,8 +120,8 @@ Law contiguous_law() {
       .id = "index.contiguous",
       .topic = "index",
       .says =
-          "consecutive micro-triangles share an edge; where the highest differing digit steps from 2 to 3, "
-          "one vertex only",
+          "each micro-triangle touches those that come before and after it: across an edge, or, where the "
+          "highest differing digit steps from 2 to 3, in one vertex only",
       .source = "Succinct Opacity Micromaps, figure 2",
       .method = Method::exhaustive,
       .subjects = {"reference", "step", "impl"},
@@ -140,8 +143,13 @@ Law contiguous_law() {
                   on_points("children 0 and 2 change places below level 4", "reference", {0, 6},
                             [](Level n, const GridPoint&, std::uint32_t answer) {
                               return n > 4 && answer % 2 == 0 ? answer ^ 2 : answer;
+                            }),
+                  on_points("every micro-triangle of level 5 is the last", "step", {0, 5},
+                            [](Level n, const GridPoint&, std::uint32_t answer) {
+                              return n == 5 ? (1u << 10) - 1 : answer;
                             })},
-      .on_lines = false};
+      .on_lines = false,
+      .float_companion = "index.exact_on_floats"};
 }
 
 Law inverse_law() {
@@ -175,7 +183,8 @@ Law inverse_law() {
                                 [](Level n, const GridPoint&, std::uint32_t answer) {
                                   return n == 6 && answer == 1234 ? answer + 1 : answer;
                                 })},
-          .on_lines = false};
+          .on_lines = false,
+          .float_companion = "index.exact_on_floats"};
 }
 
 Law corners_law() {
@@ -187,7 +196,7 @@ Law corners_law() {
       .method = Method::exhaustive,
       .subjects = {"impl"},
       .fast = {0, 10},
-      .long_run = {0, 15},
+      .long_run = {0, 16},
       .fast_seconds = 0.5,
       .cases = all_triangles,
       .domain = indices,
@@ -238,7 +247,7 @@ Law row_order_law() {
           .method = Method::exhaustive,
           .subjects = {"impl"},
           .fast = {0, 10},
-          .long_run = {0, 15},
+          .long_run = {0, 16},
           .fast_seconds = 1,
           .cases = all_cells,
           .domain = points,
@@ -252,7 +261,8 @@ Law row_order_law() {
                       on_points("the hypotenuse of level 6 falls into the next column", "impl", {0, 6},
                                 [](Level n, const GridPoint& p, std::uint32_t answer) {
                                   return n == 6 && p.u + p.v == Fixed64(1) ? answer ^ 1 : answer;
-                                })}};
+                                })},
+          .float_companion = "index.row_exact_on_floats"};
 }
 
 Law row_corners_law() {
@@ -289,7 +299,7 @@ std::vector<Law> laws() {
                        contiguous_law(),       inverse_law(),  corners_law(),   rounding_law()};
   for (const auto& group :
        {induction::laws(), wide_laws(), arithmetic_laws(), std::vector{row_order_law(), row_corners_law()},
-        paper_laws(equals_reference_law())})
+        float_laws(), sample_laws(), paper_laws(equals_reference_law())})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

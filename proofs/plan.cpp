@@ -20,6 +20,16 @@ bool planned(const std::vector<Job>& jobs, const Law& law, const Subject& subjec
   });
 }
 
+/// What the law brings along on a float subject, if it is about that subject: one takes binary64 numbers,
+/// another has no entry point for points.
+const Law* companion(const Law& law, const Subject& subject) {
+  const Law* on_floats = law.float_companion.empty() ? nullptr : find_law(law.float_companion);
+  if (on_floats == nullptr || subject.topic() != law.topic) return on_floats;
+  for (Level n = on_floats->long_run.first; n <= on_floats->long_run.last; ++n)
+    if (!on_floats->unfit(subject, n)) return on_floats;
+  return nullptr;
+}
+
 }  // namespace
 
 std::vector<Job> plan(const Request& request) {
@@ -52,7 +62,10 @@ std::vector<Job> plan(const Request& request) {
       if (request.laws.empty() ? !about(*law, *subject) || other_topic : other_topic && of_its_topic)
         continue;
       add(*law, subject);
-      if (!subject->exact() && !law->float_companion.empty()) add(*find_law(law->float_companion), subject);
+      if (!subject->exact())
+        for (const Law* on_floats = companion(*law, *subject); on_floats != nullptr;
+             on_floats = companion(*on_floats, *subject))
+          add(*on_floats, subject);
     }
   }
   return jobs;

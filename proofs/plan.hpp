@@ -13,7 +13,7 @@ struct Request {
 };
 
 /// The jobs of a request. A law whose cells decide nothing for a float subject brings its companion on floats
-/// along.
+/// along, and that one its own.
 std::vector<Job> plan(const Request& request);
 
 /// The weakest of a subject's verdicts, laws that do not apply left out: broken, refuted, incomplete,

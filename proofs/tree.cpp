@@ -3,6 +3,7 @@
 #include "proofs/tree/altered.hpp"
 #include "proofs/tree/byte_laws.hpp"
 #include "proofs/tree/checks.hpp"
+#include "proofs/tree/float_laws.hpp"
 #include "proofs/tree/induction/provable.hpp"
 
 namespace mmverify::proofs::tree {
@@ -237,9 +238,19 @@ Law samples_law() {
 }  // namespace
 
 std::vector<Law> laws() {
-  return {round_trip_law(), lookup_law(),     point_law(),     stream_law(),
-          canonical_law(),  sizes_law(),      damage_law(),    samples_law(),
-          four_state_law(), worst_size_law(), bits_read_law(), induction::all_levels_law()};
+  return {round_trip_law(),
+          lookup_law(),
+          with_points_on_floats(point_law()),
+          point_exact_on_floats_law(),
+          stream_law(),
+          canonical_law(),
+          sizes_law(),
+          damage_law(),
+          with_points_on_floats(samples_law()),
+          four_state_law(),
+          worst_size_law(),
+          bits_read_law(),
+          induction::all_levels_law()};
 }
 
 }  // namespace mmverify::proofs::tree

@@ -89,8 +89,8 @@ typedef struct mmverify_subject {
   void (*index_f64)(uint32_t level, const double* u, const double* v, uint32_t* index, size_t count);
 
   /* Corners of the micro-triangle that carries index[k] < 4^level: i0 j0 i1 j1 i2 j2, in units of 1/2^level
-   * along u and v. The order of the three matters to the law index.corners alone: that of the children 0, 2
-   * and 3 that touch them. */
+   * along u and v. The order of the three matters to the laws index.corners and index.corners_on_samples
+   * alone: that of the children 0, 2 and 3 that touch them. */
   void (*corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
   /* The same two in row order (Gruen et al.; Color and Attribute Micromaps, figure 4). */

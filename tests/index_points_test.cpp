@@ -13,7 +13,9 @@
 #include "proofs/engine/law.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/index/exact_float.hpp"
+#include "proofs/index/hard_doubles.hpp"
 #include "proofs/index/hard_floats.hpp"
+#include "proofs/index/hard_rows.hpp"
 #include "proofs/index/on_cells.hpp"
 #include "proofs/index/point.hpp"
 
@@ -21,7 +23,10 @@ namespace {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::index;
+using mmverify::spec::Fixed128;
+using mmverify::spec::Fixed256;
 using mmverify::spec::Integer;
+namespace spec = mmverify::spec;
 
 Rational ratio(const Integer& a, const Integer& b) { return Rational(a, b); }
 Rational power(int e) {
@@ -329,14 +334,83 @@ TEST(HardFloats, EveryKindIsThere) {
   EXPECT_GT(ordinary, 20u);
 }
 
+TEST(HardRows, LieInTheTriangleUpToOneUlpAndMisleadEachRoundingOfFigureFour) {
+  constexpr Level n = 8;
+  const auto floor_of = [](const Rational& q) { return spec::whole(q * Integer(256)); };
+  std::uint64_t sum = 0, back_from_w = 0, complement_of_u = 0, tiny_beside_a_line = 0;
+  for (std::uint64_t sample = 0; sample < samples; ++sample) {
+    const auto [u, v] = hard_rows(n, 1, sample);
+    ASSERT_TRUE(u >= 0 && v >= 0) << u << ", " << v;
+    const Rational exact_sum = rational(u) + rational(v), one(1);
+    ASSERT_LE(exact_sum, Rational(1) + power(-23)) << u << ", " << v;
+    ASSERT_TRUE(same_bits({u, v}, hard_rows(n, 1, sample)));
+    const float rounded_sum = u + v, w = 1.0f - rounded_sum, back = 1.0f - w, other = 1.0f - u;
+    sum += floor_of(rational(rounded_sum)) != floor_of(exact_sum) ? 1 : 0;
+    back_from_w += floor_of(rational(rounded_sum)) != floor_of(rational(back)) ? 1 : 0;
+    complement_of_u += floor_of(rational(other)) != floor_of(one - rational(u)) ? 1 : 0;
+    tiny_beside_a_line += u > 0 && u < 0x1p-30f && std::abs(v * 256 - std::round(v * 256)) < 0x1p-12f ? 1 : 0;
+  }
+  EXPECT_GT(sum, 200u);
+  EXPECT_GT(back_from_w, 200u);
+  EXPECT_GT(complement_of_u, 200u);
+  EXPECT_GT(tiny_beside_a_line, 200u);
+}
+
+TEST(HardDoubles, LieInTheTriangleUpToOneUlpAndAreNoFloats) {
+  for (const Level n : {0u, 1u, 8u, 16u}) {
+    std::uint64_t no_float = 0, over = 0, on_a_line_as_floats = 0, rounds_up_to_1 = 0, subnormal = 0;
+    const double N = std::ldexp(1.0, static_cast<int>(n));
+    for (std::uint64_t sample = 0; sample < samples; ++sample) {
+      const auto [u, v] = hard_doubles(n, 1, sample);
+      ASSERT_TRUE(u >= 0 && v >= 0) << u << ", " << v;
+      const Rational sum = rational(u) + rational(v);
+      ASSERT_LE(sum, Rational(1) + power(-52)) << u << ", " << v;
+      const double as_float = static_cast<double>(static_cast<float>(u));
+      no_float += as_float != u ? 1 : 0;
+      on_a_line_as_floats += as_float != u && as_float * N == std::floor(as_float * N) ? 1 : 0;
+      over += sum > Rational(1) ? 1 : 0;
+      subnormal += std::fpclassify(u) == FP_SUBNORMAL || std::fpclassify(v) == FP_SUBNORMAL ? 1 : 0;
+      const double uf = u * N - std::floor(u * N), vf = v * N - std::floor(v * N);
+      rounds_up_to_1 += uf + vf >= 1 && rational(uf) + rational(vf) < Rational(1) ? 1 : 0;
+    }
+    EXPECT_GT(no_float, samples / 4);
+    EXPECT_GT(over, 20u);
+    EXPECT_GT(on_a_line_as_floats, 200u);
+    EXPECT_GT(rounds_up_to_1, 20u);
+    EXPECT_GT(subnormal, 20u);
+  }
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Floats in fixed point
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// raw / 2^bits, from the two halves of the raw number where Boost has no conversion.
-Rational value(const mmverify::spec::Fixed128& q) {
+/// raw / 2^F, from the two halves of the raw number where Boost has no conversion.
+Rational value(const Fixed64ForFloats& q) { return ratio(q.raw(), Integer(1) << 43); }
+Rational value(const Fixed128& q) {
   const auto high = static_cast<std::int64_t>(q.raw() >> 64);
   return ratio((Integer(high) << 64) + Integer(static_cast<std::uint64_t>(q.raw())), Integer(1) << 100);
+}
+Rational value(const Fixed256& q) { return ratio(Integer(q.raw()), Integer(1) << 150); }
+
+template <class Fixed, class F>
+void expect_held_by(F x) {
+  if (fits<Fixed>(dyadic(x))) {
+    ASSERT_EQ(value(exactly<Fixed>(dyadic(x))), rational(x)) << x;
+  }
+}
+template <class F>
+void expect_held(F x) {
+  expect_held_by<Fixed64ForFloats>(x);
+  expect_held_by<Fixed128>(x);
+  expect_held_by<Fixed256>(x);
+  const auto seen = on_exact(x, x, [](const auto& p) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(p.u)>, Rational>)
+      return p.u;
+    else
+      return value(p.u);
+  });
+  ASSERT_EQ(seen, rational(x)) << x;
 }
 
 TEST(ExactFloat, FixedPointHoldsTheFloatItWasMadeFrom) {
@@ -359,18 +433,19 @@ TEST(ExactFloat, FixedPointHoldsTheFloatItWasMadeFrom) {
     floats.push_back(p.u);
     floats.push_back(p.v);
   }
-  for (const float x : floats) {
-    if (fits_fixed128(x)) {
-      ASSERT_EQ(value(fixed128(x)), rational(x)) << x;
-    }
-    if (fits_fixed256(x)) {
-      ASSERT_EQ(ratio(Integer(fixed256(x).raw()), Integer(1) << 150), rational(x)) << x;
-    }
+  for (const float x : floats) expect_held(x);
+  for (const double x : {0.0, -0.0, 2.0, -0x1.fffffffffffffp0, 0x1p-43, 0x1.8p-43, 0x1.fffffffffffffp-48,
+                         0x1p-150, 0x1.8p-150, 0x1.0000000000001p-1000, 0x1p-1074, 0x1.0000000000001p1})
+    expect_held(x);
+  for (std::uint64_t sample = 0; sample < 2'000; ++sample) {
+    const DoublePair p = hard_doubles(7, 1, sample);
+    expect_held(p.u);
+    expect_held(p.v);
   }
-  EXPECT_TRUE(fits_fixed128(0x1p-76f) && fits_fixed128(-0.0f) && fits_fixed128(2.0f));
-  EXPECT_FALSE(fits_fixed128(0x1.fffffep-77f) || fits_fixed128(0x1p-149f) || fits_fixed128(0x1.000002p1f));
-  EXPECT_TRUE(fits_fixed256(0x1p-149f) && fits_fixed256(2.0f));
-  EXPECT_FALSE(fits_fixed256(0x1.000002p1f));
+  EXPECT_TRUE(fits<Fixed64ForFloats>(dyadic(0x1p-43f)) && !fits<Fixed64ForFloats>(dyadic(0x1.8p-43f)));
+  EXPECT_TRUE(fits<Fixed128>(dyadic(0x1.fffffep-77f)) && !fits<Fixed128>(dyadic(0x1.fffffep-78f)));
+  EXPECT_TRUE(fits<Fixed256>(dyadic(0x1p-149f)) && fits<Fixed256>(dyadic(2.0)));
+  EXPECT_FALSE(fits<Fixed256>(dyadic(0x1.000002p1f)) || fits<Fixed256>(dyadic(0x1p-151)));
 }
 
 }  // namespace

@@ -136,6 +136,10 @@ TEST_P(FastLaw, KillsEveryMutant) {
     EXPECT_LE(results[k].level, law.mutants[k].levels.last);
     EXPECT_FALSE(results[k].at.empty()) << results[k].mutant;
   }
+  if (law.fast.last > 3) {
+    EXPECT_TRUE(
+        std::any_of(results.begin(), results.end(), [](const MutantResult& m) { return m.level > 3; }));
+  }
 }
 
 TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {

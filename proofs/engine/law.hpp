@@ -111,7 +111,8 @@ struct Law {
   /// The command that shows a counterexample of it again, but for --case LEVEL@CASE; empty: `mmverify
   /// replay`.
   std::string replayed_by = {};
-  /// Runs with it on a float subject, for which cells decide nothing else.
+  /// Runs with it on a float subject, for which cells decide nothing else; and so does the companion's own,
+  /// which may be about wider floats.
   std::string float_companion = {};
 };
 

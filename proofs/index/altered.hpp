@@ -11,14 +11,16 @@ using SubjectOfIndex = std::shared_ptr<const IndexSubject>;
 
 /// What an Altered subject changes; an empty function leaves the entry point alone.
 struct Alteration {
-  /// (level, point, true answer) -> answer, for `index` and, where `rows` is set, `row_index`.
+  /// (level, point, true answer) -> answer, for `index` and `row_index`.
   std::function<std::uint32_t(Level, const GridPoint&, std::uint32_t)> on_point;
-  /// The same for pairs of floats.
+  /// The same for pairs of binary32 numbers.
   std::function<std::uint32_t(Level, float, float, std::uint32_t)> on_floats;
   /// (level, index, true corners) -> corners, for `corners` and `row_corners`.
   std::function<Corners(Level, std::uint32_t, Corners)> on_corners;
   /// Whether on_point reaches the answers on rationals too; not where a law takes them as its oracle.
   bool on_rationals = true;
+  /// The same for pairs of binary64 numbers, and `index` alone.
+  std::function<std::uint32_t(Level, double, double, std::uint32_t)> on_doubles = {};
 };
 
 /// `base` but for the alteration.

@@ -34,28 +34,30 @@ Law exact_on_floats_law() {
                            true}),
                   {level, level}};
   };
-  return {.id = "index.exact_on_floats",
-          .topic = "index",
-          .says = "for binary32 numbers the index is that of the exact reference for those very numbers",
-          .source = vulkan,
-          .method = Method::sample,
-          .subjects = {"step", "impl"},
-          .fast = {0, 16},
-          .long_run = {0, 16},
-          .fast_seconds = 12,
-          .cases = hard_pairs,
-          .domain = floats,
-          .how = by_sample,
-          .unfit = needing({Entry::index}),
-          .divisible = true,
-          .judge = [](const Subject& s, Level n,
-                      const Run& run) { return exact_on_floats(of_index(s), n, run, hard_pairs(n, run)); },
-          .replay = replayed_by(replay_equals_reference),
-          .mutants = {
-              wrong_at("one pair of level 9, an ulp under the hypotenuse", "impl", 9, 0.5f, 0x1.fffffep-2f),
-              {"the reference in binary32", the("reference-f32"), {4, 8}},
-              {"the step algorithm in binary32", the("step-f32"), {4, 4}},
-              wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)}};
+  return {
+      .id = "index.exact_on_floats",
+      .topic = "index",
+      .says = "for binary32 numbers the index is that of the exact reference for those very numbers",
+      .source = vulkan,
+      .method = Method::sample,
+      .subjects = {"step", "impl"},
+      .fast = {0, 16},
+      .long_run = {0, 16},
+      .fast_seconds = 12,
+      .cases = hard_pairs,
+      .domain = floats,
+      .how = by_sample,
+      .unfit = needing({Entry::index}),
+      .divisible = true,
+      .judge = [](const Subject& s, Level n,
+                  const Run& run) { return exact_on_floats(of_index(s), n, run, hard_pairs(n, run)); },
+      .replay = replayed_by(replay_equals_reference),
+      .mutants = {wrong_at("one pair of level 9, an ulp under the hypotenuse", "impl", 9, 0.5f,
+                           0x1.fffffep-2f),
+                  {"the reference in binary32", the("reference-f32"), {4, 8}},
+                  {"the step algorithm in binary32", the("step-f32"), {4, 4}},
+                  wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)},
+      .float_companion = "index.exact_on_doubles"};
 }
 
 Law floats_err_law() {
@@ -212,7 +214,8 @@ Law exact_on_binary16_law() {
                                0x1p-16f),
                       wrong_at("the v-corner, at level 9", 9, 0.0f, 1.0f)},
           .long_only = true,
-          .on_lines = false};
+          .on_lines = false,
+          .float_companion = "index.exact_on_floats"};
 }
 
 }  // namespace

@@ -140,17 +140,6 @@ Tally row_order(const IndexSubject& s, Level n, const Run& run) {
 }
 
 namespace {
-std::uint32_t row_index_at(const IndexSubject& s, Level n, const RationalPoint& p) {
-  const Rational scale(spec::Integer(1) << Fixed64::fraction_bits), u = p.u * scale, v = p.v * scale;
-  if (u.denominator() != 1 || v.denominator() != 1)
-    throw BadCase("row order is replayed on points k/2^30 only");
-  const GridPoint point{Fixed64::from_raw(static_cast<std::int64_t>(u.numerator())),
-                        Fixed64::from_raw(static_cast<std::int64_t>(v.numerator()))};
-  std::uint32_t answer = 0;
-  s.row_index(n, {{&point, 1}, false}, {&answer, 1});
-  return answer;
-}
-
 /// Whether the closed micro-triangle with these corners holds the point: on no edge's outer side.
 template <class Q>
 bool holds(const Corners& c, const spec::Point<Q>& p, Level n) {
@@ -176,7 +165,7 @@ bool holds(const Corners& c, const spec::Point<Q>& p, Level n) {
 
 Replayed replay_row_order(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
-  return compared(n, p, spec::index::w_minor(p, n), row_index_at(s, n, p), Order::rows);
+  return compared(n, p, spec::index::w_minor(p, n), s.row_index(n, p), Order::rows);
 }
 
 Tally row_holds_point(const IndexSubject& s, Level n, const Run& run) {
@@ -194,7 +183,7 @@ Tally row_holds_point(const IndexSubject& s, Level n, const Run& run) {
 
 Replayed replay_row_holds_point(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
-  const std::uint32_t got = row_index_at(s, n, p);
+  const std::uint32_t got = s.row_index(n, p);
   return {got < triangle_count(n) && holds(spec::index::w_minor_corners(got), p, n),
           "a micro-triangle that holds the point", fmt::format("{}", got),
           picture(n, p, spec::index::w_minor(p, n), got, Order::rows)};

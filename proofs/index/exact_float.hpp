@@ -1,55 +1,83 @@
-// From binary32 to the exact number types of the specification.
+// From binary32 and binary64 to the exact number types of the specification.
 #pragma once
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "proofs/index/point.hpp"
 #include "spec/fixed.hpp"
 
 namespace mmverify::proofs::index {
 
-/// Whether Fixed128 holds the number: zero, or 2^-76 <= |x| <= 2.
-constexpr bool fits_fixed128(float x) {
-  const std::uint32_t magnitude = std::bit_cast<std::uint32_t>(x) & 0x7fffffffu;
-  constexpr std::uint32_t least = (127u - 76u) << 23, most = 128u << 23;
-  return magnitude == 0 || (magnitude >= least && magnitude <= most);
-}
+/// A finite number as significand 2^exponent, the significand odd or zero; zero has exponent 0.
+struct Dyadic {
+  std::uint64_t significand;
+  int exponent;
+  bool negative;
+};
 
-/// Domain: fits_fixed128(x).
-constexpr spec::Fixed128 fixed128(float x) {
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(x), magnitude = bits & 0x7fffffffu;
-  if (magnitude == 0) return spec::Fixed128(0);
-  const int exponent = static_cast<int>(magnitude >> 23) - 127 - 23;
-  const spec::Int128 significand = (magnitude & 0x7fffffu) | 0x800000u;
-  const spec::Int128 raw = significand << (static_cast<int>(spec::Fixed128::fraction_bits) + exponent);
-  return spec::Fixed128::from_raw((bits >> 31) != 0 ? -raw : raw);
-}
-
-/// Whether Fixed256 holds the number: any finite one up to 2 in size.
-constexpr bool fits_fixed256(float x) {
-  return (std::bit_cast<std::uint32_t>(x) & 0x7fffffffu) <= 128u << 23;
-}
-
-/// Domain: fits_fixed256(x).
-inline spec::Fixed256 fixed256(float x) {
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(x), exponent = bits >> 23 & 0xffu;
+/// Domain: finite x, float or double.
+template <class F>
+constexpr Dyadic dyadic(F x) {
+  using Bits = std::conditional_t<sizeof(F) == 4, std::uint32_t, std::uint64_t>;
+  constexpr int digits = sizeof(F) == 4 ? 23 : 52, bias = sizeof(F) == 4 ? 127 : 1023;
+  constexpr Bits leading = Bits{1} << digits;
+  const Bits bits = std::bit_cast<Bits>(x), magnitude = bits & (~Bits{0} >> 1);
+  if (magnitude == 0) return {0, 0, bits != 0};
+  const int field = static_cast<int>(magnitude >> digits);
   // A subnormal number has exponent field 0, no leading 1, and the scale of field 1.
-  const spec::Int256 significand = (bits & 0x7fffffu) | (exponent == 0 ? 0u : 0x800000u);
-  const spec::Int256 raw = significand
-                           << (spec::Fixed256::fraction_bits - 150 + (exponent == 0 ? 1 : exponent));
-  return spec::Fixed256::from_raw((bits >> 31) != 0 ? spec::Int256(-raw) : raw);
+  const Bits significand = (magnitude & (leading - 1)) | (field == 0 ? 0 : leading);
+  const int zeros = std::countr_zero(significand);
+  return {significand >> zeros, (field == 0 ? 1 : field) - bias - digits + zeros, bits != magnitude};
 }
 
-/// Calls algorithm(point) with the two numbers exact: in 128-bit fixed point where that holds them, else in
-/// 256-bit, else as rationals.
-template <class Algorithm>
-auto on_exact(float u, float v, Algorithm algorithm) {
-  if (fits_fixed128(u) && fits_fixed128(v))
-    return algorithm(spec::Point<spec::Fixed128>{fixed128(u), fixed128(v)});
-  if (fits_fixed256(u) && fits_fixed256(v))
-    return algorithm(spec::Point<spec::Fixed256>{fixed256(u), fixed256(v)});
-  return algorithm(RationalPoint{rational(u), rational(v)});
+/// Whether Fixed holds the number: its last bit is a fraction bit of Fixed or more, and it is 2 or less in
+/// size.
+template <class Fixed>
+constexpr bool fits(const Dyadic& x) {
+  const int size = x.exponent + static_cast<int>(std::bit_width(x.significand));
+  return x.exponent >= -static_cast<int>(Fixed::fraction_bits) &&
+         (size <= 1 || (size == 2 && x.significand == 1));
+}
+
+/// Domain: fits<Fixed>(x).
+template <class Fixed>
+constexpr Fixed exactly(const Dyadic& x) {
+  using Word = typename Fixed::word_type;
+  const Word raw = static_cast<Word>(x.significand) << (static_cast<int>(Fixed::fraction_bits) + x.exponent);
+  return Fixed::from_raw(x.negative ? Word(-raw) : raw);
+}
+
+/// Holds binary32 and binary64 numbers whose last bit is 2^-43 or more; see docs/SOUNDNESS.md, "No sum
+/// overflows", for levels up to 16.
+using Fixed64ForFloats = spec::Fixed<std::int64_t, 43>;
+
+/// Calls algorithm(point) with the two numbers exact: in the first of these types that holds both, else as
+/// rationals.
+template <class... Types, class F, class Algorithm>
+auto on_exact_in(F u, F v, Algorithm algorithm) {
+  const Dyadic du = dyadic(u), dv = dyadic(v);
+  std::common_type_t<decltype(algorithm(RationalPoint{}))> answer{};
+  const auto in = [&]<class Fixed>(std::type_identity<Fixed>) {
+    if (!fits<Fixed>(du) || !fits<Fixed>(dv)) return false;
+    answer = algorithm(spec::Point<Fixed>{exactly<Fixed>(du), exactly<Fixed>(dv)});
+    return true;
+  };
+  if (!(in(std::type_identity<Types>{}) || ...)) answer = algorithm(RationalPoint{rational(u), rational(v)});
+  return answer;
+}
+
+/// Levels up to 16, 64-bit words first.  Domain: finite.
+template <class F, class Algorithm>
+auto on_exact(F u, F v, Algorithm algorithm) {
+  return on_exact_in<Fixed64ForFloats, spec::Fixed128, spec::Fixed256>(u, v, algorithm);
+}
+
+/// Levels up to 24, 128-bit words first.  Domain: finite.
+template <class F, class Algorithm>
+auto on_exact_wide(F u, F v, Algorithm algorithm) {
+  return on_exact_in<spec::Fixed128, spec::Fixed256>(u, v, algorithm);
 }
 
 }  // namespace mmverify::proofs::index

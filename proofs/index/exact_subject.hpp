@@ -23,6 +23,10 @@ class ExactSubject : public IndexSubject {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = on_exact(batch.u[t], batch.v[t], [n](const auto& p) { return Algorithm::at(p, n); });
   }
+  void index(Level n, DoubleBatch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = on_exact(batch.u[t], batch.v[t], [n](const auto& p) { return Algorithm::at(p, n); });
+  }
   std::uint32_t index(Level n, const RationalPoint& p) const override { return Algorithm::at(p, n); }
 
   // Fixed64 holds the points of grids up to level 28.

@@ -56,14 +56,7 @@ class ImplSubject : public IndexSubject {
     fast::from_barycentrics(batch.u, batch.v, n, out);
   }
   std::uint32_t index(Level n, const RationalPoint& p) const override {
-    // A batch of one point over and over: a replay goes through the same vector code as the sweep.
-    constexpr std::size_t vectors = 64;
-    std::array<float, vectors> u, v;
-    std::array<std::uint32_t, vectors> out;
-    u.fill(static_cast<float>(nearest(p.u)));
-    v.fill(static_cast<float>(nearest(p.v)));
-    fast::from_barycentrics(u, v, n, out);
-    return out.front();
+    return at_point(p, [n](auto u, auto v, auto to) { fast::from_barycentrics(u, v, n, to); });
   }
   Level max_wide_level() const override { return 21; }  // whose representatives have 24 bits
   void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const override {
@@ -83,11 +76,28 @@ class ImplSubject : public IndexSubject {
   void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
     on_floats(batch, out, [n](auto u, auto v, auto to) { fast::w_minor(u, v, n, to); });
   }
+  void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+    fast::w_minor(batch.u, batch.v, n, out);
+  }
+  std::uint32_t row_index(Level n, const RationalPoint& p) const override {
+    return at_point(p, [n](auto u, auto v, auto to) { fast::w_minor(u, v, n, to); });
+  }
   void row_corners(Level, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
     to_corners(indices, out, [](auto k, const auto& to) { fast::w_minor_corners(k, to); });
   }
 
  private:
+  /// A batch of one point over and over: a replay goes through the same vector code as the sweep.
+  template <class Batched>
+  static std::uint32_t at_point(const RationalPoint& p, Batched batched) {
+    constexpr std::size_t vectors = 64;
+    std::array<float, vectors> u, v;
+    std::array<std::uint32_t, vectors> out;
+    u.fill(static_cast<float>(nearest(p.u)));
+    v.fill(static_cast<float>(nearest(p.v)));
+    batched(std::span<const float>(u), std::span<const float>(v), std::span<std::uint32_t>(out));
+    return out.front();
+  }
   static Rational rounded(const Rational& q) { return rational(static_cast<float>(nearest(q))); }
 };
 

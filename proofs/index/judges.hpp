@@ -28,11 +28,17 @@ Tally inverse(const IndexSubject&, Level, const Run&);
 Tally corners_in_order(const IndexSubject&, Level, const Run&);
 Tally row_corners(const IndexSubject&, Level, const Run&);
 
+// On sampled indices: all that the subject has, its corners in any order; and those in their order.
+Tally on_samples(const IndexSubject&, Level, const Run&, std::uint64_t samples);
+Tally corners_on_samples(const IndexSubject&, Level, const Run&, std::uint64_t samples);
+
 // On all pairs of non-negative binary16 numbers of the triangle.
 Tally exact_on_binary16(const IndexSubject&, Level, const Run&);
 
 // On samples.
 Tally exact_on_floats(const IndexSubject&, Level, const Run&, std::uint64_t samples);
+Tally exact_on_doubles(const IndexSubject&, Level, const Run&, std::uint64_t samples);
+Tally row_exact_on_floats(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 Tally cells_decide(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 
 // The same laws on one case, for `replay`; each throws BadCase for a text it cannot read.
@@ -47,6 +53,13 @@ Replayed replay_contiguous(const IndexSubject&, Level, const std::string& at);
 Replayed replay_inverse(const IndexSubject&, Level, const std::string& at);
 Replayed replay_corners_in_order(const IndexSubject&, Level, const std::string& at);
 Replayed replay_row_corners(const IndexSubject&, Level, const std::string& at);
+Replayed replay_on_samples(const IndexSubject&, Level, const std::string& at);
+Replayed replay_corners_on_samples(const IndexSubject&, Level, const std::string& at);
+
+/// An index as a case: "k=9"; BadCase where the text is no index of the level.
+std::string case_of(std::uint32_t index);
+std::uint32_t parse_index(const std::string& at, Level n);
+std::string text(const Corners& c);
 
 /// The point of a case text as the subject receives it; BadCase where the subject's arithmetic has no such
 /// number.

@@ -8,6 +8,12 @@ namespace mmverify::proofs::index {
 /// About the arithmetic: floats, fixed point, and what a representative stands for.
 std::vector<Law> arithmetic_laws();
 
+/// About floats: the companions of those over cells.
+std::vector<Law> float_laws();
+
+/// About samples of every level up to 16.
+std::vector<Law> sample_laws();
+
 /// About levels beyond 16.
 std::vector<Law> wide_laws();
 

@@ -84,28 +84,20 @@ class PluginSubject : public IndexSubject {
   void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
     ask_points(Call::row_index_f32, n, batch, out);
   }
+  void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+    ask_pairs(Call::row_index_f32, n, batch, out);
+  }
+  std::uint32_t row_index(Level n, const RationalPoint& p) const override {
+    return ask_point(Call::row_index_f32, n, p);
+  }
   void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
-    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
-      const float *u = batch.u.data() + from, *v = batch.v.data() + from;
-      ask(
-          n, point_call(), count,
-          [&](Worker& w, Call call) {
-            place_points(w, call, count, [u, v](std::size_t t) {
-              return std::pair{double{u[t]}, double{v[t]}};
-            });
-          },
-          out.data() + from);
-    });
+    ask_pairs(point_call(), n, batch, out);
+  }
+  void index(Level n, DoubleBatch batch, std::span<std::uint32_t> out) const override {
+    ask_pairs(point_call(), n, batch, out);
   }
   std::uint32_t index(Level n, const RationalPoint& p) const override {
-    std::uint32_t answer = 0;
-    ask(
-        n, point_call(), 1,
-        [&](Worker& w, Call call) {
-          place_points(w, call, 1, [&p](std::size_t) { return std::pair{nearest(p.u), nearest(p.v)}; });
-        },
-        &answer);
-    return answer;
+    return ask_point(point_call(), n, p);
   }
   void corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
     ask_corners(Call::corners, n, indices, out);
@@ -186,6 +178,27 @@ class PluginSubject : public IndexSubject {
       ask(
           n, call, count, [&](Worker& w, Call c) { place_points(w, c, count, at); }, out.data() + from);
     });
+  }
+
+  /// Pairs of floats or doubles; a call that takes floats rounds doubles.
+  template <class Pairs>
+  void ask_pairs(Call call, Level n, const Pairs& batch, std::span<std::uint32_t> out) const {
+    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+      const auto at = [u = batch.u.data() + from, v = batch.v.data() + from](std::size_t t) {
+        return std::pair{double{u[t]}, double{v[t]}};
+      };
+      ask(
+          n, call, count, [&](Worker& w, Call c) { place_points(w, c, count, at); }, out.data() + from);
+    });
+  }
+
+  std::uint32_t ask_point(Call call, Level n, const RationalPoint& p) const {
+    std::uint32_t answer = 0;
+    const std::pair at{nearest(p.u), nearest(p.v)};
+    ask(
+        n, call, 1, [&](Worker& w, Call c) { place_points(w, c, 1, [&at](std::size_t) { return at; }); },
+        &answer);
+    return answer;
   }
 
   void ask_corners(Call call, Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const {

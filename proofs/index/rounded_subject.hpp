@@ -62,6 +62,9 @@ class RoundedSubject : public IndexSubject {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = at(n, static_cast<double>(batch.u[t]), static_cast<double>(batch.v[t]));
   }
+  void index(Level n, DoubleBatch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, batch.u[t], batch.v[t]);
+  }
   std::uint32_t index(Level n, const RationalPoint& p) const override {
     return at(n, nearest(p.u), nearest(p.v));
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "proofs/index/built_in.hpp"
+#include "proofs/index/exact_float.hpp"
 #include "proofs/index/rounded_subject.hpp"
 
 namespace mmverify::proofs::index {
@@ -25,6 +26,13 @@ class ExactRows : public IndexSubject {
   void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = spec::index::w_minor(batch.points[t], n);
   }
+  void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = on_exact(batch.u[t], batch.v[t], [n](const auto& p) { return spec::index::w_minor(p, n); });
+  }
+  std::uint32_t row_index(Level n, const RationalPoint& p) const override {
+    return spec::index::w_minor(p, n);
+  }
   void row_corners(Level, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = spec::index::w_minor_corners(indices[t]);
   }
@@ -39,17 +47,26 @@ class RoundedRows : public IndexSubject {
                      Rounding<F>::arithmetic, 16) {}
   bool has(Entry e) const override { return e == Entry::row_index || e == Entry::row_corners; }
   void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
-    for (std::size_t t = 0; t < out.size(); ++t) {
-      const GridPoint& p = batch.points[t];
-      out[t] = spec::index::w_minor(
-          spec::Point<F>{Rounding<F>::from(as_double(p.u)), Rounding<F>::from(as_double(p.v))}, n);
-    }
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = at(n, as_double(batch.points[t].u), as_double(batch.points[t].v));
+  }
+  void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = at(n, static_cast<double>(batch.u[t]), static_cast<double>(batch.v[t]));
+  }
+  std::uint32_t row_index(Level n, const RationalPoint& p) const override {
+    return at(n, nearest(p.u), nearest(p.v));
   }
   void row_corners(Level, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
     const auto root = [](std::uint32_t k) {
       return static_cast<std::uint32_t>(std::sqrt(static_cast<F>(k)));
     };
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = corners_by_root(indices[t], root);
+  }
+
+ private:
+  static std::uint32_t at(Level n, double u, double v) {
+    return spec::index::w_minor(spec::Point<F>{Rounding<F>::from(u), Rounding<F>::from(v)}, n);
   }
 };
 

@@ -5,7 +5,8 @@
 
 #include "proofs/engine/random.hpp"
 #include "proofs/index/exact_float.hpp"
-#include "proofs/index/hard_floats.hpp"
+#include "proofs/index/hard_doubles.hpp"
+#include "proofs/index/hard_rows.hpp"
 #include "proofs/index/judges.hpp"
 
 namespace mmverify::proofs::index {
@@ -69,33 +70,38 @@ InCell random_in_cell(Level n, Random& random) {
 
 /// A hard pair that lies on no grid line of the level: the sample's, or the first of further seeds' that
 /// does.
-FloatPair inside_pair(Level n, std::uint64_t seed, std::uint64_t sample) {
+template <class Draw>
+auto inside_pair(Level n, std::uint64_t seed, std::uint64_t sample, Draw draw) {
   for (std::uint64_t further = 0;; ++further) {
-    const FloatPair p = hard_floats(n, seed + further * 0x9E3779B97F4A7C15u, sample + 7 * further);
-    const Kind kind = on_exact(p.u, p.v, [n](const auto& q) { return kind_at(q, n); });
-    if (kind == Kind::interior && double{p.u} + double{p.v} < 1) return p;
+    const auto pair = draw(n, seed + further * 0x9E3779B97F4A7C15u, sample + 7 * further);
+    const bool inside = on_exact(pair.u, pair.v, [n]<class Q>(const spec::Point<Q>& p) {
+      return kind_at(p, n) == Kind::interior && p.u + p.v < Q(1);
+    });
+    if (inside) return pair;
   }
 }
 
-}  // namespace
-
-Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
+/// Compares an order's answers on pairs of F that `draw` makes with those of its specification, in exact
+/// arithmetic.
+template <class F, class Draw, class Ask, class Specified>
+Tally exact_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, Ask ask,
+                     Specified specified) {
   return sweep(run, samples, floats_per_chunk, [&](Chunk chunk, Tally& tally) {
-    std::array<float, floats_per_batch> u, v;
+    std::array<F, floats_per_batch> u, v;
     std::array<std::uint32_t, floats_per_batch> got;
     for (std::uint64_t from = chunk.begin; from < chunk.end; from += floats_per_batch) {
       const std::uint64_t count = std::min(floats_per_batch, chunk.end - from);
       for (std::uint64_t t = 0; t < count; ++t) {
-        const FloatPair p =
-            run.interiors_only ? inside_pair(n, run.seed, from + t) : hard_floats(n, run.seed, from + t);
+        const auto p =
+            run.interiors_only ? inside_pair(n, run.seed, from + t, draw) : draw(n, run.seed, from + t);
         u[t] = p.u;
         v[t] = p.v;
       }
-      s.receive({u.data(), count}, {v.data(), count});
-      s.index(n, FloatBatch{{u.data(), count}, {v.data(), count}}, {got.data(), count});
+      ask(std::span<F>(u.data(), count), std::span<F>(v.data(), count),
+          std::span<std::uint32_t>(got.data(), count));
       for (std::uint64_t t = 0; t < count; ++t) {
-        const auto [want, kind] = on_exact(u[t], v[t], [n](const auto& p) {
-          return std::pair{spec::index::reference(p, n), kind_at(p, n)};
+        const auto [want, kind] = on_exact(u[t], v[t], [&](const auto& p) {
+          return std::pair{specified(p, n), kind_at(p, n)};
         });
         tally.count(kind, 1);
         tally.digest(from + t, got[t]);
@@ -105,6 +111,34 @@ Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint6
       }
     }
   });
+}
+
+constexpr auto by_reference = [](const auto& p, Level n) { return spec::index::reference(p, n); };
+constexpr auto by_figure_4 = [](const auto& p, Level n) { return spec::index::w_minor(p, n); };
+
+}  // namespace
+
+Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
+  const auto ask = [&](std::span<float> u, std::span<float> v, std::span<std::uint32_t> got) {
+    s.receive(u, v);
+    s.index(n, FloatBatch{u, v}, got);
+  };
+  return exact_on_pairs<float>(n, run, samples, hard_floats, ask, by_reference);
+}
+
+Tally exact_on_doubles(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
+  const auto ask = [&](std::span<double> u, std::span<double> v, std::span<std::uint32_t> got) {
+    s.index(n, DoubleBatch{u, v}, got);
+  };
+  return exact_on_pairs<double>(n, run, samples, hard_doubles, ask, by_reference);
+}
+
+Tally row_exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
+  const auto ask = [&](std::span<float> u, std::span<float> v, std::span<std::uint32_t> got) {
+    s.receive(u, v);
+    s.row_index(n, FloatBatch{u, v}, got);
+  };
+  return exact_on_pairs<float>(n, run, samples, hard_rows, ask, by_figure_4);
 }
 
 Tally cells_decide(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {

@@ -38,11 +38,19 @@ void IndexSubject::index_rows(Level n, Level grid, std::span<const Row> rows,
     out = out.subspan(row.count);
   }
 }
+void IndexSubject::index(Level n, DoubleBatch batch, std::span<std::uint32_t> out) const {
+  for (std::size_t t = 0; t < out.size(); ++t)
+    out[t] = index(n, RationalPoint{rational(batch.u[t]), rational(batch.v[t])});
+}
 std::uint32_t IndexSubject::index(Level, const RationalPoint&) const { absent(*this, "index"); }
 void IndexSubject::corners(Level, std::span<const std::uint32_t>, std::span<Corners>) const {
   absent(*this, "corners");
 }
 void IndexSubject::row_index(Level, Batch, std::span<std::uint32_t>) const { absent(*this, "row_index"); }
+void IndexSubject::row_index(Level, FloatBatch, std::span<std::uint32_t>) const {
+  absent(*this, "row_index");
+}
+std::uint32_t IndexSubject::row_index(Level, const RationalPoint&) const { absent(*this, "row_index"); }
 void IndexSubject::row_corners(Level, std::span<const std::uint32_t>, std::span<Corners>) const {
   absent(*this, "row_corners");
 }

@@ -31,6 +31,11 @@ struct FloatBatch {
   std::span<const float> u, v;
 };
 
+/// Pairs of binary64 numbers.
+struct DoubleBatch {
+  std::span<const double> u, v;
+};
+
 /// Every call is const and may come from several threads at once.  Answers go to `out`, as long as the input.
 class IndexSubject : public Subject {
  public:
@@ -39,6 +44,8 @@ class IndexSubject : public Subject {
 
   Arithmetic arithmetic() const { return arithmetic_; }
   bool exact() const override { return arithmetic_ == Arithmetic::exact; }
+  /// Whether binary64 numbers reach it as they are.
+  bool takes_doubles() const { return exact() || arithmetic_ == Arithmetic::binary64; }
   Level max_level() const { return max_level_; }
 
   virtual bool has(Entry e) const = 0;
@@ -55,6 +62,8 @@ class IndexSubject : public Subject {
   /// Barycentrics -> index.
   virtual void index(Level n, Batch batch, std::span<std::uint32_t> out) const;
   virtual void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const;
+  /// Domain: takes_doubles().  Here each pair by itself, as a point.
+  virtual void index(Level n, DoubleBatch batch, std::span<std::uint32_t> out) const;
   /// The representatives of rows of `grid`, one row after the other.  Domain: receive() leaves them alone.
   virtual void index_rows(Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out) const;
   /// One point; an exact subject takes any rational, another one a point it can receive.
@@ -65,6 +74,8 @@ class IndexSubject : public Subject {
 
   /// The same two in row order.
   virtual void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const;
+  virtual void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const;
+  virtual std::uint32_t row_index(Level n, const RationalPoint& p) const;
   virtual void row_corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const;
 
   /// Barycentrics -> index in 64-bit words, for levels beyond 16: on the representatives of a row of level n,

@@ -175,27 +175,44 @@ int shared_vertices(const MicroTriangle& a, const MicroTriangle& b) {
   return shared;
 }
 
-/// Whether the micro-triangle that carries index+1 touches m the way the curve has it; `at(m)` gives an
-/// existing micro-triangle's index.
+/// Whether a micro-triangle that carries `wanted` touches m across an edge or, `in_a_vertex`, in one vertex
+/// alone; `at(m)` gives an existing micro-triangle's index.
 template <class At>
-bool next_is_adjacent(const MicroTriangle& m, std::uint32_t index, Level n, At at) {
-  if (!meets_in_a_vertex(index)) {
+bool touches(const MicroTriangle& m, std::uint32_t wanted, bool in_a_vertex, Level n, At at) {
+  if (!in_a_vertex) {
     for (const MicroTriangle& other : across_edges(m))
-      if (exists(other, n) && at(other) == index + 1) return true;
+      if (exists(other, n) && at(other) == wanted) return true;
     return false;
   }
   for (std::uint32_t j = m.j - 1; j != m.j + 2; ++j)
     for (std::uint32_t i = m.i - 2; i != m.i + 3; ++i)
       for (const bool upside_down : {false, true}) {
         const MicroTriangle other{i, j, upside_down};
-        if (exists(other, n) && shared_vertices(m, other) == 1 && at(other) == index + 1) return true;
+        if (exists(other, n) && shared_vertices(m, other) == 1 && at(other) == wanted) return true;
       }
   return false;
 }
 
-std::string adjacency(std::uint32_t index) {
-  return fmt::format("{} across {}", std::uint64_t{index} + 1,
-                     meets_in_a_vertex(index) ? "one vertex, no edge" : "an edge");
+/// What of the curve is missing at m, which carries `index`: the micro-triangle before it or the one after it.
+struct Gap {
+  std::uint64_t wanted;
+  bool in_a_vertex;
+};
+template <class At>
+std::optional<Gap> gap_at(const MicroTriangle& m, std::uint32_t index, Level n, At at) {
+  if (index != triangle_count(n) - 1) {
+    const Gap next{std::uint64_t{index} + 1, meets_in_a_vertex(index)};
+    if (!touches(m, index + 1, next.in_a_vertex, n, at)) return next;
+  }
+  if (index != 0) {
+    const Gap before{std::uint64_t{index} - 1, meets_in_a_vertex(index - 1)};
+    if (!touches(m, index - 1, before.in_a_vertex, n, at)) return before;
+  }
+  return std::nullopt;
+}
+
+std::string adjacency(const Gap& gap) {
+  return fmt::format("{} across {}", gap.wanted, gap.in_a_vertex ? "one vertex, no edge" : "an edge");
 }
 
 }  // namespace
@@ -222,10 +239,10 @@ Tally contiguous(const IndexSubject& s, Level n, const Run& run) {
       each(strips[j - from], j, [&](const MicroTriangle& m, std::uint32_t index) {
         tally.count(Kind::interior, 1);
         tally.digest(number(m, n), index);
-        if (index == triangle_count(n) - 1 || next_is_adjacent(m, index, n, at)) return;
+        const auto gap = gap_at(m, index, n, at);
+        if (!gap) return;
         tally.mismatch(Kind::interior, simplicity(representative(m, n)), [&] {
-          return at_triangle(m, n, adjacency(index),
-                             fmt::format("{} here, {} not there", index, std::uint64_t{index} + 1));
+          return at_triangle(m, n, adjacency(*gap), fmt::format("{} here, {} not there", index, gap->wanted));
         });
       });
   });
@@ -234,12 +251,11 @@ Tally contiguous(const IndexSubject& s, Level n, const Run& run) {
 Replayed replay_contiguous(const IndexSubject& s, Level n, const std::string& at) {
   const MicroTriangle m = triangle_at(n, at);
   const std::uint32_t index = index_of(s, n, m);
-  const bool holds =
-      index == triangle_count(n) - 1 ||
-      next_is_adjacent(m, index, n, [&](const MicroTriangle& other) { return index_of(s, n, other); });
+  const auto gap = gap_at(m, index, n, [&](const MicroTriangle& other) { return index_of(s, n, other); });
   const RationalPoint p = rational(representative(m, n));
-  return {holds, adjacency(index),
-          fmt::format("{} here, {}{} there", index, std::uint64_t{index} + 1, holds ? "" : " not"),
+  return {!gap, gap ? adjacency(*gap) : "its neighbours on the curve",
+          gap ? fmt::format("{} here, {} not there", index, gap->wanted)
+              : fmt::format("{} here, its neighbours there", index),
           picture(n, p, spec::index::reference(p, n), index, Order::curve)};
 }
 

@@ -34,25 +34,8 @@ std::optional<MicroTriangle> triangle_of(const Corners& c, Level n) {
   return MicroTriangle{i, j, upside_down};
 }
 
-std::string text(const Corners& c) {
-  return fmt::format("({},{}) ({},{}) ({},{})", c[0].i, c[0].j, c[1].i, c[1].j, c[2].i, c[2].j);
-}
-
-std::string case_of(std::uint32_t index) { return fmt::format("k={}", index); }
-
 Counterexample at_index_case(std::uint32_t index, Level n, std::string expected, std::string got) {
   return {{index, 0, 0}, n, case_of(index), {}, std::move(expected), std::move(got)};
-}
-
-std::uint32_t parse_index(const std::string& at, Level n) {
-  std::uint32_t index = 0;
-  const char *begin = at.data() + 2, *end = at.data() + at.size();
-  if (at.size() > 2 && at.compare(0, 2, "k=") == 0) {
-    const auto [stop, error] = std::from_chars(begin, end, index);
-    if (error == std::errc() && stop == end && index < triangle_count(n)) return index;
-  }
-  throw BadCase(
-      fmt::format("'{}' is not an index of level {}: write k=0 to k={}", at, n, triangle_count(n) - 1));
 }
 
 using CornersFrom = std::function<void(std::span<const std::uint32_t>, std::span<Corners>)>;
@@ -119,6 +102,23 @@ Corners row_corners_at(const IndexSubject& s, Level n, std::uint32_t index) {
 }
 
 }  // namespace
+
+std::string text(const Corners& c) {
+  return fmt::format("({},{}) ({},{}) ({},{})", c[0].i, c[0].j, c[1].i, c[1].j, c[2].i, c[2].j);
+}
+
+std::string case_of(std::uint32_t index) { return fmt::format("k={}", index); }
+
+std::uint32_t parse_index(const std::string& at, Level n) {
+  std::uint32_t index = 0;
+  const char *begin = at.data() + 2, *end = at.data() + at.size();
+  if (at.size() > 2 && at.compare(0, 2, "k=") == 0) {
+    const auto [stop, error] = std::from_chars(begin, end, index);
+    if (error == std::errc() && stop == end && index < triangle_count(n)) return index;
+  }
+  throw BadCase(
+      fmt::format("'{}' is not an index of level {}: write k=0 to k={}", at, n, triangle_count(n) - 1));
+}
 
 Tally inverse(const IndexSubject& s, Level n, const Run& run) {
   const CornersFrom ask = [&](auto indices, auto corners) { s.corners(n, indices, corners); };

@@ -61,7 +61,7 @@ Replayed replay_wide(const IndexSubject& s, Level n, const std::string& at) {
 std::uint64_t exact_wide(float u, float v, Level n) {
   constexpr Level fits_128 = 24;
   const auto reference = [n](const auto& p) { return spec::index::reference_wide(p, n); };
-  return n <= fits_128 ? on_exact(u, v, reference) : reference(RationalPoint{rational(u), rational(v)});
+  return n <= fits_128 ? on_exact_wide(u, v, reference) : reference(RationalPoint{rational(u), rational(v)});
 }
 
 Tally wide_exact_on_floats(const IndexSubject& s, Level n, const Run& run) {

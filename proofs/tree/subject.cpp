@@ -5,7 +5,7 @@
 #include "impl/tree.hpp"
 #include "impl/tree_container.hpp"
 #include "impl/tree_stream.hpp"
-#include "spec/fixed.hpp"
+#include "proofs/index/exact_float.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
@@ -36,10 +36,10 @@ class SpecifiedCode : public Code {
   }
   void lookup(std::span<const float> u, std::span<const float> v,
               std::span<std::uint8_t> state) const override {
-    for (std::size_t k = 0; k < u.size(); ++k) {
-      const spec::Point<spec::Fixed64> p{exact(u[k]), exact(v[k])};
-      state[k] = spec::micromap::code(spec::tree::at_point(tree_, p).state);
-    }
+    for (std::size_t k = 0; k < u.size(); ++k)
+      state[k] = index::on_exact(u[k], v[k], [&](const auto& p) {
+        return spec::micromap::code(spec::tree::at_point(tree_, p).state);
+      });
   }
   Bytes bytes() const override { return spec::tree::bytes(tree_, format_); }
   std::uint64_t tree_bits_read(std::uint64_t index) const override {
@@ -47,10 +47,6 @@ class SpecifiedCode : public Code {
   }
 
  private:
-  /// Domain: multiples of 2^-24.
-  static spec::Fixed64 exact(float x) {
-    return spec::Fixed64::dyadic(static_cast<std::int64_t>(x * 16777216.0f), 24);
-  }
   spec::tree::Succinct tree_;
   Level n_;
   Format format_;

@@ -51,8 +51,8 @@ using CodePtr = std::unique_ptr<const Code>;
 class TreeSubject : public Subject {
  public:
   TreeSubject(std::string name, std::string about) : Subject("tree", std::move(name), std::move(about)) {}
-  /// Codes are answers for every point of a micro-triangle.
-  bool exact() const override { return true; }
+  /// Codes and indices stand for themselves; barycentrics come as floats, whose index is found anew each time.
+  bool exact() const override { return !has(Entry::point); }
   virtual bool has(Entry e) const = 0;
   virtual Level max_level() const { return 12; }
   virtual CodePtr encode(const Map& map) const = 0;
