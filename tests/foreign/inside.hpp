@@ -1,4 +1,5 @@
-// Subjects of another hand for laws that no shared library reaches.
+// Subjects of another hand for laws that no shared library reaches: each is written from the law's statement,
+// the papers and the interface header alone, and is right but for one fault.
 #pragma once
 
 #include <vector>
@@ -7,17 +8,12 @@
 
 namespace mmverify::tests::foreign {
 
-/// A subject that is right, or right but for one fault.
+/// A law's subject, wrong in one thing, or right.
 struct InsideFault {
-  const char *law, *name, *wrong;  ///< id; an identifier; what is wrong in a sentence, empty for a right one
+  const char *law, *name, *wrong;  ///< id; an identifier; what is wrong, in a sentence: empty for a right one
   proofs::SubjectPtr subject;
-  proofs::Levels levels;  ///< refuted within these; a right one passes at all of them
+  proofs::Levels levels;  ///< a fault is refuted within these, a right one passes at each
 };
-
-// One pair a source.
-std::vector<InsideFault> inside_faults_of_index();
-std::vector<InsideFault> inside_right_of_index();
-std::vector<InsideFault> inside_faults_of_provers();
-std::vector<InsideFault> inside_right_of_provers();
+using InsideFaults = std::vector<InsideFault>;
 
 }  // namespace mmverify::tests::foreign

@@ -1,0 +1,224 @@
+// Topic micromap: arrays from maps.
+// Source: docs/MICROMAP.md, "Building"; VkMicromapTriangleKHR.
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "proofs/micromap/subject.hpp"
+#include "tests/foreign/inside_micromap.hpp"
+
+namespace mmverify::tests::foreign {
+namespace {
+
+using namespace proofs::micromap;
+using proofs::Levels;
+
+enum class Wrong {
+  nothing,
+  aligned_data,  // right: nobody asks for tight data
+  formats_share,
+  turned_maps_share,
+  uniform_two_state_is_unknown,
+  counts_records_for_geometry,
+  counts_references_for_array,
+  bytes_shared_records_not,
+  keeps_record_of_special,
+  padding_tells_maps_apart,
+  padding_is_written,
+  shares_with_the_last_four,
+  offset_of_12_bits,
+  special_unasked,
+  no_special_when_not_sharing,
+  i16_special_of_uo,
+  last_state_beyond_16_maps,
+  first_of_a_level_is_forgotten,
+  level_4_said_of_5,
+  never_special,
+  indices_of_a_byte,
+};
+
+struct Stored {
+  std::uint32_t offset, level, format;
+};
+
+void put(Bytes& bytes, std::uint64_t value, unsigned count) {
+  for (unsigned k = 0; k < count; ++k, value >>= 8) bytes.push_back(static_cast<std::uint8_t>(value));
+}
+
+class Builder final : public MicromapSubject {
+ public:
+  explicit Builder(Wrong wrong)
+      : MicromapSubject("foreign-builder", "shares by a dictionary"), wrong_(wrong) {}
+  bool has(Entry e) const override { return e == Entry::build; }
+
+  Built build(std::span<const PackedMap> maps, const Options& options) const override {
+    Built built;
+    std::vector<Stored> stored;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, Bytes>, std::uint32_t> known;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> in_array, in_geometry;
+    const bool is_signed = options.encoding == Encoding::i16 || options.encoding == Encoding::i32;
+    const unsigned size = options.encoding == Encoding::u8                                         ? 1
+                          : options.encoding == Encoding::u16 || options.encoding == Encoding::i16 ? 2
+                                                                                                   : 4;
+    for (std::size_t t = 0; t < maps.size(); ++t) {
+      const std::uint32_t level = maps[t].level, format = static_cast<std::uint32_t>(maps[t].format);
+      const Bytes bytes = cleaned(maps[t], t);
+      if (const int state = only(bytes, level, format); state >= 0 && special(options)) {
+        int said = state;
+        if (wrong_ == Wrong::uniform_two_state_is_unknown && format == 1 && level > 0) said |= 2;
+        if (wrong_ == Wrong::i16_special_of_uo && size == 2 && is_signed && said == 3) said = 2;
+        put(built.indices, ~static_cast<std::uint64_t>(said), size);
+        if (wrong_ == Wrong::keeps_record_of_special && state == 3) {
+          stored.push_back(store(built, bytes, level, format));
+          ++in_array[{level, format}];
+        }
+        continue;
+      }
+      Bytes key = bytes;
+      if (wrong_ == Wrong::turned_maps_share && level == 1 && format == 2)
+        while (key != turned(key) && turned(key) < key) key = turned(key);
+      if (wrong_ == Wrong::padding_tells_maps_apart) key = maps[t].bytes;
+      const std::tuple name{level, wrong_ == Wrong::formats_share && level > 0 ? 0 : format, key};
+      const auto found = known.find(name);
+      const bool near = wrong_ != Wrong::shares_with_the_last_four ||
+                        (found != known.end() && found->second + 4 >= stored.size());
+      std::uint32_t record;
+      if (options.deduplicate && found != known.end() && near) {
+        record = found->second;
+        if (wrong_ == Wrong::bytes_shared_records_not) {
+          const Stored copy = stored[record];
+          record = static_cast<std::uint32_t>(stored.size());
+          stored.push_back(copy);
+          ++in_array[{level, format}];
+        }
+      } else {
+        record = static_cast<std::uint32_t>(stored.size());
+        known[name] = record;
+        stored.push_back(store(built, bytes, level, format));
+        ++in_array[{level, format}];
+        if (wrong_ == Wrong::counts_records_for_geometry) ++in_geometry[{level, format}];
+      }
+      if (wrong_ != Wrong::counts_records_for_geometry) ++in_geometry[{level, format}];
+      put(built.indices, wrong_ == Wrong::indices_of_a_byte ? record & 0xff : record, size);
+    }
+    for (const Stored& s : stored) {
+      put(built.records, wrong_ == Wrong::offset_of_12_bits ? s.offset & 0xfff : s.offset, 4);
+      put(built.records, wrong_ == Wrong::level_4_said_of_5 && s.level == 5 ? 4 : s.level, 2);
+      put(built.records, s.format, 2);
+    }
+    for (const auto& [key, count] : in_array) built.array_counts.push_back({count, key.first, key.second});
+    if (wrong_ == Wrong::first_of_a_level_is_forgotten && built.array_counts.size() > 3)
+      --built.array_counts[2].count;
+    for (const auto& [key, count] : in_geometry)
+      built.geometry_counts.push_back({count, key.first, key.second});
+    if (wrong_ == Wrong::counts_references_for_array) built.array_counts = built.geometry_counts;
+    return built;
+  }
+
+ private:
+  bool special(const Options& options) const {
+    if (wrong_ == Wrong::special_unasked) return true;
+    if (wrong_ == Wrong::never_special) return false;
+    if (wrong_ == Wrong::no_special_when_not_sharing) return options.special && options.deduplicate;
+    return options.special;
+  }
+
+  /// The map's bytes with nothing in the padding.
+  Bytes cleaned(const PackedMap& map, std::size_t t) const {
+    const std::uint64_t used =
+        (std::uint64_t{1} << 2 * map.level) * (map.format == Format::two_state ? 1 : 2);
+    Bytes bytes(map.bytes.begin(), map.bytes.begin() + static_cast<std::ptrdiff_t>((used + 7) / 8));
+    if (used < 8 && wrong_ != Wrong::padding_is_written)
+      bytes[0] = static_cast<std::uint8_t>(bytes[0] & ((1u << used) - 1));
+    if (wrong_ == Wrong::last_state_beyond_16_maps && t > 16)
+      bytes.back() = static_cast<std::uint8_t>(bytes.back() & 0x3f);
+    return bytes;
+  }
+
+  /// The one state of a map; -1 where it has several.
+  static int only(const Bytes& bytes, std::uint32_t level, std::uint32_t format) {
+    const unsigned b = format, mask = (1u << b) - 1;
+    const unsigned first = bytes[0] & mask;
+    const std::uint64_t count = std::uint64_t{1} << 2 * level;
+    for (std::uint64_t k = 0; k < count; ++k)
+      if ((bytes[k * b / 8] >> (k * b % 8) & mask) != first) return -1;
+    return static_cast<int>(first);
+  }
+
+  /// The four states of a byte, each in the next one's place.
+  static Bytes turned(const Bytes& bytes) {
+    return {static_cast<std::uint8_t>(bytes[0] << 2 | bytes[0] >> 6)};
+  }
+
+  Stored store(Built& built, const Bytes& bytes, std::uint32_t level, std::uint32_t format) const {
+    if (wrong_ == Wrong::aligned_data)
+      while (built.data.size() % 4 != 0) built.data.push_back(0);
+    const Stored s{static_cast<std::uint32_t>(built.data.size()), level, format};
+    built.data.insert(built.data.end(), bytes.begin(), bytes.end());
+    return s;
+  }
+
+  Wrong wrong_;
+};
+
+InsideFault pair_row(const char* name, const char* wrong, Wrong which, Levels levels) {
+  return {"micromap.build", name, wrong, std::make_shared<Builder>(which), levels};
+}
+InsideFault sample_row(const char* name, const char* wrong, Wrong which, Levels levels) {
+  return {"micromap.build_on_samples", name, wrong, std::make_shared<Builder>(which), levels};
+}
+
+}  // namespace
+
+InsideFaults faults_of_builders() {
+  return {
+      pair_row("formats_share", "maps of one level and the same bytes share a record across formats",
+               Wrong::formats_share, {1, 1}),
+      pair_row("turned_maps_share", "4-state maps whose states are turned in their places share a record",
+               Wrong::turned_maps_share, {1, 1}),
+      pair_row("uniform_two_state_is_unknown", "a uniform 2-state map of level 1 becomes UT or UO",
+               Wrong::uniform_two_state_is_unknown, {1, 1}),
+      pair_row("counts_records_for_geometry", "the geometry's counts leave out shared records",
+               Wrong::counts_records_for_geometry, {1, 1}),
+      pair_row("counts_references_for_array", "the array's counts are the geometry's",
+               Wrong::counts_references_for_array, {1, 1}),
+      pair_row("bytes_shared_records_not", "equal maps share bytes, and have a record each",
+               Wrong::bytes_shared_records_not, {1, 1}),
+      pair_row("keeps_record_of_special", "a map of UO has a special index and a record",
+               Wrong::keeps_record_of_special, {0, 1}),
+      pair_row("never_special", "a uniform map has a record though a special index was wanted",
+               Wrong::never_special, {0, 1}),
+      pair_row("padding_is_written", "the padding of a map goes into the data", Wrong::padding_is_written,
+               {0, 1}),
+      sample_row("formats_share", "maps of one level and the same bytes share a record across formats",
+                 Wrong::formats_share, {0, 5}),
+      sample_row("shares_with_the_last_four", "a record is shared while it is among the last four",
+                 Wrong::shares_with_the_last_four, {2, 5}),
+      sample_row("offset_of_12_bits", "an offset has 12 bits", Wrong::offset_of_12_bits, {5, 5}),
+      sample_row("indices_of_a_byte", "an index has 8 bits in every encoding", Wrong::indices_of_a_byte,
+                 {0, 5}),
+      sample_row("special_unasked", "a uniform map becomes a special index though none was wanted",
+                 Wrong::special_unasked, {0, 5}),
+      sample_row("no_special_when_not_sharing", "no special index where records are not shared",
+                 Wrong::no_special_when_not_sharing, {0, 5}),
+      sample_row("i16_special_of_uo", "UO is UT in 16 bits with sign", Wrong::i16_special_of_uo, {0, 5}),
+      sample_row("last_state_beyond_16_maps", "from the 17th map on, the last states of its bytes are lost",
+                 Wrong::last_state_beyond_16_maps, {1, 5}),
+      sample_row("first_of_a_level_is_forgotten", "the third of more than three counts is one too low",
+                 Wrong::first_of_a_level_is_forgotten, {1, 5}),
+      sample_row("level_4_said_of_5", "a record of level 5 says 4", Wrong::level_4_said_of_5, {5, 5}),
+      sample_row("padding_tells_maps_apart", "equal maps with other padding are not shared",
+                 Wrong::padding_tells_maps_apart, {0, 5}),
+  };
+}
+
+InsideFaults right_builders() {
+  return {pair_row("builds", "", Wrong::nothing, {0, 1}), sample_row("builds", "", Wrong::nothing, {0, 5}),
+          sample_row("aligns", "", Wrong::aligned_data, {0, 5})};
+}
+
+}  // namespace mmverify::tests::foreign

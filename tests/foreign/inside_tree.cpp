@@ -1,0 +1,135 @@
+// What Algorithm 3 reads of a tree, counted by an own encoder and an own scan.
+// Source: Succinct Opacity Micromaps, Algorithms 1 to 3.
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "proofs/tree/subject.hpp"
+#include "tests/foreign/inside_topics.hpp"
+
+namespace mmverify::tests::foreign {
+namespace {
+
+using namespace proofs::tree;
+using proofs::Level;
+
+enum class Wrong {
+  nothing,
+  skips_without_roots,
+  digits_from_the_other_end,
+  last_bit_of_all_unread,
+  counts_in_a_byte,
+  reads_data_of_four_states,
+  two_indices_exchanged,
+  no_bit_for_the_last_child,
+  reads_only_internal_nodes,
+};
+
+class Scanned final : public Code {
+ public:
+  Scanned(const Map& map, Wrong wrong) : map_(map), wrong_(wrong) {
+    grow(0, std::uint64_t{1} << 2 * map.level);
+  }
+
+  Bytes decode() const override { return map_.packed; }
+
+  std::uint64_t tree_bits_read(std::uint64_t index) const override {
+    if (wrong_ == Wrong::two_indices_exchanged && map_.level >= 5 && (index == 700 || index == 701))
+      index ^= 1;
+    std::uint64_t at = 1;  // the root's bit is read
+    for (Level n = map_.level; n > 0 && bits_[at - 1]; --n) {
+      std::uint64_t digit = index >> 2 * (n - 1) & 3;
+      // The mean and the sum stay what they are.
+      if (wrong_ == Wrong::digits_from_the_other_end && map_.level == 4) digit = 3 - digit;
+      at = past(at, digit) + 1;
+    }
+    return seen(index, at);
+  }
+
+ private:
+  unsigned state(std::uint64_t k) const {
+    const unsigned b = map_.format == Format::two_state ? 1 : 2;
+    return map_.packed[k * b / 8] >> (k * b % 8) & ((1u << b) - 1);
+  }
+  /// Appends the tree of the micro-triangles [first, first + count), a node's children after it.
+  void grow(std::uint64_t first, std::uint64_t count) {
+    bool alike = true;
+    for (std::uint64_t k = 1; alike && k < count; ++k) alike = state(first + k) == state(first);
+    bits_.push_back(!alike);
+    if (!alike)
+      for (std::uint64_t child = 0; child < 4; ++child) grow(first + child * (count / 4), count / 4);
+  }
+  /// Where `subtrees` whole trees end that begin at a bit.
+  std::uint64_t past(std::uint64_t at, std::uint64_t subtrees) const {
+    for (std::uint64_t open = subtrees; open > 0; ++at) open = bits_[at] ? open + 3 : open - 1;
+    return at;
+  }
+  /// The number of bits that the fault makes of a scan that ended at a bit.
+  std::uint64_t seen(std::uint64_t index, std::uint64_t at) const {
+    const std::uint64_t last = (std::uint64_t{1} << 2 * map_.level) - 1;
+    switch (wrong_) {
+      case Wrong::skips_without_roots:
+        for (Level n = 0; n < map_.level; ++n) at -= index >> 2 * n & 3;
+        return at;
+      case Wrong::last_bit_of_all_unread:
+        return map_.level >= 4 && index == last ? at - 1 : at;
+      case Wrong::counts_in_a_byte:
+        return at & 255;
+      case Wrong::reads_data_of_four_states:
+        return map_.format == Format::four_state ? at + 2 : at;
+      case Wrong::no_bit_for_the_last_child:
+        return map_.level > 2 && (index & 63) == 63 ? at - 1
+                                                    : at;  // it is known without: the rest of the tree
+      case Wrong::reads_only_internal_nodes:
+        return map_.level > 0 ? at - 1 : at;  // the leaf's own bit
+      default:
+        return at;
+    }
+  }
+
+  Map map_;
+  Wrong wrong_;
+  std::vector<bool> bits_;
+};
+
+class Scanner final : public TreeSubject {
+ public:
+  explicit Scanner(Wrong wrong) : TreeSubject("foreign-tree", "scans its own tree"), wrong_(wrong) {}
+  bool has(Entry e) const override { return e == Entry::reads; }
+  CodePtr encode(const Map& map) const override { return std::make_unique<Scanned>(map, wrong_); }
+
+ private:
+  Wrong wrong_;
+};
+
+InsideFault row(const char* name, const char* wrong, Wrong which, proofs::Levels levels) {
+  return {"paper.tree_bits_read", name, wrong, std::make_shared<Scanner>(which), levels};
+}
+
+}  // namespace
+
+InsideFaults inside_faults_of_tree() {
+  return {
+      row("skips_without_roots", "a skipped subtree's root is not counted", Wrong::skips_without_roots,
+          {1, 6}),
+      row("digits_from_the_other_end", "level 4 takes children from the last; the mean is right",
+          Wrong::digits_from_the_other_end, {4, 4}),
+      row("last_bit_of_all_unread", "from level 4 on, the tree's last bit is not read",
+          Wrong::last_bit_of_all_unread, {4, 6}),
+      row("counts_in_a_byte", "the count wraps at 256", Wrong::counts_in_a_byte, {4, 4}),
+      row("two_indices_exchanged", "from level 5 on, 700 and 701 change places; the mean is right",
+          Wrong::two_indices_exchanged, {5, 6}),
+      row("no_bit_for_the_last_child", "the last child of a last child of a last child is known unread",
+          Wrong::no_bit_for_the_last_child, {3, 3}),
+      row("reads_only_internal_nodes", "the leaf's own bit is not counted", Wrong::reads_only_internal_nodes,
+          {1, 6}),
+      row("reads_data_of_four_states", "in 4-state the two bits of data count",
+          Wrong::reads_data_of_four_states, {0, 6}),
+  };
+}
+
+InsideFaults inside_right_of_tree() { return {row("scans", "", Wrong::nothing, {0, 6})}; }
+
+}  // namespace mmverify::tests::foreign
