@@ -4,6 +4,7 @@
 #include "proofs/tree/byte_laws.hpp"
 #include "proofs/tree/checks.hpp"
 #include "proofs/tree/float_laws.hpp"
+#include "proofs/tree/high_laws.hpp"
 #include "proofs/tree/induction/provable.hpp"
 
 namespace mmverify::proofs::tree {
@@ -116,7 +117,7 @@ Law stream_law() {
                                               [](const Map& map, Bytes& bytes) {
                                                 if (is(map, "4-state:1")) bytes.push_back(0);
                                               }})}},
-                     {Entry::bytes, Entry::stream}, stream_is_specified);
+                     {Entry::stream}, stream_is_specified);
 }
 
 Law sizes_law() {
@@ -143,7 +144,7 @@ Law sizes_law() {
                                  // 1 1 0000 0 0 0: nine nodes, seven leaves of two bits
                                  if (is(map, "4-state:3330")) bytes = {0x03, 0x00, 0xE4, 0x39};
                                }})}},
-      {Entry::bytes, Entry::stream}, sizes);
+      {Entry::stream}, sizes);
 }
 
 Law damage_law() {
@@ -158,13 +159,19 @@ Law damage_law() {
   return on_all_maps(
       {.id = "tree.malformed",
        .topic = "tree",
-       .says = "a code cut anywhere, a byte longer or with one bit flipped is refused or is another map's",
+       .says =
+           "a code cut anywhere, longer by a byte, two, or itself, or with one bit flipped is refused or is "
+           "another map's",
        .source = succinct_4_2,
        .subjects = {"tree-spec", "tree-stream", "tree-container"},
        .fast_seconds = 6,
        .mutants = {mutant("takes a code without its last byte", "tree-stream", {0, 1},
                           takes_all(Format::two_state, 1, {0x01})),
                    mutant("takes an empty code", "tree-stream", {0, 0}, takes_all(Format::two_state, 0, {})),
+                   mutant("takes a set byte after the end of one code", "tree-stream", {1, 1},
+                          takes_all(Format::two_state, 1, {0x00, 0x01, 0xFF})),
+                   mutant("takes a code twice", "tree-stream", {0, 0},
+                          takes_all(Format::four_state, 0, {0x00, 0x02, 0x00, 0x02})),
                    mutant("takes four equal siblings", "tree-stream", {1, 1},
                           takes_all(Format::two_state, 1, {0x01, 0x0F}))}},
       {Entry::bytes}, damage);
@@ -207,18 +214,31 @@ Law samples_law() {
        .says = "round trip, lookups by index and by point, and the paper's bytes, on maps of higher levels",
        .source = succinct_4_2,
        .subjects = {"tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
-       .fast = {3, 8},
-       .long_run = {3, 9},
+       .fast = {2, 8},
+       .long_run = {2, 12},
        .fast_seconds = 6,
        .mutants = {mutant("the last index of level 8", "tree-ranked", {8, 8}, at(8, 65535)),
                    mutant("the first index of level 6", "tree-stream", {3, 6}, at(6, 0)),
+                   mutant("UO is UT in a batch's last but one of level 5", "tree-stepwise", {5, 5},
+                          {.batch =
+                               [](const Map& map, std::span<std::uint8_t> states) {
+                                 if (map.level == 5 && states.size() % 8 == 5 &&
+                                     states[states.size() - 2] == 3)
+                                   states[states.size() - 2] = 2;
+                               }}),
+                   mutant("four 4-state states of level 2 are lost", "tree-container", {2, 2},
+                          {.decode =
+                               [](const Map& map, Bytes& packed) {
+                                 if (map.level == 2 && map.format == Format::four_state && packed[3] == 0xE4)
+                                   packed[3] = 0;
+                               }}),
                    mutant("the last byte of level 7", "tree-container", {7, 7},
                           {.decode =
                                [](const Map& map, Bytes& packed) {
                                  if (map.level == 7) packed.back() ^= 0x80;
                                }})}},
       {}, [](const TreeSubject& s, const Map& map) {
-        const std::uint64_t most = map.level <= 6 ? 4096 : 64;
+        const std::uint64_t most = map.level <= 6 ? 4096 : 64;  // lookups in the paper's form are slow
         Finding found = round_trip(s, map);
         const auto also = [&](const Finding& more) {
           if (!found.holds) return;
@@ -246,6 +266,9 @@ std::vector<Law> laws() {
           canonical_law(),
           sizes_law(),
           damage_law(),
+          damage_samples_law(),
+          one_apart_law(),
+          one_apart_samples_law(),
           with_points_on_floats(samples_law()),
           four_state_law(),
           worst_size_law(),

@@ -56,10 +56,11 @@ class Altered final : public MicromapSubject {
     if (change_.judge) change_.judge(n, was, is, kept);
     return kept;
   }
-  Built build(std::span<const PackedMap> maps, const Options& options) const override {
+  Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps,
+              const Options& options) const override {
     Options taken = options;
     if (change_.build_input) change_.build_input(maps, taken);
-    Built built = base_->build(maps, taken);
+    Built built = base_->build(before, maps, taken);
     if (change_.build) change_.build(maps, options, built);
     return built;
   }

@@ -32,18 +32,18 @@ std::uint64_t hash_of(const std::vector<Violation>& found) {
 // Building
 // ---------------------------------------------------------------------------------------------------------------------
 
-// The state of a triangle's micro-triangle, found as a traversal would.
-State fetched(const Built& b, const Options& o, std::uint64_t t, std::uint64_t i) {
+// The states of a triangle, found as a traversal would.  Of a special index as many as asked for.
+States fetched(const Built& b, const Options& o, std::uint64_t t, std::uint64_t count) {
   const Meaning m =
       slow::meaning(slow::code_at(b.indices, o.encoding, slow::width(o.encoding) / 8, t), o.encoding);
-  if (m.kind == Meaning::Kind::special) return m.state;
+  if (m.kind == Meaning::Kind::special) return States(static_cast<std::size_t>(count), m.state);
   const slow::Record r = slow::record_at(b.records, 8 * (std::uint64_t{m.index} + o.base_triangle));
-  return slow::unpack(std::span(b.data).subspan(r.offset), static_cast<Format>(r.format), i + 1).back();
+  return slow::unpack(std::span(b.data).subspan(r.offset), static_cast<Format>(r.format), count);
 }
 
 Finding builds(const MicromapSubject& s, const BuildCase& c) {
   const Options& o = c.options;
-  const Built built = s.build(c.maps, o);
+  const Built built = s.build(c.before, c.maps, o);
 
   // Clean first: then nothing below reads outside.
   Input in;
@@ -65,8 +65,12 @@ Finding builds(const MicromapSubject& s, const BuildCase& c) {
   for (const Violation& v : slow::validate(in))
     if (v.rule != Rule::index_encoding) return wrong("a clean geometry", text(v));
 
-  // Sharing: as many records as there are different maps without a special index, or as there are such maps.
+  // Sharing: as many more records as there are different maps without a special index that no record from the
+  // base triangle on has, or as there are such maps.
   std::set<std::tuple<Level, Format, Bytes>> different;
+  for (std::size_t r = o.base_triangle; r < c.before.size(); ++r)
+    different.insert({c.before[r].level, c.before[r].format, c.before[r].bytes});
+  const std::size_t there = different.size();
   std::size_t stored = 0;
   for (std::size_t t = 0; t < c.maps.size(); ++t) {
     const PackedMap& map = c.maps[t];
@@ -85,12 +89,22 @@ Finding builds(const MicromapSubject& s, const BuildCase& c) {
             fmt::format("triangle {}: level {}, format {}", t, map.level, static_cast<int>(map.format)),
             fmt::format("level {}, format {}", r.level, r.format));
     }
+    const States got = fetched(built, o, t, states.size());
     for (std::size_t i = 0; i < states.size(); ++i)
-      if (const State got = fetched(built, o, t, i); got != states[i])
+      if (got[i] != states[i])
         return wrong(fmt::format("triangle {} state {} {}", t, i, slow::code(states[i])),
-                     fmt::format("{}", slow::code(got)));
+                     fmt::format("{}", slow::code(got[i])));
   }
-  const std::size_t records = o.deduplicate ? different.size() : stored;
+  // What was there before is there still, and first.
+  for (std::size_t r = 0; r < c.before.size(); ++r) {
+    const PackedMap& map = c.before[r];
+    const slow::Record record = slow::record_at(built.records, 8 * r);
+    const auto bytes = std::span(built.data).subspan(record.offset, map.bytes.size());
+    if (record.level != map.level || record.format != static_cast<std::uint16_t>(map.format) ||
+        !std::equal(bytes.begin(), bytes.end(), map.bytes.begin()))
+      return wrong(fmt::format("record {} as before", r), "another map");
+  }
+  const std::size_t records = c.before.size() + (o.deduplicate ? different.size() - there : stored);
   if (in.record_count != records)
     return wrong(fmt::format("{} records", records), fmt::format("{}", in.record_count));
   return {proofs::hash_of(built.data) ^ proofs::hash_of(built.indices), true, {}, {}};
@@ -194,7 +208,8 @@ Law sampled_builds() {
        .fast_seconds = 3,
        .domain =
            [](const Subject&, Level n) {
-             return fmt::format("arrays of up to 23 maps of levels 0..{}, all encodings and options", n);
+             return fmt::format(
+                 "up to 23 maps of levels 0..{} after up to 5, all encodings, options and base triangles", n);
            },
        .mutants = {mutant("a bit of the last byte of a map of level 5", "micromap", {5, 5},
                           {.build =
@@ -214,6 +229,19 @@ Law sampled_builds() {
                                  if (maps.size() > 8 && o.special && o.encoding == Encoding::u32 &&
                                      !b.geometry_counts.empty() && b.geometry_counts.size() < maps.size())
                                    ++b.geometry_counts.front().count;
+                               }}),
+                   mutant("adds the base triangle where it has to subtract it", "micromap", {0, 5},
+                          {.build =
+                               [](auto, const Options& o, Built& b) {
+                                 if (o.base_triangle == 2 && o.encoding == Encoding::i32)
+                                   for (std::size_t at = 0; at < b.indices.size(); at += 4)
+                                     if (b.indices[at + 3] == 0)
+                                       b.indices[at] = static_cast<std::uint8_t>(b.indices[at] + 2);
+                               }}),
+                   mutant("shares a record before the base triangle", "micromap-spec", {0, 5},
+                          {.build_input =
+                               [](auto, Options& o) {
+                                 if (o.deduplicate && o.base_triangle == 3) o.base_triangle = 0;
                                }}),
                    mutant("an offset one too far at level 4", "micromap", {4, 4},
                           {.build =
@@ -274,7 +302,7 @@ Law validating() {
                .domain =
                    [](const Subject&, Level n) {
                      return fmt::format(
-                         "arrays of up to 23 maps of levels 0..{}, up to three things spoilt, all sets", n);
+                         "arrays of up to 28 maps of levels 0..{}, up to three things spoilt, all sets", n);
                    },
                .mutants = {mutant("an index equal to the number of records is in range", "micromap", {0, 5},
                                   {.validate =

@@ -13,8 +13,27 @@ namespace slow = mmverify::spec::micromap;
 
 PackedMap any_map(Level n, Random& random) {
   const Level level = static_cast<Level>(random.below(n + 1));
-  const tree::Map map = tree::sample_map(level, random.next() >> 32, random.below(5));
+  const tree::Map map =
+      random.below(6) == 0
+          ? tree::map_of(level, tree::chosen_apart(level, random.below(tree::chosen_apart_count(level))))
+          : tree::sample_map(level, random.next() >> 32, random.below(10));
   return {map.level, map.format, map.packed};
+}
+
+// The map but for one state, the last or any.
+PackedMap nearly(PackedMap map, Random& random) {
+  const std::uint64_t states = slow::micro_triangles(map.level), b = bits(map.format),
+                      bit = (random.below(2) == 0 ? states - 1 : random.below(states)) * b + random.below(b);
+  map.bytes[bit / 8] = static_cast<std::uint8_t>(map.bytes[bit / 8] ^ 1u << bit % 8);
+  return map;
+}
+
+// New, or one that is there already, or nearly.
+PackedMap next_map(const std::vector<PackedMap>& there, Level n, Random& random) {
+  const std::uint64_t way = random.below(6);
+  if (there.empty() || way > 2) return any_map(n, random);
+  const PackedMap& one = there[random.below(there.size())];
+  return way == 2 ? nearly(one, random) : one;
 }
 
 // Mostly small, now and then of any size.
@@ -91,10 +110,17 @@ void spoil(Handed& h, Random& random) {
 BuildCase sample_build(Level n, std::uint64_t seed, std::uint64_t k) {
   Random random(seed, 31 + n, k);
   BuildCase c;
-  for (std::uint64_t left = random.below(24); left > 0; --left)
-    c.maps.push_back(!c.maps.empty() && random.below(3) == 0 ? c.maps[random.below(c.maps.size())]
-                                                             : any_map(n, random));
-  c.options = {slow::encodings[random.below(5)], 0, random.below(4) != 0, random.below(2) == 0};
+  std::vector<PackedMap> all;
+  const auto add = [&](std::vector<PackedMap>& to) {
+    all.push_back(next_map(all, n, random));
+    to.push_back(all.back());
+  };
+  if (random.below(2) == 0)
+    for (std::uint64_t left = random.below(6); left > 0; --left) add(c.before);
+  for (std::uint64_t left = random.below(24); left > 0; --left) add(c.maps);
+  c.options = {slow::encodings[random.below(5)],
+               static_cast<std::uint32_t>(random.below(c.before.size() + 1)), random.below(4) != 0,
+               random.below(2) == 0};
   return c;
 }
 
@@ -107,7 +133,7 @@ void Handed::point() {
 }
 
 void hand_over(const BuildCase& c, Handed& h) {
-  const Built built = the("micromap-spec")->build(c.maps, c.options);
+  const Built built = the("micromap-spec")->build(c.before, c.maps, c.options);
   h.records = built.records;
   h.data = built.data;
   h.indices = built.indices;
@@ -120,6 +146,7 @@ void hand_over(const BuildCase& c, Handed& h) {
   h.in.indexed = true;
   h.in.encoding = c.options.encoding;
   h.in.index_stride = slow::width(c.options.encoding) / 8;
+  h.in.base_triangle = c.options.base_triangle;
   h.point();
 }
 

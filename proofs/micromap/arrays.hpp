@@ -9,10 +9,11 @@
 
 namespace mmverify::proofs::micromap {
 
-/// Maps of levels up to n, some of them repeated, some uniform, both formats; and options.  Sample k of a
-/// seed is the same everywhere.
+/// Maps of levels up to n, some of them repeated, some but for one state, some uniform, both formats; up to five
+/// that the array has before, and a base triangle among those; and options.  Sample k of a seed is the same
+/// everywhere.
 struct BuildCase {
-  std::vector<PackedMap> maps;
+  std::vector<PackedMap> before, maps;
   Options options;
 };
 BuildCase sample_build(Level n, std::uint64_t seed, std::uint64_t k);

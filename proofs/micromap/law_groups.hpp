@@ -9,6 +9,8 @@ namespace mmverify::proofs::micromap {
 
 /// Packed maps: packing, force-2-state, levels, 1-bit modes.
 std::vector<Law> map_laws();
+/// Sequences of states that are no maps: any number of them.
+std::vector<Law> count_laws();
 /// Lossy codecs, and who judges them.
 std::vector<Law> lossy_laws();
 /// Special indices.

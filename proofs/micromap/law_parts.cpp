@@ -19,6 +19,18 @@ tree::Map sampled(Level n, std::uint64_t seed, std::uint64_t k, Maps maps) {
   return {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
 }
 
+// A law that asks what is there, if anything of the maps' entry points is.
+Law over_any_part(Law law) {
+  law.unfit = [fits = law.unfit](const Subject& subject, Level n) -> std::optional<std::string> {
+    if (auto why = fits(subject, n)) return why;
+    const MicromapSubject& s = of_micromap(subject);
+    for (const Entry e : {Entry::pack, Entry::force2, Entry::up, Entry::down, Entry::modes})
+      if (s.has(e)) return std::nullopt;
+    return s.name() + " has no entry point pack, force2, up, down or modes";
+  };
+  return law;
+}
+
 std::uint64_t two_state_maps(Level n) { return std::uint64_t{1} << spec::micromap::micro_triangles(n); }
 
 std::string hex(const Bytes& bytes) {
@@ -28,6 +40,17 @@ std::string hex(const Bytes& bytes) {
 }
 
 }  // namespace
+
+std::vector<Bytes> with_paddings(const PackedMap& map) {
+  const unsigned used =
+      static_cast<unsigned>(spec::micromap::micro_triangles(map.level) * bits(map.format) % 8);
+  std::vector<Bytes> all;
+  for (unsigned padding = 0; padding < (used == 0 ? 1u : 256u >> used); ++padding) {
+    all.push_back(map.bytes);
+    all.back().back() = static_cast<std::uint8_t>(map.bytes.back() | padding << used);
+  }
+  return all;
+}
 
 Finding same(const char* what, const Bytes& expected, const Bytes& got) {
   if (expected == got) return {hash_of(got), true, {}, {}};
@@ -46,12 +69,12 @@ Law over(Law law, std::vector<Entry> entries, Cases cases) {
     law.how = [method = law.method](const Subject&, Level) {
       return std::string(method == Method::sample ? "sample, against the specification" : "exhaustive");
     };
-  law.unfit = [entries, id = law.id, levels = law.long_run, exhaustive = law.method == Method::exhaustive](
+  law.unfit = [entries, levels = law.long_run, exhaustive = law.method == Method::exhaustive](
                   const Subject& subject, Level n) -> std::optional<std::string> {
     const auto* s = dynamic_cast<const MicromapSubject*>(&subject);
     if (s == nullptr) return "not a subject of topic micromap";
-    constexpr const char* names[] = {"pack",       "force2", "levels", "modes",   "special",
-                                     "substitute", "judge",  "build",  "validate"};
+    constexpr const char* names[] = {"pack",    "force2",     "up",    "down",  "modes",
+                                     "special", "substitute", "judge", "build", "validate"};
     for (const Entry e : entries)
       if (!s->has(e))
         return fmt::format("{} has no entry point {}", s->name(), names[static_cast<std::size_t>(e)]);
@@ -103,32 +126,74 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, Map
                }});
 }
 
+std::string asked_of(const MicromapSubject& s) {
+  constexpr std::pair<Entry, const char*> parts[] = {{Entry::pack, "packing"},
+                                                     {Entry::force2, "force-2-state"},
+                                                     {Entry::up, "up"},
+                                                     {Entry::down, "down"},
+                                                     {Entry::modes, "modes"}};
+  std::vector<std::string> there;
+  for (const auto& [entry, name] : parts)
+    if (s.has(entry)) there.push_back(name);
+  return there.size() == std::size(parts) ? "" : fmt::format(", of it {}", fmt::join(there, ", "));
+}
+
+Law on_maps_one_apart(Law law, bool chosen, MapCheck check) {
+  law.method = chosen ? Method::sample : Method::exhaustive;
+  law.domain = [chosen](const Subject& s, Level n) {
+    const std::string parts = asked_of(of_micromap(s));
+    return chosen ? fmt::format(
+                        "{} maps of level {} of one state but for one micro-triangle at a word's or the "
+                        "map's end, or for none{}",
+                        tree::chosen_apart_count(n), n, parts)
+                  : fmt::format("all maps of level {} of one state but for one node, and the uniform ones{}",
+                                n, parts);
+  };
+  const auto number = chosen ? tree::chosen_apart : tree::one_apart_number;
+  return over_any_part(
+      over(std::move(law), {},
+           {chosen ? tree::chosen_apart_count : tree::one_apart_count,
+            [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
+              return check(s, packed(tree::map_of(n, number(n, k))));
+            },
+            [=](Level n, std::uint64_t k, const Run&) { return tree::text_of(number(n, k)); },
+            [=](const MicromapSubject& s, Level n, const std::string& at) {
+              const auto apart = tree::apart_from_text(n, at);
+              if (!apart) throw BadCase(fmt::format("'{:.60}': write 4-state:0+2@3:17", at));
+              return check(s, packed(tree::map_of(n, *apart)));
+            },
+            chosen ? std::uint64_t{1} : 64}));
+}
+
 Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check) {
   law.method = Method::sample;
-  law.domain = [maps](const Subject&, Level n) {
-    return fmt::format("noise, leaves, blocks, alternating and all-but-one maps of level {}, {}", n,
-                       maps == Maps::both_formats ? "both formats" : "4-state");
+  const bool parts = entries.empty();
+  law.domain = [maps, parts](const Subject& s, Level n) {
+    return fmt::format("noise, leaves, blocks, alternating and all-but-one maps of level {}, {}{}", n,
+                       maps == Maps::both_formats ? "both formats" : "4-state",
+                       parts ? asked_of(of_micromap(s)) : "");
   };
-  return over(std::move(law), std::move(entries),
-              {[](Level n) -> std::uint64_t {
-                 return n <= 5 ? 200 : n == 6 ? 100 : n == 7 ? 40 : 20;
-               },
-               [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
-                 return check(s, packed(sampled(n, run.seed, k, maps)));
-               },
-               [=](Level n, std::uint64_t k, const Run& run) {
-                 return tree::text_of_sample(sampled(n, run.seed, k, maps), run.seed, k);
-               },
-               [=](const MicromapSubject& s, Level n, const std::string& at) {
-                 tree::Map map = tree::map_from_text(n, at);
-                 if (maps == Maps::four_state && map.format != Format::four_state) {
-                   const States states =
-                       spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
-                   map = {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
-                 }
-                 return check(s, packed(map));
-               },
-               1});
+  law = over(std::move(law), std::move(entries),
+             {[](Level n) -> std::uint64_t {
+                return n <= 5 ? 200 : n == 6 ? 100 : n == 7 ? 40 : n == 8 ? 20 : 10;
+              },
+              [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
+                return check(s, packed(sampled(n, run.seed, k, maps)));
+              },
+              [=](Level n, std::uint64_t k, const Run& run) {
+                return tree::text_of_sample(sampled(n, run.seed, k, maps), run.seed, k);
+              },
+              [=](const MicromapSubject& s, Level n, const std::string& at) {
+                tree::Map map = tree::map_from_text(n, at);
+                if (maps == Maps::four_state && map.format != Format::four_state) {
+                  const States states =
+                      spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
+                  map = {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
+                }
+                return check(s, packed(map));
+              },
+              1});
+  return parts ? over_any_part(std::move(law)) : law;
 }
 
 }  // namespace mmverify::proofs::micromap

@@ -16,6 +16,9 @@ inline constexpr char packing_source[] =
 inline constexpr char lossy_source[] = "Vulkan's Opacity Micromaps (Vulkanised 2026), Lossy Micromaps";
 inline constexpr char design_source[] = "this project's definition, docs/MICROMAP.md";
 
+/// The map's bytes with every value of the bits after its last state.
+std::vector<Bytes> with_paddings(const PackedMap& map);
+
 /// Holds just if the bytes are equal; `what` names them.
 Finding same(const char* what, const Bytes& expected, const Bytes& got);
 
@@ -50,10 +53,18 @@ using MapCheck = std::function<Finding(const MicromapSubject&, const PackedMap&)
 /// alone.
 enum class Maps { both_formats, four_state };
 
+/// What a subject has of packing, force-2-state, levels and modes, in words: ", of it packing, up"; nothing
+/// where it has them all.
+std::string asked_of(const MicromapSubject& s);
+
+/// The law, on all maps of one state but for one node of the curve; `chosen`: on some of them.
+Law on_maps_one_apart(Law law, bool chosen, MapCheck check);
+
 /// The law, on every map of the small levels; one case a map.  `first`: the lowest level that it is about.
 Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, MapCheck check);
 
-/// The law, on sample maps of each level from `fast.first`.
+/// The law, on sample maps of each level from `fast.first`.  Without entries: of subjects that have anything of
+/// packing, force-2-state, levels and modes.
 Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check);
 
 }  // namespace mmverify::proofs::micromap

@@ -1,6 +1,7 @@
 // The three laws of lossy substitution, each of the codecs that keep it; and who judges substitutions.
 #include <fmt/format.h>
 
+#include "proofs/engine/shape.hpp"
 #include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
@@ -19,16 +20,26 @@ using Pair = bool (*)(State was, State is);
 
 MapCheck keeps(Pair rule) {
   return [rule](const MicromapSubject& s, const PackedMap& map) {
-    const Bytes out = s.substitute(map.level, map.bytes);
-    if (out.size() != map.bytes.size())
-      return wrong(fmt::format("{} bytes", map.bytes.size()), fmt::format("{}", out.size()));
     const std::uint64_t count = slow::micro_triangles(map.level);
-    const States was = slow::unpack(map.bytes, four, count), is = slow::unpack(out, four, count);
-    for (std::size_t i = 0; i < count; ++i)
-      if (!rule(was[i], is[i]))
-        return wrong(fmt::format("state {} {} or what may stand for it", i, slow::code(was[i])),
-                     fmt::format("{}", slow::code(is[i])));
-    return same("packed", slow::pack(is, four), out);
+    const States was = slow::unpack(map.bytes, four, count);
+    Bytes first;
+    Finding found;
+    for (const Bytes& given : with_paddings(map)) {
+      const Bytes out = s.substitute(map.level, given);
+      if (out.size() != map.bytes.size())
+        return wrong(fmt::format("{} bytes", map.bytes.size()), fmt::format("{}", out.size()));
+      const States is = slow::unpack(out, four, count);
+      for (std::size_t i = 0; i < count; ++i)
+        if (!rule(was[i], is[i]))
+          return wrong(fmt::format("state {} {} or what may stand for it", i, slow::code(was[i])),
+                       fmt::format("{}", slow::code(is[i])));
+      found = same("packed", slow::pack(is, four), out);
+      if (!found.holds) return found;
+      if (first.empty()) first = out;
+      found = same("whatever the padding holds,", first, out);
+      if (!found.holds) return found;
+    }
+    return found;
   };
 }
 
@@ -97,12 +108,16 @@ Finding judges(const MicromapSubject& s, const PackedMap& was, const PackedMap& 
     expected.conservative &= same_state || (from_known && to_unknown);
     expected.force2_stable &= same_state || own_side;
   }
-  const Kept got = s.judge(was.level, was.bytes, is.bytes);
   const auto number = [](const Kept& k) { return 4 * k.allowed + 2 * k.conservative + k.force2_stable; };
-  if (got != expected)
-    return wrong(fmt::format("allowed, conservative, force2-stable {:03b}", number(expected)),
-                 fmt::format("{:03b}", number(got)));
-  return {static_cast<std::uint64_t>(number(got)), true, {}, {}};
+  // Padding is no state: that of the first map goes one way, that of the second the other.
+  const std::vector<Bytes> before = with_paddings(was), after = with_paddings(is);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const Kept got = s.judge(was.level, before[k], after[after.size() - 1 - k]);
+    if (got != expected)
+      return wrong(fmt::format("allowed, conservative, force2-stable {:03b}", number(expected)),
+                   fmt::format("{:03b}", number(got)));
+  }
+  return {static_cast<std::uint64_t>(number(expected)), true, {}, {}};
 }
 
 std::uint64_t four_state_maps(Level n) { return std::uint64_t{1} << (2 * slow::micro_triangles(n)); }
@@ -161,6 +176,101 @@ Law judge_law() {
        }});
 }
 
+// A map, and the same with one state replaced, or with a whole node of the curve.
+struct Substituted {
+  std::uint64_t map;  // of the sample
+  State now;
+  Level depth;
+  std::uint64_t node;
+};
+
+// Each state in the place of what is there: at the ends of words and of the map, and in a quarter.
+constexpr std::uint64_t substitutions = 4 * 8, maps = 10;
+
+Substituted substituted(Level n, std::uint64_t k) {
+  const std::uint64_t all = slow::micro_triangles(n), last = all - 1;
+  const std::uint64_t at[] = {0,
+                              std::min<std::uint64_t>(15, last),
+                              std::min<std::uint64_t>(16, last),
+                              std::min<std::uint64_t>(31, last),
+                              std::min<std::uint64_t>(32, last),
+                              all / 2,
+                              last};
+  const std::uint64_t place = k / 4 % 8;
+  return {k / substitutions, static_cast<State>(k % 4), place < 7 ? n : 1,
+          place < 7 ? at[place] : k / 4 / 8 % 4};
+}
+
+std::pair<PackedMap, PackedMap> maps_of(Level n, std::uint64_t seed, const Substituted& s) {
+  const tree::Map sample = tree::sample_map(n, seed, 2 * s.map + 1);
+  PackedMap is{n, four, sample.packed};
+  const std::uint64_t run = slow::micro_triangles(n - s.depth);
+  for (std::uint64_t k = s.node * run; k < (s.node + 1) * run; ++k) {
+    auto& byte = is.bytes[k / 4];
+    const unsigned shift = static_cast<unsigned>(2 * k % 8);
+    byte = static_cast<std::uint8_t>((byte & ~(3u << shift)) | unsigned{slow::code(s.now)} << shift);
+  }
+  return {{n, four, sample.packed}, is};
+}
+
+Law judge_samples_law() {
+  const auto at = [](Level n, std::uint64_t k, const Run& run) {
+    return maps_of(n, run.seed, substituted(n, k));
+  };
+  const auto last = [](Level level, State now, void (*change)(Kept&)) {
+    return Change{.judge = [=](Level n, auto was, auto is, Kept& kept) {
+      if (n == level && was.back() >> 6 != is.back() >> 6 && is.back() >> 6 == slow::code(now)) change(kept);
+    }};
+  };
+  return over(
+      {.id = "lossy.judges_on_samples",
+       .topic = "micromap",
+       .says = "a judge of substitutions says which of the three rules every micro-triangle keeps",
+       .source = lossy_source,
+       .method = Method::sample,
+       .subjects = {"micromap-spec", "micromap"},
+       .fast = {2, 7},
+       .long_run = {2, 9},
+       .fast_seconds = 0.5,
+       .domain =
+           [](const Subject&, Level n) {
+             return fmt::format(
+                 "{} sample maps of level {}, each state in the place of one at a word's or the map's "
+                 "end, or of a quarter",
+                 maps, n);
+           },
+       .mutants = {mutant("the last of level 7 may become T", "micromap", {7, 7},
+                          last(7, T, [](Kept& k) { k.allowed = true; })),
+                   mutant("the last of level 4 may not become UT", "micromap", {4, 4},
+                          last(4, UT, [](Kept& k) { k.conservative = false; })),
+                   mutant("the last of level 2 may become UO", "micromap-spec", {2, 2},
+                          last(2, UO, [](Kept& k) { k.force2_stable = true; }))}},
+      {Entry::judge},
+      {[](Level) { return maps * substitutions; },
+       [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
+         const auto [was, is] = at(n, k, run);
+         return judges(s, was, is);
+       },
+       [](Level n, std::uint64_t k, const Run& run) {
+         const Substituted s = substituted(n, k);
+         return fmt::format("sample:{}:{}|{}@{}:{}", run.seed, 2 * s.map + 1, slow::code(s.now), s.depth,
+                            s.node);
+       },
+       [](const MicromapSubject& s, Level n, const std::string& at) {
+         const Parts parts =
+             parts_of(at, "sample:([0-9]{1,19}):([0-9]{0,3}[13579])\\|([0-3])@([0-9]{1,2}):([0-9]{1,8})");
+         if (!parts) throw BadCase("'" + at + "': write sample:1:3|2@5:17, with an odd sample");
+         const auto number = [&](std::size_t k) { return std::stoull((*parts)[k]); };
+         const Substituted what{number(2) / 2, static_cast<State>(number(3)), static_cast<Level>(number(4)),
+                                number(5)};
+         if (n > 12 || what.depth > n || what.node >= slow::micro_triangles(what.depth))
+           throw BadCase("'" + at + "': no such node");
+         const auto [was, is] = maps_of(n, number(1), what);
+         return judges(s, was, is);
+       },
+       16});
+}
+
 }  // namespace
 
 std::vector<Law> lossy_laws() {
@@ -187,6 +297,7 @@ std::vector<Law> lossy_laws() {
              {T, O, UO},
              {UO, UT, UT}});
   laws.push_back(judge_law());
+  laws.push_back(judge_samples_law());
   return laws;
 }
 

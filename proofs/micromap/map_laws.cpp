@@ -1,6 +1,8 @@
 // Laws of packed maps.  Each oracle goes state by state and knows nothing of words.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
@@ -14,14 +16,6 @@ using slow::micro_triangles;
 using enum State;
 
 constexpr Format two = Format::two_state, four = Format::four_state;
-
-// The map's bytes with ones in the padding.
-Bytes dirty(const PackedMap& map) {
-  Bytes bytes = map.bytes;
-  const std::uint64_t used = micro_triangles(map.level) * bits(map.format) % 8;
-  if (used != 0) bytes.back() = static_cast<std::uint8_t>(bytes.back() | (0xff << used & 0xff));
-  return bytes;
-}
 
 States states_of(const PackedMap& map) {
   return slow::unpack(map.bytes, map.format, micro_triangles(map.level));
@@ -47,88 +41,149 @@ bool is(Level n, std::span<const std::uint8_t> in, Level level, std::initializer
 // Checks
 // ---------------------------------------------------------------------------------------------------------------------
 
+// Whatever the padding holds, what is made of the map is the same: `expected` of each.
+Finding always(const char* what, const PackedMap& map, const Bytes& expected,
+               const std::function<Bytes(const Bytes&)>& make) {
+  Finding found;
+  for (const Bytes& bytes : with_paddings(map)) {
+    found = same(what, expected, make(bytes));
+    if (!found.holds) return found;
+  }
+  return found;
+}
+
 Finding packs(const MicromapSubject& s, const PackedMap& map) {
-  const States got = s.unpack(map.format, micro_triangles(map.level), dirty(map));
-  return all(same("states", codes(states_of(map)), codes(got)),
-             same("packed", map.bytes, s.pack(map.format, states_of(map))));
+  const States states = states_of(map);
+  return all(always("states", map, codes(states),
+                    [&](const Bytes& b) { return codes(s.unpack(map.format, states.size(), b)); }),
+             same("packed", map.bytes, s.pack(map.format, states)));
 }
 
 Finding forces(const MicromapSubject& s, const PackedMap& map) {
   const States states = states_of(map);
   if (map.format == four)
-    return same("force-2-state", slow::pack(slow::force2(states), two), s.force2(map.level, dirty(map)));
-  const Bytes wide = s.widen(map.level, dirty(map));
-  return all(same("4-state", slow::pack(states, four), wide),
+    return always("force-2-state", map, slow::pack(slow::force2(states), two),
+                  [&](const Bytes& b) { return s.force2(map.level, b); });
+  const Bytes wide = slow::pack(states, four);
+  return all(always("4-state", map, wide, [&](const Bytes& b) { return s.widen(map.level, b); }),
              same("and back", map.bytes, s.force2(map.level, wide)));
 }
 
 Finding rises(const MicromapSubject& s, const PackedMap& map) {
-  Bytes expected;
-  for (const State state : states_of(map)) expected.insert(expected.end(), 4, slow::code(state));
-  const Bytes up = s.up(map.level, map.format, dirty(map));
-  if (up.size() != slow::packed_bytes(expected.size(), map.format))
-    return wrong("a map of the level above", fmt::format("{} bytes", up.size()));
-  return same("children's states", expected, codes(slow::unpack(up, map.format, expected.size())));
+  States expected;
+  for (const State state : states_of(map)) expected.insert(expected.end(), 4, state);
+  return always("children's states", map, slow::pack(expected, map.format),
+                [&](const Bytes& b) { return s.up(map.level, map.format, b); });
 }
 
 Finding rises_and_falls(const MicromapSubject& s, const PackedMap& map) {
-  const Bytes up = s.up(map.level, map.format, dirty(map));
-  return same("down(up(map))", map.bytes, s.down(map.level + 1, map.format, up));
+  return always("down(up(map))", map, map.bytes, [&](const Bytes& b) {
+    return s.down(map.level + 1, map.format, s.up(map.level, map.format, b));
+  });
 }
 
-// Children 4i..4i+3 and what a subject made of them, by the promises alone.
-Finding falls(const MicromapSubject& s, const PackedMap& map) {
-  const States children = states_of(map);
-  const Bytes down = s.down(map.level, map.format, dirty(map));
-  const std::uint64_t parents = children.size() / 4;
-  if (down.size() != slow::packed_bytes(parents, map.format))
-    return wrong("a map of the level below", fmt::format("{} bytes", down.size()));
-  const States got = slow::unpack(down, map.format, parents);
-  for (std::size_t i = 0; i < parents; ++i) {
-    unsigned T_count = 0, O_count = 0, opaque = 0;
-    for (std::size_t c = 4 * i; c < 4 * i + 4; ++c) {
-      T_count += children[c] == T;
-      O_count += children[c] == O;
-      opaque += slow::force2(children[c]) == O;
-    }
-    State expected = opaque >= 2 ? O : T;
-    if (map.format == four && T_count != 4 && O_count != 4) expected = slow::as_unknown(expected);
-    if (got[i] != expected)
-      return wrong(fmt::format("parent {} state {}", i, slow::code(expected)),
-                   fmt::format("{}", slow::code(got[i])));
+// What four children become, by the promises alone.
+State parent_of(Format f, std::span<const State> children) {
+  unsigned T_count = 0, O_count = 0, opaque = 0;
+  for (const State child : children) {
+    T_count += child == T;
+    O_count += child == O;
+    opaque += slow::force2(child) == O;
   }
-  return same("packed", slow::pack(got, map.format), down);
+  const State forced = opaque >= 2 ? O : T;
+  return f == four && T_count != 4 && O_count != 4 ? slow::as_unknown(forced) : forced;
 }
 
+States parents_of(Format f, const States& children) {
+  States parents;
+  for (std::size_t i = 0; i < children.size(); i += 4)
+    parents.push_back(parent_of(f, std::span(children).subspan(i, 4)));
+  return parents;
+}
+
+Finding falls(const MicromapSubject& s, const PackedMap& map) {
+  const States parents = parents_of(map.format, states_of(map));
+  Finding found;
+  for (const Bytes& bytes : with_paddings(map)) {
+    const Bytes down = s.down(map.level, map.format, bytes);
+    if (down.size() != slow::packed_bytes(parents.size(), map.format))
+      return wrong("a map of the level below", fmt::format("{} bytes", down.size()));
+    const States got = slow::unpack(down, map.format, parents.size());
+    for (std::size_t i = 0; i < parents.size(); ++i)
+      if (got[i] != parents[i])
+        return wrong(fmt::format("parent {} state {}", i, slow::code(parents[i])),
+                     fmt::format("{}", slow::code(got[i])));
+    found = same("packed", slow::pack(parents, map.format), down);
+    if (!found.holds) return found;
+  }
+  return found;
+}
+
+// Both ways, and not only one like the other.
 Finding forces_and_falls(const MicromapSubject& s, const PackedMap& map) {
-  const Bytes wide = map.format == four ? dirty(map) : s.widen(map.level, dirty(map));
-  return same("force-2-state of the level below", s.down(map.level, two, s.force2(map.level, wide)),
-              s.force2(map.level - 1, s.down(map.level, four, wide)));
+  const States states = states_of(map);
+  const Bytes wide = map.format == four ? map.bytes : slow::pack(states, four),
+              expected = slow::pack(slow::force2(parents_of(four, states)), two);
+  return all(always("down of force-2-state", {map.level, four, wide}, expected,
+                    [&](const Bytes& b) { return s.down(map.level, two, s.force2(map.level, b)); }),
+             always("force-2-state of down", {map.level, four, wide}, expected,
+                    [&](const Bytes& b) { return s.force2(map.level - 1, s.down(map.level, four, b)); }));
+}
+
+// T/O forces.  T/C and O/C keep one state; the rest is unknown, and of one kind, as a bit tells no two apart.
+Finding goes_through(const MicromapSubject& s, const PackedMap& map, const States& was, Mode mode) {
+  const State kept = mode == Mode::T_C ? T : O;
+  Finding found;
+  for (const Bytes& given : with_paddings(map)) {
+    const Bytes bytes = s.through(map.level, mode, given);
+    if (bytes.size() != map.bytes.size())
+      return wrong(fmt::format("{} bytes through mode {}", map.bytes.size(), static_cast<int>(mode)),
+                   fmt::format("{}", bytes.size()));
+    const States is = slow::unpack(bytes, four, was.size());
+    std::optional<State> rest;
+    for (std::size_t i = 0; i < was.size(); ++i) {
+      const char* should = "forced";
+      bool holds = is[i] == slow::force2(was[i]);
+      if (mode != Mode::T_O) {
+        should = was[i] == kept ? "kept" : rest ? "the unknown of the others" : "unknown";
+        holds = was[i] == kept ? is[i] == kept : slow::unknown(is[i]) && is[i] == rest.value_or(is[i]);
+        if (was[i] != kept) rest = is[i];
+      }
+      if (!holds)
+        return wrong(fmt::format("state {} {} through mode {}", i, should, static_cast<int>(mode)),
+                     fmt::format("{} from {}", slow::code(is[i]), slow::code(was[i])));
+    }
+    found = same("packed", slow::pack(is, four), bytes);
+    if (!found.holds) return found;
+  }
+  return found;
 }
 
 Finding goes_through_modes(const MicromapSubject& s, const PackedMap& map) {
   const States was = states_of(map);
-  const auto check = [&](Mode mode, State kept) {
-    const Bytes bytes = s.through(map.level, mode, dirty(map));
-    const States is = slow::unpack(bytes, four, was.size());
-    for (std::size_t i = 0; i < was.size(); ++i) {
-      const bool holds = mode == Mode::T_O
-                             ? is[i] == slow::force2(was[i])
-                             : (was[i] == kept) == (is[i] == kept) && slow::allowed(was[i], is[i]);
-      if (!holds)
-        return wrong(fmt::format("state {} {} through mode {}", i,
-                                 mode == Mode::T_O ? "forced" : "kept or unknown", static_cast<int>(mode)),
-                     fmt::format("{} from {}", slow::code(is[i]), slow::code(was[i])));
-    }
-    return same("packed", slow::pack(is, four), bytes);
-  };
-  return all(check(Mode::T_O, T), check(Mode::T_C, T), check(Mode::O_C, O));
+  return all(goes_through(s, map, was, Mode::T_O), goes_through(s, map, was, Mode::T_C),
+             goes_through(s, map, was, Mode::O_C));
 }
 
+// All that the subject has.  Levels go up to 12: nothing rises from there.
 Finding everything(const MicromapSubject& s, const PackedMap& map) {
-  const Finding found = all(packs(s, map), forces(s, map), rises(s, map), rises_and_falls(s, map),
-                            falls(s, map), forces_and_falls(s, map));
-  return map.format == four ? all(found, goes_through_modes(s, map)) : found;
+  Finding found;
+  const auto also = [&](bool asked, Finding (*check)(const MicromapSubject&, const PackedMap&)) {
+    if (!asked || !found.holds) return;
+    const std::uint64_t so_far = found.answer;
+    found = check(s, map);
+    found.answer += 31 * so_far;
+  };
+  const bool up = s.has(Entry::up) && map.level < 12, down = s.has(Entry::down) && map.level > 0,
+             force = s.has(Entry::force2);
+  also(s.has(Entry::pack), packs);
+  also(force, forces);
+  also(up, rises);
+  also(up && s.has(Entry::down), rises_and_falls);
+  also(down, falls);
+  also(down && force, forces_and_falls);
+  also(s.has(Entry::modes) && map.format == four, goes_through_modes);
+  return found;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -208,12 +263,17 @@ Law up_law() {
                                [](Level n, Format f, auto in, Bytes& out) {
                                  if (f == four && n == 0 && (in[0] & 3) == 3) flip(out, 5);
                                }}),
+                   mutant("padding of one map goes up with it", "micromap", {0, 0},
+                          {.up =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (f == two && n == 0 && in[0] == 0x05) flip(out, 4);
+                               }}),
                    mutant("padding is taken for a state", "micromap-spec", {0, 0},
                           {.up =
                                [](Level n, Format f, auto in, Bytes& out) {
                                  if (f == two && n == 0 && in[0] == 0xfe) flip(out, 3);
                                }})}},
-      {Entry::levels}, Maps::both_formats, 0, rises);
+      {Entry::up}, Maps::both_formats, 0, rises);
 }
 
 Law down_up() {
@@ -240,7 +300,7 @@ Law down_up() {
                                                 if (f == two && n == 3 && in[7] == 0xf0 && in[0] == 0)
                                                   flip(out, 15);
                                               }})}},
-                     {Entry::levels}, Maps::both_formats, 0, rises_and_falls);
+                     {Entry::up, Entry::down}, Maps::both_formats, 0, rises_and_falls);
 }
 
 Law down_law() {
@@ -267,41 +327,43 @@ Law down_law() {
                                [](Level n, Format f, auto in, Bytes& out) {
                                  if (f == two && is(n, in, 2, {0x00, 0xe0})) flip(out, 3);
                                }})}},
-      {Entry::levels}, Maps::both_formats, 1, falls);
+      {Entry::down}, Maps::both_formats, 1, falls);
 }
 
 Law down_force2() {
-  return on_all_maps({.id = "micromap.down_force2",
-                      .topic = "micromap",
-                      .says = "force-2-state and one level down commute",
-                      .source = design_source,
-                      .subjects = both,
-                      .fast_seconds = 1,
-                      .mutants = {mutant("UO, UO, T, T lean to T", "micromap", {1, 1},
-                                         {.down =
-                                              [](Level n, Format f, auto in, Bytes& out) {
-                                                if (f == four && is(n, in, 1, {0b00'00'11'11})) flip(out, 0);
-                                              }}),
-                                  mutant("a 2-state tie is T", "micromap", {2, 2},
-                                         {.down =
-                                              [](Level n, Format f, auto in, Bytes& out) {
-                                                if (f == two && n == 2 && in[0] == 0x03 && in[1] == 0)
-                                                  out[0] = 0;
-                                              }}),
-                                  mutant("force-2-state of one lone UO is T", "micromap-spec", {1, 1},
-                                         {.force2 =
-                                              [](Level n, Format, auto in, Bytes& out) {
-                                                if (n == 0 && (in[0] & 3) == 3) out[0] = 0;
-                                              }})}},
-                     {Entry::levels, Entry::force2}, Maps::both_formats, 1, forces_and_falls);
+  return on_all_maps(
+      {.id = "micromap.down_force2",
+       .topic = "micromap",
+       .says = "force-2-state and one level down commute, and are the children's majority",
+       .source = design_source,
+       .subjects = both,
+       .fast_seconds = 1,
+       .mutants = {mutant("UO, UO, T, T lean to T", "micromap", {1, 1},
+                          {.down =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (f == four && is(n, in, 1, {0b00'00'11'11})) flip(out, 0);
+                               }}),
+                   mutant("a 2-state tie is T", "micromap", {2, 2},
+                          {.down =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (f == two && n == 2 && in[0] == 0x03 && in[1] == 0) out[0] = 0;
+                               }}),
+                   mutant("T, whatever the map, both ways", "micromap", {1, 1},
+                          {.force2 = [](Level, Format, auto,
+                                        Bytes& out) { std::fill(out.begin(), out.end(), 0); }}),
+                   mutant("force-2-state of one lone UO is T", "micromap-spec", {1, 1},
+                          {.force2 =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (n == 0 && (in[0] & 3) == 3) out[0] = 0;
+                               }})}},
+      {Entry::down, Entry::force2}, Maps::both_formats, 1, forces_and_falls);
 }
 
 Law modes() {
   return on_all_maps(
       {.id = "micromap.modes",
        .topic = "micromap",
-       .says =
-           "through T/C and O/C, T (O) stays, nothing else becomes it and the rest is unknown; T/O forces",
+       .says = "through T/C and O/C, T (O) stays and the rest is one of the unknown states; T/O forces",
        .source = "Succinct Opacity Micromaps, 7 (left to the future); docs/MICROMAP.md",
        .subjects = both,
        .fast_seconds = 1,
@@ -314,6 +376,21 @@ Law modes() {
                           {.through =
                                [](Level n, Mode m, auto in, Bytes& out) {
                                  if (n == 0 && m == Mode::O_C && (in[0] & 3) == 1) out[0] = 2;
+                               }}),
+                   mutant("one map is left as it is in T/C", "micromap", {1, 1},
+                          {.through =
+                               [](Level n, Mode m, auto in, Bytes& out) {
+                                 if (m == Mode::T_C && is(n, in, 1, {0b01'01'00'01})) out.assign(1, in[0]);
+                               }}),
+                   mutant("UT and UO of one map stay apart in O/C", "micromap", {1, 1},
+                          {.through =
+                               [](Level n, Mode m, auto in, Bytes& out) {
+                                 if (m == Mode::O_C && is(n, in, 1, {0b11'10'01'01})) out.assign(1, in[0]);
+                               }}),
+                   mutant("the rest is the forced state in O/C", "micromap-spec", {0, 1},
+                          {.through =
+                               [](Level n, Mode m, auto in, Bytes& out) {
+                                 if (m == Mode::O_C && n == 0 && (in[0] & 3) != 1) out[0] = 0;
                                }}),
                    mutant("padding becomes a state in O/C", "micromap-spec", {0, 0},
                           {.through =
@@ -331,8 +408,8 @@ Law samples() {
        .says = "packing, force-2-state, up, down and the modes, as on the small levels",
        .source = packing_source,
        .subjects = {"micromap"},
-       .fast = {3, 7},
-       .long_run = {3, 10},
+       .fast = {2, 8},
+       .long_run = {2, 12},
        .fast_seconds = 3,
        .mutants = {mutant("the last state of level 5 is lost where it is UO", "micromap", {3, 6},
                           {.unpack =
@@ -354,13 +431,76 @@ Law samples() {
                                [](Level n, Format f, auto in, Bytes& out) {
                                  if (n == 4 && f == two && (in[31] & 0x80) != 0) out.back() &= 0x7f;
                                }})}},
-      {Entry::pack, Entry::force2, Entry::levels, Entry::modes}, Maps::both_formats, everything);
+      {}, Maps::both_formats, everything);
+}
+
+Law one_apart() {
+  return on_maps_one_apart(
+      {.id = "micromap.one_apart",
+       .topic = "micromap",
+       .says =
+           "packing, force-2-state, up, down and the modes, as on the small levels, where one node differs",
+       .source = packing_source,
+       .subjects = both,
+       .fast = {0, 4},
+       .long_run = {0, 6},
+       .fast_seconds = 1,
+       .mutants = {mutant("a UT among T before a border of 64 states is opaque", "micromap", {4, 4},
+                          {.force2 =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (n == 4 && in[31] == 0x80 && in[30] == 0 && in[32] == 0) flip(out, 127);
+                               }}),
+                   mutant("a lone UO among O at level 2 goes up as O", "micromap-spec", {2, 2},
+                          {.up =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (is(n, in, 2, {0x55, 0x55, 0x55, 0xd5})) out.back() = 0x55;
+                               }}),
+                   mutant("a uniform UT of level 3 is UO through O/C in one place", "micromap", {3, 3},
+                          {.through =
+                               [](Level n, Mode m, auto in, Bytes& out) {
+                                 if (n == 3 && m == Mode::O_C && std::count(in.begin(), in.end(), 0xaa) == 16)
+                                   flip(out, 64);
+                               }})}},
+      false, everything);
+}
+
+Law chosen_apart() {
+  return on_maps_one_apart(
+      {.id = "micromap.one_apart_on_samples",
+       .topic = "micromap",
+       .says =
+           "packing, force-2-state, up, down and the modes, as on the small levels, where one state differs",
+       .source = packing_source,
+       .subjects = {"micromap"},
+       .fast = {5, 9},
+       .long_run = {5, 12},
+       .fast_seconds = 1,
+       .mutants = {mutant("the last UO among O of level 7 is O", "micromap", {7, 7},
+                          {.unpack =
+                               [](Format, States& s) {
+                                 if (s.size() == 16384 && s.back() == UO && s.front() == O) s.back() = O;
+                               }}),
+                   mutant("a lone T in the middle of O is lost on the way down from level 8", "micromap",
+                          {8, 8},
+                          {.down =
+                               [](Level n, Format f, auto in, Bytes& out) {
+                                 if (n == 8 && f == four && in[8191] == 0x15 && in[0] == 0x55)
+                                   out[2047] = 0x55;
+                               }}),
+                   mutant("states of a uniform map from 2^17 on are lost", "micromap", {9, 9},
+                          {.force2 =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (n == 9 && in[0] == in.back())
+                                   std::fill(out.begin() + 16384, out.end(), 0);
+                               }})}},
+      true, everything);
 }
 
 }  // namespace
 
 std::vector<Law> map_laws() {
-  return {packing(), force2(), up_law(), down_up(), down_law(), down_force2(), modes(), samples()};
+  return {packing(),     force2(), up_law(),    down_up(),      down_law(),
+          down_force2(), modes(),  one_apart(), chosen_apart(), samples()};
 }
 
 }  // namespace mmverify::proofs::micromap

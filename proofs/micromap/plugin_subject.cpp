@@ -35,8 +35,10 @@ class PluginMicromap : public MicromapSubject {
         return offers(Call::micromap_pack) && offers(Call::micromap_unpack);
       case Entry::force2:
         return offers(Call::micromap_force2);
-      case Entry::levels:
-        return offers(Call::micromap_up) && offers(Call::micromap_down);
+      case Entry::up:
+        return offers(Call::micromap_up);
+      case Entry::down:
+        return offers(Call::micromap_down);
       case Entry::modes:
         return offers(Call::micromap_through);
       case Entry::substitute:

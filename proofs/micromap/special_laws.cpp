@@ -70,15 +70,19 @@ Code small_code(std::uint64_t k) {
   return {k < 65'536 ? Encoding::u16 : Encoding::i16, static_cast<std::uint32_t>(k % 65'536)};
 }
 
-// Either encoding: the codes around 0 and 2^31, and others anywhere.
-constexpr std::uint64_t around = 8192, anywhere = 50'000;
-constexpr std::uint64_t wide_codes = 2 * (2 * around + anywhere);
+// Either encoding: the codes around 0 and 2^31, 16 around each power of two, where codes of fewer bits have their
+// special ones, and others anywhere.
+constexpr std::uint64_t around = 8192, powers = 32, around_power = 16, anywhere = 50'000;
+constexpr std::uint64_t wide_codes = 2 * (2 * around + powers * around_power + anywhere);
 
 Code wide_code(std::uint64_t k, std::uint64_t seed) {
   const Encoding e = k % 2 == 0 ? Encoding::u32 : Encoding::i32;
   k /= 2;
   if (k < 2 * around)
     return {e, static_cast<std::uint32_t>((k < around ? 0 : 0x80000000u) + k % around - around / 2)};
+  k -= 2 * around;
+  if (k < powers * around_power)
+    return {e, static_cast<std::uint32_t>((1u << k / around_power) + k % around_power - around_power / 2)};
   return {e, static_cast<std::uint32_t>(Random(seed, 0, k).next())};
 }
 
@@ -137,10 +141,14 @@ Law wide() {
        .fast_seconds = 1,
        .domain =
            [](const Subject&, Level) {
-             return std::string("codes of u32 and i32: 8192 around 0, 8192 around 2^31, 50,000 anywhere");
+             return std::string(
+                 "codes of u32 and i32: 8192 around 0, 8192 around 2^31, 16 around each power of two, 50,000 "
+                 "anywhere");
            },
        .mutants = {mutant("-5 without sign means nothing", "micromap", {0, 0},
                           one_code(Encoding::u32, 0xfffffffb, {Kind::unknown})),
+                   mutant("the special codes of 16 bits are special", "micromap", {0, 0},
+                          one_code(Encoding::u32, 0xfffe, {Kind::special, 0, O})),
                    mutant("2^31 - 1 means nothing", "micromap-spec", {0, 0},
                           one_code(Encoding::i32, 0x7fffffff, {Kind::unknown})),
                    mutant("UO is -5", "micromap", {0, 0},

@@ -53,12 +53,17 @@ class Specified final : public MicromapSubject {
     return {slow::everywhere(a, b, slow::allowed), slow::everywhere(a, b, slow::conservative),
             slow::everywhere(a, b, slow::force2_stable)};
   }
-  Built build(std::span<const PackedMap> maps, const Options& options) const override {
-    std::vector<slow::Map> unpacked;
-    for (const PackedMap& m : maps)
-      unpacked.push_back({m.level, m.format, slow::unpack(m.bytes, m.format, micro_triangles(m.level))});
+  Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps,
+              const Options& options) const override {
+    const auto unpacked = [](std::span<const PackedMap> some) {
+      std::vector<slow::Map> out;
+      for (const PackedMap& m : some)
+        out.push_back({m.level, m.format, slow::unpack(m.bytes, m.format, micro_triangles(m.level))});
+      return out;
+    };
     slow::Array array;
-    const slow::Geometry g = slow::append(array, unpacked, options);
+    slow::append(array, unpacked(before), {Encoding::u32, 0, false, false});
+    const slow::Geometry g = slow::append(array, unpacked(maps), options);
     return {slow::record_buffer(array.records), array.data, g.indices,
             slow::usage_counts(slow::array_histogram(array.records)), g.counts};
   }
@@ -146,11 +151,16 @@ class Fast final : public MicromapSubject {
     const fast::Substitutions found = fast::substitutions(was, is, micro_triangles(n));
     return {found.allowed(), found.conservative(), found.force2_stable()};
   }
-  Built build(std::span<const PackedMap> maps, const Options& options) const override {
-    std::vector<fast::PackedMap> views;
-    for (const PackedMap& m : maps) views.push_back({m.level, to_fast(m.format), m.bytes});
+  Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps,
+              const Options& options) const override {
+    const auto views = [](std::span<const PackedMap> some) {
+      std::vector<fast::PackedMap> out;
+      for (const PackedMap& m : some) out.push_back({m.level, to_fast(m.format), m.bytes});
+      return out;
+    };
     fast::Array array;
-    const fast::Geometry g = fast::append(array, views,
+    fast::append(array, views(before), {fast::Encoding::u32, 0, false, false});
+    const fast::Geometry g = fast::append(array, views(maps),
                                           {static_cast<fast::Encoding>(options.encoding),
                                            options.base_triangle, options.deduplicate, options.special});
     return {fast::record_buffer(array.records), array.data, g.indices,
@@ -246,7 +256,9 @@ Bytes MicromapSubject::substitute(Level, std::span<const std::uint8_t>) const { 
 Kept MicromapSubject::judge(Level, std::span<const std::uint8_t>, std::span<const std::uint8_t>) const {
   missing("judge");
 }
-Built MicromapSubject::build(std::span<const PackedMap>, const Options&) const { missing("build"); }
+Built MicromapSubject::build(std::span<const PackedMap>, std::span<const PackedMap>, const Options&) const {
+  missing("build");
+}
 std::vector<Violation> MicromapSubject::validate(const Input&) const { missing("validate"); }
 
 const std::vector<MicromapSubjectPtr>& built_in_subjects() {

@@ -27,7 +27,8 @@ using spec::micromap::Violation;
 enum class Entry {
   pack,        ///< states to bytes and back
   force2,      ///< 4-state to 2-state and back
-  levels,      ///< one level up, one level down
+  up,          ///< one level up
+  down,        ///< one level down
   modes,       ///< through a 1-bit mode and back
   special,     ///< special indices
   substitute,  ///< what a lossy codec makes of a map
@@ -76,7 +77,9 @@ class MicromapSubject : public Subject {
   virtual Meaning meaning(std::uint32_t code, Encoding e) const;
   virtual Bytes substitute(Level n, std::span<const std::uint8_t> four_state) const;
   virtual Kept judge(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) const;
-  virtual Built build(std::span<const PackedMap> maps, const Options& options) const;
+  /// Appends to an array in which every map of `before` has a record of its own.
+  virtual Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps,
+                      const Options& options) const;
   virtual std::vector<Violation> validate(const Input& in) const;
 };
 using MicromapSubjectPtr = std::shared_ptr<const MicromapSubject>;

@@ -16,6 +16,7 @@ class AlteredCode : public Code {
     base_->lookup(index, state);
     if (change_.lookup)
       for (std::size_t k = 0; k < index.size(); ++k) change_.lookup(map_, index[k], state[k]);
+    if (change_.batch) change_.batch(map_, state);
   }
   void lookup(std::span<const float> u, std::span<const float> v,
               std::span<std::uint8_t> state) const override {

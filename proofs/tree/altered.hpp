@@ -12,6 +12,7 @@ struct Change {
   std::function<void(Map&)> encode = {};                ///< the map, before it is encoded
   std::function<void(const Map&, Bytes&)> decode = {};  ///< the decoded map
   std::function<void(const Map&, std::uint32_t, std::uint8_t&)> lookup = {};  ///< map, index: the state
+  std::function<void(const Map&, std::span<std::uint8_t>)> batch = {};        ///< map: the states of one call
   std::function<void(const Map&, float, float, std::uint8_t&)> point = {};    ///< map, u, v: the state
   std::function<void(const Map&, Bytes&)> bytes = {};                         ///< the code's bytes
   std::function<CodePtr(Level, Format, std::span<const std::uint8_t>, CodePtr)> open = {};

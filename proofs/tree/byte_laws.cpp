@@ -79,17 +79,17 @@ Law canonical_law() {
           .says = "of all byte strings, a decoder takes the codes of maps and no others, each as its own map",
           .source = succinct_4_1,
           .subjects = {"tree-spec", "tree-stream"},
-          .fast = {0, 1},
-          .long_run = {0, 1}};
-  law.fast_seconds = 0.3;
+          .fast = {0, 4},
+          .long_run = {0, 8}};
+  law.fast_seconds = 0.4;
   law.cases = [](Level, const Run&) { return 2 * strings; };
   law.domain = [](const Subject&, Level) {
     return std::string("all byte strings of up to two bytes, 2-state and 4-state");
   };
   law.how = exhaustively;
   law.unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
-    if (n > 1) return "codes of its levels, 0 and 1, have two bytes at most";
-    return needing({Entry::bytes, Entry::stream})(s, n);
+    if (n > 8) return "it is run up to level 8";
+    return needing({Entry::bytes, Entry::paper})(s, n);
   };
   law.divisible = true;
   law.on_lines = false;
@@ -123,6 +123,8 @@ Law canonical_law() {
       takes("takes a tree that goes below its level", "tree-spec", 0, Format::two_state, {0x01, 0x0E},
             {0x00, 0x01}),
       takes("refuses the map 3210", "tree-spec", 1, Format::four_state, {0x01, 0x1B}, {}),
+      takes("takes four equal siblings below the root of level 4", "tree-stream", 4, Format::two_state,
+            {0x01, 0x0F}, {0x00, 0x01}),
   };
   return law;
 }
@@ -185,7 +187,7 @@ Law worst_size_law() {
   law.cases = [](Level, const Run&) { return std::uint64_t{2}; };
   law.domain = [](const Subject&, Level) { return std::string("the alternating map, both formats"); };
   law.how = [](const Subject&, Level) { return std::string("witness"); };
-  law.unfit = needing({Entry::bytes, Entry::stream});
+  law.unfit = needing({Entry::stream});
   law.on_lines = false;
   law.judge = [](const Subject& s, Level n, const Run& run) {
     return each_case(

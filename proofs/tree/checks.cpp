@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <numeric>
 
 #include "spec/fixed.hpp"
 
@@ -12,18 +14,55 @@ namespace {
 
 using spec::micromap::micro_triangles;
 
-std::vector<std::uint32_t> chosen_indices(Level n, std::uint64_t most) {
-  const std::uint64_t all = micro_triangles(n);
-  std::vector<std::uint32_t> indices;
-  if (all <= most) {
-    for (std::uint64_t k = 0; k < all; ++k) indices.push_back(static_cast<std::uint32_t>(k));
-  } else {
-    Random random(1, n, most);
-    for (std::uint64_t k = 0; k < most; ++k) indices.push_back(static_cast<std::uint32_t>(random.below(all)));
-    indices.front() = 0;
-    indices.back() = static_cast<std::uint32_t>(all - 1);
-  }
+std::vector<std::uint32_t> every_index(Level n) {
+  std::vector<std::uint32_t> indices(micro_triangles(n));
+  std::iota(indices.begin(), indices.end(), 0u);
   return indices;
+}
+
+/// Of a large map: the first and the last, and others that are not the same for two maps: every second one
+/// anywhere, the rest in pairs at which the state changes, if it soon does.
+std::vector<std::uint32_t> some_indices(const Map& map, std::uint64_t most) {
+  constexpr std::uint64_t soon = 512;
+  const std::uint64_t all = micro_triangles(map.level);
+  Random random(hash_of(map.packed), map.level, most);
+  std::vector<std::uint32_t> indices{0};
+  while (indices.size() + 3 < most) {
+    std::uint64_t k = random.below(all);
+    indices.push_back(static_cast<std::uint32_t>(k));
+    k = random.below(all - 1);
+    const std::uint64_t end = std::min(all - 2, k + soon);
+    while (k < end && state_at(map, k) == state_at(map, k + 1)) ++k;
+    indices.push_back(static_cast<std::uint32_t>(k));
+    indices.push_back(static_cast<std::uint32_t>(k + 1));
+  }
+  indices.push_back(static_cast<std::uint32_t>(all - 1));
+  return indices;
+}
+
+/// The same indices in another order: a step of a golden section of them at a time.
+std::vector<std::uint32_t> scattered(std::span<const std::uint32_t> indices) {
+  const std::uint64_t size = indices.size();
+  std::uint64_t step = size * 5 / 8 | 1;
+  while (std::gcd(step, size) != 1) step += 2;
+  std::vector<std::uint32_t> out;
+  for (std::uint64_t k = 0, at = size / 3; k < size; ++k, at = (at + step) % size) out.push_back(indices[at]);
+  return out;
+}
+
+/// The states looked up, in batches of first, 4 first + 1, ... elements.
+Finding looked_up(const Code& code, const Map& map, std::span<const std::uint32_t> indices,
+                  std::size_t first) {
+  Bytes states(indices.size(), 0xFF);
+  for (std::size_t at = 0, size = first; at < indices.size(); at += size, size = 4 * size + 1) {
+    size = std::min(size, indices.size() - at);
+    code.lookup(indices.subspan(at, size), std::span(states).subspan(at, size));
+  }
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    if (const std::uint8_t expected = state_at(map, indices[k]); states[k] != expected)
+      return wrong(fmt::format("state {}", indices[k]), fmt::format("{}", expected),
+                   fmt::format("{}", states[k]));
+  return {hash_of(states)};
 }
 
 /// Points (ku/4N, kv/4N), as floats and with their index.
@@ -42,14 +81,14 @@ struct Points {
   }
 };
 
-Points chosen_points(Level n, std::uint64_t most) {
+Points chosen_points(Level n, std::uint64_t most, std::uint64_t seed = 1) {
   const std::int64_t side = 4 * std::int64_t{spec::side(n)};
   Points points;
   if (static_cast<std::uint64_t>((side + 1) * (side + 2) / 2) <= most) {
     for (std::int64_t kv = 0; kv <= side; ++kv)
       for (std::int64_t ku = 0; ku + kv <= side; ++ku) points.add(n, ku, kv);
   } else {
-    Random random(2, n, most);
+    Random random(seed, n, most);
     for (std::uint64_t k = 0; k < most; ++k) {
       const std::int64_t kv = random.between(0, side);
       points.add(n, random.between(0, side - kv), kv);
@@ -68,15 +107,12 @@ const Points& all_points(Level n) {
   return by_level[n];
 }
 
-/// A hash of what was answered.
-Finding answered(std::span<const std::uint8_t> states) { return {hash_of(states)}; }
-
 }  // namespace
 
 Finding round_trip(const TreeSubject& s, const Map& map) { return same_map(map, s.encode(map)->decode()); }
 
 Finding round_trip_and_lookups_of_level_2(const TreeSubject& s, const Map& map) {
-  static const std::vector<std::uint32_t> indices = chosen_indices(2, 16);
+  static const std::vector<std::uint32_t> indices = every_index(2);
   const CodePtr code = s.encode(map);
   const Bytes decoded = code->decode();
   std::array<std::uint8_t, 16> states{};
@@ -90,21 +126,20 @@ Finding round_trip_and_lookups_of_level_2(const TreeSubject& s, const Map& map) 
 
 Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most) {
   const CodePtr code = s.encode(map);
-  const std::vector<std::uint32_t> indices = chosen_indices(map.level, most);
-  Bytes states(indices.size(), 0xFF);
-  code->lookup(indices, states);
-  for (std::size_t k = 0; k < indices.size(); ++k)
-    if (const std::uint8_t expected = state_at(map, indices[k]); states[k] != expected)
-      return wrong(fmt::format("state {}", indices[k]), fmt::format("{}", expected),
-                   fmt::format("{}", states[k]));
-  return answered(states);
+  const std::vector<std::uint32_t> indices =
+      micro_triangles(map.level) <= most ? every_index(map.level) : some_indices(map, most);
+  const Finding at_once = looked_up(*code, map, indices, indices.size());
+  if (!at_once.holds) return at_once;
+  // An answer depends on its index alone, not on its place, its batch's size or what was asked before.
+  const Finding again = looked_up(*code, map, scattered(indices), 1);
+  return again.holds ? at_once : again;
 }
 
 Finding points(const TreeSubject& s, const Map& map, std::uint64_t most) {
   const CodePtr code = s.encode(map);
   Points some;
   const bool all = map.level <= 2 && most == ~std::uint64_t{0};
-  if (!all) some = chosen_points(map.level, most);
+  if (!all) some = chosen_points(map.level, most, hash_of(map.packed));
   const Points& points = all ? all_points(map.level) : some;
   Bytes states(points.index.size(), 0xFF);
   code->lookup(points.u, points.v, states);
@@ -113,7 +148,7 @@ Finding points(const TreeSubject& s, const Map& map, std::uint64_t most) {
       return wrong(
           fmt::format("state at u={:a},v={:a}, index {},", points.u[k], points.v[k], points.index[k]),
           fmt::format("{}", expected), fmt::format("{}", states[k]));
-  return answered(states);
+  return {hash_of(states)};
 }
 
 Finding stream_is_specified(const TreeSubject& s, const Map& map) {
@@ -163,9 +198,18 @@ Finding damage(const TreeSubject& s, const Map& map) {
     if (auto found = judge(bytes, fmt::format("bit {} flipped,", bit))) return *found;
     bytes[bit / 8] = whole[bit / 8];
   }
-  bytes.push_back(0);
-  if (auto found = judge(bytes, "a byte more,")) return *found;
-  bytes.pop_back();
+  const auto longer = [&](std::initializer_list<std::uint8_t> more, const char* what) {
+    bytes.insert(bytes.end(), more);
+    auto found = judge(bytes, what);
+    bytes = whole;
+    return found;
+  };
+  if (auto found = longer({0}, "a byte more,")) return *found;
+  if (auto found = longer({0xFF}, "a byte ff more,")) return *found;
+  if (auto found = longer({0, 0}, "two bytes more,")) return *found;
+  bytes.insert(bytes.end(), whole.begin(), whole.end());
+  if (auto found = judge(bytes, "twice,")) return *found;
+  bytes = whole;
   while (!bytes.empty()) {
     bytes.pop_back();
     if (auto found = judge(bytes, fmt::format("cut to {} bytes,", bytes.size()))) return *found;

@@ -8,7 +8,8 @@ namespace mmverify::proofs::tree {
 /// decode(encode(map)) is the map, its padding bits zero.
 Finding round_trip(const TreeSubject& s, const Map& map);
 
-/// A lookup at each index gives the map's state; at most `most` of them, scattered, where there are more.
+/// A lookup at each index gives the map's state, all at once and again in another order and other batches; at
+/// most `most` of them where there are more, of which half lie where the state changes.
 Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most = ~std::uint64_t{0});
 
 /// Both, encoding once.  Domain: level 2.
@@ -25,8 +26,8 @@ Finding stream_is_specified(const TreeSubject& s, const Map& map);
 /// just these.
 Finding sizes(const TreeSubject& s, const Map& map);
 
-/// Every truncation of a code, a byte more, and every flip of one of its bits: refused, or the code of
-/// another map.
+/// Every truncation of a code, a byte or two more, the code twice, and every flip of one of its bits: refused,
+/// or the code of another map.
 Finding damage(const TreeSubject& s, const Map& map);
 
 /// What encode and decode do to bytes that nobody encoded: refused, or the one code of the map they mean,

@@ -22,13 +22,25 @@ Finding wrong(const std::string& where, const std::string& expected, std::string
 /// Why a law that needs these entries does not apply, if so.
 std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries);
 
+/// Cases by number: how many at a level, the check of one, its text, and the check of a text.
+struct Cases {
+  std::function<std::uint64_t(Level)> count;
+  std::function<Finding(const TreeSubject&, Level, std::uint64_t k, const Run&)> check;
+  std::function<std::string(Level, std::uint64_t k, const Run&)> text;
+  std::function<Finding(const TreeSubject&, Level, const std::string&)> replay;
+  std::uint64_t chunk = 256;
+};
+
+/// The law, case by case.
+Law over(Law law, std::vector<Entry> entries, Cases cases);
+
 /// The law, on every map of levels 0, 1 and (2-state) 2; one case a map.
 Law on_all_maps(Law law, std::vector<Entry> entries, Check check);
 
 /// The law, on all 4-state maps of level 2.
 Law on_four_state_maps_of_level_2(Law law, std::vector<Entry> entries, Check check);
 
-/// The law, on samples of each level; the check also gets the sample's number for its own choices.
+/// The law, on samples of each level.
 Law on_samples(Law law, std::vector<Entry> entries, Check check);
 
 /// The first difference of two maps, as a finding; `answer` is a hash of the second.

@@ -84,7 +84,7 @@ Codes all_but_one(Level n, Format f, Random& random) {
   const std::uint8_t common = any_state(f, random);
   Codes codes(micro_triangles(n), common);
   const auto odd = static_cast<std::uint64_t>(random.below(codes.size()));
-  codes[odd] = static_cast<std::uint8_t>((common + 1) % state_limit(f));
+  codes[odd] = static_cast<std::uint8_t>((common + 1 + random.below(state_limit(f) - 1)) % state_limit(f));
   return codes;
 }
 
@@ -92,7 +92,122 @@ constexpr std::array families{noise, leaf, blocks, alternating, all_but_one};
 
 std::string name_of(Format f) { return f == Format::two_state ? "2-state" : "4-state"; }
 
+/// The ordered pairs of states: 2 in 2-state, 12 in 4-state.
+constexpr std::uint64_t pairs = 14;
+
+OneApart pair_number(std::uint64_t k) {
+  if (k < 2) return {Format::two_state, static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(1 - k), 0, 0};
+  k -= 2;
+  return {Format::four_state, static_cast<std::uint8_t>(k / 3),
+          static_cast<std::uint8_t>((k / 3 + 1 + k % 3) % 4), 0, 0};
+}
+
+OneApart uniform_number(std::uint64_t k) {
+  const auto state = static_cast<std::uint8_t>(k < 2 ? k : k - 2);
+  return {k < 2 ? Format::two_state : Format::four_state, state, state, 0, 0};
+}
+
+/// Single micro-triangles at the ends of the map and of words of 16, 32 and 64 states, where there are so many.
+constexpr std::uint64_t places = 10;
+
+std::uint64_t place_number(Level n, std::uint64_t k) {
+  const std::uint64_t all = micro_triangles(n);
+  return std::array<std::uint64_t, places>{
+             0, 15, 16, 31, 32, 63, 64, all / 2 - 1, all / 2, all - 1}[static_cast<std::size_t>(k)] %
+         all;
+}
+
 }  // namespace
+
+OneApart one_apart_number(Level n, std::uint64_t k) {
+  if (k < 6) return uniform_number(k);
+  OneApart apart = pair_number((k - 6) % pairs);
+  apart.depth = 1;
+  apart.node = (k - 6) / pairs;
+  while (apart.depth < n && apart.node >= micro_triangles(apart.depth))
+    apart.node -= micro_triangles(apart.depth++);
+  return apart;
+}
+
+std::uint64_t chosen_apart_count(Level n) { return n <= 7 ? 6 + pairs * places : n == 8 ? 6 + pairs : 8; }
+
+OneApart chosen_apart(Level n, std::uint64_t k) {
+  // Above level 8: T and UO alone, then T among O, O among T, UT among T, T among UT, UO among O, O among UO.
+  constexpr std::uint64_t few[] = {2, 5, 1, 0, 3, 9, 6, 12};
+  const bool all = n <= 8, alone = all ? k < 6 : k < 2;
+  if (alone) return uniform_number(all ? k : few[k]);
+  const std::uint64_t pair = all ? (k - 6) % pairs : few[k];
+  OneApart apart = pair_number(pair);
+  apart.depth = n;
+  apart.node = place_number(n, n <= 7 ? (k - 6) / pairs : (3 * k + n) % places);
+  return apart;
+}
+
+Map map_of(Level n, const OneApart& apart) {
+  const unsigned b = bits(apart.format);
+  const auto filled = [&](unsigned state) {
+    return static_cast<std::uint8_t>(b == 1 ? 0xFF * state : 0x55 * state);
+  };
+  Bytes packed(spec::micromap::packed_bytes(micro_triangles(n), apart.format), filled(apart.common));
+  if (const std::uint64_t used = micro_triangles(n) * b; used < 8)
+    packed[0] = static_cast<std::uint8_t>(packed[0] & ((1u << used) - 1));
+  const std::uint64_t run = micro_triangles(n - apart.depth);
+  for (std::uint64_t k = apart.node * run; k < (apart.node + 1) * run;) {
+    if (k * b % 8 == 0 && ((apart.node + 1) * run - k) * b >= 8) {
+      packed[k * b / 8] = filled(apart.odd);
+      k += 8 / b;
+      continue;
+    }
+    auto& byte = packed[k * b / 8];
+    const unsigned shift = static_cast<unsigned>(k * b % 8);
+    byte = static_cast<std::uint8_t>((byte & ~(((1u << b) - 1) << shift)) | unsigned{apart.odd} << shift);
+    ++k;
+  }
+  return {n, apart.format, packed};
+}
+
+Bytes code_of(const OneApart& apart) {
+  States tree, data;  // a bit of the tree as a 2-state state
+  const auto leaf = [&](std::uint8_t state) {
+    tree.push_back(State::T);
+    data.push_back(static_cast<State>(state));
+  };
+  const auto subtree = [&](const auto& self, Level below) -> void {
+    if (below == 0) return leaf(apart.odd);
+    tree.push_back(State::O);
+    const std::uint64_t way = apart.node >> 2 * (below - 1) & 3;
+    for (std::uint64_t child = 0; child < 4; ++child)
+      if (child == way)
+        self(self, below - 1);
+      else
+        leaf(apart.common);
+  };
+  subtree(subtree, apart.depth);
+  Bytes code = spec::micromap::pack(tree, Format::two_state);
+  const Bytes values = spec::micromap::pack(data, apart.format);
+  code.insert(code.end(), values.begin(), values.end());
+  return code;
+}
+
+std::string text_of(const OneApart& a) {
+  return fmt::format("{}:{}+{}@{}:{}", name_of(a.format), a.common, a.odd, a.depth, a.node);
+}
+
+std::optional<OneApart> apart_from_text(Level n, const std::string& text) {
+  const Parts parts = text.size() > 64
+                          ? std::nullopt
+                          : parts_of(text, "([24])-state:([0-3])\\+([0-3])@([0-9]{1,2}):([0-9]{1,8})");
+  if (!parts) return std::nullopt;
+  const auto number = [&](std::size_t k) { return std::stoull((*parts)[k]); };
+  const OneApart apart{number(1) == 2 ? Format::two_state : Format::four_state,
+                       static_cast<std::uint8_t>(number(2)), static_cast<std::uint8_t>(number(3)),
+                       static_cast<Level>(number(4)), number(5)};
+  if (n > 12 || apart.depth > n || apart.node >= micro_triangles(apart.depth))
+    throw BadCase(fmt::format("'{}': level {} has no such node", text, n));
+  if (apart.common >= state_limit(apart.format) || apart.odd >= state_limit(apart.format))
+    throw BadCase(fmt::format("'{}': a 2-state map has the states 0 and 1", text));
+  return apart.odd == apart.common ? OneApart{apart.format, apart.common, apart.odd, 0, 0} : apart;
+}
 
 Map map_number(Level n, std::uint64_t k) {
   const std::uint64_t two_state = std::uint64_t{1} << micro_triangles(n);
@@ -137,9 +252,11 @@ Map map_from_text(Level n, const std::string& text) {
     if (n > 12) throw BadCase(fmt::format("'{:.60}': samples have levels up to 12", text));
     return sample_map(n, std::stoull((*sample)[1]), std::stoull((*sample)[2]));
   }
+  if (const auto apart = apart_from_text(n, text)) return map_of(n, *apart);
   const auto [f, digits] = format_and_rest(text);
   if (digits.empty() || digits.find_first_not_of("0123") != std::string_view::npos)
-    throw BadCase(fmt::format("'{:.60}': write 2-state:0110..., 4-state:0123... or sample:SEED:K", text));
+    throw BadCase(fmt::format(
+        "'{:.60}': write 2-state:0110..., 4-state:0123..., 4-state:0+2@3:17 or sample:SEED:K", text));
   if (n > 12 || digits.size() != micro_triangles(n))
     throw BadCase(fmt::format("'{:.60}': {} states, level {} has another number", text, digits.size(), n));
   Codes codes;

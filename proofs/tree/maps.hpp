@@ -29,10 +29,44 @@ Map four_state_map_of_level_2(std::uint64_t k);
 /// everywhere.
 Map sample_map(Level n, std::uint64_t seed, std::uint64_t k);
 
+/// A map of one state but for one node of the curve: the 4^(n-depth) micro-triangles below node `node` of
+/// that depth have the state `odd`.  Where both states are the same, the map is uniform.
+struct OneApart {
+  Format format = Format::two_state;
+  std::uint8_t common = 0, odd = 0;
+  Level depth = 0;
+  std::uint64_t node = 0;
+};
+
+/// How many there are at a level: 6 uniform ones, and one for each ordered pair of states, 2 and 12, and each
+/// node but the root.  6 + 14 (4^(n+1) - 4) / 3
+constexpr std::uint64_t one_apart_count(Level n) {
+  return 6 + 14 * ((spec::micromap::micro_triangles(n + 1) - 4) / 3);
+}
+/// Number k of them, the uniform ones first.  Domain: k < one_apart_count(n).
+OneApart one_apart_number(Level n, std::uint64_t k);
+
+/// Some of them, for levels with too many: up to level 7 each pair of states at the places where words of 16,
+/// 32 and 64 states end, and the uniform ones; at level 8 each pair at one such place; above, eight maps.
+std::uint64_t chosen_apart_count(Level n);
+OneApart chosen_apart(Level n, std::uint64_t k);
+
+Map map_of(Level n, const OneApart& apart);
+
+/// Its code in the paper's form: an internal node for each of the `depth` nodes above, a leaf for each of
+/// their other children, and one for the node.  The level does not show in it.
+/// Domain: depth 0 for a uniform map.
+Bytes code_of(const OneApart& apart);
+
+/// "4-state:0+2@3:17": all 0, but 2 below node 17 of depth 3.  No text where it is something else; throws
+/// BadCase where level n has no such node or the format no such state.
+std::string text_of(const OneApart& apart);
+std::optional<OneApart> apart_from_text(Level n, const std::string& text);
+
 /// The map in which neighbours on the curve differ, so that no siblings merge.
 Map alternating_map(Level n, Format f);
 
-/// "4-state:0123..." with a digit a micro-triangle up to level 4, above "4-state:sample:SEED:K".
+/// "4-state:0123..." with a digit a micro-triangle up to level 4, above "sample:SEED:K".
 std::string text_of_states(const Map& map);
 std::string text_of_sample(const Map& map, std::uint64_t seed, std::uint64_t k);
 

@@ -148,6 +148,9 @@ class PluginTree : public TreeSubject {
       case Entry::stream:
         return library_->offers(Call::tree_encode) &&
                (library_->description().flags & MMVERIFY_TREE_STREAM) != 0;
+      case Entry::paper:
+        return library_->offers(Call::tree_decode) &&
+               (library_->description().flags & MMVERIFY_TREE_STREAM) != 0;
       case Entry::reads:
         return false;
     }

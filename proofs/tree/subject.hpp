@@ -29,7 +29,8 @@ enum class Entry {
   lookup,  ///< the state at an index
   point,   ///< the state at barycentrics
   bytes,   ///< its codes as bytes, and codes from bytes
-  stream,  ///< those bytes are the paper's: spec::tree::bytes
+  stream,  ///< the bytes that it writes are the paper's: spec::tree::bytes
+  paper,   ///< the bytes that it reads are the paper's
   reads,   ///< how many of the tree's bits a lookup reads
 };
 

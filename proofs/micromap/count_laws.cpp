@@ -1,0 +1,171 @@
+// Packing of any number of states: `count` is not always a power of four.
+#include <fmt/format.h>
+
+#include "proofs/engine/random.hpp"
+#include "proofs/micromap/altered.hpp"
+#include "proofs/micromap/law_groups.hpp"
+#include "proofs/micromap/law_parts.hpp"
+#include "proofs/tree/maps.hpp"
+
+namespace mmverify::proofs::micromap {
+namespace {
+
+namespace slow = mmverify::spec::micromap;
+using enum State;
+
+constexpr Format two = Format::two_state, four = Format::four_state;
+
+struct Sequence {
+  Format format;
+  States states;
+};
+
+std::string text(const Sequence& s) {
+  std::string out = s.format == two ? "2-state:" : "4-state:";
+  for (const State state : s.states) out += static_cast<char>('0' + slow::code(state));
+  return out;
+}
+
+Sequence from_text(const std::string& text) {
+  const auto [format, digits] = tree::format_and_rest(text);
+  Sequence s{format, {}};
+  for (const char c : digits) {
+    if (c < '0' || c > (format == two ? '1' : '3'))
+      throw BadCase(fmt::format("'{:.60}': write 2-state: and digits 0 and 1, or 4-state: and 0 to 3", text));
+    s.states.push_back(static_cast<State>(c - '0'));
+  }
+  if (s.states.empty() || s.states.size() > 4096)
+    throw BadCase(fmt::format("'{:.60}': write 1 to 4096 states", text));
+  return s;
+}
+
+Bytes codes(const States& states) {
+  Bytes out;
+  for (const State s : states) out.push_back(slow::code(s));
+  return out;
+}
+
+// Unpacked with the padding zero, all ones, and alternating; and packed.
+Finding packs(const MicromapSubject& s, const Sequence& sequence) {
+  const auto& [format, states] = sequence;
+  const Bytes map = slow::pack(states, format), expected = codes(states);
+  const unsigned used = static_cast<unsigned>(states.size() * bits(format) % 8);
+  Finding found = same("packed", map, s.pack(format, states));
+  for (const unsigned padding : {0x00u, 0xFFu, 0xAAu}) {
+    if (!found.holds) break;
+    if (used == 0 && padding != 0) break;
+    Bytes given = map;
+    if (used != 0) given.back() = static_cast<std::uint8_t>(given.back() | (padding << used & 0xFF));
+    found = all(found, same("states", expected, codes(s.unpack(format, states.size(), given))));
+  }
+  return found;
+}
+
+Cases cases(std::uint64_t count, std::function<Sequence(std::uint64_t k, const Run&)> sequence) {
+  return {[count](Level) { return count; },
+          [sequence](const MicromapSubject& s, Level, std::uint64_t k, const Run& run) {
+            return packs(s, sequence(k, run));
+          },
+          [sequence](Level, std::uint64_t k, const Run& run) { return text(sequence(k, run)); },
+          [](const MicromapSubject& s, Level, const std::string& at) { return packs(s, from_text(at)); }};
+}
+
+// All sequences of up to 12 states in 2-state, and of up to 6 in 4-state: 2^13 - 2 and (4^7 - 4) / 3.
+constexpr std::uint64_t two_state_sequences = 8190, four_state_sequences = 5460;
+
+Sequence sequence_number(std::uint64_t k) {
+  const Format f = k < two_state_sequences ? two : four;
+  if (f == four) k -= two_state_sequences;
+  std::uint64_t count = 1, with = std::uint64_t{1} << bits(f);
+  for (; k >= with; ++count, with <<= bits(f)) k -= with;
+  Sequence s{f, {}};
+  for (std::uint64_t i = 0; i < count; ++i)
+    s.states.push_back(static_cast<State>(k >> i * bits(f) & ((1u << bits(f)) - 1)));
+  return s;
+}
+
+// Of 1 to 300 states: noise, noise of another seed, and one state but for the last and but for the first.
+constexpr std::uint64_t longest = 300, kinds = 4;
+
+Sequence sample(std::uint64_t k, const Run& run) {
+  Random random(run.seed, 91, k);
+  const Format f = k % 2 == 0 ? two : four;
+  const std::uint64_t kind = k / 2 % kinds, count = 1 + k / 2 / kinds, limit = std::uint64_t{1} << bits(f);
+  const auto any = [&] { return static_cast<State>(random.below(limit)); };
+  Sequence s{f, States(static_cast<std::size_t>(count), any())};
+  if (kind < 2) {
+    for (State& state : s.states) state = any();
+  } else {
+    State& odd = kind == 2 ? s.states.back() : s.states.front();
+    odd = static_cast<State>((slow::code(odd) + 1 + random.below(limit - 1)) % limit);
+  }
+  return s;
+}
+
+constexpr char says[] = "packing and unpacking any number of states, as those of a map";
+
+}  // namespace
+
+std::vector<Law> count_laws() {
+  return {
+      over({.id = "micromap.packing_any_count",
+            .topic = "micromap",
+            .says = says,
+            .source = packing_source,
+            .method = Method::exhaustive,
+            .subjects = {"micromap-spec", "micromap"},
+            .at_once = "all levels",
+            .fast_seconds = 0.3,
+            .domain =
+                [](const Subject&, Level) {
+                  return std::string("all sequences of 1 to 12 states in 2-state, and of 1 to 6 in 4-state");
+                },
+            .mutants = {mutant("the fifth of five UT is lost", "micromap", {0, 0},
+                               {.pack =
+                                    [](Format f, const States& s, Bytes& out) {
+                                      if (f == four && s == States(5, UT)) out.back() = 0;
+                                    }}),
+                        mutant("a third O reads as T where there are three", "micromap-spec", {0, 0},
+                               {.unpack =
+                                    [](Format f, States& s) {
+                                      if (f == two && s == States{T, T, O}) s.back() = T;
+                                    }}),
+                        mutant("ones after eleven states", "micromap", {0, 0},
+                               {.pack =
+                                    [](Format f, const States& s, Bytes& out) {
+                                      if (f == two && s == States(11, T)) out.back() |= 0x80;
+                                    }})}},
+           {Entry::pack},
+           cases(two_state_sequences + four_state_sequences,
+                 [](std::uint64_t k, const Run&) { return sequence_number(k); })),
+      over({.id = "micromap.packing_any_count_on_samples",
+            .topic = "micromap",
+            .says = says,
+            .source = packing_source,
+            .method = Method::sample,
+            .subjects = {"micromap-spec", "micromap"},
+            .at_once = "all levels",
+            .fast_seconds = 0.3,
+            .domain =
+                [](const Subject&, Level) {
+                  return std::string("four sequences of each number of states from 1 to 300, both formats");
+                },
+            .mutants = {mutant("the last of 65 states is lost", "micromap", {0, 0},
+                               {.unpack =
+                                    [](Format, States& s) {
+                                      if (s.size() == 65) s.back() = T;
+                                    }}),
+                        mutant("state 32 of 33 is that before", "micromap-spec", {0, 0},
+                               {.unpack =
+                                    [](Format f, States& s) {
+                                      if (f == four && s.size() == 33) s[32] = s[31];
+                                    }}),
+                        mutant("the last of 127 states is packed as T", "micromap", {0, 0},
+                               {.pack =
+                                    [](Format f, const States& s, Bytes& out) {
+                                      if (f == two && s.size() == 127) out.back() &= 0xBF;
+                                    }})}},
+           {Entry::pack}, cases(2 * kinds * longest, sample))};
+}
+
+}  // namespace mmverify::proofs::micromap

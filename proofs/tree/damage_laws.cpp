@@ -1,0 +1,132 @@
+// Malformed and non-canonical codes above the levels of which every map is tried.
+#include <fmt/format.h>
+
+#include "proofs/tree/altered.hpp"
+#include "proofs/tree/damages.hpp"
+#include "proofs/tree/high_laws.hpp"
+#include "proofs/tree/law_parts.hpp"
+
+namespace mmverify::proofs::tree {
+namespace {
+
+constexpr Format two = Format::two_state, four = Format::four_state;
+
+/// Codes up to so many bytes are cut and flipped everywhere.
+constexpr std::size_t thorough = 24;
+
+Finding refuses(const TreeSubject& s, const Map& map) {
+  Finding found;
+  const auto wrongly = [&](const Damaged& d, const char* expected, std::string got) {
+    found = wrong(d.what, expected, std::move(got));
+    return false;
+  };
+  // Whatever the form: what is taken is the one code of another map.
+  any_damage(map, s.encode(map)->bytes(), thorough, [&](const Damaged& d) {
+    const CodePtr code = s.open(d.level, d.format, d.bytes);
+    if (code == nullptr) return true;
+    ++found.answer;
+    const Map other{d.level, d.format, code->decode()};
+    if (d.level == map.level && d.format == map.format && other.packed == map.packed)
+      return wrongly(d, "refused", "the same map");
+    if (s.encode(other)->bytes() != d.bytes) return wrongly(d, "refused", "a code that nobody encodes");
+    return true;
+  });
+  if (!found.holds || !s.has(Entry::paper)) return found;
+  // In the paper's form it is known what each string means.
+  constructed_codes(map, [&](const Constructed& d) {
+    const CodePtr code = s.open(d.level, d.format, d.bytes);
+    if ((code != nullptr) != d.meant.has_value())
+      return wrongly(d, d.meant ? "taken" : "refused", d.meant ? "refused" : "taken");
+    if (code == nullptr) return true;
+    const Finding same = same_map(*d.meant, code->decode());
+    if (!same.holds) return wrongly(d, same.expected.c_str(), same.got);
+    found.answer = found.answer * 31 + same.answer;
+    return true;
+  });
+  return found;
+}
+
+constexpr std::uint64_t apart_maps = 8;
+
+std::uint64_t samples(Level n) { return n <= 5 ? 40 : n <= 8 ? 10 : 0; }
+
+OneApart apart_number(Level n, std::uint64_t k) {
+  return chosen_apart(n, (11 * k + n) % chosen_apart_count(n));
+}
+
+}  // namespace
+
+Law damage_samples_law() {
+  Law law{
+      .id = "tree.malformed_on_samples",
+      .topic = "tree",
+      .says =
+          "a code cut, longer, flipped or of another level is refused or is another map's; in the paper's "
+          "form so are equal leaves kept apart, trees too deep and padding that is set, and exchanged "
+          "children are the other map",
+      .source = succinct_4_2,
+      .method = Method::sample,
+      .subjects = {"tree-stream", "tree-container"},
+      .fast = {2, 8},
+      .long_run = {2, 12}};
+  law.fast_seconds = 2;
+  law.domain = [](const Subject&, Level n) {
+    return samples(n) == 0
+               ? fmt::format("{} maps of level {} of one state but for one, some 100 strings each",
+                             apart_maps, n)
+               : fmt::format(
+                     "noise, leaves, blocks, alternating and all-but-one maps of level {}, both formats, and "
+                     "{} "
+                     "of one state but for one; some 100 strings each",
+                     n, apart_maps);
+  };
+  law.how = [](const Subject&, Level) { return std::string("sample, by construction"); };
+  // Each takes a code that it has to refuse, for a map of one state, or refuses one that it has to take.
+  const auto with = [](const char* name, const char* base, Levels levels, auto choose) {
+    return mutant(name, base, levels,
+                  {.open = [=, real = the(base)](Level n, Format f, auto bytes, CodePtr code) -> CodePtr {
+                    if (n < levels.first || n > levels.last) return code;
+                    const int verdict = choose(n, f, bytes, code != nullptr);
+                    if (verdict < 0) return nullptr;
+                    return verdict == 0 ? std::move(code) : real->encode(map_of(n, {f, 0, 1, n, 0}));
+                  }});
+  };
+  const auto uniform = [](auto bytes) { return bytes.size() > 1 && bytes[0] == 0; };
+  law.mutants = {
+      with("takes what follows a uniform map's code at level 5", "tree-stream", {5, 5},
+           [=](Level, Format, auto bytes, bool) { return uniform(bytes) && bytes.size() == 5 ? 1 : 0; }),
+      with("takes a split root at level 6 and above", "tree-stream", {6, 8},
+           [](Level, Format f, auto bytes, bool) {
+             return f == four && bytes.size() == 2 && bytes[0] == 1 && (bytes[1] == 0xFF || bytes[1] == 0)
+                        ? 1
+                        : 0;
+           }),
+      with("refuses three O and a T at level 4", "tree-stream", {4, 4},
+           [](Level, Format f, auto bytes, bool taken) {
+             return f == two && taken && bytes.size() > 9 && bytes.back() == 0x01 ? -1 : 0;
+           }),
+      with("takes a code of the level above at level 7", "tree-container", {7, 7},
+           [](Level n, Format, auto bytes, bool) { return bytes.size() > 16 && bytes[5] == n + 1 ? 1 : 0; })};
+  law = over(std::move(law), {Entry::bytes},
+             {[](Level n) { return samples(n) + apart_maps; },
+              [](const TreeSubject& s, Level n, std::uint64_t k, const Run& run) {
+                return refuses(s, k < samples(n) ? sample_map(n, run.seed, k)
+                                                 : map_of(n, apart_number(n, k - samples(n))));
+              },
+              [](Level n, std::uint64_t k, const Run& run) {
+                return k < samples(n) ? text_of_sample(sample_map(n, run.seed, k), run.seed, k)
+                                      : text_of(apart_number(n, k - samples(n)));
+              },
+              [](const TreeSubject& s, Level n, const std::string& at) {
+                if (n == 0) throw BadCase("'" + at + "': it is about level 1 and above");
+                return refuses(s, map_from_text(n, at));
+              },
+              1});
+  law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
+    if (n < 2) return "tree.malformed has all maps of levels 0 to 2";
+    return fits(s, n);
+  };
+  return law;
+}
+
+}  // namespace mmverify::proofs::tree

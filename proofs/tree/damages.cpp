@@ -1,0 +1,269 @@
+#include "proofs/tree/damages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "proofs/engine/cases.hpp"
+#include "proofs/tree/maps.hpp"
+
+namespace mmverify::proofs::tree {
+namespace {
+
+using spec::micromap::micro_triangles;
+using spec::tree::Succinct;
+
+void flip(Bytes& bytes, std::size_t bit) {
+  bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
+}
+
+/// Where a subtree lies in the two sequences, and in the map.
+struct Subtree {
+  Level depth;
+  std::uint64_t node;              ///< its number among those of its depth
+  std::size_t t, t_end, d, d_end;  ///< nodes [t, t_end), leaves [d, d_end)
+  bool leaf() const { return t + 1 == t_end; }
+};
+
+/// All of a tree, in pre-order.
+std::vector<Subtree> subtrees(const Succinct& s) {
+  std::vector<Subtree> all;
+  std::size_t d = 0;
+  const auto visit = [&](const auto& self, Level depth, std::uint64_t node) -> void {
+    const std::size_t me = all.size();
+    all.push_back({depth, node, me, 0, d, 0});
+    if (s.tree[me])
+      for (std::uint64_t child = 0; child < 4; ++child) self(self, depth + 1, 4 * node + child);
+    else
+      ++d;
+    all[me].t_end = all.size();
+    all[me].d_end = d;
+  };
+  visit(visit, 0, 0);
+  return all;
+}
+
+/// The sequences with subtree `at` replaced by others, one after the other behind `before` internal nodes.
+Succinct replaced(const Succinct& s, const Subtree& at, const Succinct& by) {
+  Succinct out;
+  const auto add = [&](const Succinct& from, std::size_t t, std::size_t t_end, std::size_t d,
+                       std::size_t d_end) {
+    for (; t < t_end; ++t) out.tree.push_back(from.tree[t]);
+    for (; d < d_end; ++d) out.data.push_back(from.data[d]);
+  };
+  add(s, 0, at.t, 0, at.d);
+  add(by, 0, by.tree.size(), 0, by.data.size());
+  add(s, at.t_end, s.tree.size(), at.d_end, s.data.size());
+  return out;
+}
+
+Succinct part(const Succinct& s, const Subtree& at) {
+  const auto begin = s.tree.begin() + static_cast<std::ptrdiff_t>(at.t);
+  const auto end = s.tree.begin() + static_cast<std::ptrdiff_t>(at.t_end);
+  return {{begin, end},
+          {s.data.begin() + static_cast<std::ptrdiff_t>(at.d),
+           s.data.begin() + static_cast<std::ptrdiff_t>(at.d_end)}};
+}
+
+/// A node with these four children.
+Succinct node_of(std::initializer_list<const Succinct*> children) {
+  Succinct out;
+  out.tree.push_back(true);
+  for (const Succinct* child : children) {
+    out.tree.insert(out.tree.end(), child->tree.begin(), child->tree.end());
+    out.data.insert(out.data.end(), child->data.begin(), child->data.end());
+  }
+  return out;
+}
+
+/// A leaf, split into four equal ones `times` times over; all of them, or the first one only.
+Succinct split(State state, Level times, bool all) {
+  const Succinct leaf{{false}, {state}};
+  Succinct out = leaf;
+  for (; times > 0; --times)
+    out = all ? node_of({&out, &out, &out, &out}) : node_of({&out, &leaf, &leaf, &leaf});
+  return out;
+}
+
+void set_state(Map& map, std::uint64_t k, std::uint8_t state) {
+  const unsigned b = bits(map.format);
+  auto& byte = map.packed[k * b / 8];
+  const unsigned shift = static_cast<unsigned>(k * b % 8);
+  byte = static_cast<std::uint8_t>((byte & ~(((1u << b) - 1) << shift)) | unsigned{state} << shift);
+}
+
+/// A node's run of states.
+std::uint64_t run_of(Level n, Level depth) { return micro_triangles(n - depth); }
+
+}  // namespace
+
+void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const TakeDamaged& take) {
+  const Level n = map.level;
+  const Format f = map.format;
+  Random random(hash_of(map.packed), n, 77);
+  bool go_on = true;
+  const auto give = [&](const std::string& what, const Bytes& bytes) {
+    go_on = go_on && take({what, n, f, bytes});
+  };
+
+  const std::size_t size = code.size(), all_bits = 8 * size;
+  std::set<std::size_t> cuts{0, 1, 2, size / 4, size / 2, 3 * size / 4, size - 2, size - 1}, flips;
+  if (size <= thorough) {
+    for (std::size_t k = 0; k < all_bits; ++k) flips.insert(k);
+    for (std::size_t k = 0; k < size; ++k) cuts.insert(k);
+  } else {
+    for (std::size_t k = 0; k < 8; ++k)
+      flips.insert({k, 8 + k, all_bits - 1 - k, random.below(all_bits), random.below(all_bits)});
+    cuts.insert({random.below(size), random.below(size)});
+  }
+  for (const std::size_t cut : cuts)
+    if (cut < size)
+      give(fmt::format("cut to {} bytes,", cut),
+           {code.begin(), code.begin() + static_cast<std::ptrdiff_t>(cut)});
+
+  const std::uint8_t any = static_cast<std::uint8_t>(1 + random.below(255));
+  for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{0xFF}, any})
+    for (const std::size_t more : {1, 2, 3, 4, 7, 8, 16, 64}) {
+      Bytes longer = code;
+      longer.insert(longer.end(), more, value);
+      give(fmt::format("{} bytes {:02x} more,", more, value), longer);
+    }
+  Bytes twice = code;
+  twice.insert(twice.end(), code.begin(), code.end());
+  give("twice,", twice);
+
+  Bytes bytes = code;
+  for (const std::size_t bit : flips) {
+    flip(bytes, bit);
+    give(fmt::format("bit {} flipped,", bit), bytes);
+    flip(bytes, bit);
+  }
+  const auto other = [&](Level level, Format format) {
+    if (go_on)
+      go_on = take({fmt::format("as {}-state of level {},", 1 << bits(format), level), level, format, code});
+  };
+  other(n - 1, f);
+  if (n < 12) other(n + 1, f);
+  other(n, f == Format::two_state ? Format::four_state : Format::two_state);
+}
+
+void constructed_codes(const Map& map, const std::function<bool(const Constructed&)>& take) {
+  const Level n = map.level;
+  const Format f = map.format;
+  const Succinct s = spec::tree::encode(spec::micromap::unpack(map.packed, f, micro_triangles(n)), n);
+  const std::vector<Subtree> all = subtrees(s);
+  Random random(hash_of(map.packed), n, 78);
+  bool go_on = true;
+  const auto bytes_of = [&](const Succinct& sequences) { return spec::tree::bytes(sequences, f); };
+  const auto give = [&](const std::string& what, Bytes bytes, std::optional<Map> meant = std::nullopt) {
+    if (go_on) go_on = take({{what, n, f, std::move(bytes)}, std::move(meant)});
+  };
+  const auto at = [](const Subtree& x) { return fmt::format("node {} of depth {}", x.node, x.depth); };
+
+  // One leaf, one internal node and one node of four leaves of each depth, anywhere.
+  std::vector<const Subtree*> leaves(n + 1), internals(n + 1), last_internals(n + 1);
+  std::vector<std::uint64_t> seen(3 * (n + 1));
+  for (const Subtree& x : all) {
+    const auto choose = [&](std::vector<const Subtree*>& among, std::size_t kind) {
+      if (random.below(++seen[kind * (n + 1) + x.depth]) == 0) among[x.depth] = &x;
+    };
+    choose(x.leaf() ? leaves : internals, x.leaf() ? 0 : 1);
+    if (!x.leaf() && x.t_end == x.t + 5) choose(last_internals, 2);
+  }
+
+  for (const Subtree* x : leaves) {
+    if (x == nullptr) continue;
+    const State state = s.data[x->d];
+    const auto four_for_one = [&](const char* what, Level times, bool everywhere) {
+      give(fmt::format("{} {},", at(*x), what), bytes_of(replaced(s, *x, split(state, times, everywhere))));
+    };
+    // At the last level this goes below it.
+    four_for_one("is four equal leaves", 1, true);
+    if (x->depth + 1 < n)
+      four_for_one("is equal leaves down to the last level on one way", n - x->depth, false);
+    if (x->depth + 2 < n) four_for_one("is sixteen equal leaves", 2, true);
+    four_for_one("goes below the last level", n - x->depth + 1, false);
+    // The same leaf of another state: a code unless it is like its siblings then.
+    const auto other = static_cast<State>(
+        (spec::micromap::code(state) + 1 + random.below((1u << bits(f)) - 1)) % (1u << bits(f)));
+    Map changed = map;
+    const std::uint64_t run = run_of(n, x->depth);
+    for (std::uint64_t k = x->node * run; k < (x->node + 1) * run; ++k)
+      set_state(changed, k, spec::micromap::code(other));
+    bool alike = x->depth > 0;
+    const std::uint64_t parent = x->node / 4 * 4 * run;
+    for (std::uint64_t k = parent; alike && k < parent + 4 * run; ++k)
+      alike = state_at(changed, k) == spec::micromap::code(other);
+    give(fmt::format("{} has another state,", at(*x)), bytes_of(replaced(s, *x, {{false}, {other}})),
+         alike ? std::nullopt : std::optional(changed));
+  }
+
+  for (const Subtree* x : internals) {
+    if (x == nullptr) continue;
+    // Two children exchanged.
+    std::vector<const Subtree*> children;
+    for (std::size_t t = x->t + 1; t < x->t_end; t = all[t].t_end) children.push_back(&all[t]);
+    const std::size_t a = random.below(3), b = a + 1 + random.below(3 - a);
+    std::swap(children[a], children[b]);
+    const Succinct parts[] = {part(s, *children[0]), part(s, *children[1]), part(s, *children[2]),
+                              part(s, *children[3])};
+    Map exchanged = map;
+    const std::uint64_t run = run_of(n, x->depth + 1);
+    for (std::uint64_t k = 0; k < run; ++k) {
+      set_state(exchanged, (4 * x->node + a) * run + k, state_at(map, (4 * x->node + b) * run + k));
+      set_state(exchanged, (4 * x->node + b) * run + k, state_at(map, (4 * x->node + a) * run + k));
+    }
+    give(fmt::format("children {} and {} of {} exchanged,", a, b, at(*x)),
+         bytes_of(replaced(s, *x, node_of({&parts[0], &parts[1], &parts[2], &parts[3]}))), exchanged);
+    // It is alone: of four times its size a micro-triangle.
+    if (x->depth != 1) continue;
+    Map alone{n, f, Bytes(map.packed.size(), 0)};
+    for (std::uint64_t k = 0; k < micro_triangles(n); ++k)
+      set_state(alone, k, state_at(map, x->node * run_of(n, 1) + k / 4));
+    give(fmt::format("{} alone,", at(*x)), bytes_of(part(s, *x)), alone);
+  }
+  for (const Subtree* x : last_internals)
+    if (x != nullptr) {
+      Succinct alike = s;
+      for (std::size_t d = x->d; d < x->d_end; ++d) alike.data[d] = s.data[x->d];
+      give(fmt::format("four alike below {},", at(*x)), bytes_of(alike));
+    }
+
+  // Every leaf at the last level, where any is not.
+  if (std::any_of(all.begin(), all.end(), [&](const Subtree& x) { return x.leaf() && x.depth < n; })) {
+    Succinct perfect;
+    for (const Subtree& x : all) {
+      if (!x.leaf()) {
+        perfect.tree.push_back(true);
+        continue;
+      }
+      const Succinct whole = split(s.data[x.d], n - x.depth, true);
+      perfect.tree.insert(perfect.tree.end(), whole.tree.begin(), whole.tree.end());
+      perfect.data.insert(perfect.data.end(), whole.data.begin(), whole.data.end());
+    }
+    give("no siblings merged,", bytes_of(perfect));
+  }
+
+  // Padding, and what lies between the sequences.
+  const Bytes code = bytes_of(s);
+  const std::size_t tree_bytes = (s.tree.size() + 7) / 8, tree_end = s.tree.size(),
+                    data_end = 8 * tree_bytes + bits(f) * s.data.size();
+  for (std::size_t bit = tree_end; bit < 8 * tree_bytes; ++bit) {
+    Bytes padded = code;
+    flip(padded, bit);
+    give(fmt::format("padding bit {} set,", bit), padded);
+  }
+  for (std::size_t bit = data_end; bit < 8 * code.size(); ++bit) {
+    Bytes padded = code;
+    flip(padded, bit);
+    give(fmt::format("padding bit {} set,", bit), padded);
+  }
+  const auto border = static_cast<std::ptrdiff_t>(tree_bytes);
+  Bytes gap = code;
+  gap.insert(gap.begin() + border, 0);
+  give("a byte between the sequences,", gap);
+  give("the tree alone,", {code.begin(), code.begin() + border});
+}
+
+}  // namespace mmverify::proofs::tree
