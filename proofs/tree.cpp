@@ -249,6 +249,7 @@ Law samples_law() {
         if (s.has(Entry::lookup)) also(lookups(s, map, most));
         if (s.has(Entry::point)) also(points(s, map, most));
         if (s.has(Entry::stream)) also(stream_is_specified(s, map));
+        if (map.level <= 8) also(asked_in_turn(s, map));
         return found;
       });
   law.general = true;

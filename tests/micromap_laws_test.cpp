@@ -2,8 +2,12 @@
 // takes.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry.hpp"
+#include "proofs/tree/damages.hpp"
+#include "proofs/tree/maps.hpp"
 
 namespace {
 
@@ -43,6 +47,9 @@ TEST(MicromapLaws, CasesAddUpToTheirClosedForms) {
   EXPECT_EQ(judged("lossy.judges", "micromap", 1).cases_run(), 65'536u);
   EXPECT_EQ(judged("micromap.build", "micromap", 0).cases_run(), 6u * 6u);
   EXPECT_EQ(judged("micromap.special_indices", "micromap", 0).cases_run(), 256u + 65'536u + 65'536u);
+  EXPECT_EQ(judged("micromap.packing_any_count", "micromap", 0).cases_run(), 8190u + 5460u);
+  EXPECT_EQ(judged("micromap.one_apart", "micromap", 2).cases_run(), 6u + 14 * (4 + 16));
+  EXPECT_EQ(judged("tree.one_apart", "tree-ranked", 3).cases_run(), 6u + 14 * (4 + 16 + 64));
 }
 
 TEST(MicromapLaws, ReplayTakesTheTextsItGives) {
@@ -51,6 +58,10 @@ TEST(MicromapLaws, ReplayTakesTheTextsItGives) {
   };
   EXPECT_TRUE(holds("micromap.packing", 1, "4-state:0123"));
   EXPECT_TRUE(holds("micromap.on_samples", 5, "sample:1:17"));
+  EXPECT_TRUE(holds("micromap.one_apart", 4, "4-state:0+2@3:17"));
+  EXPECT_TRUE(holds("micromap.one_apart_on_samples", 9, "2-state:1+1@0:0"));
+  EXPECT_TRUE(holds("micromap.packing_any_count", 0, "4-state:01230"));
+  EXPECT_TRUE(holds("lossy.judges_on_samples", 5, "sample:1:3|2@5:17"));
   EXPECT_TRUE(holds("lossy.judges", 1, "4-state:0123|4-state:2323"));
   EXPECT_TRUE(holds("micromap.special_indices", 0, "i16:65531"));
   EXPECT_TRUE(holds("micromap.special_indices_32", 0, "u32:4294967291"));
@@ -65,8 +76,53 @@ TEST(MicromapLaws, ReplayTakesTheTextsItGives) {
            {"micromap.special_indices", "u8:256"},
            {"micromap.special_indices", "u64:1"},
            {"micromap.build", "4-state:0123"},
+           {"micromap.one_apart", "4-state:0+2@1:4"},
+           {"micromap.one_apart", "2-state:0+2@1:3"},
+           {"micromap.one_apart", "4-state:0123"},
+           {"micromap.packing_any_count", "2-state:012"},
+           {"lossy.judges_on_samples", "sample:1:2|2@1:0"},
            {"micromap.validate", "sample:1"}})
     EXPECT_THROW(holds(law, 1, at), BadCase) << law << ' ' << at;
+}
+
+// The closed forms of maps of one state but for one node are the specification's, and no two are alike.
+TEST(MicromapLaws, MapsOfOneStateButForOneNodeAreWhatTheirTextsSay) {
+  namespace slow = mmverify::spec;
+  for (Level n = 0; n <= 3; ++n) {
+    std::set<std::pair<tree::Format, tree::Bytes>> different;
+    for (std::uint64_t k = 0; k < tree::one_apart_count(n); ++k) {
+      const tree::OneApart apart = tree::one_apart_number(n, k);
+      const tree::Map map = tree::map_of(n, apart);
+      const auto states = slow::micromap::unpack(map.packed, map.format, slow::micromap::micro_triangles(n));
+      EXPECT_TRUE(different.insert({map.format, map.packed}).second) << tree::text_of(apart);
+      EXPECT_EQ(tree::code_of(apart), slow::tree::bytes(slow::tree::encode(states, n), map.format))
+          << tree::text_of(apart);
+      const std::uint64_t run = slow::micromap::micro_triangles(n - apart.depth);
+      for (std::uint64_t i = 0; i < states.size(); ++i)
+        EXPECT_EQ(slow::micromap::code(states[i]), i / run == apart.node ? apart.odd : apart.common);
+      EXPECT_EQ(tree::map_from_text(n, tree::text_of(apart)).packed, map.packed);
+    }
+    EXPECT_EQ(different.size(), tree::one_apart_count(n));
+  }
+}
+
+// What a string built from a code means is known as it is built; the specification says the same.
+TEST(MicromapLaws, ConstructedCodesMeanWhatTheSpecificationReads) {
+  std::uint64_t refused = 0, taken = 0;
+  for (Level n = 1; n <= 4; ++n)
+    for (std::uint64_t k = 0; k < 40; ++k)
+      tree::constructed_codes(tree::sample_map(n, 7, k), [&](const tree::Constructed& c) {
+        const auto read = mmverify::spec::tree::from_bytes(c.bytes, c.format);
+        const auto meant = read ? mmverify::spec::tree::decode(*read, c.level, c.format) : std::nullopt;
+        EXPECT_EQ(meant.has_value(), c.meant.has_value()) << c.what << " level " << n << " sample " << k;
+        if (meant && c.meant) {
+          EXPECT_EQ(mmverify::spec::micromap::pack(*meant, c.format), c.meant->packed) << c.what;
+        }
+        ++(c.meant ? taken : refused);
+        return true;
+      });
+  EXPECT_GT(refused, 1000u);
+  EXPECT_GT(taken, 300u);
 }
 
 }  // namespace

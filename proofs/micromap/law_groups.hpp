@@ -9,6 +9,8 @@ namespace mmverify::proofs::micromap {
 
 /// Packed maps: packing, force-2-state, levels, 1-bit modes.
 std::vector<Law> map_laws();
+/// The same of maps of one state but for one node of the curve, up to level 12.
+std::vector<Law> apart_laws();
 /// Sequences of states that are no maps: any number of them.
 std::vector<Law> count_laws();
 /// Lossy codecs, and who judges them.

@@ -19,18 +19,6 @@ tree::Map sampled(Level n, std::uint64_t seed, std::uint64_t k, Maps maps) {
   return {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
 }
 
-// A law that asks what is there, if anything of the maps' entry points is.
-Law over_any_part(Law law) {
-  law.unfit = [fits = law.unfit](const Subject& subject, Level n) -> std::optional<std::string> {
-    if (auto why = fits(subject, n)) return why;
-    const MicromapSubject& s = of_micromap(subject);
-    for (const Entry e : {Entry::pack, Entry::force2, Entry::up, Entry::down, Entry::modes})
-      if (s.has(e)) return std::nullopt;
-    return s.name() + " has no entry point pack, force2, up, down or modes";
-  };
-  return law;
-}
-
 std::uint64_t two_state_maps(Level n) { return std::uint64_t{1} << spec::micromap::micro_triangles(n); }
 
 std::string hex(const Bytes& bytes) {
@@ -138,31 +126,15 @@ std::string asked_of(const MicromapSubject& s) {
   return there.size() == std::size(parts) ? "" : fmt::format(", of it {}", fmt::join(there, ", "));
 }
 
-Law on_maps_one_apart(Law law, bool chosen, MapCheck check) {
-  law.method = chosen ? Method::sample : Method::exhaustive;
-  law.domain = [chosen](const Subject& s, Level n) {
-    const std::string parts = asked_of(of_micromap(s));
-    return chosen ? fmt::format(
-                        "{} maps of level {} of one state but for one micro-triangle at a word's or the "
-                        "map's end, or for none{}",
-                        tree::chosen_apart_count(n), n, parts)
-                  : fmt::format("all maps of level {} of one state but for one node, and the uniform ones{}",
-                                n, parts);
+Law over_any_part(Law law) {
+  law.unfit = [fits = law.unfit](const Subject& subject, Level n) -> std::optional<std::string> {
+    if (auto why = fits(subject, n)) return why;
+    const MicromapSubject& s = of_micromap(subject);
+    for (const Entry e : {Entry::pack, Entry::force2, Entry::up, Entry::down, Entry::modes})
+      if (s.has(e)) return std::nullopt;
+    return s.name() + " has no entry point pack, force2, up, down or modes";
   };
-  const auto number = chosen ? tree::chosen_apart : tree::one_apart_number;
-  return over_any_part(
-      over(std::move(law), {},
-           {chosen ? tree::chosen_apart_count : tree::one_apart_count,
-            [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
-              return check(s, packed(tree::map_of(n, number(n, k))));
-            },
-            [=](Level n, std::uint64_t k, const Run&) { return tree::text_of(number(n, k)); },
-            [=](const MicromapSubject& s, Level n, const std::string& at) {
-              const auto apart = tree::apart_from_text(n, at);
-              if (!apart) throw BadCase(fmt::format("'{:.60}': write 4-state:0+2@3:17", at));
-              return check(s, packed(tree::map_of(n, *apart)));
-            },
-            chosen ? std::uint64_t{1} : 64}));
+  return law;
 }
 
 Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check) {

@@ -57,8 +57,8 @@ enum class Maps { both_formats, four_state };
 /// where it has them all.
 std::string asked_of(const MicromapSubject& s);
 
-/// The law, on all maps of one state but for one node of the curve; `chosen`: on some of them.
-Law on_maps_one_apart(Law law, bool chosen, MapCheck check);
+/// A law that asks what is there: it fits where any of those entry points is.
+Law over_any_part(Law law);
 
 /// The law, on every map of the small levels; one case a map.  `first`: the lowest level that it is about.
 Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, MapCheck check);

@@ -434,73 +434,10 @@ Law samples() {
       {}, Maps::both_formats, everything);
 }
 
-Law one_apart() {
-  return on_maps_one_apart(
-      {.id = "micromap.one_apart",
-       .topic = "micromap",
-       .says =
-           "packing, force-2-state, up, down and the modes, as on the small levels, where one node differs",
-       .source = packing_source,
-       .subjects = both,
-       .fast = {0, 4},
-       .long_run = {0, 6},
-       .fast_seconds = 1,
-       .mutants = {mutant("a UT among T before a border of 64 states is opaque", "micromap", {4, 4},
-                          {.force2 =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (n == 4 && in[31] == 0x80 && in[30] == 0 && in[32] == 0) flip(out, 127);
-                               }}),
-                   mutant("a lone UO among O at level 2 goes up as O", "micromap-spec", {2, 2},
-                          {.up =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (is(n, in, 2, {0x55, 0x55, 0x55, 0xd5})) out.back() = 0x55;
-                               }}),
-                   mutant("a uniform UT of level 3 is UO through O/C in one place", "micromap", {3, 3},
-                          {.through =
-                               [](Level n, Mode m, auto in, Bytes& out) {
-                                 if (n == 3 && m == Mode::O_C && std::count(in.begin(), in.end(), 0xaa) == 16)
-                                   flip(out, 64);
-                               }})}},
-      false, everything);
-}
-
-Law chosen_apart() {
-  return on_maps_one_apart(
-      {.id = "micromap.one_apart_on_samples",
-       .topic = "micromap",
-       .says =
-           "packing, force-2-state, up, down and the modes, as on the small levels, where one state differs",
-       .source = packing_source,
-       .subjects = {"micromap"},
-       .fast = {5, 9},
-       .long_run = {5, 12},
-       .fast_seconds = 1,
-       .mutants = {mutant("the last UO among O of level 7 is O", "micromap", {7, 7},
-                          {.unpack =
-                               [](Format, States& s) {
-                                 if (s.size() == 16384 && s.back() == UO && s.front() == O) s.back() = O;
-                               }}),
-                   mutant("a lone T in the middle of O is lost on the way down from level 8", "micromap",
-                          {8, 8},
-                          {.down =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (n == 8 && f == four && in[8191] == 0x15 && in[0] == 0x55)
-                                   out[2047] = 0x55;
-                               }}),
-                   mutant("states of a uniform map from 2^17 on are lost", "micromap", {9, 9},
-                          {.force2 =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (n == 9 && in[0] == in.back())
-                                   std::fill(out.begin() + 16384, out.end(), 0);
-                               }})}},
-      true, everything);
-}
-
 }  // namespace
 
 std::vector<Law> map_laws() {
-  return {packing(),     force2(), up_law(),    down_up(),      down_law(),
-          down_force2(), modes(),  one_apart(), chosen_apart(), samples()};
+  return {packing(), force2(), up_law(), down_up(), down_law(), down_force2(), modes(), samples()};
 }
 
 }  // namespace mmverify::proofs::micromap

@@ -146,7 +146,7 @@ Law one_apart_samples_law() {
           .source = succinct_4_2,
           .method = Method::sample,
           .subjects = {"tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
-          .fast = {5, 12},
+          .fast = {5, 10},
           .long_run = {5, 12}};
   law.fast_seconds = 1;
   law.domain = [](const Subject&, Level n) {
@@ -166,9 +166,9 @@ Law one_apart_samples_law() {
                              [](const Map& map, std::uint32_t k, std::uint8_t& state) {
                                if (k == 31 && is(map, 6, {four, 0, 2, 6, 31})) state = 0;
                              }}),
-                 mutant("maps of level 12 end early", "tree-container", {12, 12},
+                 mutant("maps of level 10 end early", "tree-container", {10, 10},
                         {.decode = [](const Map& map, Bytes& packed) {
-                          if (map.level == 12) packed.resize(packed.size() - 1);
+                          if (map.level == 10) packed.resize(packed.size() - 1);
                         }})};
   law = over(std::move(law), {}, cases(chosen_apart_count, chosen_apart, 1));
   law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {

@@ -135,6 +135,26 @@ Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most) {
   return again.holds ? at_once : again;
 }
 
+Finding asked_in_turn(const TreeSubject& s, const Map& map) {
+  const std::uint64_t last = micro_triangles(map.level) - 1;
+  const std::vector<std::uint32_t> indices{static_cast<std::uint32_t>(last),
+                                           static_cast<std::uint32_t>(last / 2), 0};
+  std::vector<Map> maps(3, map);
+  for (std::size_t k = 1; k < 3; ++k) {
+    const std::uint64_t bit = indices[k - 1] * std::uint64_t{bits(map.format)};
+    maps[k].packed[bit / 8] = static_cast<std::uint8_t>(maps[k].packed[bit / 8] ^ 1u << bit % 8);
+  }
+  std::vector<CodePtr> codes;
+  for (const Map& one : maps) codes.push_back(s.encode(one));
+  for (const std::size_t k : {0, 1, 0, 2, 1, 2, 0}) {
+    if (s.has(Entry::lookup))
+      if (const Finding found = looked_up(*codes[k], maps[k], indices, indices.size()); !found.holds)
+        return found;
+    if (const Finding found = same_map(maps[k], codes[k]->decode()); !found.holds) return found;
+  }
+  return {hash_of(maps[2].packed)};
+}
+
 Finding points(const TreeSubject& s, const Map& map, std::uint64_t most) {
   const CodePtr code = s.encode(map);
   Points some;

@@ -68,7 +68,7 @@ Law damage_samples_law() {
       .method = Method::sample,
       .subjects = {"tree-stream", "tree-container"},
       .fast = {2, 8},
-      .long_run = {2, 12}};
+      .long_run = {2, 10}};
   law.fast_seconds = 2;
   law.domain = [](const Subject&, Level n) {
     return samples(n) == 0
@@ -85,28 +85,32 @@ Law damage_samples_law() {
   const auto with = [](const char* name, const char* base, Levels levels, auto choose) {
     return mutant(name, base, levels,
                   {.open = [=, real = the(base)](Level n, Format f, auto bytes, CodePtr code) -> CodePtr {
-                    if (n < levels.first || n > levels.last) return code;
                     const int verdict = choose(n, f, bytes, code != nullptr);
                     if (verdict < 0) return nullptr;
                     return verdict == 0 ? std::move(code) : real->encode(map_of(n, {f, 0, 1, n, 0}));
                   }});
   };
   const auto uniform = [](auto bytes) { return bytes.size() > 1 && bytes[0] == 0; };
-  law.mutants = {
-      with("takes what follows a uniform map's code at level 5", "tree-stream", {5, 5},
-           [=](Level, Format, auto bytes, bool) { return uniform(bytes) && bytes.size() == 5 ? 1 : 0; }),
-      with("takes a split root at level 6 and above", "tree-stream", {6, 8},
-           [](Level, Format f, auto bytes, bool) {
-             return f == four && bytes.size() == 2 && bytes[0] == 1 && (bytes[1] == 0xFF || bytes[1] == 0)
-                        ? 1
-                        : 0;
-           }),
-      with("refuses three O and a T at level 4", "tree-stream", {4, 4},
-           [](Level, Format f, auto bytes, bool taken) {
-             return f == two && taken && bytes.size() > 9 && bytes.back() == 0x01 ? -1 : 0;
-           }),
-      with("takes a code of the level above at level 7", "tree-container", {7, 7},
-           [](Level n, Format, auto bytes, bool) { return bytes.size() > 16 && bytes[5] == n + 1 ? 1 : 0; })};
+  law.mutants = {with("takes what follows a uniform map's code at level 5", "tree-stream", {5, 5},
+                      [=](Level n, Format, auto bytes, bool) {
+                        return n == 5 && uniform(bytes) && bytes.size() == 5 ? 1 : 0;
+                      }),
+                 with("takes a split root at level 6 and above", "tree-stream", {6, 8},
+                      [](Level n, Format f, auto bytes, bool) {
+                        return n >= 6 && f == four && bytes.size() == 2 && bytes[0] == 1 &&
+                                       (bytes[1] == 0xFF || bytes[1] == 0)
+                                   ? 1
+                                   : 0;
+                      }),
+                 with("refuses three O and a T at level 4", "tree-stream", {4, 4},
+                      [](Level n, Format f, auto bytes, bool taken) {
+                        return n == 4 && f == two && taken && bytes.size() > 9 && bytes.back() == 0x01 ? -1
+                                                                                                       : 0;
+                      }),
+                 with("takes a code of the level above at level 7", "tree-container", {7, 7},
+                      [](Level n, Format, auto bytes, bool) {
+                        return n == 6 && bytes.size() > 16 && bytes[5] == 7 ? 1 : 0;
+                      })};
   law = over(std::move(law), {Entry::bytes},
              {[](Level n) { return samples(n) + apart_maps; },
               [](const TreeSubject& s, Level n, std::uint64_t k, const Run& run) {

@@ -1,0 +1,222 @@
+// Maps of one state but for one node of the curve.  What becomes of one is another such map, so that it is
+// written down at once: no oracle goes through its states, and every level is asked.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "proofs/micromap/altered.hpp"
+#include "proofs/micromap/law_groups.hpp"
+#include "proofs/micromap/law_parts.hpp"
+#include "proofs/tree/maps.hpp"
+
+namespace mmverify::proofs::micromap {
+namespace {
+
+namespace slow = mmverify::spec::micromap;
+using slow::code;
+using tree::OneApart;
+using enum State;
+
+constexpr Format two = Format::two_state, four = Format::four_state;
+
+State common(const OneApart& a) { return static_cast<State>(a.common); }
+State odd(const OneApart& a) { return static_cast<State>(a.odd); }
+
+// The map with both of its states replaced.
+OneApart with(OneApart apart, Format f, State now_common, State now_odd) {
+  apart.format = f;
+  apart.common = code(now_common);
+  apart.odd = code(now_odd);
+  return apart;
+}
+
+Bytes bytes(Level n, const OneApart& apart) { return tree::map_of(n, apart).packed; }
+
+OneApart forced(const OneApart& a) { return with(a, two, slow::force2(common(a)), slow::force2(odd(a))); }
+
+// One level down a lone micro-triangle changes its parent: three of the common state and one odd one.
+OneApart below(Level n, OneApart a) {
+  if (a.depth < n || a.common == a.odd) return a;
+  const bool opaque = slow::force2(common(a)) == O;  // three of four
+  --a.depth;
+  a.node /= 4;
+  a.odd = code(a.format == two ? (opaque ? O : T) : (opaque ? UO : UT));
+  return a;
+}
+
+Finding packs(const MicromapSubject& s, Level n, const OneApart& a) {
+  const std::uint64_t count = slow::micro_triangles(n), run = slow::micro_triangles(n - a.depth);
+  States states(static_cast<std::size_t>(count), common(a));
+  std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(a.node * run), run, odd(a));
+  const Bytes map = bytes(n, a);
+  const States got = s.unpack(a.format, count, map);
+  if (got != states) {
+    const auto [expected, other] = std::mismatch(states.begin(), states.end(), got.begin(), got.end());
+    if (expected == states.end())
+      return wrong(fmt::format("{} states", count), fmt::format("{}", got.size()));
+    return wrong(fmt::format("state {} {}", expected - states.begin(), code(*expected)),
+                 other == got.end() ? "none" : fmt::format("{}", code(*other)));
+  }
+  return same("packed", map, s.pack(a.format, states));
+}
+
+Finding forces(const MicromapSubject& s, Level n, const OneApart& a) {
+  if (a.format == four) return same("force-2-state", bytes(n, forced(a)), s.force2(n, bytes(n, a)));
+  const Bytes wide = bytes(n, with(a, four, common(a), odd(a)));
+  return all(same("4-state", wide, s.widen(n, bytes(n, a))),
+             same("and back", bytes(n, a), s.force2(n, wide)));
+}
+
+Finding rises(const MicromapSubject& s, Level n, const OneApart& a) {
+  return same("children's states", bytes(n + 1, a), s.up(n, a.format, bytes(n, a)));
+}
+
+Finding falls(const MicromapSubject& s, Level n, const OneApart& a) {
+  return same("parents' states", bytes(n - 1, below(n, a)), s.down(n, a.format, bytes(n, a)));
+}
+
+// The rest is one of the unknown states: either.
+Finding goes_through(const MicromapSubject& s, Level n, const OneApart& a, Mode mode) {
+  const Bytes got = s.through(n, mode, bytes(n, a));
+  const std::string what = fmt::format("through mode {}", static_cast<int>(mode));
+  if (mode == Mode::T_O)
+    return same(what.c_str(), bytes(n, with(a, four, slow::force2(common(a)), slow::force2(odd(a)))), got);
+  const State kept = mode == Mode::T_C ? T : O;
+  const auto expected = [&](State unknown) {
+    return bytes(n, with(a, four, common(a) == kept ? kept : unknown, odd(a) == kept ? kept : unknown));
+  };
+  const Finding found = same(what.c_str(), expected(UT), got);
+  return found.holds ? found : same(what.c_str(), expected(UO), got);
+}
+
+Finding goes_through_modes(const MicromapSubject& s, Level n, const OneApart& a) {
+  return all(goes_through(s, n, a, Mode::T_O), goes_through(s, n, a, Mode::T_C),
+             goes_through(s, n, a, Mode::O_C));
+}
+
+// All that the subject has.  Levels go up to 12: nothing rises from there.
+Finding judged(const MicromapSubject& s, Level n, const OneApart& a) {
+  Finding found;
+  const auto also = [&](bool asked, Finding (*check)(const MicromapSubject&, Level, const OneApart&)) {
+    if (!asked || !found.holds) return;
+    const std::uint64_t so_far = found.answer;
+    found = check(s, n, a);
+    found.answer += 31 * so_far;
+  };
+  also(s.has(Entry::pack), packs);
+  also(s.has(Entry::force2), forces);
+  also(s.has(Entry::up) && n < 12, rises);
+  also(s.has(Entry::down) && n > 0, falls);
+  also(s.has(Entry::modes) && a.format == four, goes_through_modes);
+  return found;
+}
+
+Cases cases(std::function<std::uint64_t(Level)> count, std::function<OneApart(Level, std::uint64_t)> number,
+            std::uint64_t chunk) {
+  return {std::move(count),
+          [number](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
+            return judged(s, n, number(n, k));
+          },
+          [number](Level n, std::uint64_t k, const Run&) { return tree::text_of(number(n, k)); },
+          [](const MicromapSubject& s, Level n, const std::string& at) {
+            const auto apart = tree::apart_from_text(n, at);
+            if (!apart) throw BadCase(fmt::format("'{:.60}': write 4-state:0+2@3:17", at));
+            return judged(s, n, *apart);
+          },
+          chunk};
+}
+
+std::string parts_of(const Subject& s) { return asked_of(dynamic_cast<const MicromapSubject&>(s)); }
+
+bool is(Level n, std::span<const std::uint8_t> in, Level level, const OneApart& apart) {
+  if (n != level) return false;
+  const Bytes expected = bytes(level, apart);
+  return std::equal(in.begin(), in.end(), expected.begin(), expected.end());
+}
+
+void change(Bytes& out, std::size_t byte, std::uint8_t bits) {
+  out[byte] = static_cast<std::uint8_t>(out[byte] ^ bits);
+}
+
+constexpr char says[] =
+    "packing, force-2-state, one level up, one down and the modes, where all is of one state but for one "
+    "node";
+
+Law every_one() {
+  return over_any_part(over(
+      {.id = "micromap.one_apart",
+       .topic = "micromap",
+       .says = says,
+       .source = packing_source,
+       .method = Method::exhaustive,
+       .subjects = {"micromap-spec", "micromap"},
+       .fast = {2, 4},
+       .long_run = {2, 7},
+       .fast_seconds = 1,
+       .domain =
+           [](const Subject& s, Level n) {
+             return fmt::format("all maps of level {} of one state but for one node, and the uniform ones{}",
+                                n, parts_of(s));
+           },
+       .mutants = {mutant("a UT among T before a border of 64 states is opaque", "micromap", {4, 4},
+                          {.force2 =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (is(n, in, 4, {four, 0, 2, 4, 127})) change(out, 15, 0x80);
+                               }}),
+                   mutant("a lone UO among O at level 2 goes up as O", "micromap-spec", {2, 2},
+                          {.up =
+                               [](Level n, Format, auto in, Bytes& out) {
+                                 if (is(n, in, 2, {four, 1, 3, 2, 15})) out.back() = 0x55;
+                               }}),
+                   mutant("a uniform UT of level 3 is UO through O/C in one place", "micromap", {3, 3},
+                          {.through =
+                               [](Level n, Mode m, auto in, Bytes& out) {
+                                 if (m == Mode::O_C && is(n, in, 3, {four, 2, 2, 0, 0})) change(out, 8, 1);
+                               }})}},
+      {}, cases(tree::one_apart_count, tree::one_apart_number, 64)));
+}
+
+Law chosen_ones() {
+  return over_any_part(
+      over({.id = "micromap.one_apart_on_samples",
+            .topic = "micromap",
+            .says = says,
+            .source = packing_source,
+            .method = Method::sample,
+            .subjects = {"micromap"},
+            .fast = {5, 9},
+            .long_run = {5, 12},
+            .fast_seconds = 1,
+            .domain =
+                [](const Subject& s, Level n) {
+                  return fmt::format(
+                      "{} maps of level {} of one state but for one micro-triangle at a word's or the "
+                      "map's end, or for none{}",
+                      tree::chosen_apart_count(n), n, parts_of(s));
+                },
+            .how = [](const Subject&, Level) { return std::string("sample, against the closed form"); },
+            .mutants = {mutant("the last UO among O of level 7 is O", "micromap", {7, 7},
+                               {.unpack =
+                                    [](Format, States& s) {
+                                      if (s.size() == 16384 && s.back() == UO && s.front() == O) s.back() = O;
+                                    }}),
+                        mutant("a lone T in the middle of O is lost on the way down from level 8", "micromap",
+                               {8, 8},
+                               {.down =
+                                    [](Level n, Format, auto in, Bytes& out) {
+                                      if (is(n, in, 8, {four, 1, 0, 8, 32767})) change(out, 2047, 0x80);
+                                    }}),
+                        mutant("states from 2^17 on are packed as T", "micromap", {9, 9},
+                               {.pack =
+                                    [](Format f, const States&, Bytes& out) {
+                                      if (f == four && out.size() == 1 << 16)
+                                        std::fill(out.begin() + (1 << 15), out.end(), std::uint8_t{0});
+                                    }})}},
+           {}, cases(tree::chosen_apart_count, tree::chosen_apart, 1)));
+}
+
+}  // namespace
+
+std::vector<Law> apart_laws() { return {every_one(), chosen_ones()}; }
+
+}  // namespace mmverify::proofs::micromap
