@@ -1,0 +1,527 @@
+// Topic index: the curve, row order and their roundings by another hand, and what is wrong with each.
+#include <array>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/foreign/inside.hpp"
+#include "tests/foreign/inside_curve.hpp"
+
+namespace mmverify::tests::foreign {
+namespace {
+
+using namespace proofs::index;
+using proofs::Levels;
+
+class Hand : public IndexSubject {
+ public:
+  Hand(const char* name, std::set<Entry> entries, Fault fault, Arithmetic arithmetic, Level max_level)
+      : IndexSubject(name, "by another hand", arithmetic, max_level),
+        fault(fault),
+        entries_(std::move(entries)) {}
+  bool has(Entry e) const override { return entries_.contains(e); }
+
+ protected:
+  const Fault fault;
+
+ private:
+  const std::set<Entry> entries_;
+};
+
+/// Barycentrics to index in exact numbers, by Algorithm 4 or by Vulkan's formula.
+class Exact : public Hand {
+ public:
+  Exact(const char* name, Reading reading, bool formula, Fault fault, Level max_level = 16)
+      : Hand(name, {Entry::index}, fault, Arithmetic::exact, max_level),
+        reading_(reading),
+        formula_(formula) {}
+
+  /// The formula likes many rows at once.
+  std::size_t batch() const override { return formula_ ? std::size_t{1} << 16 : row_batch; }
+
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    if (batch.row) return along(n, batch.points, out);
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(whole_numbers(batch.points[t]), n);
+  }
+
+  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t) {
+      const double u = std::ldexp(batch.u[t], 30), v = std::ldexp(batch.v[t], 30);
+      if (u == std::floor(u) && v == std::floor(v))
+        out[t] = at(Bary<std::int64_t>{static_cast<std::int64_t>(u), static_cast<std::int64_t>(v),
+                                       std::int64_t{1} << 30},
+                    n);
+      else
+        out[t] =
+            at(Bary<Integer>{in_smallest_units(batch.u[t]), in_smallest_units(batch.v[t]), Integer(1) << 149},
+               n);
+    }
+  }
+
+  void index_rows(Level n, Level grid, std::span<const Row> rows,
+                  std::span<std::uint32_t> out) const override {
+    std::vector<GridPoint> points;
+    for (const Row& row : rows) {
+      points.clear();
+      for (std::uint64_t t = 0; t < row.count; ++t) {
+        GridPoint p = representative(row, t, grid);
+        if (fault == Fault::second_row_has_firsts_line && &row != rows.data() && row.kv % 4 == 1)
+          p.v = coordinate(row.kv + 2, grid);
+        points.push_back(p);
+      }
+      along(n, points, out.first(row.count));
+      out = out.subspan(row.count);
+    }
+  }
+
+  std::uint32_t index(Level n, const RationalPoint& p) const override {
+    Bary<Integer> b = whole_numbers(p);
+    if ((fault == Fault::through_binary64_at_16 && n == 16) || fault == Fault::rationals_cut_to_8_bits) {
+      const int bits = n == 16 ? 53 : 8;
+      b = {Integer((b.u << bits) / b.one), Integer((b.v << bits) / b.one), Integer(1) << bits};
+    }
+    return at(b, n);
+  }
+
+ private:
+  template <class Int>
+  std::uint32_t at(const Bary<Int>& p, Level n) const {
+    if (formula_) return static_cast<std::uint32_t>(vulkan(p, n, fault));
+    Reading reading = reading_;
+    if (fault == Fault::as_printed || (fault == Fault::as_printed_from_level_6 && n >= 6))
+      reading = Reading::printed;
+    if (fault == Fault::as_printed_up_to_level_4 && n <= 4) reading = Reading::printed;
+    return static_cast<std::uint32_t>(recursion(p, n, reading, fault));
+  }
+
+  /// A row: from its first point on by its stride.
+  void along(Level n, std::span<const GridPoint> row, std::span<std::uint32_t> out) const {
+    if (row.empty()) return;
+    Bary<std::int64_t> p = whole_numbers(row[0]);
+    const std::int64_t stride = row.size() > 1 ? row[1].u.raw() - row[0].u.raw() : 0;
+    if (fault == Fault::cut_rows_start_anew && stride != 0) p.u %= stride;
+    for (std::size_t t = 0; t < row.size(); ++t, p.u += stride) out[t] = at(p, n);
+    if (fault == Fault::tail_repeats && row.size() % 4 == 1 && row.size() > 1000)
+      out[row.size() - 1] = out[row.size() - 2];
+    if (fault == Fault::skips_between_siblings && n >= 9)
+      for (std::size_t t = 2; t < row.size(); t += 2)
+        if (out[t] / 4 == out[t - 2] / 4) out[t - 1] = out[t - 2];
+  }
+
+  const Reading reading_;
+  const bool formula_;
+};
+
+/// Vulkan's formula in 64-bit words.
+class Wide : public Hand {
+ public:
+  Wide(const char* name, Fault fault)
+      : Hand(name, {Entry::index, Entry::wide_index}, fault, Arithmetic::exact, 16) {}
+  Level max_wide_level() const override { return 30; }
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = static_cast<std::uint32_t>(vulkan(whole_numbers(batch.points[t]), n, fault));
+  }
+  std::uint32_t index(Level n, const RationalPoint& p) const override {
+    return static_cast<std::uint32_t>(wide_index(n, p));
+  }
+  void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const override {
+    const std::int64_t one = std::int64_t{4} << n;
+    for (std::uint64_t t = 0; t < row.count; ++t) {
+      std::int64_t ku = row.ku + static_cast<std::int64_t>(t) * row.stride;
+      if (fault == Fault::cut_rows_start_anew)
+        ku = row.ku % row.stride + static_cast<std::int64_t>(t) * row.stride;
+      out[t] = vulkan(Bary<std::int64_t>{ku, row.kv, one}, n, fault);
+    }
+  }
+  std::uint64_t wide_index(Level n, const RationalPoint& p) const override {
+    return vulkan(whole_numbers(p), n, fault);
+  }
+};
+
+/// Vulkan's formula as its 32-bit words run it, whatever the level.
+class In32Bits : public Hand {
+ public:
+  In32Bits(const char* name, Fault fault)
+      : Hand(name, {Entry::index, Entry::wide_index}, fault, Arithmetic::exact, 17) {}
+  Level max_wide_level() const override { return 17; }
+  std::uint64_t wide_index(Level n, const RationalPoint& p) const override { return index(n, p); }
+  void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const override {
+    for (std::uint64_t t = 0; t < row.count; ++t) out[t] = at(whole_numbers(representative(row, t, n)), n);
+  }
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(whole_numbers(batch.points[t]), n);
+  }
+  std::uint32_t index(Level n, const RationalPoint& p) const override { return at(whole_numbers(p), n); }
+
+ private:
+  template <class Int>
+  std::uint32_t at(const Bary<Int>& p, Level n) const {
+    if (fault == Fault::low_half_of_wide) return static_cast<std::uint32_t>(vulkan(p, n, Fault::none));
+    if (fault == Fault::recursion_instead)
+      return static_cast<std::uint32_t>(recursion(p, n, Reading::printed, Fault::none));
+    const std::uint32_t N = std::uint32_t{1} << n;
+    const Int scaled_u = p.u * N, scaled_v = p.v * N;
+    std::uint32_t iu = std::min(static_cast<std::uint32_t>(scaled_u / p.one), N - 1);
+    const std::uint32_t iv = std::min(static_cast<std::uint32_t>(scaled_v / p.one), N - 1), s = iu + iv;
+    if (s >= N) iu -= s - N + 1;
+    std::uint32_t iw = ~(iu + iv);
+    if (scaled_u % p.one + scaled_v % p.one >= p.one && s < N - 1) --iw;
+    const std::uint32_t low = N - 1, b0 = ~(iu ^ iw) & low, t = (iu ^ iv) & b0;
+    std::uint32_t f = t;
+    for (unsigned by = 1; by < (fault == Fault::parity_of_all_places ? 32 : 16); by *= 2) f ^= f >> by;
+    // Words of 17 bits do not fit the interleaving, whose lowest 32 bits are right without their highest.
+    const std::uint32_t kept = fault == Fault::parity_of_all_places ? 0xFFFF : low;
+    return apart(b0 & kept) | apart((((f ^ iu) & ~b0) | t) & kept) << 1;
+  }
+  static std::uint32_t apart(std::uint32_t x) {
+    x = (x | x << 8) & 0x00FF00FF;
+    x = (x | x << 4) & 0x0F0F0F0F;
+    x = (x | x << 2) & 0x33333333;
+    return (x | x << 1) & 0x55555555;
+  }
+};
+
+/// Rounded arithmetic: each operation in `Carrier`, then rounded to the format.
+template <class Carrier>
+class Rounded : public Hand {
+ public:
+  Rounded(const char* name, Arithmetic arithmetic, bool formula, Fault fault)
+      : Hand(name, {Entry::index}, fault, arithmetic, arithmetic == Arithmetic::binary16 ? 15 : 16),
+        formula_(formula) {}
+
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = at(n, carried(batch.points[t].u.raw(), 30), carried(batch.points[t].v.raw(), 30));
+  }
+  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, batch.u[t], batch.v[t]);
+  }
+  std::uint32_t index(Level n, const RationalPoint& p) const override {
+    return at(n, carried(p.u), carried(p.v));
+  }
+
+ private:
+  static Carrier carried(std::int64_t raw, int bits) { return std::ldexp(static_cast<Carrier>(raw), -bits); }
+  static Carrier carried(const spec::Rational& q) {
+    return static_cast<Carrier>(q.numerator()) / static_cast<Carrier>(q.denominator());
+  }
+
+  /// To the nearest number of the format, ties to even.
+  Carrier rounded(Level n, Carrier x) const {
+    if (fault == Fault::computes_wider || (fault == Fault::wider_from_level_7 && n >= 7)) return x;
+    switch (arithmetic()) {
+      case Arithmetic::binary16: {
+        int exponent = 0;
+        std::frexp(x, &exponent);
+        const int unit = std::max(exponent - 11, -24);
+        return std::ldexp(std::nearbyint(std::ldexp(x, -unit)), unit);
+      }
+      case Arithmetic::binary32:
+        return static_cast<Carrier>(static_cast<float>(x));
+      default:
+        return static_cast<Carrier>(static_cast<double>(x));
+    }
+  }
+
+  std::uint32_t at(Level n, Carrier u, Carrier v) const {
+    return formula_ ? formula(n, u, v) : steps(n, u, v);
+  }
+
+  std::uint32_t formula(Level n, Carrier u, Carrier v) const {
+    const auto r = [this, n](Carrier x) { return rounded(n, x); };
+    const auto N = static_cast<Carrier>(std::uint32_t{1} << n);
+    const Carrier un = r(u * N), vn = r(v * N);
+    const Carrier fu = r(un - std::floor(un)), fv = r(vn - std::floor(vn));
+    const bool upper = fault == Fault::compares_the_difference ? std::min(fu, fv) >= r(1 - std::max(fu, fv))
+                                                               : r(fu + fv) >= 1;
+    // The middle of the half square, whose index takes no rounding.
+    const std::int64_t part = upper ? 2 : 1, one = std::int64_t{3} << n;
+    return static_cast<std::uint32_t>(
+        vulkan(Bary<std::int64_t>{3 * static_cast<std::int64_t>(std::floor(un)) + part,
+                                  3 * static_cast<std::int64_t>(std::floor(vn)) + part, one},
+               n, Fault::none));
+  }
+
+  std::uint32_t steps(Level n, Carrier u, Carrier v) const {
+    const auto r = [this, n](Carrier x) { return rounded(n, x); };
+    Carrier w = r(r(1 - u) - v);
+    bool mid = false, top = false;
+    std::uint32_t index = 0;
+    for (Level depth = 0; depth < n; ++depth) {
+      const Carrier a = u, b = v, c = w;
+      if (c > Carrier(0.5)) {
+        index = 4 * index + (top ? 2 : 0);
+        u = r(2 * a), v = r(2 * b), w = r(r(c - a) - b);
+      } else if (b > Carrier(0.5) || (b == Carrier(0.5) && !mid)) {
+        index = 4 * index + 3;
+        u = r(2 * a), v = r(r(b - a) - c), w = r(2 * c);
+        top = !top;
+      } else if (a >= Carrier(0.5) && !(b == Carrier(0.5) && mid)) {
+        index = 4 * index + (top ? 0 : 2);
+        u = r(r(a - b) - c), v = r(2 * b), w = r(2 * c);
+      } else {
+        index = 4 * index + 1;
+        u = r(r(a + b) - c), v = r(r(c + a) - b), w = r(r(b + c) - a);
+        mid = !mid;
+      }
+    }
+    return index;
+  }
+
+  const bool formula_;
+};
+
+/// binary16 pairs, as binary32 numbers: Vulkan's formula with what may go wrong in it.
+class HalfPairs : public Hand {
+ public:
+  HalfPairs(const char* name, Fault fault) : Hand(name, {Entry::index}, fault, Arithmetic::binary32, 16) {}
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = at(n, static_cast<float>(batch.points[t].u.raw()) * 0x1p-30f,
+                  static_cast<float>(batch.points[t].v.raw()) * 0x1p-30f);
+  }
+  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, batch.u[t], batch.v[t]);
+  }
+  std::uint32_t index(Level n, const RationalPoint& p) const override {
+    return at(
+        n, static_cast<float>(static_cast<double>(p.u.numerator()) / static_cast<double>(p.u.denominator())),
+        static_cast<float>(static_cast<double>(p.v.numerator()) / static_cast<double>(p.v.denominator())));
+  }
+
+ private:
+  std::uint32_t at(Level n, float u, float v) const {
+    if (fault == Fault::subnormals_are_zero) {
+      u = u < 0x1p-14f ? 0 : u;
+      v = v < 0x1p-14f ? 0 : v;
+    }
+    const auto one = std::int64_t{1} << 24;
+    const auto N = std::int64_t{1} << n;
+    const std::int64_t su = static_cast<std::int64_t>(u * 0x1p24f) * N,
+                       sv = static_cast<std::int64_t>(v * 0x1p24f) * N;
+    const std::int64_t fu = su % one, fv = sv % one;
+    bool upper = fu + fv >= one;
+    // Above 1/2 binary16 has steps of 2^-11: a sum within half a step of 1 becomes 1.
+    if (fault == Fault::sum_in_binary16) upper = fu + fv >= one - (one >> 12);
+    const std::int64_t part = upper ? 2 : 1;
+    return static_cast<std::uint32_t>(
+        vulkan(Bary<std::int64_t>{3 * (su / one) + part, 3 * (sv / one) + part, 3 * N}, n,
+               fault == Fault::v_corner_is_first ? fault : Fault::none));
+  }
+};
+
+/// Figure 4: rows from the w-corner.
+class RowOrder : public Hand {
+ public:
+  RowOrder(const char* name, Fault fault)
+      : Hand(name, {Entry::row_index, Entry::row_corners}, fault, Arithmetic::exact, 16) {}
+
+  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = at(n, batch.points[t].u.raw(), batch.points[t].v.raw());
+  }
+
+  void row_corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
+    const std::uint64_t last_float_square = 4097;
+    for (std::size_t t = 0; t < out.size(); ++t) {
+      const std::uint32_t index = indices[t];
+      auto root = static_cast<std::uint32_t>(std::sqrt(static_cast<float>(index)));
+      if (fault == Fault::errs_one_index_later && index <= last_float_square * last_float_square - 2)
+        root = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(index)));
+      if (fault == Fault::root_is_low_at_squares && root * root == index && root == 1023) --root;
+      std::uint32_t column = index - root * root;
+      if (fault == Fault::one_column_off && n == 10 && index == 777'777) ++column;
+      const auto vertex = [](std::uint32_t r, std::uint32_t c) { return spec::index::Vertex{r - c, c}; };
+      const std::uint32_t half = column / 2;
+      if (column % 2 == 0)
+        out[t] = {vertex(root, half), vertex(root + 1, half), vertex(root + 1, half + 1)};
+      else
+        out[t] = {vertex(root, half), vertex(root + 1, half + 1), vertex(root, half + 1)};
+    }
+  }
+
+ private:
+  std::uint32_t at(Level n, std::int64_t u, std::int64_t v) const {
+    const std::int64_t one = std::int64_t{1} << 30, N = std::int64_t{1} << n;
+    const auto row = std::min(N - 1, (u + v) * N / one);
+    auto column = v * N / one, diagonal = (one - u) * N / one;
+    if (fault != Fault::column_not_limited) column = std::min(row, column);
+    if (fault != Fault::diagonal_not_limited) diagonal = std::min(N - 1, diagonal);
+    auto square = row * row;
+    if (fault == Fault::row_squared_in_16_bits) square &= 0xFFFF;
+    const auto index = square + column + (diagonal - (N - 1 - row));
+    if (fault == Fault::one_inverted_triangle && n == 8 && index == 40'001) return 40'000;
+    return static_cast<std::uint32_t>(index);
+  }
+};
+
+template <class Of, class... Arguments>
+InsideFault fault(const char* law, const char* name, const char* wrong, Levels levels,
+                  Arguments... arguments) {
+  return {law, name, wrong, std::make_shared<Of>(name, arguments...), levels};
+}
+
+}  // namespace
+
+std::vector<InsideFault> inside_right_of_index() {
+  std::vector<InsideFault> all;
+  const auto add = [&all](InsideFault f) { all.push_back(std::move(f)); };
+  const Fault none = Fault::none;
+  for (const bool formula : {false, true}) {
+    add(fault<Exact>("index.cells_decide", formula ? "formula" : "steps", "", {0, 16}, Reading::printed,
+                     formula, none));
+    add(fault<Exact>("index.fixed_is_rational", formula ? "formula" : "steps", "", {0, 6}, Reading::printed,
+                     formula, none));
+    add(fault<Exact>("index.sweep_is_spec", formula ? "formula" : "steps", "", {0, 9}, Reading::printed,
+                     formula, none));
+    add(fault<Rounded<double>>("index.rounded_arithmetic_errs", formula ? "formula_16" : "steps_16", "",
+                               {1, 10}, Arithmetic::binary16, formula, none));
+    add(fault<Rounded<double>>("index.rounded_arithmetic_errs", formula ? "formula_32" : "steps_32", "",
+                               {1, 10}, Arithmetic::binary32, formula, none));
+    add(fault<Rounded<double>>("index.rounded_arithmetic_errs", formula ? "formula_64" : "steps_64", "",
+                               {1, 10}, Arithmetic::binary64, formula, none));
+  }
+  add(fault<Exact>("paper.step_equals_reference", "steps", "", {0, 9}, Reading::printed, false, none));
+  add(fault<Exact>("paper.appendix_middle_differs", "middle", "", {0, 7}, Reading::middle, false, none));
+  add(fault<Exact>("paper.appendix_ties_differ", "ties", "", {0, 7}, Reading::ties, false, none));
+  add(fault<Exact>("paper.appendix_names_differ", "names", "", {0, 7}, Reading::names, false, none));
+  add(fault<HalfPairs>("index.exact_on_binary16", "formula", "", {10, 10}, none));
+  add(fault<Wide>("index.wide_equals_reference", "formula", "", {0, 9}, none));
+  add(fault<Wide>("index.wide_exact_on_floats", "formula", "", {28, 30}, none));
+  add(fault<In32Bits>("index.vulkan_ends_at_16", "formula", "", {17, 17}, none));
+  add(fault<RowOrder>("paper.w_minor_holds_point", "rows", "", {0, 9}, none));
+  add(fault<RowOrder>("paper.w_minor_binary32_root_errs", "rows_below", "", {10, 10}, none));
+  add(fault<RowOrder>("paper.w_minor_binary32_root_errs", "rows", "", {13, 13}, none));
+  return all;
+}
+
+std::vector<InsideFault> inside_faults_of_index() {
+  std::vector<InsideFault> all;
+  const auto add = [&all](InsideFault f) { all.push_back(std::move(f)); };
+
+  const auto steps = [&](const char* law, const char* name, const char* wrong, Levels levels, Fault f,
+                         Reading reading = Reading::printed) {
+    add(fault<Exact>(law, name, wrong, levels, reading, false, f));
+  };
+  const auto formula = [&](const char* law, const char* name, const char* wrong, Levels levels, Fault f) {
+    add(fault<Exact>(law, name, wrong, levels, Reading::printed, true, f));
+  };
+
+  const char* law = "paper.step_equals_reference";
+  steps(law, "turned_t_keeps_tie",
+        "from depth 5 on, T takes the tie on a middle triangle that is flipped at its top", {0, 10},
+        Fault::turned_t_keeps_tie);
+  steps(law, "top_flip_lost_at_depth_7", "at depth 7, T does not flip on a middle triangle", {0, 10},
+        Fault::top_flip_lost_at_depth_7);
+  steps(law, "w_tie_at_depth_8", "at depth 8, w = 1/2 is the w-corner's", {0, 10}, Fault::w_tie_at_depth_8);
+  steps(law, "one_triangle_of_level_9", "one index of level 9 is that of its neighbour", {0, 10},
+        Fault::one_triangle_of_level_9);
+
+  for (const auto& [id, reading] : {std::pair{"paper.appendix_middle_differs", Reading::middle},
+                                    std::pair{"paper.appendix_ties_differ", Reading::ties},
+                                    std::pair{"paper.appendix_names_differ", Reading::names}}) {
+    steps(id, "as_printed", "it follows the print", {0, 7}, Fault::as_printed, reading);
+    steps(id, "as_printed_from_level_6", "it follows the print from level 6 on", {0, 7},
+          Fault::as_printed_from_level_6, reading);
+    steps(id, "as_printed_up_to_level_4", "it follows the print up to level 4", {0, 7},
+          Fault::as_printed_up_to_level_4, reading);
+  }
+
+  law = "index.cells_decide";
+  steps(law, "line_moved_in_some_cells", "in one parent of 64, the last line is a 64th off the grid's",
+        {0, 16}, Fault::line_moved_in_some_cells);
+  steps(law, "through_binary64_at_16", "at level 16, the point is rounded down to 53 bits", {0, 16},
+        Fault::through_binary64_at_16);
+  steps(law, "ties_of_odd_denominators", "a tie is not seen where a denominator is no power of two", {0, 16},
+        Fault::ties_of_odd_denominators);
+
+  law = "index.fixed_is_rational";
+  formula(law, "product_of_32_bits", "uN is formed in 32 bits of which 24 are the fraction's", {0, 8},
+          Fault::product_of_32_bits);
+  steps(law, "rationals_cut_to_8_bits", "rational points are rounded down to 8 bits", {8, 8},
+        Fault::rationals_cut_to_8_bits);
+  steps(law, "fixed_u_tie_at_depth_7", "at depth 7, fixed point leaves u = 1/2 to the middle", {0, 8},
+        Fault::fixed_u_tie_at_depth_7);
+
+  law = "index.sweep_is_spec";
+  steps(law, "tail_repeats", "the last point of a row of more than 1000 gets the answer before it", {10, 10},
+        Fault::tail_repeats);
+  steps(law, "cut_rows_start_anew", "a row that is cut is answered from its uncut start", {0, 10},
+        Fault::cut_rows_start_anew);
+  steps(law, "skips_between_siblings", "from level 9 on, a point between two siblings is taken for the first",
+        {0, 10}, Fault::skips_between_siblings);
+  formula(law, "second_row_has_firsts_line", "rows after the first lie half a line too high", {0, 10},
+          Fault::second_row_has_firsts_line);
+
+  law = "index.rounded_arithmetic_errs";
+  const auto rounded = [&](const char* name, const char* wrong, Arithmetic a, bool by_formula, Fault f) {
+    add(fault<Rounded<long double>>(law, name, wrong, {1, 10}, a, by_formula, f));
+  };
+  rounded("formula_32_computes_wider", "it rounds nothing", Arithmetic::binary32, true,
+          Fault::computes_wider);
+  rounded("steps_64_computes_wider", "it rounds nothing", Arithmetic::binary64, false, Fault::computes_wider);
+  rounded("compares_the_difference", "it asks min >= 1 - max, which is exact", Arithmetic::binary32, true,
+          Fault::compares_the_difference);
+  rounded("wider_from_level_7", "from level 7 on it rounds nothing", Arithmetic::binary16, true,
+          Fault::wider_from_level_7);
+
+  law = "index.exact_on_binary16";
+  const auto pairs = [&](const char* name, const char* wrong, Fault f) {
+    add(fault<HalfPairs>(law, name, wrong, {10, 10}, f));
+  };
+  pairs("sum_in_binary16", "the sum of the fractions is rounded to binary16", Fault::sum_in_binary16);
+  pairs("subnormals_are_zero", "subnormal binary16 numbers count as zero", Fault::subnormals_are_zero);
+  pairs("v_corner_is_first", "the v-corner's triangle has index 0", Fault::v_corner_is_first);
+
+  law = "index.wide_equals_reference";
+  const auto wide = [&](const char* name, const char* wrong, Levels levels, Fault f) {
+    add(fault<Wide>(law, name, wrong, levels, f));
+  };
+  wide("answer_of_16_bits", "digits above the eighth are lost", {0, 9}, Fault::answer_of_16_bits);
+  wide("parity_of_8_places", "the prefix XOR reaches over 8 places", {0, 9}, Fault::parity_of_8_places);
+  wide("v_corner_not_limited", "at level 9, iv is N in the v-corner", {0, 9}, Fault::v_corner_not_limited);
+  wide("half_of_last_square", "in one square beside the hypotenuse's, the diagonal is the lower half's",
+       {0, 9}, Fault::half_of_last_square);
+  wide("cut_rows_start_anew", "a row that is cut is answered from its uncut start", {0, 9},
+       Fault::cut_rows_start_anew);
+
+  law = "index.wide_exact_on_floats";
+  wide("parity_of_16_places", "the prefix XOR reaches over 16 places", {17, 30}, Fault::parity_of_16_places);
+  wide("answer_through_binary64", "the index passes through binary64", {27, 30},
+       Fault::answer_through_binary64);
+  wide("limit_in_binary32", "N-1 is rounded to binary32", {25, 30}, Fault::limit_in_binary32);
+  wide("sum_in_binary32", "the sum of the fractions is rounded to binary32", {17, 30},
+       Fault::sum_in_binary32);
+  wide("low_digit_at_level_30", "at level 30, upper halves have another lowest digit where iv > iu", {30, 30},
+       Fault::low_digit_at_level_30);
+
+  law = "index.vulkan_ends_at_16";
+  const auto narrow = [&](const char* name, const char* wrong, Fault f) {
+    add(fault<In32Bits>(law, name, wrong, {17, 17}, f));
+  };
+  narrow("parity_of_all_places", "the prefix XOR reaches over all places, and what does not fit is cut off",
+         Fault::parity_of_all_places);
+  narrow("low_half_of_wide", "it gives the low half of the right index", Fault::low_half_of_wide);
+  narrow("recursion_instead", "it runs the recursion", Fault::recursion_instead);
+
+  law = "paper.w_minor_holds_point";
+  const auto rows = [&](const char* name, const char* wrong, Levels levels, Fault f) {
+    add(fault<RowOrder>(law, name, wrong, levels, f));
+  };
+  rows("column_not_limited", "the column is not limited to the row", {0, 9}, Fault::column_not_limited);
+  rows("diagonal_not_limited", "the diagonal is not limited to N-1", {0, 9}, Fault::diagonal_not_limited);
+  rows("row_squared_in_16_bits", "the row's square keeps 16 bits", {0, 9}, Fault::row_squared_in_16_bits);
+  rows("one_inverted_triangle", "one inverted triangle of level 8 is taken for its neighbour", {0, 9},
+       Fault::one_inverted_triangle);
+
+  law = "paper.w_minor_binary32_root_errs";
+  rows("root_is_low_at_squares", "the root of 1023^2 is 1022", {10, 13}, Fault::root_is_low_at_squares);
+  rows("errs_one_index_later", "the first root that errs is one index later", {13, 13},
+       Fault::errs_one_index_later);
+  rows("one_column_off", "one index of level 10 has the next column", {10, 13}, Fault::one_column_off);
+  return all;
+}
+
+}  // namespace mmverify::tests::foreign

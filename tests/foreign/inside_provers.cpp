@@ -1,0 +1,208 @@
+// Laws that a prover settles: the shipped statements, read from their files, with one thing altered in the text.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "proofs/induction/discharge.hpp"
+#include "proofs/tree/subject.hpp"
+#include "tests/foreign/inside.hpp"
+#include "tests/foreign/inside_curve.hpp"
+
+namespace mmverify::tests::foreign {
+namespace {
+
+namespace fs = std::filesystem;
+using proofs::induction::Answer;
+using proofs::induction::Provable;
+using proofs::induction::Statement;
+using Statements = std::vector<Statement>;
+
+/// What a law's folder holds.
+Statements shipped(const std::string& folder) {
+  Statements all;
+  for (const auto& file : fs::directory_iterator(fs::path(MMVERIFY_STATEMENTS) / folder)) {
+    std::ifstream in(file.path());
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const bool sat = text.find("(set-info :status sat)") != std::string::npos;
+    all.push_back({file.path().stem().string(), sat ? Answer::sat : Answer::unsat, text});
+  }
+  return all;
+}
+
+/// One of the folder's statements with the first place of `before` replaced: it alone, as the others are right
+/// and cost seconds.
+Statements altered(const std::string& folder, const std::string& name, const std::string& before,
+                   const std::string& after) {
+  Statements all = shipped(folder);
+  for (Statement& s : all) {
+    if (s.name != name) continue;
+    const std::size_t at = s.text.find(before);
+    if (at == std::string::npos) break;
+    s.text.replace(at, before.size(), after);
+    return {std::move(s)};
+  }
+  throw std::logic_error("no statement " + name + " with " + before);
+}
+
+/// Right on every point, whatever its statements say.
+class IndexProof : public proofs::index::IndexSubject, public Provable {
+ public:
+  IndexProof(const char* name, Statements statements)
+      : IndexSubject(name, "by another hand", proofs::index::Arithmetic::exact, 16),
+        statements_(std::move(statements)) {}
+  Statements statements() const override { return statements_; }
+
+  bool has(proofs::index::Entry e) const override {
+    return e == proofs::index::Entry::index || e == proofs::index::Entry::wide_index;
+  }
+  void index(Level n, proofs::index::Batch batch, std::span<std::uint32_t> out) const override {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = static_cast<std::uint32_t>(vulkan(whole_numbers(batch.points[t]), n, Fault::none));
+  }
+  std::uint32_t index(Level n, const proofs::index::RationalPoint& p) const override {
+    return static_cast<std::uint32_t>(wide_index(n, p));
+  }
+  Level max_wide_level() const override { return 30; }
+  void wide_index(Level n, const proofs::index::Row& row, std::span<std::uint64_t> out) const override {
+    for (std::uint64_t t = 0; t < row.count; ++t)
+      out[t] = vulkan(whole_numbers(representative(row, t, n)), n, Fault::none);
+  }
+  std::uint64_t wide_index(Level n, const proofs::index::RationalPoint& p) const override {
+    return vulkan(whole_numbers(p), n, Fault::none);
+  }
+
+ private:
+  const Statements statements_;
+};
+
+/// A map and the paper's two sequences of it, by recursion.
+class PaperTree : public proofs::tree::Code {
+ public:
+  explicit PaperTree(proofs::tree::Map map) : map_(std::move(map)) {}
+  proofs::tree::Bytes decode() const override { return map_.packed; }
+  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const override {
+    for (std::size_t t = 0; t < index.size(); ++t) state[t] = static_cast<std::uint8_t>(state_at(index[t]));
+  }
+  proofs::tree::Bytes bytes() const override {
+    std::vector<unsigned> nodes, values;
+    write(0, map_.level, nodes, values);
+    proofs::tree::Bytes all = packed(nodes, 1);
+    const proofs::tree::Bytes leaves = packed(values, width());
+    all.insert(all.end(), leaves.begin(), leaves.end());
+    return all;
+  }
+
+ private:
+  unsigned width() const { return map_.format == proofs::tree::Format::two_state ? 1 : 2; }
+  unsigned state_at(std::size_t k) const {
+    return static_cast<unsigned>(map_.packed[k * width() / 8]) >> k * width() % 8 & ((1u << width()) - 1);
+  }
+  /// The subtree of 4^level states from `first` on: a leaf where they are all one.
+  void write(std::size_t first, Level level, std::vector<unsigned>& nodes,
+             std::vector<unsigned>& values) const {
+    const std::size_t count = std::size_t{1} << 2 * level;
+    bool uniform = true;
+    for (std::size_t k = 1; k < count; ++k) uniform = uniform && state_at(first + k) == state_at(first);
+    nodes.push_back(uniform ? 0 : 1);
+    if (uniform) return values.push_back(state_at(first));
+    for (std::size_t child = 0; child < 4; ++child)
+      write(first + child * count / 4, level - 1, nodes, values);
+  }
+  static proofs::tree::Bytes packed(const std::vector<unsigned>& fields, unsigned width) {
+    proofs::tree::Bytes bytes((fields.size() * width + 7) / 8, 0);
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      bytes[k * width / 8] = static_cast<std::uint8_t>(bytes[k * width / 8] | fields[k] << k * width % 8);
+    return bytes;
+  }
+
+  const proofs::tree::Map map_;
+};
+
+/// Right on every map, whatever its statements say.
+class TreeProof : public proofs::tree::TreeSubject, public Provable {
+ public:
+  TreeProof(const char* name, Statements statements)
+      : TreeSubject(name, "by another hand"), statements_(std::move(statements)) {}
+  Statements statements() const override { return statements_; }
+  bool has(proofs::tree::Entry e) const override {
+    return e == proofs::tree::Entry::lookup || e == proofs::tree::Entry::bytes ||
+           e == proofs::tree::Entry::stream;
+  }
+  proofs::tree::CodePtr encode(const proofs::tree::Map& map) const override {
+    return std::make_unique<PaperTree>(map);
+  }
+
+ private:
+  const Statements statements_;
+};
+
+InsideFault proof(const char* law, const char* name, const char* wrong, Statements statements) {
+  proofs::SubjectPtr subject;
+  if (std::string(law).starts_with("tree"))
+    subject = std::make_shared<TreeProof>(name, std::move(statements));
+  else
+    subject = std::make_shared<IndexProof>(name, std::move(statements));
+  return {law, name, wrong, std::move(subject), {0, 0}};
+}
+
+}  // namespace
+
+std::vector<InsideFault> inside_right_of_provers() {
+  return {proof("index.all_levels", "shipped", "", shipped("index/all_levels")),
+          proof("index.wide_is_vulkan", "shipped", "", shipped("index/wide_is_vulkan")),
+          proof("index.impl_wide_is_wide", "shipped", "", shipped("index/impl_wide_is_wide")),
+          proof("tree.all_levels", "shipped", "", shipped("tree/all_levels"))};
+}
+
+std::vector<InsideFault> inside_faults_of_provers() {
+  std::vector<InsideFault> all;
+  const char *law = "index.all_levels", *folder = "index/all_levels";
+  const auto add = [&](const char* name, const char* wrong, const char* statement, const char* before,
+                       const char* after) {
+    all.push_back(proof(law, name, wrong, altered(folder, statement, before, after)));
+  };
+
+  add("w_tie_in_upright", "one of upright's comparisons of w with 1/2 takes the tie", "transition_upright",
+      "(< (to_real M) (* 2.0 w))", "(<= (to_real M) (* 2.0 w))");
+  add("sign_of_w_in_middle", "out of a middle triangle, u' has w with the other sign", "transition_middle",
+      "(/ (- (- u v) w) 2.0)", "(/ (+ (- u v) w) 2.0)");
+  add("above_forgotten", "the XOR of the bits above is forgotten", "transition_upright",
+      "(define-fun next_above () Bool (xor above (and (xor bu bv) b0)))",
+      "(define-fun next_above () Bool (and (xor bu bv) b0))");
+  add("beyond_hypotenuse", "the opening is said of points beyond the hypotenuse as well", "opening",
+      "(assert (<= (+ u v) (to_real M)))\n", "");
+  add("middle_is_empty", "what is supposed of a middle triangle cannot be", "witness_transition_middle",
+      "(< 0.0 v) (< 0.0 w)", "(< 0.0 v) (< w 0.0)");
+
+  law = "index.wide_is_vulkan", folder = "index/wide_is_vulkan";
+  add("level_17", "the agreement is said of level 17 as well", "agreement",
+      "(assert (bvule N (_ bv65536 32)))", "(assert (bvule N (_ bv131072 32)))");
+  add("shift_of_3", "the prefix XOR shifts by 3 in place of 4", "prefix_xor_32", "(bvlshr part_a (_ bv4 32))",
+      "(bvlshr part_a (_ bv3 32))");
+  add("mask_of_15", "a mask of the spreading is that of 15", "spread_64", "(bvshl (_ bv1 64) (_ bv16 64))",
+      "(bvshl (_ bv1 64) (_ bv15 64))");
+
+  law = "index.impl_wide_is_wide", folder = "index/impl_wide_is_wide";
+  add("u_without_bound", "iu may be any word", "square", "(assert (bvule iu N))\n", "");
+  add("mask_lacks_a_bit", "a mask of the spreading lacks its lowest bit", "bits",
+      "(_ bv71777214294589695 64)", "(_ bv71777214294589694 64)");
+  add("iw_of_any_row", "iw has nothing to do with the row", "bits",
+      "(assert (= (bvand iw low) (bvand (bvnot row) low)))\n", "");
+
+  law = "tree.all_levels", folder = "tree/all_levels";
+  add("three_children", "bitscan counts three subtrees below an internal node", "skip_node", "(- (+ c 4) 1)",
+      "(- (+ c 3) 1)");
+  add("children_exchanged", "Algorithm 2 has the second child above the first", "emit_node",
+      "(stacked (child0 T) (stacked (child1 T)", "(stacked (child1 T) (stacked (child0 T)");
+  add("node_counts_twice", "an internal node counts as two", "sizes_node", "(+ 1 (nodes (child0 T))",
+      "(+ 2 (nodes (child0 T))");
+  add("one_quarter_not_supposed", "nothing is supposed of the last quarter", "canonical_node_node",
+      "(assert (alike (part3 T) (part3 S)))\n", "");
+  return all;
+}
+
+}  // namespace mmverify::tests::foreign
