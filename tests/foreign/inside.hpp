@@ -1,5 +1,5 @@
 // Subjects of another hand for laws that no shared library reaches: each is written from the law's statement,
-// the papers and the interface header alone, and is right but for one fault.
+// the papers and the interface header alone, and is right, or right but for one fault.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,23 @@
 
 namespace mmverify::tests::foreign {
 
-/// A law's subject, wrong in one thing, or right.
 struct InsideFault {
-  const char *law, *name, *wrong;  ///< id; an identifier; what is wrong, in a sentence: empty for a right one
+  const char *law, *name, *wrong;  ///< id; an identifier; what is wrong in a sentence, empty for a right one
   proofs::SubjectPtr subject;
-  proofs::Levels levels;  ///< a fault is refuted within these, a right one passes at each
+  proofs::Levels levels;  ///< refuted within these; a right one passes at all of them
 };
-using InsideFaults = std::vector<InsideFault>;
+using InsideRows = std::vector<InsideFault>;
+
+// One pair a source.
+InsideRows inside_faults_of_index();
+InsideRows inside_right_of_index();
+InsideRows inside_faults_of_provers();
+InsideRows inside_right_of_provers();
+InsideRows inside_faults_of_micromap();
+InsideRows inside_right_of_micromap();
+InsideRows inside_faults_of_tree();
+InsideRows inside_right_of_tree();
+InsideRows inside_faults_of_vq();
+InsideRows inside_right_of_vq();
 
 }  // namespace mmverify::tests::foreign

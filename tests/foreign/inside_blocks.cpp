@@ -50,7 +50,7 @@ BlockBytes<Format> to_bytes(const Format& block, Wrong wrong) {
     out.put(index, index_bits<Format>);
   }
   const bool exchanged = wrong == Wrong::transforms_of_bl_and_br;
-  for (const std::size_t q : {1, exchanged ? 3 : 2, exchanged ? 2 : 3})
+  for (const std::size_t q : {1u, exchanged ? 3u : 2u, exchanged ? 2u : 3u})
     out.put(block.transforms[q].number(), 3);
   if constexpr (Format::side == 2) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -87,7 +87,7 @@ Format to_fields(const BlockBytes<Format>& bytes, Wrong wrong) {
     block.indices[at] = static_cast<std::uint8_t>(in.take(index_bits<Format>));
   }
   const bool exchanged = wrong == Wrong::transforms_of_bl_and_br;
-  for (const std::size_t q : {1, exchanged ? 3 : 2, exchanged ? 2 : 3})
+  for (const std::size_t q : {1u, exchanged ? 3u : 2u, exchanged ? 2u : 3u})
     block.transforms[q] = Transform::of(in.take(3));
   if (wrong == Wrong::reads_seven_as_zero && block.transforms[1].number() == 7) block.transforms[1] = {};
   if constexpr (Format::side == 2) {
@@ -136,7 +136,7 @@ constexpr char values2[] = "vq2.field_values", values4[] = "vq4.field_values";
 BlockBytes<Vq2> written(const Vq2& block) { return to_bytes(block, Wrong::nothing); }
 BlockBytes<Vq4> written(const Vq4& block) { return to_bytes(block, Wrong::nothing); }
 
-InsideFaults faults_of_blocks() {
+InsideRows faults_of_blocks() {
   return {
       row(bits2, "last_bit_lost", "the last bit is not written", Wrong::last_bit_lost),
       row(bits2, "neighbours_meet", "two bits of byte 8 share a place", Wrong::neighbours_meet),
@@ -172,7 +172,7 @@ InsideFaults faults_of_blocks() {
   };
 }
 
-InsideFaults right_blocks() {
+InsideRows right_blocks() {
   return {row(bits2, "writes", "", Wrong::nothing), row(bits4, "writes", "", Wrong::nothing),
           row(values2, "writes", "", Wrong::nothing), row(values4, "writes", "", Wrong::nothing)};
 }

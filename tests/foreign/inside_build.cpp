@@ -174,7 +174,7 @@ InsideFault sample_row(const char* name, const char* wrong, Wrong which, Levels 
 
 }  // namespace
 
-InsideFaults faults_of_builders() {
+InsideRows faults_of_builders() {
   return {
       pair_row("formats_share", "maps of one level and the same bytes share a record across formats",
                Wrong::formats_share, {1, 1}),
@@ -216,7 +216,7 @@ InsideFaults faults_of_builders() {
   };
 }
 
-InsideFaults right_builders() {
+InsideRows right_builders() {
   return {pair_row("builds", "", Wrong::nothing, {0, 1}), sample_row("builds", "", Wrong::nothing, {0, 5}),
           sample_row("aligns", "", Wrong::aligned_data, {0, 5})};
 }

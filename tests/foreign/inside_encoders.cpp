@@ -157,7 +157,7 @@ std::uint32_t kinds(const Map<Vq4>& map) {
 
 }  // namespace
 
-InsideFaults faults_of_encoders() {
+InsideRows faults_of_encoders() {
   const Search2 no_half_turn{.quadrant = 3, .untried = 6};
   const Search4 no_270{.quadrant = 3, .untried = 7};
   return {
@@ -212,7 +212,7 @@ InsideFaults faults_of_encoders() {
   };
 }
 
-InsideFaults right_encoders() {
+InsideRows right_encoders() {
   return {
       optimum("optimal", "", by(all2)),
       effort2("optimal", "", by(all2),

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/foreign/inside_topics.hpp"
+#include "tests/foreign/inside.hpp"
 #include "tests/foreign/inside_curve.hpp"
 
 namespace mmverify::tests::foreign {
@@ -365,7 +365,7 @@ InsideFault fault(const char* law, const char* name, const char* wrong, Levels l
 
 }  // namespace
 
-InsideFaults inside_right_of_index() {
+std::vector<InsideFault> inside_right_of_index() {
   std::vector<InsideFault> all;
   const auto add = [&all](InsideFault f) { all.push_back(std::move(f)); };
   const Fault none = Fault::none;
@@ -397,7 +397,7 @@ InsideFaults inside_right_of_index() {
   return all;
 }
 
-InsideFaults inside_faults_of_index() {
+std::vector<InsideFault> inside_faults_of_index() {
   std::vector<InsideFault> all;
   const auto add = [&all](InsideFault f) { all.push_back(std::move(f)); };
 

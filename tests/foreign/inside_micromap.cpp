@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "proofs/micromap/subject.hpp"
-#include "tests/foreign/inside_topics.hpp"
+#include "tests/foreign/inside.hpp"
 
 namespace mmverify::tests::foreign {
 namespace {
@@ -169,7 +169,7 @@ constexpr char wide[] = "micromap.special_indices_32";
 
 }  // namespace
 
-InsideFaults faults_of_codes() {
+InsideRows faults_of_codes() {
   return {
       code_row(small, "bytes_have_a_sign", "128 to 251 in a byte mean nothing", Wrong::bytes_have_a_sign),
       code_row(small, "i16_has_no_sign", "-32768 to -5 are indices", Wrong::i16_has_no_sign),
@@ -206,14 +206,14 @@ InsideFaults faults_of_codes() {
   };
 }
 
-InsideFaults right_codes() {
+InsideRows right_codes() {
   return {code_row(small, "codes", "", Wrong::nothing), code_row(wide, "codes", "", Wrong::nothing),
           judge_row("judges", "", Partial::nothing, {0, 1})};
 }
 
 namespace {
 
-InsideFaults together(InsideFaults a, const InsideFaults& b, const InsideFaults& c) {
+InsideRows together(InsideRows a, const InsideRows& b, const InsideRows& c) {
   a.insert(a.end(), b.begin(), b.end());
   a.insert(a.end(), c.begin(), c.end());
   return a;
@@ -221,10 +221,10 @@ InsideFaults together(InsideFaults a, const InsideFaults& b, const InsideFaults&
 
 }  // namespace
 
-InsideFaults inside_faults_of_micromap() {
+InsideRows inside_faults_of_micromap() {
   return together(faults_of_codes(), faults_of_builders(), faults_of_validators());
 }
-InsideFaults inside_right_of_micromap() {
+InsideRows inside_right_of_micromap() {
   return together(right_codes(), right_builders(), right_validators());
 }
 

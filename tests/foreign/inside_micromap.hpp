@@ -6,13 +6,13 @@
 namespace mmverify::tests::foreign {
 
 // Special indices and judges of substitutions.
-InsideFaults faults_of_codes();
-InsideFaults right_codes();
+InsideRows faults_of_codes();
+InsideRows right_codes();
 // Arrays from maps.
-InsideFaults faults_of_builders();
-InsideFaults right_builders();
+InsideRows faults_of_builders();
+InsideRows right_builders();
 // Violations of arrays.
-InsideFaults faults_of_validators();
-InsideFaults right_validators();
+InsideRows faults_of_validators();
+InsideRows right_validators();
 
 }  // namespace mmverify::tests::foreign

@@ -9,7 +9,7 @@
 
 #include "proofs/induction/discharge.hpp"
 #include "proofs/tree/subject.hpp"
-#include "tests/foreign/inside_topics.hpp"
+#include "tests/foreign/inside.hpp"
 #include "tests/foreign/inside_curve.hpp"
 
 namespace mmverify::tests::foreign {
@@ -151,14 +151,14 @@ InsideFault proof(const char* law, const char* name, const char* wrong, Statemen
 
 }  // namespace
 
-InsideFaults inside_right_of_provers() {
+std::vector<InsideFault> inside_right_of_provers() {
   return {proof("index.all_levels", "shipped", "", shipped("index/all_levels")),
           proof("index.wide_is_vulkan", "shipped", "", shipped("index/wide_is_vulkan")),
           proof("index.impl_wide_is_wide", "shipped", "", shipped("index/impl_wide_is_wide")),
           proof("tree.all_levels", "shipped", "", shipped("tree/all_levels"))};
 }
 
-InsideFaults inside_faults_of_provers() {
+std::vector<InsideFault> inside_faults_of_provers() {
   std::vector<InsideFault> all;
   const char *law = "index.all_levels", *folder = "index/all_levels";
   const auto add = [&](const char* name, const char* wrong, const char* statement, const char* before,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "proofs/tree/subject.hpp"
-#include "tests/foreign/inside_topics.hpp"
+#include "tests/foreign/inside.hpp"
 
 namespace mmverify::tests::foreign {
 namespace {
@@ -110,7 +110,7 @@ InsideFault row(const char* name, const char* wrong, Wrong which, proofs::Levels
 
 }  // namespace
 
-InsideFaults inside_faults_of_tree() {
+InsideRows inside_faults_of_tree() {
   return {
       row("skips_without_roots", "a skipped subtree's root is not counted", Wrong::skips_without_roots,
           {1, 6}),
@@ -130,6 +130,6 @@ InsideFaults inside_faults_of_tree() {
   };
 }
 
-InsideFaults inside_right_of_tree() { return {row("scans", "", Wrong::nothing, {0, 6})}; }
+InsideRows inside_right_of_tree() { return {row("scans", "", Wrong::nothing, {0, 6})}; }
 
 }  // namespace mmverify::tests::foreign

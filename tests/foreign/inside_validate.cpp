@@ -361,7 +361,7 @@ InsideFault row(const char* name, const char* wrong, Wrong which) {
 
 }  // namespace
 
-InsideFaults faults_of_validators() {
+InsideRows faults_of_validators() {
   return {
       row("region_in_32_bits", "a record's end wraps at 2^32", Wrong::region_in_32_bits),
       row("overlap_with_the_neighbour_alone", "a record is held against the one before it alone",
@@ -401,6 +401,6 @@ InsideFaults faults_of_validators() {
   };
 }
 
-InsideFaults right_validators() { return {row("validates", "", Wrong::nothing)}; }
+InsideRows right_validators() { return {row("validates", "", Wrong::nothing)}; }
 
 }  // namespace mmverify::tests::foreign

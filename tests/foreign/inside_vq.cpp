@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "tests/foreign/inside_topics.hpp"
+#include "tests/foreign/inside.hpp"
 
 namespace mmverify::tests::foreign {
 namespace {
@@ -249,7 +249,7 @@ InsideFault code_row(const char* name, const char* wrong, Coded which, Levels le
 
 }  // namespace
 
-InsideFaults faults_of_vectors() {
+InsideRows faults_of_vectors() {
   return {
       valid_row("no_diagonals", "O and T may meet at a corner", Valid::no_diagonals, {1, 1}),
       valid_row("falling_diagonals_alone", "O and T may meet along the rising diagonal",
@@ -286,14 +286,14 @@ InsideFaults faults_of_vectors() {
   };
 }
 
-InsideFaults right_vectors() {
+InsideRows right_vectors() {
   return {valid_row("masks", "", Valid::right, {1, 2}), turn_row("matrices", "", Turn::right, {1, 2}),
           code_row("masks", "", Coded::right, {1, 2})};
 }
 
 namespace {
 
-InsideFaults together(InsideFaults a, const InsideFaults& b, const InsideFaults& c) {
+InsideRows together(InsideRows a, const InsideRows& b, const InsideRows& c) {
   a.insert(a.end(), b.begin(), b.end());
   a.insert(a.end(), c.begin(), c.end());
   return a;
@@ -301,9 +301,9 @@ InsideFaults together(InsideFaults a, const InsideFaults& b, const InsideFaults&
 
 }  // namespace
 
-InsideFaults inside_faults_of_vq() {
+InsideRows inside_faults_of_vq() {
   return together(faults_of_vectors(), faults_of_blocks(), faults_of_encoders());
 }
-InsideFaults inside_right_of_vq() { return together(right_vectors(), right_blocks(), right_encoders()); }
+InsideRows inside_right_of_vq() { return together(right_vectors(), right_blocks(), right_encoders()); }
 
 }  // namespace mmverify::tests::foreign

@@ -10,14 +10,14 @@
 namespace mmverify::tests::foreign {
 
 // Vectors, transforms and codes.
-InsideFaults faults_of_vectors();
-InsideFaults right_vectors();
+InsideRows faults_of_vectors();
+InsideRows right_vectors();
 // The bits of blocks.
-InsideFaults faults_of_blocks();
-InsideFaults right_blocks();
+InsideRows faults_of_blocks();
+InsideRows right_blocks();
 // Encoders of maps.
-InsideFaults faults_of_encoders();
-InsideFaults right_encoders();
+InsideRows faults_of_encoders();
+InsideRows right_encoders();
 
 /// The bits of a block, one number after the other, each from its least bit on.
 template <class Bytes>
