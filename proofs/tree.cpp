@@ -214,7 +214,7 @@ Law samples_law() {
        .says = "round trip, lookups by index and by point, and the paper's bytes, on maps of higher levels",
        .source = succinct_4_2,
        .subjects = {"tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
-       .fast = {2, 8},
+       .fast = {2, 9},
        .long_run = {2, 12},
        .fast_seconds = 6,
        .mutants = {mutant("the last index of level 8", "tree-ranked", {8, 8}, at(8, 65535)),
@@ -225,6 +225,11 @@ Law samples_law() {
                                  if (map.level == 5 && states.size() % 8 == 5 &&
                                      states[states.size() - 2] == 3)
                                    states[states.size() - 2] = 2;
+                               }}),
+                   mutant("leaves from 2^17 on are counted from 0", "tree-stream", {9, 9},
+                          {.lookup =
+                               [](const Map& map, std::uint32_t k, std::uint8_t& state) {
+                                 if (map.level == 9 && k >= 131'072) state = state_at(map, k - 131'072);
                                }}),
                    mutant("four 4-state states of level 2 are lost", "tree-container", {2, 2},
                           {.decode =

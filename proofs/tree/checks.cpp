@@ -146,7 +146,7 @@ Finding asked_in_turn(const TreeSubject& s, const Map& map) {
   }
   std::vector<CodePtr> codes;
   for (const Map& one : maps) codes.push_back(s.encode(one));
-  for (const std::size_t k : {0, 1, 0, 2, 1, 2, 0}) {
+  for (const std::size_t k : {0u, 1u, 0u, 2u, 1u, 2u, 0u}) {
     if (s.has(Entry::lookup))
       if (const Finding found = looked_up(*codes[k], maps[k], indices, indices.size()); !found.holds)
         return found;

@@ -124,7 +124,7 @@ void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const T
 
   const std::uint8_t any = static_cast<std::uint8_t>(1 + random.below(255));
   for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{0xFF}, any})
-    for (const std::size_t more : {1, 2, 3, 4, 7, 8, 16, 64}) {
+    for (const std::size_t more : {1u, 2u, 3u, 4u, 7u, 8u, 16u, 64u}) {
       Bytes longer = code;
       longer.insert(longer.end(), more, value);
       give(fmt::format("{} bytes {:02x} more,", more, value), longer);
