@@ -20,14 +20,18 @@ bool planned(const std::vector<Job>& jobs, const Law& law, const Subject& subjec
   });
 }
 
+bool fits_somewhere(const Law& law, const Subject& subject, const Levels& levels) {
+  for (Level n = levels.first; n <= levels.last; ++n)
+    if (!law.unfit(subject, n)) return true;
+  return false;
+}
+
 /// What the law brings along on a float subject, if it is about that subject: one takes binary64 numbers,
 /// another has no entry point for points.
 const Law* companion(const Law& law, const Subject& subject) {
   const Law* on_floats = law.float_companion.empty() ? nullptr : find_law(law.float_companion);
-  if (on_floats == nullptr || subject.topic() != law.topic) return on_floats;
-  for (Level n = on_floats->long_run.first; n <= on_floats->long_run.last; ++n)
-    if (!on_floats->unfit(subject, n)) return on_floats;
-  return nullptr;
+  return on_floats != nullptr && fits_somewhere(*on_floats, subject, on_floats->long_run) ? on_floats
+                                                                                          : nullptr;
 }
 
 }  // namespace
@@ -62,7 +66,9 @@ std::vector<Job> plan(const Request& request) {
       if (request.laws.empty() ? !about(*law, *subject) || other_topic : other_topic && of_its_topic)
         continue;
       add(*law, subject);
-      if (!subject->exact())
+      // A law that does not apply proves nothing that floats could deny.
+      const Levels run = request.levels.value_or(request.tier == Tier::fast ? law->fast : law->long_run);
+      if (!subject->exact() && fits_somewhere(*law, *subject, run))
         for (const Law* on_floats = companion(*law, *subject); on_floats != nullptr;
              on_floats = companion(*on_floats, *subject))
           add(*on_floats, subject);

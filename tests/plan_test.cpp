@@ -30,6 +30,16 @@ TEST(Plan, AFloatSubjectBringsTheCompanionOnFloatsAlong) {
                            "index.equals_reference step", "index.rounding step-f32", "index.rounding step"));
 }
 
+TEST(Plan, ALawThatDoesNotApplyBringsNothingAlong) {
+  Request request;
+  request.laws = {find_law("index.nested")};
+  request.subjects = {find_subject("impl")};
+  request.levels = Levels{16, 16};
+  EXPECT_THAT(jobs_of(request), testing::ElementsAre("index.nested impl"));
+  request.levels = Levels{15, 16};
+  EXPECT_THAT(jobs_of(request), testing::ElementsAre("index.nested impl", "index.exact_on_floats impl"));
+}
+
 TEST(Plan, NoNamesMeanEveryLawOfTheTierOnItsOwnSubjects) {
   for (const Tier tier : {Tier::fast, Tier::long_run}) {
     std::size_t all = 0;

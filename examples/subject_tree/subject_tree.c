@@ -127,31 +127,31 @@ static void tree_lookup(uint32_t level, uint32_t bits, const uint8_t* code, size
   for (size_t k = 0; k < count; ++k) state[k] = (uint8_t)state_at(level, bits, code, data, index[k]);
 }
 
-/* Algorithm 4: the digits of the index of a point, exact for the dyadic numbers that it is asked for. */
+/* ---- points: the bit formula of VK_EXT_opacity_micromap. Algorithm 4 and the formula's own sum of
+ * fractions would round; this compares, and is right for every pair of floats. ---- */
+
+static float clamped(float x) { return x > 0 ? (x < 1 ? x : 1) : 0; }
+
+static uint32_t spread(uint32_t x) {
+  x = (x | x << 8) & 0x00ff00ff;
+  x = (x | x << 4) & 0x0f0f0f0f;
+  x = (x | x << 2) & 0x33333333;
+  return (x | x << 1) & 0x55555555;
+}
+
 static size_t index_of(uint32_t level, float u, float v) {
-  float w = 1 - u - v;
-  int mid_flip = 0, top_flip = 0;
-  size_t index = 0;
-  for (; level > 0; --level) {
-    const float a = u, b = v, c = w;
-    const int v_tie = b == 0.5f && mid_flip;
-    if (c > 0.5f) {
-      index = 4 * index + (top_flip ? 2 : 0);
-      u = 2 * a, v = 2 * b, w = c - a - b;
-    } else if (b >= 0.5f && !v_tie) {
-      index = 4 * index + 3;
-      u = 2 * a, v = b - a - c, w = 2 * c;
-      top_flip = !top_flip;
-    } else if (a >= 0.5f && !v_tie) {
-      index = 4 * index + (top_flip ? 0 : 2);
-      u = a - b - c, v = 2 * b, w = 2 * c;
-    } else {
-      index = 4 * index + 1;
-      u = a + b - c, v = c + a - b, w = b + c - a;
-      mid_flip = !mid_flip;
-    }
-  }
-  return index;
+  const uint32_t n = 1u << level;
+  const float un = clamped(u) * (float)n, vn = clamped(v) * (float)n;
+  uint32_t i = (uint32_t)un, j = (uint32_t)vn;
+  const float uf = un - (float)i, vf = vn - (float)j;
+  const int upper = uf > vf ? vf >= 1 - uf : uf >= 1 - vf;
+  if (j > n - 1) j = n - 1;
+  if (i > n - 1 - j) i = n - 1 - j;
+  const uint32_t row = i + j + (upper && i + j < n - 1);
+  const uint32_t b0 = i ^ row, t = (i ^ j) & b0;
+  uint32_t f = t ^ t >> 1;
+  f ^= f >> 2, f ^= f >> 4, f ^= f >> 8;
+  return spread(b0) | spread(((f ^ i) & ~b0) | t) << 1;
 }
 
 static void tree_lookup_f32(uint32_t level, uint32_t bits, const uint8_t* code, size_t code_size,

@@ -192,7 +192,7 @@ std::vector<Law> state_laws() {
           "bake.unknown_side_on_samples", side, wrong_side, plain_samples,
           {side_of_another("texture coordinates in steps of 2^-6", {2, 5}, in_steps_of(6)),
            side_of_another("the side is that above the cutoff", {2, 5}, above_the_cutoff),
-           side_of_another("mirror-once leans as if clamped to the edge", {3, 4}, mirror_once_as_clamp)}),
+           side_of_another("mirror-once leans as if clamped to the edge", {4, 4}, mirror_once_as_clamp)}),
       state_law("bake.conservative_on_features", conservative, not_conservative, all_samples,
                 {asked_for_another("margins up to a quarter are none", {2, 5}, quarter_margin_as_none),
                  asked_for_another("the second mip is left out", {2, 5}, first_mip_alone),
