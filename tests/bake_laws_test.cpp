@@ -248,6 +248,24 @@ TEST(BakeStrata, AreWhatTheirTextSays) {
   for (const std::size_t count : states) EXPECT_GT(count, 32 * whole / 20) << "no state is rare";
 }
 
+// What a baker of 8 bits without factors, margins and mips does not decline, at every level.
+TEST(BakeStrata, EveryFourthIsPlain) {
+  for (Level n = 0; n <= 9; ++n) {
+    std::size_t plain = 0;
+    const std::uint64_t count = find_law("bake.tight_on_strata")->cases(n, Asked{});
+    for (std::uint64_t k = 0; k < count; ++k) {
+      if (stratum(n, k) < plain_rows) continue;
+      ++plain;
+      const Case one = stratified(1, n, stratum(n, k));
+      EXPECT_TRUE(one.texel == Texel::unorm8 && one.mips == 1 && one.factor == 1 && one.vertex_factor == 1 &&
+                  one.margin == 0 && !one.blend && one.filter == Filter::bilinear)
+          << text_of(one);
+    }
+    EXPECT_EQ(plain, count / 4);
+    EXPECT_EQ(count - plain, fast_strata(n)) << "the rest of the fast tier's levels is the design";
+  }
+}
+
 // A texel whose alpha is on one side of the cutoff exactly and on the other in rounded numbers.
 TEST(BakeStrata, MeetCutoffsThatOnlyRoundedProductsPass) {
   std::size_t between = 0;

@@ -57,9 +57,11 @@ std::uint64_t count_of(Level n, Tier tier) {
 
 /// Other ones at each level.
 std::uint64_t row_of(Level n, std::uint64_t k) { return 37 * std::uint64_t{n} + k; }
+/// Every second one plain.
+std::uint64_t row_or_plain(Level n, std::uint64_t k) { return row_of(n, k / 2) + k % 2 * plain_rows; }
 
 Case any_sample(std::uint64_t seed, Level n, std::uint64_t k) {
-  return is_stratum(n, k) ? stratified(seed, n, row_of(n, k / every(n)))
+  return is_stratum(n, k) ? stratified(seed, n, row_or_plain(n, k / every(n)))
                           : large_sample(seed, k - k / every(n));
 }
 

@@ -71,10 +71,10 @@ struct Domain {
 
 std::uint64_t as_many(Level, Tier tier) { return tier == Tier::fast ? 64 : 20'000; }
 std::uint64_t strata_count(Level n, Tier tier) {
-  if (tier == Tier::fast) return fast_strata(n);
+  if (tier == Tier::fast) return with_plain(fast_strata(n));
   constexpr std::array<std::uint64_t, 13> counts{4840, 4840, 4840, 4840, 4840, 4840, 2420,
                                                  1936, 968,  484,  96,   8,    4};
-  return n < counts.size() ? counts[n] : 0;
+  return n < counts.size() ? with_plain(counts[n]) : 0;
 }
 
 constexpr Domain bilinear{bilinear_families}, nearest{nearest_families}, blend{blend_families},

@@ -349,7 +349,12 @@ const std::vector<Row>& design() {
 }
 
 Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
-  const Row& row = design()[number % design().size()];
+  Row row = design()[number % design().size()];
+  if (number >= plain_rows) {
+    for (const Dimension d : {mips_of, deciding_mip, texel_of, filter_of, factor_of, vertex_of, margin_of})
+      row[d] = 0;
+    if (row[cutoff_of] == cutoff_kinds - 1) row[cutoff_of] = 0;  // BLEND
+  }
   Random random(seed, stream + 1 + n, number);
   Case one;
   set_sides(one, row, number, random);
@@ -418,16 +423,18 @@ std::uint64_t fast_strata(Level n) {
 }
 
 std::uint64_t stratum(Level n, std::uint64_t k) {
+  if (k % 4 == 3) return plain_rows + 37 * std::uint64_t{n} + k / 4;
   std::uint64_t first = 0;
   for (Level m = 0; m < n; ++m) first += fast_strata(m);
-  return first + k;
+  return first + k - k / 4;
 }
 
 const char* strata_text() {
   return "strata: sides of 1 to 16384 texels, chains of mips that one decides alone, 8 and 16 bits and "
          "binary32, both filters, all addressing, borders, factors whose products round, cutoffs at, beside "
          "and "
-         "between them, BLEND, margins; triangles at far corners, across lines, repeats away, thin, flat";
+         "between them, BLEND, margins, every fourth plain; triangles at far corners, across lines, repeats "
+         "away, thin, flat";
 }
 
 const char* judged_strata_text() {

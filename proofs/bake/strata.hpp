@@ -49,22 +49,27 @@ const std::vector<Row>& design();
 /// Textures have up to so many texels in mip 0, in one row of 16 (`large_row`) up to so many.  What has more
 /// gets the next shorter of the sides along one axis.
 inline constexpr std::uint64_t usual_texels = std::uint64_t{1} << 17, large_texels = std::uint64_t{1} << 20;
+inline constexpr std::uint64_t plain_rows = std::uint64_t{1} << 20;
 constexpr bool large_row(std::uint64_t row) { return row % 16 == 15; }
 
 /// Row `row` of the design (of its number of rows, the rest numbers another draw), filled in at random, its
 /// micro-triangles of level n as long as the row says and as the specification's pace allows.  Of textures
 /// with more than 1024 texels the case's text names this draw in their place.
+/// From `plain_rows` on rows are filled in as a simple baker knows them: 8 bits, bilinear, MASK, one mip, without
+/// factors and margins.
 /// Domain: seed, row below 2^32.
 Case stratified(std::uint64_t seed, Level n, std::uint64_t row);
 
 /// The texels that "drawn-SEED-LEVEL-ROW" stands for in a case's text.  Throws BadCase.
 Case drawn_case(const std::string& name);
 
-/// Which row case k of a level is: levels follow each other, so that the fast tier's levels together run
-/// through the design once, and more cases of a level go on from there.
-std::uint64_t stratum(Level n, std::uint64_t k);
-/// How many cases a level has in the fast tier.
+/// How many cases of a level run through the design once, over the fast tier's levels 0..9; and how many there are
+/// with the plain ones, a fourth of all.
 std::uint64_t fast_strata(Level n);
+constexpr std::uint64_t with_plain(std::uint64_t cases) { return cases + cases / 3; }
+
+/// Which row case k of a level is: every fourth is plain, the others go on from where the level below ended.
+std::uint64_t stratum(Level n, std::uint64_t k);
 
 /// What the domain of a law says of them; of one that judges states.
 const char* strata_text();
