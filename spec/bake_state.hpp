@@ -99,7 +99,10 @@ micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTr
     return state_in(mode, range(t, dilated(in(t), margin)));
   };
   State all = state(mips[0]);
-  for (const TextureOf<Texel>& t : mips.subspan(1)) all = merged(all, state(t));
+  for (const TextureOf<Texel>& t : mips.subspan(1)) {
+    if (all == State::C) break;  // and so it stays
+    all = merged(all, state(t));
+  }
   if (all == State::O) return micromap::State::O;
   if (all == State::T) return micromap::State::T;
   return mode.rather_opaque(alpha(mips[0], centroid(in(mips[0])))) ? micromap::State::UO

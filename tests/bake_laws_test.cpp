@@ -3,14 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "proofs/bake/family.hpp"
+#include "proofs/bake/narrow.hpp"
 #include "proofs/bake/offender.hpp"
 #include "proofs/bake/samples.hpp"
+#include "proofs/bake/strata.hpp"
 #include "proofs/bake/subject.hpp"
 #include "proofs/bake/truth.hpp"
 #include "proofs/engine/random.hpp"
@@ -22,6 +26,7 @@ namespace {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::bake;
+using mmverify::spec::Integer;
 
 using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
 
@@ -30,6 +35,18 @@ Result judged(const char* law, const Subject& subject, Level level) {
 }
 Result judged(const char* law, const char* subject, Level level) {
   return judged(law, *find_subject(subject), level);
+}
+
+// A subject that is wrong about the third mip alone, or about 2-state maps' last bits.
+TEST(BakeLaws, MipsArePartedAndMapsPadded) {
+  Parts parts = the("bake")->parts;
+  parts.bake = [real = parts.bake](const Case& one, Level n, Format format) {
+    auto baked = real(one, n, format);
+    if (baked && format == Format::two_state) baked->padded = n != 0;
+    return baked;
+  };
+  EXPECT_EQ(judged("bake.force2", BakeSubject("padded", "with ones", parts), 0).verdict, Verdict::refuted);
+  EXPECT_EQ(judged("bake.nested", "bake", 12).verdict, Verdict::not_applicable);
 }
 
 TEST(BakeLaws, ALawNeedsItsEntryPointAndItsLevel) {
@@ -161,6 +178,172 @@ TEST(BakeSamples, AreOfTheirKinds) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// Strata
+// ---------------------------------------------------------------------------------------------------------------------
+
+TEST(BakeStrata, HaveEveryPairOfValues) {
+  const std::vector<Row>& rows = design();
+  ASSERT_EQ(rows.size(), 484u);
+  std::uint64_t fast = 0;
+  for (Level n = 0; n <= 12; ++n) fast += fast_strata(n);
+  EXPECT_EQ(fast, rows.size()) << "the fast tier's levels run through the design once";
+  for (std::size_t d = 0; d < dimensions; ++d)
+    for (std::size_t e = 0; e < d; ++e) {
+      std::set<std::pair<int, int>> met;
+      for (const Row& row : rows) met.emplace(row[d], row[e]);
+      EXPECT_EQ(met.size(), std::size_t{values_of()[d]} * values_of()[e]) << d << ", " << e;
+    }
+  // Levels have every value of a side by themselves, where they have as many cases.
+  for (std::uint64_t first = 0; first + 22 <= rows.size(); ++first) {
+    std::set<int> widths;
+    for (std::uint64_t k = 0; k < 22; ++k) widths.insert(rows[first + k][width_of]);
+    EXPECT_EQ(widths.size(), 22u);
+  }
+}
+
+// What the rows become: sides, chains and texels, and truths that are not all alike.
+TEST(BakeStrata, AreWhatTheirTextSays) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sizes;
+  std::set<std::uint32_t> mips;
+  std::array<std::size_t, 4> states{};
+  std::size_t whole = 0, large = 0, said = 0, rounded = 0;
+  for (std::uint64_t row = 0; row < design().size(); row += sanitized ? 31 : 1) {
+    const Case one = stratified(1, 5, row);
+    sizes.emplace(one.width, one.height);
+    mips.insert(one.mips);
+    const std::uint64_t texels = std::uint64_t{one.width} * one.height;
+    EXPECT_LE(texels, large_row(row) ? large_texels : usual_texels);
+    large += texels > usual_texels ? 1 : 0;
+    EXPECT_EQ(one.alpha.size(), texels_of(one.width, one.height, one.mips));
+    const std::string text = text_of(one);
+    EXPECT_LT(text.size(), 9000u);
+    said += text.find("drawn-1-5-") != std::string::npos ? 1 : 0;
+    if (row % 8 == 0) {
+      const Case again = case_from(text);
+      EXPECT_EQ(again.alpha, one.alpha) << text;
+      EXPECT_EQ(text_of(again), text);
+    }
+    const float product = one.factor * one.vertex_factor;
+    rounded += double{product} != double{one.factor} * double{one.vertex_factor} ? 1 : 0;
+    if (row % 16 != 1) continue;
+    ++whole;
+    for (const State s : true_states(one, 5)) ++states[static_cast<std::size_t>(s)];
+  }
+  EXPECT_THROW(case_from("texels=u8:4x4:drawn-1-5-7,wrap=clamp:clamp,cutoff=1/2,uv=0:0:0:1:1:0"), BadCase);
+  EXPECT_THROW(case_from("texels=u8:4x4:drawn-x,wrap=clamp:clamp,cutoff=1/2,uv=0:0:0:1:1:0"), BadCase);
+  if (sanitized) return;
+  // Every pair of sides with few enough texels.
+  for (const std::uint32_t w : sides())
+    for (const std::uint32_t h : sides())
+      if (std::uint64_t{w} * h <= usual_texels) {
+        EXPECT_TRUE(sizes.count({w, h}) == 1) << w << "x" << h;
+      }
+  for (std::uint32_t k = 1; k <= 15; ++k)
+    if (k <= 3 || k == 5 || k == 15) {
+      EXPECT_TRUE(mips.count(k) == 1) << k;
+    }
+  EXPECT_GT(large, 4u);
+  EXPECT_GT(said, 200u);
+  EXPECT_GT(rounded, 100u);
+  for (const std::size_t count : states) EXPECT_GT(count, 32 * whole / 20) << "no state is rare";
+}
+
+// What a baker of 8 bits without factors, margins and mips does not decline, at every level.
+TEST(BakeStrata, EveryFourthIsPlain) {
+  for (Level n = 0; n <= 9; ++n) {
+    std::size_t plain = 0;
+    const std::uint64_t count = find_law("bake.tight_on_strata")->cases(n, Asked{});
+    for (std::uint64_t k = 0; k < count; ++k) {
+      if (stratum(n, k) < plain_rows) continue;
+      ++plain;
+      const Case one = stratified(1, n, stratum(n, k));
+      EXPECT_TRUE(one.texel == Texel::unorm8 && one.mips == 1 && one.factor == 1 && one.vertex_factor == 1 &&
+                  one.margin == 0 && !one.blend && one.filter == Filter::bilinear)
+          << text_of(one);
+    }
+    EXPECT_EQ(plain, count / 4);
+    EXPECT_EQ(count - plain, fast_strata(n)) << "the rest of the fast tier's levels is the design";
+  }
+}
+
+// A texel whose alpha is on one side of the cutoff exactly and on the other in rounded numbers.
+TEST(BakeStrata, MeetCutoffsThatOnlyRoundedProductsPass) {
+  std::size_t between = 0;
+  for (std::uint64_t row = 0; row < design().size(); ++row) {
+    if (design()[row][cutoff_of] != 3) continue;
+    const Case one = stratified(1, 0, row);
+    if (one.texel != Texel::unorm8) continue;
+    bool found = false;
+    for (std::uint32_t t = 1; t < 256 && !found; ++t) {
+      const float x = static_cast<float>(t) / 255;
+      const auto exact = [](float f) {
+        return mmverify::spec::bake::number<Rational>(
+            mmverify::spec::bake::Binary32{std::bit_cast<std::uint32_t>(f)});
+      };
+      const Rational alpha = Rational(t, 255) * exact(one.factor) * exact(one.vertex_factor),
+                     cutoff(one.cutoff.numerator, one.cutoff.denominator);
+      for (const float y : {x * one.factor * one.vertex_factor, x * (one.factor * one.vertex_factor)})
+        found = found || (alpha >= cutoff) != (exact(y) >= cutoff);
+    }
+    between += found ? 1 : 0;
+  }
+  EXPECT_GT(between, 3u);
+}
+
+TEST(BakeStrata, AreJudgedAtOtherPlacesEachAndAtTheEnds) {
+  std::set<std::uint32_t> at;
+  std::size_t first = 0, last = 0;
+  for (std::uint64_t row = 0; row < 64; ++row)
+    for (const std::uint32_t k : judged_at(stratified(1, 7, row), 7)) {
+      ASSERT_LT(k, 1u << 14);
+      at.insert(k);
+      first += k == 0 ? 1 : 0;
+      last += k == (1u << 14) - 1 ? 1 : 0;
+    }
+  EXPECT_GT(at.size(), 900u);
+  EXPECT_GE(first, 64u);
+  EXPECT_GE(last, 64u);
+  EXPECT_LE(judged_at(stratified(1, 3, 7), 3).size(), 32u);
+  EXPECT_EQ(judged_at(sample(1, 0), 3).size(), 64u);
+  EXPECT_EQ(judged_at(sample(1, 0), 7).size(), 96u);
+}
+
+TEST(BakeNumbers, NarrowOnesAreBoostsOrThrow) {
+  Random random(3, 1, 4);
+  std::size_t thrown = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    const auto any = [&](bool positive) {
+      const auto size = static_cast<int>(random.below(62));
+      const auto x = static_cast<std::int64_t>(random.next() >> (63 - size));
+      return positive ? std::max<std::int64_t>(x, 1) : random.below(2) != 0 ? x : -x;
+    };
+    const std::int64_t a = any(false), b = any(true), c = any(false), d = any(true);
+    const Rational p(a, b), q(c, d);
+    const Rational64 s{Whole64(a), Whole64(b)}, t{Whole64(c), Whole64(d)};
+    ASSERT_EQ(p < q, s < t);
+    ASSERT_EQ(p == q, s == t);
+    const auto same = [&](const Rational& wide, auto narrow) {
+      const Integer limit = Integer(1) << 63;
+      const bool fits = abs(wide.numerator()) < limit && wide.denominator() < limit;
+      try {
+        const Rational64 got = narrow();
+        EXPECT_EQ(wide, Rational(static_cast<std::int64_t>(got.numerator()),
+                                 static_cast<std::int64_t>(got.denominator())));
+      } catch (const std::overflow_error&) {
+        ++thrown;
+        EXPECT_FALSE(fits) << wide;
+      }
+    };
+    same(p + q, [&] { return s + t; });
+    same(p - q, [&] { return s - t; });
+    same(p * q, [&] { return s * t; });
+    if (c != 0) same(p / q, [&] { return s / t; });
+    same(-p, [&] { return -s; });
+  }
+  EXPECT_GT(thrown, 1000u);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // Counterexamples
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -186,7 +369,7 @@ TEST(BakeOffender, ThePointLiesInTheMicroTriangleAndContradictsItsState) {
     const std::vector<State> truth = true_states(one, 2);
     std::vector<State> got = truth;
     for (State& s : got) s = mmverify::spec::micromap::force2(s);  // settles what is unknown
-    const auto o = worst(one, 2, got, judged_at(2), truth);
+    const auto o = worst(one, 2, got, judged_at(one, 2), truth);
     if (!o) continue;
     ++found;
     const Extreme& e = contradiction(*o);

@@ -10,6 +10,8 @@
 #include <map>
 #include <string_view>
 
+#include "proofs/bake/strata.hpp"
+
 namespace mmverify::proofs::bake {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr std::array<std::string_view, 5> wrap_names{"repeat", "mirror", "clamp"
 constexpr std::array<std::string_view, 3> texel_names{"u8", "u16", "f32"};
 constexpr std::array<std::size_t, 3> texel_digits{2, 4, 8};
 constexpr std::uint32_t largest_side = 16384;
-constexpr std::uint64_t most_texels = std::uint64_t{1} << 20;
+constexpr std::uint64_t most_texels = std::uint64_t{1} << 21, most_said = 1024;
 
 std::size_t digits_of(Texel texel) { return texel_digits[static_cast<std::size_t>(texel)]; }
 
@@ -77,9 +79,18 @@ void read_texels(Case& one, std::string_view value) {
   one.height = whole(sides[1], 10, remedy);
   if (one.width < 1 || one.height < 1 || one.width > largest_side || one.height > largest_side ||
       texels_of(one.width, one.height, one.mips) > most_texels)
-    bad(value, "1 to 16384 texels along each side, and no more than 2^20");
+    bad(value, "1 to 16384 texels along each side, and no more than 2^21");
   const std::size_t digits = digits_of(one.texel);
   const std::uint64_t count = texels_of(one.width, one.height, one.mips);
+  if (parts[2].starts_with("drawn-")) {
+    one.drawn = parts[2];
+    Case drawn = drawn_case(one.drawn);
+    if (drawn.texel != one.texel || drawn.width != one.width || drawn.height != one.height ||
+        drawn.mips != one.mips)
+      bad(value, "the draw has another size, another number of mips or other texels");
+    one.alpha = std::move(drawn.alpha);
+    return;
+  }
   if (parts[2].size() != digits * count) bad(value, "the digits are not those of all texels of all mips");
   one.alpha.clear();
   for (std::size_t k = 0; k < count; ++k)
@@ -114,7 +125,10 @@ std::string text_of(const Case& one) {
   if (one.mips != 1) text += fmt::format("mips={},", one.mips);
   text += fmt::format("texels={}:{}x{}:", texel_names[static_cast<std::size_t>(one.texel)], one.width,
                       one.height);
-  for (const std::uint32_t bits : one.alpha) text += fmt::format("{:0{}x}", bits, digits);
+  if (!one.drawn.empty() && one.alpha.size() > most_said)
+    text += one.drawn;
+  else
+    for (const std::uint32_t bits : one.alpha) text += fmt::format("{:0{}x}", bits, digits);
   text += fmt::format(",wrap={}:{}", wrap(one.wrap_u), wrap(one.wrap_v));
   if (one.wrap_u == Wrap::clamp_to_border || one.wrap_v == Wrap::clamp_to_border)
     text += fmt::format(",border={:0{}x}", one.border, digits);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <mutex>
 #include <tuple>
@@ -46,6 +47,28 @@ struct Micro {
 using Micros = std::vector<Micro>;
 
 }  // namespace
+
+/// The truth of a level, a byte a state, kept for the laws that ask after the first, and for their mutants.
+struct Enumerated::Kept {
+  static constexpr Level levels = 4;
+  static constexpr std::uint64_t most = 100'000;  ///< cases: some 5 MB a family
+  struct OfLevel {
+    std::vector<std::uint8_t> states;
+    std::vector<std::atomic<bool>> known;
+  };
+  std::array<std::once_flag, levels> once;
+  std::array<OfLevel, levels> of_level;
+
+  /// Null where the truth is not kept.
+  OfLevel* of(Level n, std::uint64_t cases) {
+    if (n >= levels || cases > most) return nullptr;
+    std::call_once(once[n], [&] {
+      of_level[n].states.resize(cases << 2 * n);
+      of_level[n].known = std::vector<std::atomic<bool>>(cases);
+    });
+    return &of_level[n];
+  }
+};
 
 struct Enumerated::Geometry {
   static constexpr Level levels = 13;
@@ -113,7 +136,8 @@ struct Enumerated::Geometry {
 Enumerated::Enumerated(Family family)
     : family_(std::move(family)),
       textures_(power(family_.alphabet.size(), family_.side * family_.side)),
-      geometry_(std::make_unique<Geometry>(family_.triangles.size())) {}
+      geometry_(std::make_unique<Geometry>(family_.triangles.size())),
+      kept_(std::make_unique<Kept>()) {}
 Enumerated::~Enumerated() = default;
 Enumerated::Enumerated(Enumerated&&) noexcept = default;
 
@@ -148,6 +172,26 @@ Case Enumerated::at(std::uint64_t k) const {
 }
 
 std::vector<State> Enumerated::truth(Level n, std::uint64_t k) const {
+  Kept::OfLevel* const kept = kept_->of(n, count());
+  if (kept == nullptr) return found(n, k);
+  const std::size_t size = std::size_t{1} << 2 * n;
+  std::uint8_t* const states = kept->states.data() + k * size;
+  std::vector<State> truth(size);
+  if (kept->known[k].load(std::memory_order_acquire)) {
+    std::transform(states, states + size, truth.begin(),
+                   [](std::uint8_t s) { return static_cast<State>(s); });
+    return truth;
+  }
+  truth = found(n, k);
+  static std::mutex lock;
+  const std::lock_guard hold(lock);
+  if (kept->known[k].load(std::memory_order_relaxed)) return truth;
+  std::transform(truth.begin(), truth.end(), states, [](State s) { return static_cast<std::uint8_t>(s); });
+  kept->known[k].store(true, std::memory_order_release);
+  return truth;
+}
+
+std::vector<State> Enumerated::found(Level n, std::uint64_t k) const {
   const Number number = parts(k);
   const auto [wrap_u, wrap_v] = family_.wraps[number.wrap];
   const auto value_at = [&, u = wrap_u, v = wrap_v](std::int64_t i, std::int64_t j) -> std::uint8_t {

@@ -45,6 +45,8 @@ class Enumerated {
 
  private:
   struct Geometry;
+  struct Kept;
+  std::vector<State> found(Level n, std::uint64_t k) const;
   struct Number {
     std::uint64_t texture, wrap, triangle;
   };
@@ -54,6 +56,7 @@ class Enumerated {
   Family family_;
   std::uint64_t textures_;
   std::unique_ptr<Geometry> geometry_;
+  std::unique_ptr<Kept> kept_;
 };
 
 /// Several, one after the other.

@@ -133,7 +133,18 @@ void mask_margins(Canvas& canvas, double width, double height) {
                  ink, 1);
 }
 
-std::string where(const Place& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
+std::string where_in(const Extreme& e) {
+  const std::string at = fmt::format("({}, {})", text_of(e.at.x), text_of(e.at.y));
+  return e.mip == 0 ? at : fmt::format("{} of mip {}", at, e.mip);
+}
+
+/// In texels of mip 0, which is drawn.
+Place in_first(const Case& one, const Extreme& e) {
+  const auto scale = [&](std::uint32_t size) {
+    return bake::fraction<Rational>(size, std::max(1u, size >> e.mip));
+  };
+  return {e.at.x * scale(one.width), e.at.y * scale(one.height)};
+}
 
 }  // namespace
 
@@ -149,7 +160,7 @@ std::string picture(const Case& one, Level n, const std::optional<Offender>& off
   std::string line;
   if (contradicts)
     line = fmt::format("but alpha is {} at texel {}, and the cutoff is {}.",
-                       text_of(contradiction(*offender).alpha), where(contradiction(*offender).at), cutoff);
+                       text_of(contradiction(*offender).alpha), where_in(contradiction(*offender)), cutoff);
   else if (offender)
     line =
         fmt::format("but it is {}: alpha is {} to {} on it, and the cutoff is {}.", full_name(offender->is),
@@ -166,8 +177,8 @@ std::string picture(const Case& one, Level n, const std::optional<Offender>& off
   canvas.text({left, 34}, title, 19, ink, "start", true);
   canvas.text({left, 60}, line, 15);
   if (offender) {
-    canvas.dot(view(contradiction(*offender).at), 6, "#000000", "#ffffff");
-    if (!contradicts) canvas.dot(view(offender->alpha.greatest.at), 6, "#ffffff", "#000000");
+    canvas.dot(view(in_first(one, contradiction(*offender))), 6, "#000000", "#ffffff");
+    if (!contradicts) canvas.dot(view(in_first(one, offender->alpha.greatest)), 6, "#ffffff", "#000000");
   }
   const double y = top + size + 28;
   canvas.polygon({{left, y - 8}, {left + 18, y - 8}, {left + 18, y + 8}, {left, y + 8}}, "#bcd9c4", grey, 1);

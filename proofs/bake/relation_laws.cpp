@@ -2,20 +2,22 @@
 // textures and levels may be larger than the specification's pace allows.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <mutex>
 
 #include "proofs/bake/law_groups.hpp"
 #include "proofs/bake/law_parts.hpp"
 #include "proofs/bake/samples.hpp"
+#include "proofs/bake/state_mutants.hpp"
+#include "proofs/bake/strata.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
 
+using spec::micromap::as_unknown;
 using spec::micromap::force2;
 using spec::micromap::unknown;
-
-constexpr Levels small{3, 6};
 
 /// The first micro-triangle whose state is another, if there is one.
 std::optional<Finding> differ(const char* of, const std::vector<State>& expected,
@@ -28,23 +30,56 @@ std::optional<Finding> differ(const char* of, const std::vector<State>& expected
 
 /// Bakes in 4-state, or stops the check.
 struct Declined {};
+/// The bits after the last state are not all zero.
+struct Unpadded {};
 std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n,
                           Format format = Format::four_state) {
   std::optional<Baked> baked = s.parts.bake(one, n, format);
   if (!baked) throw Declined();
+  if (!baked->padded) throw Unpadded();
   return std::move(baked->states);
 }
 
-Law relation(Law law, Case (*number)(std::uint64_t seed, std::uint64_t k),
-             Finding (*holds)(const BakeSubject&, const Case&, Level)) {
+// ---------------------------------------------------------------------------------------------------------------------
+// Cases
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Every fourth case is one of the strata, above level 6 every second; the others are textures of up to 24x24 texels.
+constexpr std::uint64_t every(Level n) { return n > 6 ? 2 : 4; }
+constexpr bool is_stratum(Level n, std::uint64_t k) { return k % every(n) == every(n) - 1; }
+
+std::uint64_t count_of(Level n, Tier tier) {
+  constexpr std::array<std::uint64_t, 9> few{16, 16, 16, 44, 44, 44, 44, 4, 2};
+  constexpr std::array<std::uint64_t, 12> many{26'668, 26'668, 26'668, 26'668, 26'668, 26'668,
+                                               26'668, 40'000, 40'000, 400,    40,     4};
+  return tier == Tier::fast ? (n < few.size() ? few[n] : 0) : n < many.size() ? many[n] : 0;
+}
+
+/// Other ones at each level.
+std::uint64_t row_of(Level n, std::uint64_t k) { return 37 * std::uint64_t{n} + k; }
+/// Every second one plain.
+std::uint64_t row_or_plain(Level n, std::uint64_t k) { return row_of(n, k / 2) + k % 2 * plain_rows; }
+
+Case any_sample(std::uint64_t seed, Level n, std::uint64_t k) {
+  return is_stratum(n, k) ? stratified(seed, n, row_or_plain(n, k / every(n)))
+                          : large_sample(seed, k - k / every(n));
+}
+
+Law relation(Law law, Case (*number)(std::uint64_t seed, Level n, std::uint64_t k),
+             Finding (*holds)(const BakeSubject&, const Case&, Level),
+             std::uint64_t (*count)(Level, Tier) = count_of) {
   law.method = Method::sample;
-  law.fast = small;
-  law.long_run = {0, 8};
-  law.fast_seconds = 0.3;
-  law.domain = [](const Subject&, Level) { return std::string(large_samples_text()); };
+  law.fast = {0, 8};
+  law.long_run = {0, 11};
+  law.fast_seconds = 0.5;
+  if (!law.domain)
+    law.domain = [](const Subject&, Level) {
+      return fmt::format("{}; every fourth case, above level 6 every second, of {}", large_samples_text(),
+                         strata_text());
+    };
   Cases cases;
-  cases.count = [](Level, const Run& run) -> std::uint64_t { return run.tier == Tier::fast ? 32 : 20'000; };
-  cases.number = [number](Level, std::uint64_t k, std::uint64_t seed) { return number(seed, k); };
+  cases.count = [count](Level n, const Run& run) { return count(n, run.tier); };
+  cases.number = [number](Level n, std::uint64_t k, std::uint64_t seed) { return number(seed, n, k); };
   cases.chunk = 4;
   return over(std::move(law), cases,
               [holds](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>&) {
@@ -52,6 +87,8 @@ Law relation(Law law, Case (*number)(std::uint64_t seed, std::uint64_t k),
                   return holds(s, one, n);
                 } catch (const Declined&) {
                   return unsupported();
+                } catch (const Unpadded&) {
+                  return wrong("zeros after the last state", "others");
                 }
               });
 }
@@ -60,10 +97,17 @@ Law relation(Law law, Case (*number)(std::uint64_t seed, std::uint64_t k),
 // Shifts
 // ---------------------------------------------------------------------------------------------------------------------
 
-Case periodic_sample(std::uint64_t seed, std::uint64_t k) {
-  Case one = large_sample(seed, k);
-  one.wrap_u = k % 2 == 0 ? Wrap::repeat : Wrap::mirrored_repeat;
-  one.wrap_v = k / 2 % 2 == 0 ? Wrap::repeat : Wrap::mirrored_repeat;
+/// Along an axis that repeats, at least one, in coordinates that whole repeats can be added to.
+Case periodic_sample(std::uint64_t seed, Level n, std::uint64_t k) {
+  Case one = any_sample(seed, n, k);
+  const std::uint64_t number = is_stratum(n, k) ? k / every(n) : k - k / every(n);
+  const auto periodic = [](Wrap w) { return w == Wrap::repeat || w == Wrap::mirrored_repeat; };
+  if (!is_stratum(n, k) || number % 3 != 1 || !periodic(one.wrap_v))
+    one.wrap_u = number % 2 == 0 ? Wrap::repeat : Wrap::mirrored_repeat;
+  if (!is_stratum(n, k) || number % 3 == 1)
+    one.wrap_v = number / 2 % 2 == 0 ? Wrap::repeat : Wrap::mirrored_repeat;
+  if (is_stratum(n, k))
+    for (float& x : one.uv) x = std::ldexp(std::nearbyint(std::ldexp(std::fmod(x, 64.0f), 14)), -14);
   return one;
 }
 
@@ -177,12 +221,16 @@ Finding keeps_levels(const BakeSubject& s, const Case& one, Level n) {
 }
 
 Finding keeps_cutoffs(const BakeSubject& s, const Case& one, Level n) {
-  // As bytes over 255, so that alpha meets them.
-  constexpr std::array<Cutoff, 6> rising{{{0, 1}, {1, 255}, {1, 2}, {128, 255}, {1, 1}, {256, 255}}};
+  // As bytes over 255, so that alpha meets them; and the case's own, which alpha meets in another way.
+  std::vector<Cutoff> rising{{0, 1}, {1, 255}, {1, 2}, {128, 255}, {1, 1}, {256, 255}, one.cutoff};
+  std::sort(rising.begin(), rising.end(), [](const Cutoff& a, const Cutoff& b) {
+    return std::uint64_t{a.numerator} * b.denominator < std::uint64_t{b.numerator} * a.denominator;
+  });
   std::vector<State> before;
   std::uint64_t hash = 0;
   for (const Cutoff& cutoff : rising) {
     Case other = one;
+    other.blend = false;
     other.cutoff = cutoff;
     std::vector<State> map = map_of(s, other, n);
     for (std::size_t k = 0; k < before.size(); ++k) {
@@ -215,6 +263,53 @@ Finding keeps_margins(const BakeSubject& s, const Case& one, Level n) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// Mips
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Each bakes up to 15 mips.
+std::uint64_t count_with_mips(Level n, Tier tier) {
+  const std::uint64_t all = count_of(n, tier);
+  return std::min<std::uint64_t>(all, tier == Tier::fast ? 12 : 2'000);
+}
+
+/// With two mips or more.
+Case sample_with_mips(std::uint64_t seed, Level n, std::uint64_t k) {
+  for (std::uint64_t row = row_of(n, k);; ++row) {
+    const Row& kinds = design()[row % design().size()];
+    if (kinds[mips_of] == 0 || kinds[width_of] + kinds[height_of] == 0) continue;
+    return stratified(seed, n, row);
+  }
+}
+
+/// One mip as a texture of its own.
+Case mip_of(const Case& one, std::uint32_t mip) {
+  Case other = one;
+  other.width = std::max(1u, one.width >> mip);
+  other.height = std::max(1u, one.height >> mip);
+  other.mips = 1;
+  const auto from = one.alpha.begin() + static_cast<std::ptrdiff_t>(texels_of(one.width, one.height, mip));
+  other.alpha.assign(from, from + std::ptrdiff_t{other.width} * other.height);
+  other.drawn.clear();
+  return other;
+}
+
+Finding keeps_mips(const BakeSubject& s, const Case& one, Level n) {
+  const std::vector<State> map = map_of(s, one, n);
+  std::vector<State> all = map_of(s, mip_of(one, 0), n);
+  for (std::uint32_t mip = 1; mip < one.mips; ++mip) {
+    const std::vector<State> other = map_of(s, mip_of(one, mip), n);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (!unknown(all[k]) && all[k] != other[k]) all[k] = as_unknown(all[k]);
+  }
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    // Which unknown it is, only those promise who go by the centroid.
+    if (all[k] == map[k] || (!s.parts.centroid && unknown(all[k]) && unknown(map[k]))) continue;
+    return wrong(fmt::format("micro-triangle {} {}", k, name_of(all[k])), name_of(map[k]));
+  }
+  return {hash_of(map)};
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // Mutants
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -241,6 +336,31 @@ std::function<void(Parts&)> in_two_state(bool (*meant)(const Case&)) {
       return baked;
     };
   };
+}
+
+Law mips_law() {
+  return relation(
+      {.id = "bake.mips",
+       .topic = "bake",
+       .says = "with several mips a micro-triangle is O, or T, exactly where it is in each mip baked alone",
+       .source = "a mean of two mips' alpha lies between them; spec/bake_state.hpp",
+       .subjects = {"bake"},
+       .domain = [](const Subject&,
+                    Level) { return fmt::format("those with two mips or more of {}", strata_text()); },
+       .mutants = {asked_for_another("the third mip and those after it are left out", {0, 8}, two_mips),
+                   asked_for_another("the last mip is left out", {5, 8}, without_last_mip),
+                   spoiled("every unknown is settled with three mips or more, from level 6 on", "bake",
+                           {6, 8}, settles_three_mips)}},
+      sample_with_mips, keeps_mips, count_with_mips);
+}
+
+/// Bakers go up to level 12, so that 11 is the last one that has children.
+Law with_children(Law law) {
+  law.unfit = [unfit = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
+    if (n > 11) return "bakers go up to level 12, and so do the children of level 11";
+    return unfit(s, n);
+  };
+  return law;
 }
 
 }  // namespace
@@ -292,7 +412,7 @@ std::vector<Law> relation_laws() {
                                State::UT),
                        changed("an opaque one where the third vertex is the leftmost", {5, 5}, v_first,
                                State::O, State::UO)}},
-          large_sample, keeps_orders),
+          any_sample, keeps_orders),
       relation(
           {.id = "bake.force2",
            .topic = "bake",
@@ -301,17 +421,26 @@ std::vector<Law> relation_laws() {
            .subjects = {"bake"},
            .mutants = {mutant("the last of odd textures in 2-state", "bake", {5, 5}, in_two_state(odd)),
                        mutant("the last of tall textures in 2-state", "bake", {3, 3}, in_two_state(tall)),
-                       mutant("the last in 2-state", "bake", {4, 4}, in_two_state(any))}},
-          large_sample, keeps_formats),
-      relation({.id = "bake.nested",
-                .topic = "bake",
-                .says = "a micro-triangle is O, or T, exactly where its four children are",
-                .source = "a closed micro-triangle is the union of its children; spec/bake_state.hpp",
-                .subjects = {"bake"},
-                .mutants = {changed("an unknown of level 4, odd textures", {4, 4}, odd, State::UO, State::O),
-                            changed("a transparent one of tall textures", {3, 3}, tall, State::T, State::UT),
-                            changed("an opaque one", {5, 5}, any, State::O, State::UO)}},
-               large_sample, keeps_levels),
+                       mutant("the last in 2-state", "bake", {4, 4}, in_two_state(any)),
+                       mutant("ones after the last in 2-state", "bake", {1, 1},
+                              [](Parts& parts) {
+                                parts.bake = [real = parts.bake](const Case& one, Level n, Format format) {
+                                  auto baked = real(one, n, format);
+                                  if (baked && format == Format::two_state) baked->padded = n > 1;
+                                  return baked;
+                                };
+                              })}},
+          any_sample, keeps_formats),
+      with_children(relation(
+          {.id = "bake.nested",
+           .topic = "bake",
+           .says = "a micro-triangle is O, or T, exactly where its four children are",
+           .source = "a closed micro-triangle is the union of its children; spec/bake_state.hpp",
+           .subjects = {"bake"},
+           .mutants = {changed("an unknown of level 4, odd textures", {4, 4}, odd, State::UO, State::O),
+                       changed("a transparent one of tall textures", {3, 3}, tall, State::T, State::UT),
+                       changed("an opaque one", {5, 5}, any, State::O, State::UO)}},
+          any_sample, keeps_levels)),
       relation(
           {.id = "bake.cutoff",
            .topic = "bake",
@@ -322,7 +451,7 @@ std::vector<Law> relation_laws() {
                        changed("a transparent one that is unknown at cutoff 1", {3, 3}, at_one, State::T,
                                State::UT),
                        changed("one of those with a cutoff above 1", {4, 4}, never, State::T, State::O)}},
-          large_sample, keeps_cutoffs),
+          any_sample, keeps_cutoffs),
       relation({.id = "bake.margin",
                 .topic = "bake",
                 .says = "a wider margin settles nothing: what is O or T with it is so without",
@@ -332,7 +461,8 @@ std::vector<Law> relation_laws() {
                             changed("a transparent one without a margin, an even number of rows", {3, 3},
                                     narrow, State::T, State::UT),
                             changed("an unknown at a margin of 1/256", {4, 4}, hairy, State::UT, State::T)}},
-               large_sample, keeps_margins),
+               any_sample, keeps_margins),
+      mips_law(),
   };
 }
 

@@ -151,7 +151,7 @@ Case featured_sample(std::uint64_t seed, std::uint64_t k) {
 const char* featured_samples_text() {
   return "the same cases bilinear and nearest, MASK and BLEND, of 8 and 16 bits and binary32, with factors, "
          "margins "
-         "and a second mip; 64 micro-triangles of each";
+         "and a second mip; up to 96 micro-triangles of each";
 }
 
 Case large_sample(std::uint64_t seed, std::uint64_t k) {
@@ -189,7 +189,7 @@ const char* samples_text() {
   return "textures of up to 7x7 texels, any addressing, bilinear: any triangle, slivers of 10^6 to 1, "
          "corners an "
          "ulp off texel lines, 10^6 repeats away, one alpha throughout at the cutoff or beside it, lines and "
-         "points, far below 0, many repeats; 64 micro-triangles of each";
+         "points, far below 0, many repeats; up to 96 micro-triangles of each";
 }
 
 }  // namespace mmverify::proofs::bake

@@ -1,4 +1,7 @@
 // Laws of states: O and T are true of all of their micro-triangle, an unknown is one, and on the right side.
+#include <array>
+#include <numeric>
+
 #include "proofs/bake/family.hpp"
 #include "proofs/bake/law_groups.hpp"
 #include "proofs/bake/law_parts.hpp"
@@ -6,6 +9,7 @@
 #include "proofs/bake/picture.hpp"
 #include "proofs/bake/samples.hpp"
 #include "proofs/bake/state_mutants.hpp"
+#include "proofs/bake/strata.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
@@ -15,7 +19,6 @@ using spec::micromap::unknown;
 
 constexpr char source[] =
     "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake_state.hpp";
-constexpr Levels enumerated{0, 3}, sampled{2, 5};
 
 /// Whether a state is wrong by a law, given the true one.
 using Denies = bool (*)(State got, State truth);
@@ -27,8 +30,8 @@ bool wrong_side(State got, State truth) { return unknown(got) && force2(got) != 
 
 /// The states with those that the law does not deny made right.
 std::optional<Offender> offender(const Case& one, Level n, std::vector<State> got,
-                                 const std::vector<State>& truth, Denies denies) {
-  const auto& at = judged_at(n);
+                                 const std::vector<std::uint32_t>& at, const std::vector<State>& truth,
+                                 Denies denies) {
   for (std::size_t k = 0; k < at.size(); ++k)
     if (!denies(got[at[k]], truth[k])) got[at[k]] = truth[k];
   return worst(one, n, got, at, truth);
@@ -38,41 +41,85 @@ std::string place_text(const Place& p) { return fmt::format("({}, {})", text_of(
 
 Said said(const Offender& o) {
   const Extreme& e = contradiction(o);
-  return {fmt::format("micro-triangle {} {}, alpha {} at texel {}", o.index, name_of(o.is), text_of(e.alpha),
-                      place_text(e.at)),
+  return {fmt::format("micro-triangle {} {}, alpha {} at texel {}{}", o.index, name_of(o.is),
+                      text_of(e.alpha), place_text(e.at), e.mip == 0 ? "" : fmt::format(" of mip {}", e.mip)),
           name_of(o.said)};
 }
 
 /// What a law ranges over: a family, all of it, or samples.
 struct Domain {
   const Families& (*families)() = nullptr;
-  Case (*drawn)(std::uint64_t seed, std::uint64_t k) = nullptr;
-  const char* (*says)() = nullptr;  ///< of samples
+  Case (*drawn)(std::uint64_t seed, Level n, std::uint64_t k) = nullptr;
+  const char* (*says)() = nullptr;                       ///< of samples
+  std::uint64_t (*count)(Level n, Tier tier) = nullptr;  ///< of samples
+  Levels fast = {0, 3}, long_run = {0, 3};
+
+  bool whole() const { return families != nullptr; }
+  /// The micro-triangles that a case is judged at: of a family all.
+  std::vector<std::uint32_t> at(const Case& one, Level n) const {
+    if (!whole()) return judged_at(one, n);
+    std::vector<std::uint32_t> all(std::size_t{1} << 2 * n);
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+  }
+  /// Their states.
+  std::vector<State> truth(const Case& one, Level n, const std::optional<std::uint64_t>& number) const {
+    if (!whole()) return true_states(one, n);
+    return number ? families().truth(n, *number) : true_states(one, n, at(one, n));
+  }
 };
+
+std::uint64_t as_many(Level, Tier tier) { return tier == Tier::fast ? 64 : 20'000; }
+std::uint64_t strata_count(Level n, Tier tier) {
+  if (tier == Tier::fast) return with_plain(fast_strata(n));
+  constexpr std::array<std::uint64_t, 13> counts{4840, 4840, 4840, 4840, 4840, 4840, 2420,
+                                                 1936, 968,  484,  96,   8,    4};
+  return n < counts.size() ? with_plain(counts[n]) : 0;
+}
+
 constexpr Domain bilinear{bilinear_families}, nearest{nearest_families}, blend{blend_families},
-    grid{grid_families}, plain_samples{nullptr, sample, samples_text},
-    all_samples{nullptr, featured_sample, featured_samples_text};
+    grid{grid_families};
+constexpr Domain plain_samples{
+    nullptr,      [](std::uint64_t seed, Level, std::uint64_t k) { return sample(seed, k); },
+    samples_text, as_many,
+    {2, 5},       {0, 8}};
+constexpr Domain all_samples{
+    nullptr,
+    [](std::uint64_t seed, Level, std::uint64_t k) { return featured_sample(seed, k); },
+    featured_samples_text,
+    as_many,
+    {2, 5},
+    {0, 8}};
+constexpr Domain strata{
+    nullptr,
+    [](std::uint64_t seed, Level n, std::uint64_t k) { return stratified(seed, n, stratum(n, k)); },
+    judged_strata_text,
+    strata_count,
+    {0, 9},
+    {0, 12}};
 
 Check judged_by(Denies denies, const Domain& domain) {
   return [=](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>& number) {
     const std::optional<Baked> baked = s.parts.bake(one, n, Format::four_state);
     if (!baked) return unsupported();
     if (!baked->padded) return wrong("zeros after the last state", "others");
-    const std::vector<State> truth =
-        domain.families != nullptr && number ? domain.families().truth(n, *number) : true_states(one, n);
-    const auto& at = judged_at(n);
+    const std::vector<State> truth = domain.truth(one, n, number);
+    const std::vector<std::uint32_t> at = domain.at(one, n);
     for (std::size_t k = 0; k < at.size(); ++k)
       if (denies(baked->states.at(at[k]), truth[k]))
-        return wrong(
-            [=, states = baked->states] { return said(offender(one, n, states, truth, denies).value()); });
+        return wrong([=, states = baked->states] {
+          return said(offender(one, n, states, at, truth, denies).value());
+        });
     return Finding{hash_of(baked->states)};
   };
 }
 
-Draw drawn_by(Denies denies) {
+Draw drawn_by(Denies denies, const Domain& domain) {
   return [=](const BakeSubject& s, const Case& one, Level n) {
     const std::optional<Baked> baked = s.parts.bake(one, n, Format::four_state);
-    return picture(one, n, offender(one, n, baked.value().states, true_states(one, n), denies));
+    return picture(one, n,
+                   offender(one, n, baked.value().states, domain.at(one, n),
+                            domain.truth(one, n, std::nullopt), denies));
   };
 }
 
@@ -84,14 +131,16 @@ std::optional<std::string> has_another_rule(const BakeSubject& s) {
 Law state_law(const char* id, const char* says, Denies denies, const Domain& domain,
               std::vector<Mutant> mutants) {
   Cases cases;
-  const bool whole = domain.families != nullptr;
+  const bool whole = domain.whole();
   if (whole) {
     cases.count = [domain](Level, const Run&) { return domain.families().count(); };
     cases.number = [domain](Level, std::uint64_t k, std::uint64_t) { return domain.families().at(k); };
     cases.chunk = 64;
   } else {
-    cases.count = [](Level, const Run& run) -> std::uint64_t { return run.tier == Tier::fast ? 64 : 20'000; };
-    cases.number = [domain](Level, std::uint64_t k, std::uint64_t seed) { return domain.drawn(seed, k); };
+    cases.count = [domain](Level n, const Run& run) { return domain.count(n, run.tier); };
+    cases.number = [domain](Level n, std::uint64_t k, std::uint64_t seed) {
+      return domain.drawn(seed, n, k);
+    };
     cases.chunk = 4;
   }
   return over(
@@ -101,13 +150,13 @@ Law state_law(const char* id, const char* says, Denies denies, const Domain& dom
        .source = source,
        .method = whole ? Method::exhaustive : Method::sample,
        .subjects = {"bake"},
-       .fast = whole ? enumerated : sampled,
-       .long_run = whole ? enumerated : Levels{0, 8},
+       .fast = domain.fast,
+       .long_run = domain.long_run,
        .fast_seconds = 0.5,
        .domain = [domain, whole](const Subject&,
                                  Level) { return whole ? domain.families().domain() : domain.says(); },
        .mutants = std::move(mutants)},
-      cases, judged_by(denies, domain), drawn_by(denies),
+      cases, judged_by(denies, domain), drawn_by(denies, domain),
       denies == wrong_side || denies == differs
           ? has_another_rule
           : [](const BakeSubject&) -> std::optional<std::string> { return std::nullopt; });
@@ -209,6 +258,25 @@ std::vector<Law> state_laws() {
                                  blended_above_half),
                  side_of_another("the side is that without the factor of the vertices", {4, 5},
                                  without_vertex_factor)}),
+      state_law(
+          "bake.conservative_on_strata", conservative, not_conservative, strata,
+          {spoiled("every unknown of textures wider than 32 texels is settled", "bake", {0, 9}, settles_wide),
+           spoiled("every unknown is settled from level 6 on", "bake", {6, 9}, settles_from(6)),
+           asked_for_another("the third mip and those after it are left out", {0, 9}, two_mips),
+           asked_for_another("the factors' product is rounded to binary32", {0, 9}, rounded_product),
+           asked_for_another("columns above 255 are read modulo 256", {4, 9}, narrow_columns),
+           asked_for_another("of a border of 16 bits the low byte is read", {0, 9}, byte_border)}),
+      state_law("bake.tight_on_strata", tight, not_tight, strata,
+                {spoiled("all of level 8 is unknown in textures of more than 256 columns", "bake", {8, 8},
+                         unsettles_wide),
+                 spoiled("all is unknown with three mips or more", "bake", {0, 9}, unsettles_three_mips),
+                 unknown_where_another_differs("unknown, too, where the cutoff in binary32 decides", {0, 9},
+                                               rounded_cutoff)}),
+      state_law(
+          "bake.unknown_side_on_strata", side, wrong_side, strata,
+          {side_of_another("the side is the second mip's", {0, 9}, without_first_mip),
+           side_of_another("the side is that of coordinates in steps of 2^-12", {5, 9}, in_steps_of(12)),
+           side_of_another("the side is that of the factors' rounded product", {0, 9}, rounded_product)}),
       grid_law(),
   };
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "proofs/bake/subject.hpp"
 #include "proofs/bake/truth.hpp"
@@ -58,6 +59,38 @@ inline void other_filter(Case& one) {
 }
 inline void blended_above_half(Case& one) {
   if (one.blend) masked_at({2, 3})(one);
+}
+
+inline void two_mips(Case& one) {
+  one.mips = std::min(one.mips, 2u);
+  one.alpha.resize(texels_of(one.width, one.height, one.mips));
+}
+inline void without_last_mip(Case& one) {
+  one.mips = std::max(1u, one.mips - 1);
+  one.alpha.resize(texels_of(one.width, one.height, one.mips));
+}
+inline void without_first_mip(Case& one) {
+  if (one.mips == 1) return;
+  one.alpha.erase(one.alpha.begin(), one.alpha.begin() + std::ptrdiff_t{one.width} * one.height);
+  one.width = std::max(1u, one.width / 2);
+  one.height = std::max(1u, one.height / 2);
+  --one.mips;
+}
+inline void rounded_product(Case& one) {
+  one.factor = std::min(one.factor * one.vertex_factor, std::numeric_limits<float>::max());
+  one.vertex_factor = 1;
+}
+inline void rounded_cutoff(Case& one) {
+  // A binary32 number in [2^-8, 2) over 2^31 is whole.
+  const float x = static_cast<float>(one.cutoff.numerator) / static_cast<float>(one.cutoff.denominator);
+  if (x >= 0x1p-8f && x < 2) one.cutoff = {static_cast<std::uint32_t>(std::ldexp(double{x}, 31)), 1u << 31};
+}
+inline void narrow_columns(Case& one) {
+  for (std::size_t k = 0; k < std::size_t{one.width} * one.height; ++k)
+    one.alpha[k] = one.alpha[k - k % one.width % 65536 / 256 * 256];
+}
+inline void byte_border(Case& one) {
+  if (one.texel == Texel::unorm16) one.border &= 255;
 }
 
 /// The map of another case in the place of this one's.
@@ -140,11 +173,34 @@ inline Spoil leans_once(const Texels& texels) {
   };
 }
 
+inline void settles_wide(const Case& one, Level, std::vector<State>& states) {
+  if (one.width <= 32) return;
+  for (State& s : states) s = spec::micromap::force2(s);
+}
+inline Spoil settles_from(Level first) {
+  return [first](const Case&, Level n, std::vector<State>& states) {
+    if (n < first) return;
+    for (State& s : states) s = spec::micromap::force2(s);
+  };
+}
+inline void settles_three_mips(const Case& one, Level n, std::vector<State>& states) {
+  if (one.mips < 3 || n < 6) return;
+  for (State& s : states) s = spec::micromap::force2(s);
+}
+inline void unsettles_three_mips(const Case& one, Level, std::vector<State>& states) {
+  if (one.mips < 3) return;
+  for (State& s : states) s = spec::micromap::as_unknown(s);
+}
+inline void unsettles_wide(const Case& one, Level n, std::vector<State>& states) {
+  if (n != 8 || one.width <= 256) return;
+  for (State& s : states) s = spec::micromap::as_unknown(s);
+}
+
 /// Of textures with so many rows, at a micro-triangle that samples are judged at.
 inline Spoil settles_of_rows(std::uint32_t rows) {
   return [=](const Case& one, Level n, std::vector<State>& states) {
     if (one.height != rows) return;
-    for (const std::uint32_t k : judged_at(n))
+    for (const std::uint32_t k : judged_at(one, n))
       if (spec::micromap::unknown(states[k])) {
         states[k] = spec::micromap::force2(states[k]);
         return;
@@ -154,7 +210,7 @@ inline Spoil settles_of_rows(std::uint32_t rows) {
 inline Spoil unsettles_of_rows(std::uint32_t rows) {
   return [=](const Case& one, Level n, std::vector<State>& states) {
     if (one.height != rows) return;
-    for (const std::uint32_t k : judged_at(n))
+    for (const std::uint32_t k : judged_at(one, n))
       if (!spec::micromap::unknown(states[k])) {
         states[k] = spec::micromap::as_unknown(states[k]);
         return;
