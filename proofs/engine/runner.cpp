@@ -125,6 +125,7 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
   Run run = asked;
   // What a law says of named subjects it says of all cells.
   run.interiors_only = asked.interiors_only && law.general;
+  run.until_refuted = asked.until_refuted && law.divisible;
   Result r = named(law, subject, level, run);
   if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
   const auto start = std::chrono::steady_clock::now();
@@ -175,6 +176,7 @@ std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const
   run.tier = Tier::fast;
   run.rationals = false;
   run.interiors_only = false;
+  run.until_refuted = true;
   std::vector<std::pair<const Law*, const Mutant*>> all;
   for (const Law* law : laws)
     for (const Mutant& mutant : law->mutants) all.emplace_back(law, &mutant);

@@ -42,7 +42,10 @@ bool judge_chunks(const Run& run, const Domain& domain, Chunk chunks, const Judg
 template <class Part>
 Tally sum(const Run& run, std::uint64_t parts, const Part& part) {
   const auto several = [&](const Range& range, Tally tally) {
-    for (std::uint64_t k = range.begin(); k != range.end() && !interrupted(); ++k) part(k, tally);
+    for (std::uint64_t k = range.begin(); k != range.end() && !interrupted(); ++k) {
+      part(k, tally);
+      if (run.until_refuted && tally.mismatches() != 0) break;
+    }
     return tally;
   };
   const auto merge = [](Tally a, const Tally& b) {
@@ -52,7 +55,8 @@ Tally sum(const Run& run, std::uint64_t parts, const Part& part) {
   const auto all = [&] {
     return oneapi::tbb::parallel_reduce(Range(0, parts), Tally(run.errors), several, merge);
   };
-  return run.arena != nullptr ? run.arena->execute(all) : several(Range(0, parts), Tally(run.errors));
+  return run.arena != nullptr && !run.until_refuted ? run.arena->execute(all)
+                                                    : several(Range(0, parts), Tally(run.errors));
 }
 
 /// What is left of `chunks` beside the finished pieces, in pieces.

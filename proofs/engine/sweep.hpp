@@ -26,6 +26,9 @@ struct Run {
   bool rationals = true;
   bool interiors_only = false;   ///< leave out the cells on lines: for who promises nothing there
   Division* division = nullptr;  ///< null: the whole domain, and no journal
+  /// Of a subject that must be wrong, one counterexample is enough: a sweep ends with the first chunk that has
+  /// one, on one thread, so that it is the same on every machine.  Not for laws that look at a whole sweep.
+  bool until_refuted = false;
 };
 
 /// Judges [0, units) in chunks of `units_per_chunk`; the judge counts its cases in the tally.

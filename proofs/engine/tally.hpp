@@ -65,6 +65,9 @@ class Tally {
   const CountByKind& by_kind() const { return by_kind_; }
   std::uint64_t digest() const { return digest_; }
   const std::vector<Counterexample>& found() const { return found_; }
+  std::uint64_t mismatches() const {
+    return by_kind_[0].mismatches + by_kind_[1].mismatches + by_kind_[2].mismatches;
+  }
   std::uint64_t cases() const { return by_kind_[0].cases + by_kind_[1].cases + by_kind_[2].cases; }
 
  private:

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "proofs/engine/interrupt.hpp"
 
 namespace mmverify::proofs::induction {
@@ -41,13 +43,17 @@ Tally discharge(const std::vector<Statement>& statements, const Search& search, 
     ++failures;
     failed += (failed.empty() ? "" : "; ") + say(statements[k], answers[k]);
   }
-  if (failures == 0) return tally;
+  // Also where every statement is discharged: the statements are about a text, and nothing else asks the
+  // subject whether it is that text's.
   const std::vector<Counterexample> found = search.run();
+  if (interrupted()) throw Interrupted();
+  if (failures == 0 && found.empty()) return tally;
   if (found.empty()) throw NotProved(fmt::format("{}; no counterexample on {}", failed, search.where));
-  // Every failed statement is one mismatch; the counterexamples are those of the lowest level that shows any.
+  // Every failed statement is one mismatch, and so is a subject that the statements are not about; the
+  // counterexamples are those of the lowest level that shows any.
   Tally points(run.errors);
   for (const Counterexample& c : found) points.mismatch(Kind::interior, c.simplicity, [&] { return c; });
-  for (std::uint64_t k = 0; k < failures; ++k)
+  for (std::uint64_t k = 0; k < std::max<std::uint64_t>(failures, 1); ++k)
     tally.mismatch(Kind::interior, found.front().simplicity, [&] { return found.front(); });
   tally.replace_found(points);
   return tally;

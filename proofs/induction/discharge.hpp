@@ -23,9 +23,10 @@ struct Search {
   std::string where;                                 ///< "the cells of levels 0..6"
 };
 
-/// Judges a subject by the statements about it, one case each. Where one fails, searches for a
-/// counterexample. Where there is none, throws NotProved with the statement's name and the prover's answer.
-/// `unknown` is a failure.
+/// Judges a subject by the statements about it, one case each, and searches for a counterexample: statements
+/// that hold prove nothing of a subject that is not what they are about.  Where a statement fails and there is
+/// no counterexample, throws NotProved with the statement's name and the prover's answer.  `unknown` is a
+/// failure.
 Tally discharge(const std::vector<Statement>& statements, const Search& search, const Run& run,
                 const Effort& effort = {});
 

@@ -55,7 +55,8 @@ class Builder final : public MicromapSubject {
       : MicromapSubject("foreign-builder", "shares by a dictionary"), wrong_(wrong) {}
   bool has(Entry e) const override { return e == Entry::build; }
 
-  Built build(std::span<const PackedMap> maps, const Options& options) const override {
+  Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps,
+              const Options& options) const override {
     Built built;
     std::vector<Stored> stored;
     std::map<std::tuple<std::uint32_t, std::uint32_t, Bytes>, std::uint32_t> known;
@@ -64,6 +65,15 @@ class Builder final : public MicromapSubject {
     const unsigned size = options.encoding == Encoding::u8                                         ? 1
                           : options.encoding == Encoding::u16 || options.encoding == Encoding::i16 ? 2
                                                                                                    : 4;
+    // What the array holds already; from the base triangle on it may be shared.
+    for (std::size_t r = 0; r < before.size(); ++r) {
+      const std::uint32_t level = before[r].level, format = static_cast<std::uint32_t>(before[r].format);
+      const Bytes bytes = cleaned(before[r], r);
+      stored.push_back(store(built, bytes, level, format));
+      ++in_array[{level, format}];
+      if (r >= options.base_triangle)
+        known.emplace(std::tuple{level, format, bytes}, static_cast<std::uint32_t>(r));
+    }
     for (std::size_t t = 0; t < maps.size(); ++t) {
       const std::uint32_t level = maps[t].level, format = static_cast<std::uint32_t>(maps[t].format);
       const Bytes bytes = cleaned(maps[t], t);
@@ -103,7 +113,8 @@ class Builder final : public MicromapSubject {
         if (wrong_ == Wrong::counts_records_for_geometry) ++in_geometry[{level, format}];
       }
       if (wrong_ != Wrong::counts_records_for_geometry) ++in_geometry[{level, format}];
-      put(built.indices, wrong_ == Wrong::indices_of_a_byte ? record & 0xff : record, size);
+      const std::uint32_t index = record - options.base_triangle;
+      put(built.indices, wrong_ == Wrong::indices_of_a_byte ? index & 0xff : index, size);
     }
     for (const Stored& s : stored) {
       put(built.records, wrong_ == Wrong::offset_of_12_bits ? s.offset & 0xfff : s.offset, 4);

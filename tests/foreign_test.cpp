@@ -1,0 +1,175 @@
+// Subjects of another hand: written from the papers and the header alone, right but for one fault.  Each fault
+// is refuted by the laws that its row names; every law that they reach is named by three rows or more.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "proofs/engine/runner.hpp"
+#include "proofs/plugin.hpp"
+#include "proofs/registry.hpp"
+
+namespace {
+
+using namespace mmverify::proofs;
+using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
+
+/// A row of tests/foreign/TOPIC_faults.def: the laws that must refute the fault, "ID" or "ID@LEVEL".
+struct Fault {
+  const char *topic, *name, *wrong, *laws;
+};
+/// The name alone: ctest reads what is printed of a parameter, and stumbles over punctuation.
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.name; }
+
+#define MMVERIFY_FAULT(name, wrong, laws) {topic, #name, wrong, laws},
+std::vector<Fault> faults_of_index() {
+  static constexpr char topic[] = "index";
+  return {
+#include "tests/foreign/index_faults.def"
+  };
+}
+std::vector<Fault> faults_of_micromap() {
+  static constexpr char topic[] = "micromap";
+  return {
+#include "tests/foreign/micromap_faults.def"
+  };
+}
+std::vector<Fault> faults_of_tree() {
+  static constexpr char topic[] = "tree";
+  return {
+#include "tests/foreign/tree_faults.def"
+  };
+}
+std::vector<Fault> faults_of_vq() {
+  static constexpr char topic[] = "vq";
+  return {
+#include "tests/foreign/vq_faults.def"
+  };
+}
+std::vector<Fault> faults_of_bake() {
+  static constexpr char topic[] = "bake";
+  return {
+#include "tests/foreign/bake_faults.def"
+  };
+}
+#undef MMVERIFY_FAULT
+
+const std::vector<std::string> topics{"index", "micromap", "tree", "vq", "bake"};
+
+std::vector<Fault> all_faults() {
+  std::vector<Fault> all;
+  for (const auto& of :
+       {faults_of_index(), faults_of_micromap(), faults_of_tree(), faults_of_vq(), faults_of_bake()})
+    all.insert(all.end(), of.begin(), of.end());
+  return all;
+}
+
+/// A law, and the one level that a row names of it, if it does.
+struct Asks {
+  std::string law;
+  std::optional<Level> level;
+};
+std::vector<Asks> asked_of(const Fault& fault) {
+  std::vector<Asks> all;
+  std::istringstream words(fault.laws);
+  for (std::string word; words >> word;) {
+    const std::size_t at = word.find('@');
+    if (at == std::string::npos)
+      all.push_back({word, std::nullopt});
+    else
+      all.push_back({word.substr(0, at), static_cast<Level>(std::stoul(word.substr(at + 1)))});
+  }
+  return all;
+}
+
+/// The topic's library with that fault; none where the name is empty.
+std::vector<PluginSubject> foreign(const std::string& topic, const std::string& fault) {
+  setenv("MMVERIFY_WORKER", MMVERIFY_WORKER_PROGRAM, 1);
+  setenv("MMVERIFY_FAULT", fault.c_str(), 1);
+  return plugin_subjects(std::string(MMVERIFY_SUBJECTS) + "/foreign_" + topic + ".so", {});
+}
+
+/// The first level at which the law refutes one of the subjects, as a result.
+std::optional<Result> refutation(const Asks& asks, const std::vector<PluginSubject>& subjects) {
+  const Law& law = *find_law(asks.law);
+  Asked run;
+  run.rationals = false;  // the slow numbers are for the right ones
+  run.until_refuted = true;
+  for (const PluginSubject& s : subjects)
+    for (Level n = asks.level.value_or(law.fast.first); n <= asks.level.value_or(law.fast.last); ++n) {
+      Result r = run_level(law, *s.subject, n, run);
+      if (r.verdict == Verdict::refuted || r.verdict == Verdict::broken) return r;
+    }
+  return std::nullopt;
+}
+
+class ForeignFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(ForeignFault, IsRefutedByItsLaws) {
+  const Fault& fault = GetParam();
+  const std::vector<PluginSubject> subjects = foreign(fault.topic, fault.name);
+  const std::vector<Asks> laws = asked_of(fault);
+  ASSERT_FALSE(laws.empty());
+  for (const Asks& asks : laws) {
+    ASSERT_NE(find_law(asks.law), nullptr) << asks.law;
+    const auto found = refutation(asks, subjects);
+    ASSERT_TRUE(found) << asks.law << " does not refute: " << fault.wrong;
+    EXPECT_EQ(found->verdict, Verdict::refuted) << asks.law << ": " << found->reason;
+    EXPECT_FALSE(found->counterexamples.empty()) << asks.law;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(All, ForeignFault, testing::ValuesIn(all_faults()),
+                         [](const testing::TestParamInfo<Fault>& fault) {
+                           return std::string(fault.param.topic) + "_" + fault.param.name;
+                         });
+
+class RightForeigner : public testing::TestWithParam<std::string> {};
+
+// Else a refutation would say nothing of the fault.
+TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
+  std::map<std::string, int> rows;
+  for (const Fault& fault : all_faults())
+    for (const Asks& asks : asked_of(fault)) ++rows[asks.law];
+  const std::vector<PluginSubject> subjects = foreign(GetParam(), "");
+  int reached = 0;
+  for (const Law& law : laws()) {
+    bool fits = false;
+    for (const PluginSubject& s : subjects) {
+      if (!law.general || law.topic != s.subject->topic()) continue;
+      // As far as a test can afford; a sample is as large at every level.
+      const bool sample = law.method == Method::sample;
+      const Level last = law.topic == "index" && !sample ? std::min(law.fast.last, 6u) : law.fast.last,
+                  stride = sample ? std::max(law.fast.last - law.fast.first, 1u) : 1;
+      for (Level n = law.fast.first; n <= last; n += stride) {
+        if (law.unfit(*s.subject, n)) continue;
+        fits = true;
+        if (law.long_only) break;
+        const Result r = run_level(law, *s.subject, n, Asked{});
+        if (r.verdict == Verdict::not_applicable) continue;
+        EXPECT_TRUE(r.verdict == Verdict::proved || r.verdict == Verdict::checked)
+            << law.id << " level " << n << ": " << to_string(r.verdict) << " " << r.reason
+            << (r.counterexamples.empty() ? "" : r.counterexamples.front().at);
+      }
+    }
+    if (!fits || law.long_only) continue;
+    ++reached;
+    EXPECT_GE(rows[law.id], 3) << law.id << ": too few rows of tests/foreign name it";
+  }
+  EXPECT_GT(reached, 3);
+}
+INSTANTIATE_TEST_SUITE_P(All, RightForeigner, testing::ValuesIn(topics),
+                         [](const testing::TestParamInfo<std::string>& topic) { return topic.param; });
+
+TEST(ForeignFaults, AMisspeltOneIsNoRightSubject) {
+  for (const std::string& topic : topics) EXPECT_ANY_THROW(foreign(topic, "no_such_fault")) << topic;
+}
+
+}  // namespace
