@@ -266,6 +266,10 @@ TEST(BakeStrata, EveryFourthIsPlain) {
   }
 }
 
+TEST(BakeStrata, ArePlainAboveLevel9) {
+  for (std::uint64_t k = 0; k < 8; ++k) EXPECT_GE(stratum(10, k), plain_rows);
+}
+
 // A texel whose alpha is on one side of the cutoff exactly and on the other in rounded numbers.
 TEST(BakeStrata, MeetCutoffsThatOnlyRoundedProductsPass) {
   std::size_t between = 0;

@@ -51,14 +51,16 @@ constexpr bool is_stratum(Level n, std::uint64_t k) { return k % every(n) == eve
 std::uint64_t count_of(Level n, Tier tier) {
   constexpr std::array<std::uint64_t, 9> few{16, 16, 16, 44, 44, 44, 44, 4, 2};
   constexpr std::array<std::uint64_t, 12> many{26'668, 26'668, 26'668, 26'668, 26'668, 26'668,
-                                               26'668, 40'000, 40'000, 400,    40,     4};
+                                               26'668, 40'000, 40'000, 100,    40,     4};
   return tier == Tier::fast ? (n < few.size() ? few[n] : 0) : n < many.size() ? many[n] : 0;
 }
 
 /// Other ones at each level.
 std::uint64_t row_of(Level n, std::uint64_t k) { return 37 * std::uint64_t{n} + k; }
-/// Every second one plain.
-std::uint64_t row_or_plain(Level n, std::uint64_t k) { return row_of(n, k / 2) + k % 2 * plain_rows; }
+/// Every second one plain, above level 9 each.
+std::uint64_t row_or_plain(Level n, std::uint64_t k) {
+  return n > highest_rows || k % 2 != 0 ? plain_rows + row_of(n, k / 2) : row_of(n, k / 2);
+}
 
 Case any_sample(std::uint64_t seed, Level n, std::uint64_t k) {
   return is_stratum(n, k) ? stratified(seed, n, row_or_plain(n, k / every(n)))
@@ -269,7 +271,7 @@ Finding keeps_margins(const BakeSubject& s, const Case& one, Level n) {
 /// Each bakes up to 15 mips.
 std::uint64_t count_with_mips(Level n, Tier tier) {
   const std::uint64_t all = count_of(n, tier);
-  return std::min<std::uint64_t>(all, tier == Tier::fast ? 12 : 2'000);
+  return std::min<std::uint64_t>(all, tier == Tier::fast ? 12 : n > 7 ? 100 : 2'000);
 }
 
 /// With two mips or more.
@@ -339,7 +341,7 @@ std::function<void(Parts&)> in_two_state(bool (*meant)(const Case&)) {
 }
 
 Law mips_law() {
-  return relation(
+  Law law = relation(
       {.id = "bake.mips",
        .topic = "bake",
        .says = "with several mips a micro-triangle is O, or T, exactly where it is in each mip baked alone",
@@ -352,6 +354,8 @@ Law mips_law() {
                    spoiled("every unknown is settled with three mips or more, from level 6 on", "bake",
                            {6, 8}, settles_three_mips)}},
       sample_with_mips, keeps_mips, count_with_mips);
+  law.long_run = {0, highest_rows};
+  return law;
 }
 
 /// Bakers go up to level 12, so that 11 is the last one that has children.

@@ -355,6 +355,8 @@ Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
       row[d] = 0;
     if (row[cutoff_of] == cutoff_kinds - 1) row[cutoff_of] = 0;  // BLEND
   }
+  // Large maps again: widths of whole numbers grow with such factors.
+  if (n >= large_level && row[factor_of] == 6) row[factor_of] = 4;
   Random random(seed, stream + 1 + n, number);
   Case one;
   set_sides(one, row, number, random);
@@ -423,6 +425,7 @@ std::uint64_t fast_strata(Level n) {
 }
 
 std::uint64_t stratum(Level n, std::uint64_t k) {
+  if (n > highest_rows) return plain_rows + 37 * std::uint64_t{n} + k;
   if (k % 4 == 3) return plain_rows + 37 * std::uint64_t{n} + k / 4;
   std::uint64_t first = 0;
   for (Level m = 0; m < n; ++m) first += fast_strata(m);

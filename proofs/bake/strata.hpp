@@ -50,6 +50,8 @@ const std::vector<Row>& design();
 /// gets the next shorter of the sides along one axis.
 inline constexpr std::uint64_t usual_texels = std::uint64_t{1} << 17, large_texels = std::uint64_t{1} << 20;
 inline constexpr std::uint64_t plain_rows = std::uint64_t{1} << 20;
+/// Levels above have plain rows alone: where alpha is undecidable in floats, a million states take minutes.
+inline constexpr Level highest_rows = 9;
 constexpr bool large_row(std::uint64_t row) { return row % 16 == 15; }
 
 /// Row `row` of the design (of its number of rows, the rest numbers another draw), filled in at random, its
@@ -68,7 +70,7 @@ Case drawn_case(const std::string& name);
 std::uint64_t fast_strata(Level n);
 constexpr std::uint64_t with_plain(std::uint64_t cases) { return cases + cases / 3; }
 
-/// Which row case k of a level is: every fourth is plain, the others go on from where the level below ended.
+/// Which row case k of a level is: every fourth is plain, above level 9 each; the others go on from where the level below ended.
 std::uint64_t stratum(Level n, std::uint64_t k);
 
 /// What the domain of a law says of them; of one that judges states.
