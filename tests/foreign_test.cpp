@@ -22,7 +22,8 @@ namespace {
 using namespace mmverify::proofs;
 using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
 
-/// A row of tests/foreign/TOPIC_faults.def: the laws that must refute the fault, "ID" or "ID@LEVEL".
+/// A row of tests/foreign/TOPIC_faults.def: the laws that must refute the fault, "ID" or "ID@LEVEL"; none where
+/// it takes the long tier or stands in docs/SOUNDNESS.md as a gap.
 struct Fault {
   const char *topic, *name, *wrong, *laws;
 };
@@ -115,9 +116,9 @@ class ForeignFault : public testing::TestWithParam<Fault> {};
 
 TEST_P(ForeignFault, IsRefutedByItsLaws) {
   const Fault& fault = GetParam();
-  const std::vector<PluginSubject> subjects = foreign(fault.topic, fault.name);
   const std::vector<Asks> laws = asked_of(fault);
-  ASSERT_FALSE(laws.empty());
+  if (laws.empty()) GTEST_SKIP() << "not in the fast tier: " << fault.wrong;
+  const std::vector<PluginSubject> subjects = foreign(fault.topic, fault.name);
   for (const Asks& asks : laws) {
     ASSERT_NE(find_law(asks.law), nullptr) << asks.law;
     const auto found = refutation(asks, subjects);

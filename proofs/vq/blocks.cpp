@@ -19,6 +19,7 @@ enum Stream : std::uint64_t {
   places_of_every_word = 86,
   random_bits = 88,
   bits_of_fields = 90,
+  few_indices = 92,
 };
 
 template <class Format>
@@ -181,9 +182,38 @@ BlockBytes<Format> scattered_block(std::uint64_t k) {
   return bits<Format>(Random(fixed_seed, stream<Format>(scattered_bits), k));
 }
 
+namespace {
+
+/// The block with one index everywhere but at one place, in one row, column or quadrant, or on every second
+/// place, and with one entry that is another's: what decoders have short ways for.
+template <class Format>
+BlockBytes<Format> with_few_indices(const BlockBytes<Format>& block, Random random) {
+  Values values = values_of_bits<Format>(block);
+  const std::uint64_t all = 1u << Format::index_bits;
+  // The first three entries of VQ4 are uniform, as a fast path would ask first.
+  const auto common = static_cast<std::uint32_t>(random.below(random.below(2) == 0 ? 3 : all)),
+             other = static_cast<std::uint32_t>(random.below(all));
+  const std::uint64_t pattern = random.below(5), at = random.below(64);
+  for (std::uint64_t place = 0; place < 64; ++place) {
+    const std::uint64_t x = place % 8, y = place / 8, at_x = at % 8, at_y = at / 8;
+    const bool differs = pattern == 0   ? place == at
+                         : pattern == 1 ? y == at_y
+                         : pattern == 2 ? x == at_x
+                         : pattern == 3 ? x / 4 == at_x / 4 && y / 4 == at_y / 4
+                                        : (x + y) % 2 == at % 2;
+    values[place] = differs ? other : common;
+  }
+  const std::uint64_t from = 67 + random.below(entries<Format>), to = 67 + random.below(entries<Format>);
+  values[to] = values[from] & ((1u << places<Format>[to].bits) - 1);
+  return bits_of_values<Format>(values);
+}
+
+}  // namespace
+
 template <class Format>
 BlockBytes<Format> random_block(std::uint64_t seed, std::uint64_t k) {
-  return bits<Format>(Random(seed, stream<Format>(random_bits), k));
+  const BlockBytes<Format> block = bits<Format>(Random(seed, stream<Format>(random_bits), k));
+  return k % 4 == 3 ? with_few_indices<Format>(block, Random(seed, stream<Format>(few_indices), k)) : block;
 }
 
 Vq4 every_word_block(std::uint64_t k) {

@@ -51,7 +51,8 @@ constexpr std::uint64_t field_blocks = Format::side == 2 ? 1u << 15 : 1u << 20;
 template <class Format>
 BlockBytes<Format> field_block(std::uint64_t k);
 
-/// Block k of a seed: all bits are random.
+/// Block k of a seed: all bits are random.  Of every fourth the indices are one, but at one place, in one row,
+/// column or quadrant, or on every second place, where they are another; and one entry is another's.
 template <class Format>
 BlockBytes<Format> random_block(std::uint64_t seed, std::uint64_t k);
 

@@ -9,23 +9,14 @@ struct InsideGap {
 };
 
 inline constexpr InsideGap inside_gaps[] = {
-    {"lossy.judges", "compares_bytes", "padding bits are always zero"},
     {"lossy.judges", "first_byte_alone", "no map of level 2 or above is judged"},
     {"micromap.build", "padding_is_written", "padding bits are always zero"},
     {"micromap.build_on_samples", "padding_tells_maps_apart", "padding bits are always zero"},
     {"micromap.build_on_samples", "offset_of_12_bits", "no record of the fast tier lies beyond 4 KiB"},
     {"micromap.build_on_samples", "indices_of_a_byte", "23 maps have no index beyond 22"},
-    {"micromap.validate", "range_in_32_bits", "no index and base triangle add up to 2^32"},
     {"micromap.validate", "limit_in_32_bits", "no counts add up to 2^32"},
     {"paper.tree_bits_read", "reads_data_of_four_states", "the tree is a 2-state one"},
-    {"vq.transforms", "two_marks", "vectors have one O, and T elsewhere"},
     {"vq.codes", "palette_of_the_majority", "what cannot be written has one O and one T, and C elsewhere"},
-    {"vq2.field_values", "carries_between_fields",
-     "fields change together: a pair of them has 32 of its values"},
-    {"vq2.field_values", "transform_and_entry_meet", "likewise"},
-    {"vq2.field_values", "index_and_transform_meet", "likewise"},
-    {"vq2.field_values", "depends_on_an_index", "likewise"},
-    {"vq4.field_values", "index_and_transform_meet", "fields of 4 bits have 16 joint values in 2^20 blocks"},
     {"vq2.optimum", "no_half_turn_in_br", "no map of the sample needs it"},
     {"vq2.optimum", "own_in_turn", "no map of the sample needs another pair"},
     {"vq2.effort", "no_half_turn_in_br", "no map of the sample needs it"},
