@@ -150,9 +150,13 @@ Enumerated::Number Enumerated::parts(std::uint64_t k) const {
   return {k % textures_, k / textures_ % wraps, k / textures_ / wraps};
 }
 
-std::uint8_t Enumerated::value(std::uint64_t texture, std::uint32_t texel) const {
-  const std::uint64_t base = family_.alphabet.size();
-  return static_cast<std::uint8_t>(texture / power(base, texel) % base);
+std::vector<std::uint8_t> Enumerated::values(std::uint64_t texture) const {
+  std::vector<std::uint8_t> places(family_.side * family_.side);
+  for (std::uint8_t& place : places) {
+    place = static_cast<std::uint8_t>(texture % family_.alphabet.size());
+    texture /= family_.alphabet.size();
+  }
+  return places;
 }
 
 Case Enumerated::at(std::uint64_t k) const {
@@ -160,8 +164,7 @@ Case Enumerated::at(std::uint64_t k) const {
   Case one;
   one.width = one.height = family_.side;
   one.alpha.clear();
-  for (std::uint32_t texel = 0; texel < family_.side * family_.side; ++texel)
-    one.alpha.push_back(family_.alphabet[value(number.texture, texel)]);
+  for (const std::uint8_t place : values(number.texture)) one.alpha.push_back(family_.alphabet[place]);
   one.filter = family_.filter;
   std::tie(one.wrap_u, one.wrap_v) = family_.wraps[number.wrap];
   one.border = family_.alphabet.front();
@@ -194,9 +197,10 @@ std::vector<State> Enumerated::truth(Level n, std::uint64_t k) const {
 std::vector<State> Enumerated::found(Level n, std::uint64_t k) const {
   const Number number = parts(k);
   const auto [wrap_u, wrap_v] = family_.wraps[number.wrap];
+  const std::vector<std::uint8_t> places = values(number.texture);
   const auto value_at = [&, u = wrap_u, v = wrap_v](std::int64_t i, std::int64_t j) -> std::uint8_t {
     const auto x = bake::wrapped(u, i, family_.side), y = bake::wrapped(v, j, family_.side);
-    return x && y ? value(number.texture, *x + family_.side * *y) : std::uint8_t{0};
+    return x && y ? places[*x + family_.side * *y] : std::uint8_t{0};
   };
   const auto marks = [&](const Part& p) {
     return Geometry::marks(

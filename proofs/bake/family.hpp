@@ -51,7 +51,8 @@ class Enumerated {
     std::uint64_t texture, wrap, triangle;
   };
   Number parts(std::uint64_t k) const;
-  std::uint8_t value(std::uint64_t texture, std::uint32_t texel) const;  ///< its place in the alphabet
+  std::vector<std::uint8_t> values(
+      std::uint64_t texture) const;  ///< of its texels, by places in the alphabet
 
   Family family_;
   std::uint64_t textures_;

@@ -104,12 +104,21 @@ Check judged_by(Denies denies, const Domain& domain) {
     if (!baked) return unsupported();
     if (!baked->padded) return wrong("zeros after the last state", "others");
     const std::vector<State> truth = domain.truth(one, n, number);
-    const std::vector<std::uint32_t> at = domain.at(one, n);
-    for (std::size_t k = 0; k < at.size(); ++k)
-      if (denies(baked->states.at(at[k]), truth[k]))
-        return wrong([=, states = baked->states] {
-          return said(offender(one, n, states, at, truth, denies).value());
-        });
+    const auto offends = [&] {
+      if (domain.whole()) {
+        for (std::size_t k = 0; k < truth.size(); ++k)
+          if (denies(baked->states.at(k), truth[k])) return true;
+        return false;
+      }
+      const std::vector<std::uint32_t> at = domain.at(one, n);
+      for (std::size_t k = 0; k < at.size(); ++k)
+        if (denies(baked->states.at(at[k]), truth[k])) return true;
+      return false;
+    };
+    if (offends())
+      return wrong([=, states = baked->states] {
+        return said(offender(one, n, states, domain.at(one, n), truth, denies).value());
+      });
     return Finding{hash_of(baked->states)};
   };
 }

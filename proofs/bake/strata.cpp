@@ -442,7 +442,7 @@ const char* strata_text() {
 
 const char* judged_strata_text() {
   static const std::string text = std::string(strata_text()) +
-                                  "; each pair of values of two of these once over levels 0..9; up to 32 "
+                                  "; each pair of values of two of these once over levels 0..9; up to 24 "
                                   "micro-triangles of each case";
   return text.c_str();
 }

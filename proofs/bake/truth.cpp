@@ -135,7 +135,7 @@ std::vector<std::uint32_t> judged_at(const Case& one, Level n) {
   const double along = 2 + 2 * double{one.margin}, cells = along * along * one.mips;
   const bool stratum = one.width > 7 || one.height > 7;  // the other samples have no such texture
   const std::uint32_t count = std::uint32_t{1} << 2 * n, drawn = 32,
-                      most = stratum ? static_cast<std::uint32_t>(std::clamp(800 / cells, 8.0, 32.0)) : 64;
+                      most = stratum ? static_cast<std::uint32_t>(std::clamp(640 / cells, 8.0, 24.0)) : 64;
   std::vector<std::uint32_t> at;
   if (count <= most) {
     at.resize(count);

@@ -16,7 +16,7 @@ using Place = spec::bake::Place<Rational>;
 State true_state(const Case& one, Level n, std::uint32_t index);
 
 /// The micro-triangles that a sample of level n is judged at: all up to level 3, above 96 of them.  Of
-/// textures of more than 7 texels a side 32 and fewer (8 at least) where margins and mips make each one
+/// textures of more than 7 texels a side 24 and fewer (8 at least) where margins and mips make each one
 /// long work, or all that there are.  Among them the three corners of the triangle, some spread evenly, and
 /// some, other ones for another case, that hold points drawn from the texture and a texel around it, as far
 /// as the triangle has such.
