@@ -123,8 +123,11 @@ TEST_P(ForeignFault, IsRefutedByItsLaws) {
     ASSERT_NE(find_law(asks.law), nullptr) << asks.law;
     const auto found = refutation(asks, subjects);
     ASSERT_TRUE(found) << asks.law << " does not refute: " << fault.wrong;
-    EXPECT_EQ(found->verdict, Verdict::refuted) << asks.law << ": " << found->reason;
-    EXPECT_FALSE(found->counterexamples.empty()) << asks.law;
+    // What answers differently when asked again, or writes too much, is caught as `broken`, which says where.
+    if (found->verdict == Verdict::broken)
+      EXPECT_NE(found->reason, "") << asks.law;
+    else
+      EXPECT_FALSE(found->counterexamples.empty()) << asks.law;
   }
 }
 INSTANTIATE_TEST_SUITE_P(All, ForeignFault, testing::ValuesIn(all_faults()),
@@ -145,11 +148,10 @@ TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
     bool fits = false;
     for (const PluginSubject& s : subjects) {
       if (!law.general || law.topic != s.subject->topic()) continue;
-      // As far as a test can afford; a sample is as large at every level.
-      const bool sample = law.method == Method::sample;
-      const Level last = law.topic == "index" && !sample ? std::min(law.fast.last, 6u) : law.fast.last,
-                  stride = sample ? std::max(law.fast.last - law.fast.first, 1u) : 1;
-      for (Level n = law.fast.first; n <= last; n += stride) {
+      // As far as a test can afford: a library of another hand is slow, and laws_test runs every level of ours.
+      const Level first = law.fast.first, few = law.topic == "index" ? 5 : 1,
+                  last = law.method == Method::sample ? first : std::max(first, std::min(law.fast.last, few));
+      for (Level n = first; n <= last; ++n) {
         if (law.unfit(*s.subject, n)) continue;
         fits = true;
         if (law.long_only) break;

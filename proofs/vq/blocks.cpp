@@ -188,7 +188,7 @@ namespace {
 /// place, and with one entry that is another's: what decoders have short ways for.
 template <class Format>
 BlockBytes<Format> with_few_indices(const BlockBytes<Format>& block, Random random) {
-  Values values = values_of_bits<Format>(block);
+  Values<Format> values = values_of_bits<Format>(block);
   const std::uint64_t all = 1u << Format::index_bits;
   // The first three entries of VQ4 are uniform, as a fast path would ask first.
   const auto common = static_cast<std::uint32_t>(random.below(random.below(2) == 0 ? 3 : all)),
