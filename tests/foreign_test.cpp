@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -170,6 +172,15 @@ TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
 }
 INSTANTIATE_TEST_SUITE_P(All, RightForeigner, testing::ValuesIn(topics),
                          [](const testing::TestParamInfo<std::string>& topic) { return topic.param; });
+
+// What no law refutes is said.
+TEST(ForeignFaults, ThoseWithoutALawStandInTheDocument) {
+  std::ifstream in(MMVERIFY_SOUNDNESS);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  for (const Fault& fault : all_faults())
+    if (asked_of(fault).empty())
+      EXPECT_NE(text.find("| `" + std::string(fault.name) + "` |"), std::string::npos) << fault.name;
+}
 
 TEST(ForeignFaults, AMisspeltOneIsNoRightSubject) {
   for (const std::string& topic : topics) EXPECT_ANY_THROW(foreign(topic, "no_such_fault")) << topic;
