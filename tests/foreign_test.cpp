@@ -126,10 +126,11 @@ TEST_P(ForeignFault, IsRefutedByItsLaws) {
     const auto found = refutation(asks, subjects);
     ASSERT_TRUE(found) << asks.law << " does not refute: " << fault.wrong;
     // What answers differently when asked again, or writes too much, is caught as `broken`, which says where.
-    if (found->verdict == Verdict::broken)
+    if (found->verdict == Verdict::broken) {
       EXPECT_NE(found->reason, "") << asks.law;
-    else
+    } else {
       EXPECT_FALSE(found->counterexamples.empty()) << asks.law;
+    }
   }
 }
 INSTANTIATE_TEST_SUITE_P(All, ForeignFault, testing::ValuesIn(all_faults()),
@@ -178,8 +179,9 @@ TEST(ForeignFaults, ThoseWithoutALawStandInTheDocument) {
   std::ifstream in(MMVERIFY_SOUNDNESS);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   for (const Fault& fault : all_faults())
-    if (asked_of(fault).empty())
+    if (asked_of(fault).empty()) {
       EXPECT_NE(text.find("| `" + std::string(fault.name) + "` |"), std::string::npos) << fault.name;
+    }
 }
 
 TEST(ForeignFaults, AMisspeltOneIsNoRightSubject) {
