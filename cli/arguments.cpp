@@ -17,7 +17,7 @@ namespace mmverify::cli {
 using namespace proofs;
 
 Levels parse_levels(const std::string& text) {
-  const Parts parts = parts_of(text, R"(([0-9]{1,3})(?:\.\.([0-9]{1,3}))?)");
+  const Groups parts = groups_of(text, R"(([0-9]{1,3})(?:\.\.([0-9]{1,3}))?)");
   if (!parts) throw UsageError(fmt::format("--levels {}: write A..B or A, for example 0..8", text));
   const auto first = static_cast<Level>(std::stoul((*parts)[1]));
   const auto last = (*parts)[2].empty() ? first : static_cast<Level>(std::stoul((*parts)[2]));
@@ -28,7 +28,7 @@ Levels parse_levels(const std::string& text) {
 }
 
 Level parse_level(const std::string& text) {
-  if (!parts_of(text, "[0-9]{1,3}"))
+  if (!groups_of(text, "[0-9]{1,3}"))
     throw UsageError(fmt::format("--level {}: write one level, for example 5", text));
   const auto level = static_cast<Level>(std::stoul(text));
   if (level > max_level())
@@ -84,9 +84,9 @@ std::vector<SubjectPtr> of_library(const std::string& name, double timeout_secon
   if (!std::filesystem::exists(file, error)) throw EnvironmentError(fmt::format("{}: no such file", file));
   std::vector<SubjectPtr> chosen;
   try {
-    for (const PluginSubject& offered : plugin_subjects(file, {timeout_seconds}))
+    for (const PluginSubject& offered : plugin_subjects(file, timeout_seconds))
       if (kind.empty() || kind == offered.kind) chosen.push_back(offered.subject);
-  } catch (const isolation::CannotLoad& why) {
+  } catch (const dock::CannotLoad& why) {
     throw EnvironmentError(why.what());
   }
   if (chosen.empty()) throw UsageError(fmt::format("{}: it has no entry point of {}", file, kind));

@@ -22,7 +22,7 @@ using gate::Change;
 using gate::Comparison;
 using gate::Difference;
 
-struct Options {
+struct GateOptions {
   std::string baseline, result;
   double tolerance = 1.5;
   bool bless = false, all = false;
@@ -65,20 +65,20 @@ void print(const Difference& d) {
   fmt::print("{}\n", printable(line));
 }
 
-constexpr Change kinds[] = {Change::worse, Change::better, Change::changed,
-                            Change::gone,  Change::added,  Change::faster};
+constexpr Change kinds_of_finding[] = {Change::worse, Change::better, Change::changed,
+                                       Change::gone,  Change::added,  Change::faster};
 
-void print(const Comparison& comparison, const Options& options) {
+void print(const Comparison& comparison, const GateOptions& options) {
   // A change of one thing may move thousands of figures; some of each kind say what it is.
   constexpr std::size_t most = 20;
-  for (const Change change : kinds) {
+  for (const Change change : kinds_of_finding) {
     std::size_t shown = 0;
     for (const Difference& d : comparison.differences)
       if (d.change == change && (options.all || ++shown <= most)) print(d);
     if (!options.all && shown > most) fmt::print("{:<8}and {} more; see --all\n", word(change), shown - most);
   }
   std::string counts;
-  for (const Change change : kinds)
+  for (const Change change : kinds_of_finding)
     if (const std::size_t n = comparison.count(change); n != 0)
       counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", grouped(n), word(change));
   fmt::print("gate: {}: {} figures compared, {} of them speeds, to within a factor of {:.4g}; {}\n",
@@ -104,7 +104,7 @@ void name_faults(const gate::Figures& result) {
   }
 }
 
-int bless(const Options& options, const gate::Figures& result) {
+int bless(const GateOptions& options, const gate::Figures& result) {
   std::error_code none;
   if (std::filesystem::equivalent(options.baseline, options.result, none))
     throw UsageError(fmt::format("--baseline {}: the result itself", options.baseline));
@@ -122,7 +122,7 @@ int bless(const Options& options, const gate::Figures& result) {
   return ExitCode::complete;
 }
 
-int run_gate(const Options& options) {
+int run_gate(const GateOptions& options) {
   const gate::Figures result =
       of_file(options.result, [](const auto& json) { return gate::figures_of(json); });
   if (options.bless) return bless(options, result);
@@ -153,7 +153,7 @@ Action add_gate(CLI::App& program) {
       "better than the baseline is red, too, until it is blessed. Speeds are compared as the ratios that one "
       "run\n"
       "took itself, never as times; one that is better is only said.");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GateOptions>();
   command->add_option("--baseline", options->baseline, "what --bless wrote, or an earlier result")
       ->type_name("FILE")
       ->required();

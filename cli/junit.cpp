@@ -20,12 +20,12 @@ void add_message(pugi::xml_node test, const char* kind, const std::string& messa
   set(test.append_child(kind), "message", message);
 }
 
-struct Sums {
+struct Totals {
   int tests = 0, failures = 0, errors = 0, skipped = 0;
   double seconds = 0;
 };
 
-void add_test(pugi::xml_node suite, const Result& r, Sums& sums) {
+void add_test(pugi::xml_node suite, const Result& r, Totals& sums) {
   pugi::xml_node test = suite.append_child("testcase");
   set(test, "classname", r.law);
   set(test, "name",
@@ -58,7 +58,7 @@ void add_test(pugi::xml_node suite, const Result& r, Sums& sums) {
   }
 }
 
-void set_sums(pugi::xml_node node, const Sums& sums) {
+void set_sums(pugi::xml_node node, const Totals& sums) {
   set(node, "tests", fmt::format("{}", sums.tests));
   set(node, "failures", fmt::format("{}", sums.failures));
   set(node, "errors", fmt::format("{}", sums.errors));
@@ -71,7 +71,7 @@ void set_sums(pugi::xml_node node, const Sums& sums) {
 std::string to_junit(const Report& report) {
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("testsuites"), suite;
-  Sums of_suite, of_all;
+  Totals of_suite, of_all;
   const auto close_suite = [&] {
     if (suite) set_sums(suite, of_suite);
     of_all.tests += of_suite.tests;

@@ -20,7 +20,7 @@ namespace {
 
 using namespace proofs;
 
-struct Options {
+struct MergeOptions {
   std::vector<std::string> shards;
   std::string out;
 };
@@ -42,7 +42,7 @@ void check_program(const ShardRun& shard) {
           fmt::format("{}: made by a program of another {}; merge with that one", shard.file, name));
 }
 
-int merge(const Options& options) {
+int merge(const MergeOptions& options) {
   std::vector<ShardRun> shards;
   std::error_code none;
   for (const std::string& path : options.shards) {
@@ -75,7 +75,7 @@ int merge(const Options& options) {
 
 Action add_merge(CLI::App& program) {
   auto* command = program.add_subcommand("merge", "put the results of all shards of a run together");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeOptions>();
   command->add_option("shard", options->shards, "what prove --shard K/N --json wrote, for each K from 1 to N")
       ->type_name("FILE")
       ->required();

@@ -20,14 +20,14 @@ namespace {
 
 using namespace proofs;
 
-struct Options {
+struct PipeOptions {
   std::string topic, level, cells = "all", json;
   std::size_t errors = 1;
   bool interiors_only() const { return cells == "interior"; }
 };
 
 /// The pipe's indices have 32 bits.
-Level one_level(const Options& options) {
+Level one_level(const PipeOptions& options) {
   constexpr Level highest = 16;
   const Level level = parse_level(options.level);
   if (level > highest)
@@ -35,20 +35,20 @@ Level one_level(const Options& options) {
   return level;
 }
 
-void add_common(CLI::App& command, Options& options) {
+void add_common(CLI::App& command, PipeOptions& options) {
   command.add_option("topic", options.topic, "index")->required()->check(CLI::IsMember({"index"}));
   command.add_option("--level", options.level, "the level")->type_name("N")->required();
   command.add_option("--cells", options.cells, "all, or interior: leave out points on grid lines")
       ->check(CLI::IsMember({"all", "interior"}));
 }
 
-int generate(const Options& options) {
+int generate(const PipeOptions& options) {
   // A reader that stops early is its own business, not an error of this program.
   index::generate_cases(one_level(options), options.interiors_only(), stdout);
   return ExitCode::complete;
 }
 
-int check(const Options& options) {
+int check(const PipeOptions& options) {
   const Level level = one_level(options);
   std::optional<OutputFile> json;
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
@@ -75,7 +75,7 @@ int check(const Options& options) {
 
 Action add_gen(CLI::App& program) {
   auto* command = program.add_subcommand("gen", "the cases of a level, one a line, for a program on a pipe");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PipeOptions>();
   add_common(*command, *options);
   return [options] { return generate(*options); };
 }
@@ -83,7 +83,7 @@ Action add_gen(CLI::App& program) {
 Action add_check(CLI::App& program) {
   auto* command =
       program.add_subcommand("check", "judge the answers that a program on a pipe gave to `gen`'s cases");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PipeOptions>();
   add_common(*command, *options);
   command->add_option("--errors", options->errors, "counterexamples kept")->check(CLI::Range(1, 10000));
   command->add_option("--json", options->json, "write the result as JSON; - is stdout")->type_name("FILE|-");

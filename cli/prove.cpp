@@ -24,7 +24,7 @@ namespace {
 
 using namespace proofs;
 
-struct Options {
+struct ProveOptions {
   std::vector<std::string> laws, subjects;
   std::optional<std::string> levels;
   std::string tier = "fast", cells = "all", json, junit;
@@ -36,7 +36,7 @@ struct Options {
   std::string shard, journal;
 };
 
-Request request(const Options& options) {
+Request request(const ProveOptions& options) {
   Request r;
   r.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
   r.laws = parse_laws(options.laws, r.tier);
@@ -51,7 +51,7 @@ Request request(const Options& options) {
 std::optional<Shard> parse_shard(const std::string& text) {
   if (text.empty()) return std::nullopt;
   Shard shard{0, 0};
-  if (const Parts parts = parts_of(text, "([0-9]{1,6})/([0-9]{1,6})"))
+  if (const Groups parts = groups_of(text, "([0-9]{1,6})/([0-9]{1,6})"))
     shard = {static_cast<std::uint32_t>(std::stoul((*parts)[1])),
              static_cast<std::uint32_t>(std::stoul((*parts)[2]))};
   if (shard.number < 1 || shard.number > shard.of)
@@ -65,7 +65,7 @@ bool same_file(const std::string& a, const std::string& b) {
          std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
 }
 
-int prove(const Options& options) {
+int prove(const ProveOptions& options) {
   if (options.junit == "-") throw UsageError("--junit -: standard output is for --json; name a file");
   if (!options.json.empty() && same_file(options.json, options.junit))
     throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
@@ -113,7 +113,7 @@ int prove(const Options& options) {
 Action add_prove(CLI::App& program) {
   auto* command = program.add_subcommand(
       "prove", "run laws; with no arguments the fast tier of all, on the built-in subjects");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ProveOptions>();
   command->add_option("law", options->laws, "laws or topics")->type_name("LAW|TOPIC");
   command->add_option("--levels", options->levels, "levels A..B, both included; the tier's where not given")
       ->type_name("A..B");

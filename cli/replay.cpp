@@ -16,14 +16,14 @@ namespace {
 
 using namespace proofs;
 
-struct Options {
+struct ReplayOptions {
   std::string law, level, at, subject, picture;
   double timeout = 10;
   std::optional<std::uint32_t> answer;
 };
 
 /// A library may be several subjects: FILE:KIND means one, FILE the first of the law's topic.
-SubjectPtr parse_one(const Options& options, const Law& law) {
+SubjectPtr parse_one(const ReplayOptions& options, const Law& law) {
   if (options.answer) return subject_that_answers(*options.answer);
   if (options.subject.empty()) return find_subject(law.subjects.front());
   const auto offered = parse_subject(options.subject, options.timeout);
@@ -32,7 +32,7 @@ SubjectPtr parse_one(const Options& options, const Law& law) {
   return offered.front();
 }
 
-int replay(const Options& options) {
+int replay(const ReplayOptions& options) {
   const Law* law = find_law(options.law);
   if (law == nullptr)
     throw UsageError(fmt::format("no law is called '{}'; `mmverify list` names them all", options.law));
@@ -64,7 +64,7 @@ int replay(const Options& options) {
 
 Action add_replay(CLI::App& program) {
   auto* command = program.add_subcommand("replay", "judge one case again, as a counterexample's line says");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayOptions>();
   command->add_option("law", options->law, "the law")->type_name("LAW")->required();
   command->add_option("--level", options->level, "the level")->type_name("N")->required();
   command->add_option("--case", options->at, "the case as printed, for example u=3/8,v=5/16 or k=22")

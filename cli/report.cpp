@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct ReportOptions {
   std::vector<std::string> results;
   std::string out;
 };
@@ -32,7 +32,7 @@ std::string within_script(const Json& data) {
   return text;
 }
 
-int report(const Options& options) {
+int report(const ReportOptions& options) {
   if (options.out == "-") throw UsageError("-o -: a page is a file; name it");
   std::error_code none;
   for (const std::string& path : options.results)
@@ -72,7 +72,7 @@ int report(const Options& options) {
 Action add_report(CLI::App& program) {
   auto* command = program.add_subcommand(
       "report", "one page of what prove, scene and bench found, which opens from disk and needs no network");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportOptions>();
   command->add_option("result", options->results, "what prove, scene or bench wrote with --json")
       ->type_name("RESULT.json")
       ->required();

@@ -106,7 +106,7 @@ constexpr Kind kinds[] = {
      }},
 };
 
-[[noreturn]] void fail(const std::string& place, const std::string& what) {
+[[noreturn]] void refuse(const std::string& place, const std::string& what) {
   throw EnvironmentError(fmt::format("{}: {}", place, what));
 }
 
@@ -124,19 +124,19 @@ Json taken(const Json& value, const Json& shape, const std::string& place) {
     for (const Kind& kind : kinds)
       if (kind.name == name) {
         if (!kind.is(value))
-          fail(place, fmt::format("{} should stand here, not {}", kind.words, quoted(value)));
+          refuse(place, fmt::format("{} should stand here, not {}", kind.words, quoted(value)));
         return value;
       }
     throw std::logic_error("no kind is called " + name);
   }
   if (shape.is_array()) {
-    if (!value.is_array()) fail(place, fmt::format("a list should stand here, not {}", quoted(value)));
+    if (!value.is_array()) refuse(place, fmt::format("a list should stand here, not {}", quoted(value)));
     Json list = Json::array();
     for (const Json& one : value)
       list.push_back(taken(one, shape[0], fmt::format("{}[{}]", place, list.size())));
     return list;
   }
-  if (!value.is_object()) fail(place, fmt::format("an object should stand here, not {}", quoted(value)));
+  if (!value.is_object()) refuse(place, fmt::format("an object should stand here, not {}", quoted(value)));
   Json object = Json::object();
   for (const auto& [written, inner] : shape.items()) {
     std::string key = written;
@@ -151,7 +151,7 @@ Json taken(const Json& value, const Json& shape, const std::string& place) {
     }
     const bool nullable = has("|null"), optional = has("?");
     if (!value.contains(key)) {
-      if (!optional) fail(place, fmt::format("no \"{}\"", key));
+      if (!optional) refuse(place, fmt::format("no \"{}\"", key));
       continue;
     }
     const Json& one = value.at(key);
@@ -182,14 +182,15 @@ Json result_run(const Json& j, const std::string& path) {
                                                     {"SQUARES", Json::parse(squares_shape)},
                                                     {"FOOTPRINT", Json::parse(footprint_shape)}});
   Json run = taken(j, shape, path);
-  if (run["results"].empty()) fail(path, "results: there are none");
+  if (run["results"].empty()) refuse(path, "results: there are none");
   try {
     gate::refuse_contradictions(j);
   } catch (const gate::NoResult& why) {
-    fail(path, why.what());
+    refuse(path, why.what());
   }
   const auto two_modes = [&](const Json& footprint, const std::string& place) {
-    if (footprint["modes"].size() != 2) fail(place + ".modes", "two should stand here, of 2 and of 4 states");
+    if (footprint["modes"].size() != 2)
+      refuse(place + ".modes", "two should stand here, of 2 and of 4 states");
   };
   if (!run.contains("scene")) return run;
   const Json& scene = run["scene"];
@@ -206,10 +207,10 @@ Json bench_run(const Json& j, const std::string& place) {
     if (topic == name) {
       Json run = taken(j, shape_of(text, {{"TOOL", Json::parse(bench_shape)}}), place);
       for (const char* list : {"rows", "levels"})
-        if (run.contains(list) && run[list].empty()) fail(place, fmt::format("{}: there are none", list));
+        if (run.contains(list) && run[list].empty()) refuse(place, fmt::format("{}: there are none", list));
       return run;
     }
-  fail(place, fmt::format("no bench is of a topic '{}'", topic));
+  refuse(place, fmt::format("no bench is of a topic '{}'", topic));
 }
 
 std::string schema_of(const Json& j) {
@@ -225,7 +226,7 @@ std::vector<ReportInput> read_report_input(const std::string& path) {
   try {
     j = Json::parse(text);
   } catch (const Json::exception& error) {
-    fail(path, error.what());
+    refuse(path, error.what());
   }
   const bool several = j.is_array() && !j.empty();
   std::vector<ReportInput> inputs;
@@ -237,9 +238,10 @@ std::vector<ReportInput> read_report_input(const std::string& path) {
     else if (schema == "mmverify.bench/1")
       inputs.push_back({path, bench_run(one, place)});
     else
-      fail(place, fmt::format("{}; mmverify report takes what prove, scene and bench write with --json",
-                              schema.empty() ? "no schema of mmverify"
-                                             : fmt::format("schema '{:.60}' is none that it knows", schema)));
+      refuse(place,
+             fmt::format("{}; mmverify report takes what prove, scene and bench write with --json",
+                         schema.empty() ? "no schema of mmverify"
+                                        : fmt::format("schema '{:.60}' is none that it knows", schema)));
   }
   return inputs;
 }

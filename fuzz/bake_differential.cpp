@@ -29,8 +29,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "impl/bake_triangles.hpp"
-#include "spec/bake_state.hpp"
+#include "impl/bake/triangles.hpp"
+#include "spec/bake/state.hpp"
 
 namespace {
 

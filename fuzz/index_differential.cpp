@@ -1,4 +1,4 @@
-// impl/index.hpp against the exact specification, over raw bits.
+// impl/index/index.hpp against the exact specification, over raw bits.
 //
 // Input: records of 9 bytes, little-endian: the bits of u, the bits of v, a level (its low 5 bits; 17 and
 // above stand for 16, as in impl).  Bytes after the last whole record are ignored.  Each record is judged
@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "fuzz/exact_float.hpp"
-#include "impl/index.hpp"
-#include "spec/index.hpp"
+#include "impl/index/index.hpp"
+#include "spec/index/index.hpp"
 
 namespace {
 

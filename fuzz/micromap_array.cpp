@@ -3,8 +3,6 @@
 //
 // Input: a byte, even: a Reader's numbers are the fields of an Input, and its bytes the buffers; odd: they
 // are maps and options to build, then the breach and where to plant it.  Bytes that are missing are zeros.
-#include "impl/micromap_array.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -13,6 +11,7 @@
 #include <string>
 
 #include "fuzz/micromap_both.hpp"
+#include "impl/micromap/array.hpp"
 
 namespace {
 

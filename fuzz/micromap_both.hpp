@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "impl/micromap_validate.hpp"
-#include "spec/micromap_validate.hpp"
+#include "impl/micromap/validate.hpp"
+#include "spec/micromap/validate.hpp"
 
 namespace mmverify::fuzz::micromap {
 

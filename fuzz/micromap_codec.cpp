@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "impl/micromap_level.hpp"
-#include "impl/micromap_reorder.hpp"
-#include "spec/index.hpp"
-#include "spec/micromap_level.hpp"
-#include "spec/micromap_lossy.hpp"
+#include "impl/micromap/level.hpp"
+#include "impl/micromap/reorder.hpp"
+#include "spec/index/index.hpp"
+#include "spec/micromap/level.hpp"
+#include "spec/micromap/lossy.hpp"
 
 namespace {
 

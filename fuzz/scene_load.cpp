@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "fuzz/scene_input.hpp"
-#include "impl/scene/bad_scene.hpp"
-#include "impl/scene/load.hpp"
-#include "impl/scene/plan.hpp"
-#include "impl/scene/validate_micromaps.hpp"
-#include "impl/scene/write_glb.hpp"
+#include "scene/plan/plan.hpp"
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/load.hpp"
+#include "scene/validate/micromaps.hpp"
+#include "scene/write/glb.hpp"
 
 namespace {
 
 using namespace mmverify::fuzz::scene;
-using namespace mmverify::impl::scene;
+using namespace mmverify::scene;
 namespace micromap = mmverify::impl::micromap;
 
 void require(bool holds, const char* what) {

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "fuzz/scene_input.hpp"
-#include "impl/scene/validate_micromaps.hpp"
+#include "scene/validate/micromaps.hpp"
 
 namespace {
 
 using namespace mmverify::fuzz::scene;
-using namespace mmverify::impl::scene;
+using namespace mmverify::scene;
 using Json = nlohmann::json;
 
 const char* const extension_name = "EXT_mesh_opacity_micromap";

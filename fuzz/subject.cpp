@@ -16,10 +16,10 @@
 #include <memory>
 #include <vector>
 
-#include "impl/index.hpp"
-#include "impl/micromap.hpp"
-#include "impl/tree_stream.hpp"
-#include "impl/vq.hpp"
+#include "impl/index/index.hpp"
+#include "impl/micromap/micromap.hpp"
+#include "impl/tree/stream.hpp"
+#include "impl/vq/vq.hpp"
 #include "sdk/mmverify_subject.h"
 
 namespace {

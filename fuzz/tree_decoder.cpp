@@ -13,9 +13,9 @@
 #include <optional>
 #include <vector>
 
-#include "impl/tree_container.hpp"
-#include "impl/tree_stream.hpp"
-#include "spec/tree.hpp"
+#include "impl/tree/container.hpp"
+#include "impl/tree/stream.hpp"
+#include "spec/tree/tree.hpp"
 
 namespace {
 

@@ -11,10 +11,10 @@
 #include <cstdlib>
 #include <vector>
 
-#include "impl/index.hpp"
-#include "impl/tree.hpp"
-#include "impl/tree_container.hpp"
-#include "spec/tree.hpp"
+#include "impl/index/index.hpp"
+#include "impl/tree/container.hpp"
+#include "impl/tree/tree.hpp"
+#include "spec/tree/tree.hpp"
 
 namespace {
 

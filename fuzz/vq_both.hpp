@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "impl/vq.hpp"
-#include "spec/vq_block.hpp"
+#include "impl/vq/vq.hpp"
+#include "spec/vq/block.hpp"
 
 namespace mmverify::fuzz {
 

@@ -1,6 +1,7 @@
 #include "proofs/plugin.hpp"
 
 #include "proofs/bake/plugin_subject.hpp"
+#include "proofs/engine/interrupt.hpp"
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/micromap/plugin_subject.hpp"
 #include "proofs/tree/plugin_subject.hpp"
@@ -8,8 +9,11 @@
 
 namespace mmverify::proofs {
 
-std::vector<PluginSubject> plugin_subjects(const std::string& file, const isolation::Options& options) {
-  const auto library = std::make_shared<const isolation::Library>(file, options);
+std::vector<PluginSubject> plugin_subjects(const std::string& file, double timeout_seconds) {
+  const auto library = std::make_shared<const dock::Library>(file, dock::Options{timeout_seconds, [] {
+                                                                                   if (interrupted())
+                                                                                     throw Interrupted();
+                                                                                 }});
   std::vector<PluginSubject> all;
   for (const auto& s : index::plugin_subjects(library))
     all.push_back({s->arithmetic() == index::Arithmetic::binary64 ? "f64" : "f32", s});

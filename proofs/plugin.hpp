@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "dock/worker.hpp"
 #include "proofs/engine/law.hpp"
-#include "proofs/isolation/worker.hpp"
 
 namespace mmverify::proofs {
 
@@ -16,8 +16,9 @@ struct PluginSubject {
 };
 
 /// Opens the library once.  The first of its subjects is named as the file, the others FILE:KIND.
-/// Throws isolation::CannotLoad, and std::runtime_error where no process can be had.
-std::vector<PluginSubject> plugin_subjects(const std::string& file, const isolation::Options& options);
+/// One batch, or one map or code, may take `timeout_seconds`.
+/// Throws dock::CannotLoad, and std::runtime_error where no process can be had.
+std::vector<PluginSubject> plugin_subjects(const std::string& file, double timeout_seconds);
 
 /// FILE:KIND in two; the kind is empty where the name has none.
 struct PluginName {

@@ -1,11 +1,11 @@
 #include "proofs/registry.hpp"
 
-#include "proofs/bake.hpp"
-#include "proofs/index.hpp"
+#include "proofs/bake/laws.hpp"
 #include "proofs/index/built_in.hpp"
-#include "proofs/micromap.hpp"
-#include "proofs/tree.hpp"
-#include "proofs/vq.hpp"
+#include "proofs/index/laws.hpp"
+#include "proofs/micromap/laws.hpp"
+#include "proofs/tree/laws.hpp"
+#include "proofs/vq/laws.hpp"
 
 namespace mmverify::proofs {
 namespace {

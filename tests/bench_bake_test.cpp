@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "bench/bake.hpp"
-#include "bench/bake_obvious.hpp"
+#include "bench/bake/bench.hpp"
+#include "bench/bake/obvious.hpp"
 
 namespace {
 

@@ -15,13 +15,13 @@
 
 #include "bench/exact.hpp"
 #include "bench/growth.hpp"
-#include "bench/index.hpp"
-#include "bench/index_distance.hpp"
-#include "bench/index_inputs.hpp"
-#include "bench/index_subjects.hpp"
+#include "bench/index/bench.hpp"
+#include "bench/index/distance.hpp"
+#include "bench/index/inputs.hpp"
+#include "bench/index/subjects.hpp"
 #include "bench/number_type.hpp"
-#include "impl/binary16.hpp"
-#include "spec/index.hpp"
+#include "impl/common/binary16.hpp"
+#include "spec/index/index.hpp"
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "bench/tree.hpp"
-#include "bench/tree_cache.hpp"
-#include "bench/tree_maps.hpp"
-#include "bench/tree_obvious.hpp"
-#include "bench/tree_sdsl.hpp"
-#include "impl/tree.hpp"
+#include "bench/tree/bench.hpp"
+#include "bench/tree/cache.hpp"
+#include "bench/tree/maps.hpp"
+#include "bench/tree/obvious.hpp"
+#include "bench/tree/sdsl.hpp"
+#include "impl/tree/tree.hpp"
 #include "tests/sanitized.hpp"
 #include "tests/tree_cases.hpp"
 

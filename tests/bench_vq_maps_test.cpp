@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <set>
 
-#include "bench/leaf_texture.hpp"
-#include "bench/vq_maps.hpp"
-#include "spec/vq.hpp"
+#include "bench/textures/leaf_texture.hpp"
+#include "bench/vq/maps.hpp"
+#include "spec/vq/vq.hpp"
 #include "tests/sanitized.hpp"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "bench/vq.hpp"
-#include "impl/vq.hpp"
+#include "bench/vq/bench.hpp"
+#include "impl/vq/vq.hpp"
 
 namespace {
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "impl/bake_triangles.hpp"
-#include "impl/micromap.hpp"
-#include "impl/micromap_level.hpp"
+#include "impl/bake/triangles.hpp"
+#include "impl/micromap/level.hpp"
+#include "impl/micromap/micromap.hpp"
 #include "proofs/canvas.hpp"
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 
 namespace {
 

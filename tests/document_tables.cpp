@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "impl/micromap.hpp"
-#include "impl/micromap_level.hpp"
+#include "impl/micromap/level.hpp"
+#include "impl/micromap/micromap.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry.hpp"
 #include "proofs/tree/maps.hpp"

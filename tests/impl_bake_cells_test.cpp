@@ -1,6 +1,6 @@
-// Micro-triangles of many texels (impl/bake_cells.hpp) and nodes of sixteen (impl/bake_sixteen.hpp), where
-// what they go by has corners of its own: every state as the whole numbers of impl/bake_base.hpp have it, and
-// some as spec/bake_state.hpp does.
+// Micro-triangles of many texels (impl/bake/judge/cells.hpp) and nodes of sixteen (impl/bake/sixteen/sixteen.hpp), where
+// what they go by has corners of its own: every state as the whole numbers of impl/bake/exact/base.hpp have it, and
+// some as spec/bake/state.hpp does.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -9,9 +9,9 @@
 #include <sstream>
 #include <vector>
 
-#include "impl/bake_base.hpp"
-#include "impl/bake_triangles.hpp"
-#include "spec/bake_state.hpp"
+#include "impl/bake/exact/base.hpp"
+#include "impl/bake/triangles.hpp"
+#include "spec/bake/state.hpp"
 #include "tests/sanitized.hpp"
 
 namespace {

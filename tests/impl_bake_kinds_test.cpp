@@ -1,4 +1,4 @@
-// impl/bake_triangles.hpp: every kind of texel, mode, filter, factor, mip and margin as spec/bake_state.hpp
+// impl/bake/triangles.hpp: every kind of texel, mode, filter, factor, mip and margin as spec/bake/state.hpp
 // has it.
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "impl/bake_triangles.hpp"
-#include "spec/bake_state.hpp"
+#include "impl/bake/triangles.hpp"
+#include "spec/bake/state.hpp"
 #include "tests/every_target.hpp"
 #include "tests/sanitized.hpp"
 

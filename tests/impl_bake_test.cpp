@@ -1,4 +1,4 @@
-// impl/bake.hpp and impl/bake_map.hpp: every state as spec/bake.hpp has it; the box; which way is up.
+// impl/bake/bake.hpp and impl/bake/square/map.hpp: every state as spec/bake/bake.hpp has it; the box; which way is up.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "impl/bake_map.hpp"
-#include "spec/bake.hpp"
+#include "impl/bake/square/map.hpp"
+#include "spec/bake/bake.hpp"
 #include "tests/sanitized.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// impl/bake_triangles.hpp: every state as spec/bake_state.hpp has it.
+// impl/bake/triangles.hpp: every state as spec/bake/state.hpp has it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "impl/bake_base.hpp"
-#include "impl/bake_triangles.hpp"
-#include "impl/bake_wide.hpp"
-#include "spec/bake_state.hpp"
+#include "impl/bake/exact/base.hpp"
+#include "impl/bake/triangles.hpp"
+#include "impl/common/wide.hpp"
+#include "spec/bake/state.hpp"
 #include "tests/sanitized.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-// impl/index.hpp and impl/binary16.hpp against the exact specification and an oracle of their own.
+// impl/index/index.hpp and impl/common/binary16.hpp against the exact specification and an oracle of their own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,10 +17,10 @@
 #include <xmmintrin.h>
 #endif
 
-#include "impl/binary16.hpp"
-#include "impl/index.hpp"
+#include "impl/common/binary16.hpp"
+#include "impl/index/index.hpp"
 #include "spec/fixed.hpp"
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 #include "spec/rational.hpp"
 #include "tests/every_target.hpp"
 

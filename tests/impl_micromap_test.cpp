@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <random>
 
-#include "impl/micromap_array.hpp"
-#include "impl/micromap_level.hpp"
-#include "spec/micromap_array.hpp"
-#include "spec/micromap_level.hpp"
-#include "spec/micromap_lossy.hpp"
+#include "impl/micromap/array.hpp"
+#include "impl/micromap/level.hpp"
+#include "spec/micromap/array.hpp"
+#include "spec/micromap/level.hpp"
+#include "spec/micromap/lossy.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// impl/tree_container.hpp: bytes by hand, every way of being wrong, and what is taken of memory.
+// impl/tree/container.hpp: bytes by hand, every way of being wrong, and what is taken of memory.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "impl/tree_container.hpp"
+#include "impl/tree/container.hpp"
 #include "tests/largest_allocation.hpp"
 #include "tests/tree_cases.hpp"
 

@@ -1,4 +1,4 @@
-// impl/tree_stream.hpp and impl/tree.hpp against the flat map, the exact specification and trees by hand.
+// impl/tree/stream.hpp and impl/tree/tree.hpp against the flat map, the exact specification and trees by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "impl/index.hpp"
-#include "impl/tree.hpp"
-#include "impl/tree_container.hpp"
-#include "impl/tree_layout.hpp"
-#include "impl/tree_stream.hpp"
+#include "impl/index/index.hpp"
+#include "impl/tree/container.hpp"
+#include "impl/tree/layout.hpp"
+#include "impl/tree/stream.hpp"
+#include "impl/tree/tree.hpp"
 #include "spec/fixed.hpp"
-#include "spec/tree.hpp"
+#include "spec/tree/tree.hpp"
 #include "tests/every_target.hpp"
 #include "tests/tree_cases.hpp"
 

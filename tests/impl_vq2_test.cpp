@@ -1,4 +1,4 @@
-// impl/vq.hpp, VQ2: the decoders against the specification, the encoder against a solver of another kind.
+// impl/vq/vq.hpp, VQ2: the decoders against the specification, the encoder against a solver of another kind.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "impl/vq.hpp"
-#include "spec/vq_block.hpp"
+#include "impl/vq/vq.hpp"
+#include "spec/vq/block.hpp"
 #include "tests/sanitized.hpp"
 #include "tests/vq_cases.hpp"
 

@@ -1,4 +1,4 @@
-// impl/vq.hpp, encoders of VQ4: what they may do, what they must find, and the bound below them.
+// impl/vq/vq.hpp, encoders of VQ4: what they may do, what they must find, and the bound below them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
-#include "impl/vq.hpp"
-#include "impl/vq4_bound.hpp"
-#include "impl/vq4_search.hpp"
-#include "spec/vq_block.hpp"
+#include "impl/vq/four/bound.hpp"
+#include "impl/vq/four/search.hpp"
+#include "impl/vq/vq.hpp"
+#include "spec/vq/block.hpp"
 #include "tests/every_target.hpp"
 #include "tests/sanitized.hpp"
 #include "tests/vq_cases.hpp"

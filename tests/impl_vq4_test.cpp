@@ -1,10 +1,10 @@
-// impl/vq.hpp, VQ4: the decoders against the specification.
+// impl/vq/vq.hpp, VQ4: the decoders against the specification.
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "impl/vq.hpp"
-#include "spec/vq_block.hpp"
+#include "impl/vq/vq.hpp"
+#include "spec/vq/block.hpp"
 #include "tests/every_target.hpp"
 
 namespace {

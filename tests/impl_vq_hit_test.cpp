@@ -1,4 +1,4 @@
-// impl/vq.hpp, hits: the region that the specification names, on edges and an ulp beside them.
+// impl/vq/vq.hpp, hits: the region that the specification names, on edges and an ulp beside them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "impl/vq.hpp"
-#include "spec/vq_block.hpp"
+#include "impl/vq/vq.hpp"
+#include "spec/vq/block.hpp"
 #include "tests/vq_cases.hpp"
 
 namespace {

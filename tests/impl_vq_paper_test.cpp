@@ -1,4 +1,4 @@
-// impl/vq.hpp, the paper's encoders: Algorithms 1 and 2 written down once more, from the print, over arrays
+// impl/vq/vq.hpp, the paper's encoders: Algorithms 1 and 2 written down once more, from the print, over arrays
 // of states and without anything of impl/, must lose as much.  Source: Compressed Opacity Maps, 4.2 and 5.2.
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
-#include "impl/vq.hpp"
-#include "spec/vq.hpp"
-#include "spec/vq_block.hpp"
+#include "impl/vq/vq.hpp"
+#include "spec/vq/block.hpp"
+#include "spec/vq/vq.hpp"
 #include "tests/sanitized.hpp"
 #include "tests/vq_cases.hpp"
 

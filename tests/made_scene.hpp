@@ -10,15 +10,15 @@
 #include <variant>
 #include <vector>
 
-#include "impl/scene/levels.hpp"
-#include "impl/scene/square_maps.hpp"
-#include "proofs/scene.hpp"
+#include "proofs/scene/laws.hpp"
+#include "scene/bake/square_maps.hpp"
+#include "scene/plan/levels.hpp"
 
 namespace mmverify::tests {
 
 /// A disc of alpha in 16 x 16 texels, soft at its rim, off the centre so that nothing is symmetric.
-inline impl::scene::Image disc() {
-  impl::scene::Image image{"disc", 16, 16, std::vector<std::uint8_t>(256)};
+inline mmverify::scene::Image disc() {
+  mmverify::scene::Image image{"disc", 16, 16, std::vector<std::uint8_t>(256)};
   auto& alpha = std::get<0>(image.alpha);
   for (std::size_t y = 0; y < 16; ++y)
     for (std::size_t x = 0; x < 16; ++x) {
@@ -30,8 +30,8 @@ inline impl::scene::Image disc() {
 
 /// Two quads with the texture on: one as two triangles that share an edge, one whose triangles are the same
 /// UVs with other orders of vertices, and an opaque corner of it, which is uniform.
-inline impl::scene::Scene scene() {
-  using namespace impl::scene;
+inline mmverify::scene::Scene scene() {
+  using namespace mmverify::scene;
   Scene s;
   s.file = "made.gltf";
   s.images.push_back(disc());
@@ -56,18 +56,18 @@ inline unsigned code(std::span<const std::uint8_t> map, std::uint32_t at, unsign
 
 /// A scene all the way.
 struct Made {
-  impl::scene::Scene s;
-  impl::scene::Plan p = plan(s);
-  impl::scene::Levels l;
-  impl::scene::Baked b;
-  impl::scene::SceneArrays a;
-  impl::scene::Pairs q;
-  impl::scene::SquareMaps m;
+  mmverify::scene::Scene s;
+  mmverify::scene::Plan p = plan(s);
+  mmverify::scene::Levels l;
+  mmverify::scene::Baked b;
+  mmverify::scene::SceneArrays a;
+  mmverify::scene::Pairs q;
+  mmverify::scene::SquareMaps m;
   proofs::scene::Codecs codecs = {};
   bool two_state = false;
 
-  explicit Made(std::optional<unsigned> level = {}, const impl::scene::BakeOptions& options = {},
-                impl::scene::Scene of = scene())
+  explicit Made(std::optional<unsigned> level = {}, const mmverify::scene::BakeOptions& options = {},
+                mmverify::scene::Scene of = scene())
       : s(std::move(of)),
         l(levels(p, {level, 1 << 20})),
         b(bake(s, p, l.of, options)),

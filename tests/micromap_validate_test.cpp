@@ -8,7 +8,7 @@
 #include <string>
 
 #include "fuzz/micromap_both.hpp"
-#include "spec/micromap_array.hpp"
+#include "spec/micromap/array.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// impl/scene and proofs/scene: from a plan to maps, arrays, pairs and the laws on them.
+// scene/ and proofs/scene: from a plan to maps, arrays, pairs and the laws on them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,19 +6,19 @@
 #include <map>
 #include <random>
 
-#include "impl/index.hpp"
-#include "impl/micromap_reorder.hpp"
-#include "impl/scene/any_hit.hpp"
-#include "impl/scene/bake.hpp"
-#include "impl/scene/footprint.hpp"
-#include "impl/scene/levels.hpp"
-#include "impl/scene/square_maps.hpp"
+#include "impl/index/index.hpp"
+#include "impl/micromap/reorder.hpp"
+#include "scene/bake/any_hit.hpp"
+#include "scene/bake/bake.hpp"
+#include "scene/bake/footprint.hpp"
+#include "scene/bake/square_maps.hpp"
+#include "scene/plan/levels.hpp"
 #include "tests/made_scene.hpp"
 
 namespace {
 
 using namespace mmverify;
-using namespace mmverify::impl::scene;
+using namespace mmverify::scene;
 using namespace mmverify::tests;
 namespace micromap = mmverify::impl::micromap;
 namespace index = mmverify::impl::index;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace mmverify;
 using namespace mmverify::tests;
-using impl::scene::BakedTriangle;
+using mmverify::scene::BakedTriangle;
 using proofs::Level;
 
 /// All laws, or the one of that id.
@@ -64,8 +64,8 @@ void change_uniform(Made& made, unsigned to) {
 }
 
 /// The first triangle once more at the end: a second use of one map.
-impl::scene::Scene with_a_second_use() {
-  impl::scene::Scene s = scene();
+mmverify::scene::Scene with_a_second_use() {
+  mmverify::scene::Scene s = scene();
   s.primitives[0].triangles.push_back({0, 1, 2});
   return s;
 }

@@ -1,4 +1,4 @@
-// impl/scene: what is read of a glTF file, and what is said of one that cannot be read.
+// scene/: what is read of a glTF file, and what is said of one that cannot be read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stb/stb_image_write.h>
@@ -8,15 +8,15 @@
 #include <limits>
 #include <set>
 
-#include "impl/scene/bad_scene.hpp"
-#include "impl/scene/load.hpp"
-#include "impl/scene/triangles.hpp"
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/load.hpp"
+#include "scene/read/triangles.hpp"
 #include "tests/folder.hpp"
 #include "tests/gltf_file.hpp"
 
 namespace {
 
-using namespace mmverify::impl::scene;
+using namespace mmverify::scene;
 using namespace mmverify::tests;
 using testing::ElementsAre;
 using testing::HasSubstr;

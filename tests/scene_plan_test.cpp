@@ -1,4 +1,4 @@
-// impl/scene: triangles on textures, their duplicates, and what the plan leaves out and why.
+// scene/: triangles on textures, their duplicates, and what the plan leaves out and why.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,13 +11,13 @@
 #include <set>
 #include <stdexcept>
 
-#include "impl/scene/load.hpp"
-#include "impl/scene/plan.hpp"
+#include "scene/plan/plan.hpp"
+#include "scene/read/load.hpp"
 #include "spec/rational.hpp"
 
 namespace {
 
-using namespace mmverify::impl::scene;
+using namespace mmverify::scene;
 using mmverify::spec::Rational;
 using testing::ElementsAre;
 

@@ -1,4 +1,4 @@
-// impl/scene: the sample scene is what its header says, and looks like it.
+// scene/: the sample scene is what its header says, and looks like it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,15 +6,15 @@
 #include <map>
 #include <set>
 
-#include "impl/scene/load.hpp"
-#include "impl/scene/plan.hpp"
-#include "impl/scene/sample_scene.hpp"
-#include "impl/scene/sample_textures.hpp"
-#include "impl/scene/validate_micromaps.hpp"
+#include "scene/plan/plan.hpp"
+#include "scene/read/load.hpp"
+#include "scene/sample/scene.hpp"
+#include "scene/sample/textures.hpp"
+#include "scene/validate/micromaps.hpp"
 
 namespace {
 
-using namespace mmverify::impl::scene;
+using namespace mmverify::scene;
 using testing::IsEmpty;
 
 const Scene& sample() {

@@ -1,18 +1,18 @@
-// impl/scene: the validator of EXT_mesh_opacity_micromap.  A good file, each rule of it broken by hand.
+// scene/: the validator of EXT_mesh_opacity_micromap.  A good file, each rule of it broken by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <set>
 
-#include "impl/scene/validate_micromaps.hpp"
-#include "impl/scene/write_glb.hpp"
+#include "scene/validate/micromaps.hpp"
+#include "scene/write/glb.hpp"
 #include "tests/folder.hpp"
 #include "tests/gltf_file.hpp"
 
 namespace {
 
-using namespace mmverify::impl::scene;
+using namespace mmverify::scene;
 using namespace mmverify::tests;
 using mmverify::impl::micromap::Array;
 using mmverify::impl::micromap::Encoding;

@@ -1,20 +1,20 @@
-// impl/scene: the GLB that is written says what its source said, and the micromaps.
+// scene/: the GLB that is written says what its source said, and the micromaps.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "impl/scene/bad_scene.hpp"
-#include "impl/scene/load.hpp"
-#include "impl/scene/validate_micromaps.hpp"
-#include "impl/scene/write_container.hpp"
-#include "impl/scene/write_glb.hpp"
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/load.hpp"
+#include "scene/validate/micromaps.hpp"
+#include "scene/write/container.hpp"
+#include "scene/write/glb.hpp"
 #include "tests/folder.hpp"
 #include "tests/gltf_file.hpp"
 
 namespace {
 
-using namespace mmverify::impl::scene;
+using namespace mmverify::scene;
 using namespace mmverify::tests;
 using mmverify::impl::micromap::Array;
 using mmverify::impl::micromap::Encoding;

@@ -1,4 +1,4 @@
-// spec/bake_texture.hpp, spec/bake_state.hpp and nearest filtering: by hand, and against points.
+// spec/bake/texture.hpp, spec/bake/state.hpp and nearest filtering: by hand, and against points.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "spec/bake_state.hpp"
+#include "spec/bake/state.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// spec/bake.hpp: wrapping, bilinear alpha and the extremes of polygons by hand, and against points.
+// spec/bake/bake.hpp: wrapping, bilinear alpha and the extremes of polygons by hand, and against points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "spec/bake.hpp"
+#include "spec/bake/bake.hpp"
 
 namespace {
 

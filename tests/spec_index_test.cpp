@@ -1,4 +1,4 @@
-// spec/index.hpp and the numbers it runs on, against what was worked out by hand or by plain loops.
+// spec/index/index.hpp and the numbers it runs on, against what was worked out by hand or by plain loops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "impl/binary16.hpp"
+#include "impl/common/binary16.hpp"
 #include "spec/fixed.hpp"
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 #include "spec/rational.hpp"
 
 namespace {

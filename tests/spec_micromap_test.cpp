@@ -1,9 +1,9 @@
 // spec/micromap*.hpp against what was worked out by hand.
 #include <gtest/gtest.h>
 
-#include "spec/micromap_array.hpp"
-#include "spec/micromap_level.hpp"
-#include "spec/micromap_lossy.hpp"
+#include "spec/micromap/array.hpp"
+#include "spec/micromap/level.hpp"
+#include "spec/micromap/lossy.hpp"
 
 namespace {
 

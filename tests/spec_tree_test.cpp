@@ -1,9 +1,9 @@
-// spec/tree.hpp: a tree worked by hand, the closed forms, and what is no tree.
+// spec/tree/tree.hpp: a tree worked by hand, the closed forms, and what is no tree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "spec/tree.hpp"
+#include "spec/tree/tree.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// spec/vq.hpp and spec/vq_block.hpp: counts, table 1, codes and blocks by hand.
+// spec/vq/vq.hpp and spec/vq/block.hpp: counts, table 1, codes and blocks by hand.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "spec/vq.hpp"
-#include "spec/vq_block.hpp"
+#include "spec/vq/block.hpp"
+#include "spec/vq/vq.hpp"
 
 namespace {
 

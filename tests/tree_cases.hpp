@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "impl/tree_stream.hpp"
+#include "impl/tree/stream.hpp"
 
 namespace mmverify::tests {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-#include "impl/vq.hpp"
+#include "impl/vq/vq.hpp"
 
 namespace mmverify::tests {
 

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "impl/scene/load.hpp"
-#include "impl/scene/sample_scene.hpp"
-#include "impl/scene/write_glb.hpp"
+#include "scene/read/load.hpp"
+#include "scene/sample/scene.hpp"
+#include "scene/write/glb.hpp"
 
 namespace {
 
-using namespace mmverify::impl::scene;
+using namespace mmverify::scene;
 namespace micromap = mmverify::impl::micromap;
 
 /// Every primitive with triangles gets some, in one encoding after the other.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
-#include "spec/bake_state.hpp"
+#include "spec/bake/state.hpp"
 
 namespace mmverify::proofs::bake {
 

@@ -21,7 +21,7 @@ using Q = Rational64;
 /// What some point of a part is not, and whether it is rather opaque where it has but one.
 using Marks = std::uint8_t;
 constexpr Marks not_opaque = 1, not_transparent = 2, rather_opaque = 4, known = 8;
-constexpr Marks mixed = not_opaque | not_transparent;
+constexpr Marks mixed_cells = not_opaque | not_transparent;
 
 std::uint64_t power(std::uint64_t base, std::uint32_t exponent) {
   std::uint64_t result = 1;
@@ -215,9 +215,9 @@ std::vector<State> Enumerated::found(Level n, std::uint64_t k) const {
     Marks all = 0;
     for (const Part& part : micro.parts) {
       all = static_cast<Marks>(all | marks(part));
-      if ((all & mixed) == mixed) break;
+      if ((all & mixed_cells) == mixed_cells) break;
     }
-    if ((all & mixed) != mixed)
+    if ((all & mixed_cells) != mixed_cells)
       states.push_back((all & not_opaque) == 0 ? State::O : State::T);
     else
       states.push_back((marks(micro.centroid.front()) & rather_opaque) != 0 ? State::UO : State::UT);

@@ -3,7 +3,7 @@
 namespace mmverify::proofs::bake {
 namespace {
 
-constexpr Level highest = 12;
+constexpr Level highest_level = 12;
 
 const BakeSubject& of_bake(const Subject& s) { return dynamic_cast<const BakeSubject&>(s); }
 
@@ -20,7 +20,7 @@ Law over(Law law, const Cases& cases, const Check& check, const Draw& draw,
   law.unfit = [lacks](const Subject& s, Level n) -> std::optional<std::string> {
     const auto* subject = dynamic_cast<const BakeSubject*>(&s);
     if (subject == nullptr) return "not a subject of topic bake";
-    if (n > highest) return fmt::format("bakers go up to level {}", highest);
+    if (n > highest_level) return fmt::format("bakers go up to level {}", highest_level);
     return lacks ? lacks(*subject) : std::nullopt;
   };
   law.cases = cases.count;

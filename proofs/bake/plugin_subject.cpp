@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cstring>
 
-#include "proofs/isolation/codec.hpp"
+#include "dock/codec.hpp"
 #include "sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::bake {
 namespace {
 
-using isolation::Call;
-using isolation::LibraryPtr;
+using dock::Call;
+using dock::LibraryPtr;
 
 static_assert(MMVERIFY_REPEAT == static_cast<int>(Wrap::repeat) &&
               MMVERIFY_MIRRORED_REPEAT == static_cast<int>(Wrap::mirrored_repeat) &&
@@ -68,9 +68,9 @@ BakeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library
   parts.bake = [library](const Case& one, Level n, Format format) -> std::optional<Baked> {
     const std::size_t bits = static_cast<std::size_t>(format), count = std::size_t{1} << 2 * n;
     const std::vector<std::uint8_t> blob = blob_of(one, n, format);
-    const isolation::Said said = isolation::ask(
-        *library, {Call::bake, n, static_cast<std::uint32_t>(format), blob, (count * bits + 7) / 8},
-        [&] { return "baking " + text_of(one); });
+    const dock::Said said =
+        dock::ask(*library, {Call::bake, n, static_cast<std::uint32_t>(format), blob, (count * bits + 7) / 8},
+                  [&] { return "baking " + text_of(one); });
     if (!said.taken) return std::nullopt;
     Baked baked;
     const auto state = [&](std::size_t k) {

@@ -3,13 +3,13 @@
 
 #include <string>
 
+#include "dock/library.hpp"
 #include "proofs/bake/subject.hpp"
-#include "proofs/isolation/library.hpp"
 
 namespace mmverify::proofs::bake {
 
 /// The subject that a library offers; null where it has no baker.  It runs in worker processes; what goes
 /// wrong there comes out of the calls as SubjectBroken.
-BakeSubjectPtr plugin_subject(const std::string& name, const isolation::LibraryPtr& library);
+BakeSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::bake

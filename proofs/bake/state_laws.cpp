@@ -18,7 +18,7 @@ using spec::micromap::force2;
 using spec::micromap::unknown;
 
 constexpr char source[] =
-    "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake_state.hpp";
+    "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake/state.hpp";
 
 /// Whether a state is wrong by a law, given the true one.
 using Denies = bool (*)(State got, State truth);

@@ -9,12 +9,12 @@
 
 #include "proofs/bake/threshold.hpp"
 #include "proofs/engine/random.hpp"
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
 
-constexpr std::uint64_t stream = 0x73747261;
+constexpr std::uint64_t strata_stream = 0x73747261;
 constexpr Level large_level = 7;  ///< from there on a map has 16,384 states or more
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -39,7 +39,7 @@ std::vector<Row> designed() {
   Pairs met;
   std::vector<Row> rows;
   for (std::size_t r = 0; r < count * count; ++r) {
-    Random random(1, stream, r);
+    Random random(1, strata_stream, r);
     Row row{};
     // 22 rows that follow each other have all widths and all heights.
     row[width_of] = static_cast<std::uint8_t>(r % count);
@@ -357,7 +357,7 @@ Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
   }
   // Large maps again: widths of whole numbers grow with such factors.
   if (n >= large_level && row[factor_of] == 6) row[factor_of] = 4;
-  Random random(seed, stream + 1 + n, number);
+  Random random(seed, strata_stream + 1 + n, number);
   Case one;
   set_sides(one, row, number, random);
   one.texel = static_cast<Texel>(row[texel_of]);

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "impl/bake_triangles.hpp"
+#include "impl/bake/triangles.hpp"
 #include "proofs/bake/exact_texture.hpp"
 #include "proofs/bake/narrow.hpp"
 #include "proofs/bake/truth.hpp"

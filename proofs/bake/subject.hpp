@@ -25,7 +25,7 @@ struct Baked {
 struct Parts {
   /// None where it does not support the case.  Calls may come from several threads at once.
   std::function<std::optional<Baked>(const Case&, Level, Format)> bake = {};
-  bool centroid = false;  ///< its unknown states are those of spec/bake_state.hpp, micro_state
+  bool centroid = false;  ///< its unknown states are those of spec/bake/state.hpp, micro_state
 };
 
 class BakeSubject : public Subject {

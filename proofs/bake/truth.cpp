@@ -10,7 +10,7 @@
 #include "proofs/bake/exact_texture.hpp"
 #include "proofs/bake/narrow.hpp"
 #include "proofs/engine/random.hpp"
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

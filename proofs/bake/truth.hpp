@@ -12,7 +12,7 @@ using spec::Rational;
 using spec::micromap::State;
 using Place = spec::bake::Place<Rational>;
 
-/// The state of micro-triangle `index` by spec/bake_state.hpp.
+/// The state of micro-triangle `index` by spec/bake/state.hpp.
 State true_state(const Case& one, Level n, std::uint32_t index);
 
 /// The micro-triangles that a sample of level n is judged at: all up to level 3, above 96 of them.  Of

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "dock/broken.hpp"
 #include "proofs/engine/sweep.hpp"
 
 namespace mmverify::proofs {
@@ -116,11 +117,8 @@ struct Law {
   std::string float_companion = {};
 };
 
-/// A subject that did something else than answer; what() says what, and on which input.  Ends the law with
-/// `broken`.
-struct SubjectBroken : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+/// Ends the law with `broken`.
+using dock::SubjectBroken;
 
 /// A statement that no prover discharged and no counterexample denies; what() names it.  Ends the law with
 /// `incomplete`.

@@ -6,7 +6,7 @@
 
 namespace mmverify::proofs {
 
-Parts parts_of(const std::string& text, const char* regex) {
+Groups groups_of(const std::string& text, const char* regex) {
   if (text.size() > longest) return std::nullopt;
   static std::mutex mutex;
   static std::map<std::string, std::regex> known;  // making one costs more than using it

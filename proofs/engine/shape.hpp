@@ -11,7 +11,7 @@ namespace mmverify::proofs {
 /// group k, empty where it took no part; nothing where it does not fit.
 /// Nor does any text beyond `longest`: the standard library's matcher calls itself for each character.
 inline constexpr std::size_t longest = 2048;
-using Parts = std::optional<std::vector<std::string>>;
-Parts parts_of(const std::string& text, const char* regex);
+using Groups = std::optional<std::vector<std::string>>;
+Groups groups_of(const std::string& text, const char* regex);
 
 }  // namespace mmverify::proofs

@@ -1,7 +1,7 @@
 // The specification's point -> index algorithms as types, so that one subject template serves them all.
 #pragma once
 
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::index {
 

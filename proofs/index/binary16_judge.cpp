@@ -1,7 +1,7 @@
 // Every pair of binary16 numbers in the triangle: a float format small enough to be run whole.
 #include <fmt/format.h>
 
-#include "impl/binary16.hpp"
+#include "impl/common/binary16.hpp"
 #include "proofs/index/judges.hpp"
 #include "proofs/index/on_cells.hpp"
 #include "proofs/index/reference_sweep.hpp"

@@ -7,7 +7,7 @@
 
 #include "proofs/engine/result.hpp"
 #include "spec/fixed.hpp"
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::index {
 

@@ -12,7 +12,7 @@ namespace mmverify::proofs::index {
 namespace {
 
 /// A sweep that an interrupt cut short may have missed the difference that a law asks for: it says nothing.
-Tally whole(Tally sweep) {
+Tally unless_interrupted(Tally sweep) {
   if (interrupted()) throw Interrupted();
   return sweep;
 }
@@ -53,7 +53,7 @@ int precision(Arithmetic a) {
 }  // namespace
 
 Tally differs_first(const IndexSubject& s, Level n, const Run& run, const std::vector<Difference>& stated) {
-  const Tally sweep = whole(equals_reference(s, n, keeping_one(run)));
+  const Tally sweep = unless_interrupted(equals_reference(s, n, keeping_one(run)));
   Tally tally = counted(sweep, run);
   const auto next =
       std::find_if(stated.begin(), stated.end(), [n](const Difference& d) { return d.from_level > n; });
@@ -101,7 +101,7 @@ Tally floats_err(const IndexSubject& s, Level n, const Run& run) {
 
 Tally binary32_root_errs(const IndexSubject& s, Level n, const Run& run) {
   constexpr std::uint32_t first_wrong = 4097 * 4097 - 2;
-  const Tally sweep = whole(row_corners(s, n, keeping_one(run)));
+  const Tally sweep = unless_interrupted(row_corners(s, n, keeping_one(run)));
   Tally tally = counted(sweep, run);
   const bool wrong_in_range = first_wrong < triangle_count(n);
   const std::string at = fmt::format("k={}", first_wrong);

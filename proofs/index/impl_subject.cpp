@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "impl/index_wide.hpp"
+#include "impl/index/wide.hpp"
 #include "proofs/index/built_in.hpp"
 #include "proofs/index/rounded_subject.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "proofs/canvas.hpp"
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

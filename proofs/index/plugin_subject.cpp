@@ -9,16 +9,16 @@
 namespace mmverify::proofs::index {
 namespace {
 
-using isolation::Borrowed;
-using isolation::Call;
-using isolation::LibraryPtr;
-using isolation::Misbehaved;
-using isolation::Worker;
+using dock::Borrowed;
+using dock::Call;
+using dock::LibraryPtr;
+using dock::Misbehaved;
+using dock::Worker;
 
 template <class T>
 void put(const Worker& worker, Call call, std::size_t array, std::uint64_t count, const T* from) {
-  for (std::uint64_t t = 0; t < count; t += isolation::batch_size) {
-    const std::size_t piece = isolation::in_slot(count, static_cast<std::size_t>(t / isolation::batch_size));
+  for (std::uint64_t t = 0; t < count; t += dock::batch_size) {
+    const std::size_t piece = dock::in_slot(count, static_cast<std::size_t>(t / dock::batch_size));
     std::memcpy(worker.input(call, array, count, t), from + t, piece * sizeof(T));
   }
 }
@@ -49,7 +49,7 @@ class PluginSubject : public IndexSubject {
     return false;
   }
 
-  std::size_t batch() const override { return isolation::capacity; }
+  std::size_t batch() const override { return dock::capacity; }
 
   RationalPoint receive(const RationalPoint& p) const override {
     if (arithmetic() == Arithmetic::binary64) return {rational(nearest(p.u)), rational(nearest(p.v))};
@@ -73,11 +73,11 @@ class PluginSubject : public IndexSubject {
     };
     for (const Row& row : rows)
       for (std::uint64_t from = 0; from < row.count;) {
-        const std::uint64_t piece = std::min<std::uint64_t>(row.count - from, isolation::capacity - count);
+        const std::uint64_t piece = std::min<std::uint64_t>(row.count - from, dock::capacity - count);
         command.push_back(Cells::cut(row, from, piece));
         count += piece;
         from += piece;
-        if (count == isolation::capacity) run();
+        if (count == dock::capacity) run();
       }
     if (count != 0) run();
   }
@@ -112,8 +112,8 @@ class PluginSubject : public IndexSubject {
 
   template <class Piece>
   static void in_pieces(std::size_t size, Piece piece) {
-    for (std::size_t from = 0; from < size; from += isolation::capacity)
-      piece(from, std::min(isolation::capacity, size - from));
+    for (std::size_t from = 0; from < size; from += dock::capacity)
+      piece(from, std::min(dock::capacity, size - from));
   }
 
   /// Writes points straight to where the worker reads them; at(t) gives u and v.
@@ -121,10 +121,10 @@ class PluginSubject : public IndexSubject {
   static void place_points(Worker& worker, Call call, std::size_t count, At at) {
     const auto fill = [&](auto number) {
       using T = decltype(number);
-      for (std::size_t from = 0; from < count; from += isolation::batch_size) {
+      for (std::size_t from = 0; from < count; from += dock::batch_size) {
         auto* u = reinterpret_cast<T*>(worker.input(call, 0, count, from));
         auto* v = reinterpret_cast<T*>(worker.input(call, 1, count, from));
-        const std::size_t piece = std::min(isolation::batch_size, count - from);
+        const std::size_t piece = std::min(dock::batch_size, count - from);
         for (std::size_t t = 0; t < piece; ++t) {
           const auto [pu, pv] = at(from + t);
           u[t] = static_cast<T>(pu);
@@ -148,7 +148,7 @@ class PluginSubject : public IndexSubject {
       for (const Row& row : rows)
         for (std::uint64_t from = 0; from < row.count;) {
           const std::uint64_t piece =
-              std::min<std::uint64_t>(row.count - from, isolation::batch_size - done % isolation::batch_size);
+              std::min<std::uint64_t>(row.count - from, dock::batch_size - done % dock::batch_size);
           auto* u = reinterpret_cast<T*>(worker.input(call, 0, count, done));
           auto* v = reinterpret_cast<T*>(worker.input(call, 1, count, done));
           const T kv = static_cast<T>(row.kv) * scale;
@@ -202,7 +202,7 @@ class PluginSubject : public IndexSubject {
   }
 
   void ask_corners(Call call, Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const {
-    static_assert(sizeof(Corners) == isolation::answer_size(Call::corners));
+    static_assert(sizeof(Corners) == dock::answer_size(Call::corners));
     in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
       ask(
           n, call, count, [&](Worker& w, Call c) { put(w, c, 0, count, indices.data() + from); },
@@ -224,9 +224,9 @@ class PluginSubject : public IndexSubject {
       throw SubjectBroken(
           fmt::format("{} at level {} {}", found.what, n, elements(worker, call, count, found)));
     }
-    for (std::size_t from = 0; from < count; from += isolation::batch_size)
+    for (std::size_t from = 0; from < count; from += dock::batch_size)
       std::memcpy(out + from, worker.answer(call, count, from),
-                  std::min(isolation::batch_size, count - from) * sizeof(Answer));
+                  std::min(dock::batch_size, count - from) * sizeof(Answer));
     borrowed.give_back();
   }
 

@@ -4,14 +4,14 @@
 #include <memory>
 #include <vector>
 
+#include "dock/library.hpp"
 #include "proofs/index/subject.hpp"
-#include "proofs/isolation/library.hpp"
 
 namespace mmverify::proofs::index {
 
 /// The subjects that a library offers, none where it has no entry point of this topic: one that takes
 /// binary32 numbers, named as the file, and where it has an entry point for binary64 another, named FILE:f64.
 /// Each runs in worker processes; what goes wrong there comes out of the calls as SubjectBroken.
-std::vector<std::shared_ptr<const IndexSubject>> plugin_subjects(const isolation::LibraryPtr& library);
+std::vector<std::shared_ptr<const IndexSubject>> plugin_subjects(const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::index

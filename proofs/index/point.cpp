@@ -55,18 +55,18 @@ Rational parse_hex(const std::vector<std::string>& m) {
 }
 
 Rational parse_coordinate(const std::string& text) {
-  if (const Parts m = parts_of(text, R"((-?[0-9]{1,400})/([0-9]{1,400}))")) {
+  if (const Groups m = groups_of(text, R"((-?[0-9]{1,400})/([0-9]{1,400}))")) {
     const Integer denominator = parse_digits((*m)[2]);
     if (denominator == 0) throw BadCase(fmt::format("'{}' divides by zero", text));
     return Rational(parse_digits((*m)[1]), denominator);
   }
-  if (const Parts m = parts_of(text, R"((-?)([0-9]{1,400})(\.([0-9]{1,400}))?)")) {
+  if (const Groups m = groups_of(text, R"((-?)([0-9]{1,400})(\.([0-9]{1,400}))?)")) {
     Rational q{parse_digits((*m)[2] + (*m)[4])};
     for (std::size_t d = 0; d < (*m)[4].size(); ++d) q /= Integer(10);
     return !(*m)[1].empty() ? Rational(-q) : q;
   }
-  if (const Parts m =
-          parts_of(text, R"((-?)0[xX]([0-9a-fA-F]{1,400})(\.([0-9a-fA-F]{0,400}))?[pP]([-+]?[0-9]{1,4}))"))
+  if (const Groups m =
+          groups_of(text, R"((-?)0[xX]([0-9a-fA-F]{1,400})(\.([0-9a-fA-F]{0,400}))?[pP]([-+]?[0-9]{1,4}))"))
     return parse_hex(*m);
   throw BadCase(fmt::format("'{}' is not a coordinate: write 3/8, 0.375 or 0x1.8p-2", text));
 }
@@ -134,7 +134,7 @@ Simplicity simplicity(const RationalPoint& p) {
 }
 
 RationalPoint parse_point(const std::string& text) {
-  const Parts parts = parts_of(text, R"((?:[vei]:)?u=([^,]+),v=([^,]+))");
+  const Groups parts = groups_of(text, R"((?:[vei]:)?u=([^,]+),v=([^,]+))");
   if (!parts)
     throw BadCase(fmt::format(
         "'{}' is not a point: write u=3/8,v=1/4 (a kind letter v:, e: or i: may stand before)", text));

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "impl/binary16.hpp"
+#include "impl/common/binary16.hpp"
 #include "proofs/index/subject.hpp"
 
 namespace mmverify::proofs::index {

@@ -20,7 +20,7 @@ std::uint64_t strips_per_chunk(Level n) {
 }
 
 /// Micro-triangles are numbered along v = const strips, upright ones of a strip before its inverted ones.
-std::uint64_t number(const MicroTriangle& m, Level n) {
+std::uint64_t number_in(const MicroTriangle& m, Level n) {
   const std::uint64_t N = side(n), left = N - m.j;
   return N * N - left * left + (m.inverted ? left : 0) + m.i;
 }
@@ -78,7 +78,7 @@ std::optional<MicroTriangle> earlier_owner(const IndexSubject& s, Level n, const
   std::optional<MicroTriangle> owner;
   for (std::uint32_t j = 0; j <= m.j && !owner; ++j)
     each(ask_strip(s, n, j), j, [&](const MicroTriangle& other, std::uint32_t other_index) {
-      if (!owner && other_index == index && number(other, n) < number(m, n)) owner = other;
+      if (!owner && other_index == index && number_in(other, n) < number_in(m, n)) owner = other;
     });
   return owner;
 }
@@ -101,7 +101,7 @@ Tally bijective(const IndexSubject& s, Level n, const Run& run) {
     for (auto j = static_cast<std::uint32_t>(chunk.begin); j < chunk.end; ++j)
       each(ask_strip(s, n, j), j, [&](const MicroTriangle& m, std::uint32_t index) {
         part.count(Kind::interior, 1);
-        part.digest(number(m, n), index);
+        part.digest(number_in(m, n), index);
         if (index >= triangle_count(n) || seen.mark(index))
           part.mismatch(Kind::interior, simplicity(representative(m, n)),
                         [&] { return at_triangle(m, n, not_taken(), fmt::format("{}", index)); });
@@ -238,7 +238,7 @@ Tally contiguous(const IndexSubject& s, Level n, const Run& run) {
     for (std::uint32_t j = first; j < last; ++j)
       each(strips[j - from], j, [&](const MicroTriangle& m, std::uint32_t index) {
         tally.count(Kind::interior, 1);
-        tally.digest(number(m, n), index);
+        tally.digest(number_in(m, n), index);
         const auto gap = gap_at(m, index, n, at);
         if (!gap) return;
         tally.mismatch(Kind::interior, simplicity(representative(m, n)), [&] {

@@ -11,7 +11,7 @@
 namespace mmverify::proofs::index {
 namespace {
 
-constexpr std::uint64_t indices_per_chunk = 1 << 16;
+constexpr std::uint64_t indices_in_a_chunk = 1 << 16;
 constexpr std::uint64_t indices_per_batch = 1024;
 
 /// The micro-triangle that these corners are, in any order; nothing where they are not one.
@@ -44,7 +44,7 @@ using CornersFrom = std::function<void(std::span<const std::uint32_t>, std::span
 Tally on_indices(
     Level n, const Run& run, const CornersFrom& ask,
     const std::function<void(std::span<const std::uint32_t>, std::span<const Corners>, Tally&)>& judge) {
-  return sweep(run, triangle_count(n), indices_per_chunk, [&](Chunk chunk, Tally& tally) {
+  return sweep(run, triangle_count(n), indices_in_a_chunk, [&](Chunk chunk, Tally& tally) {
     std::array<std::uint32_t, indices_per_batch> indices;
     std::array<Corners, indices_per_batch> corners;
     for (std::uint64_t from = chunk.begin; from < chunk.end; from += indices_per_batch) {

@@ -7,7 +7,7 @@
 
 #include "proofs/induction/paths.hpp"
 #include "proofs/induction/term.hpp"
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::induction {
 

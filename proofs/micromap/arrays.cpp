@@ -165,7 +165,7 @@ void sample_spoilt(Level n, std::uint64_t seed, std::uint64_t k, Handed& h) {
 std::string text_of(std::uint64_t seed, std::uint64_t k) { return fmt::format("sample:{}:{}", seed, k); }
 
 std::pair<std::uint64_t, std::uint64_t> sample_from(const std::string& text) {
-  const Parts parts = parts_of(text, "sample:([0-9]{1,19}):([0-9]{1,19})");
+  const Groups parts = groups_of(text, "sample:([0-9]{1,19}):([0-9]{1,19})");
   if (!parts) throw BadCase("'" + text + "': write sample:SEED:K");
   return {std::stoull((*parts)[1]), std::stoull((*parts)[2])};
 }

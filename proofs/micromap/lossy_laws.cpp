@@ -6,7 +6,7 @@
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
 #include "proofs/tree/maps.hpp"
-#include "spec/micromap_lossy.hpp"
+#include "spec/micromap/lossy.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {
@@ -98,7 +98,7 @@ void add(std::vector<Law>& laws, const Rule& rule) {
 Finding judges(const MicromapSubject& s, const PackedMap& was, const PackedMap& is) {
   const std::uint64_t count = slow::micro_triangles(was.level);
   const States a = slow::unpack(was.bytes, four, count), b = slow::unpack(is.bytes, four, count);
-  // By the statements, not by spec/micromap_lossy.hpp, which a subject may use.
+  // By the statements, not by spec/micromap/lossy.hpp, which a subject may use.
   Kept expected{true, true, true};
   for (std::size_t i = 0; i < count; ++i) {
     const bool same_state = a[i] == b[i];
@@ -258,8 +258,8 @@ Law judge_samples_law() {
                             s.node);
        },
        [](const MicromapSubject& s, Level n, const std::string& at) {
-         const Parts parts =
-             parts_of(at, "sample:([0-9]{1,19}):([0-9]{0,3}[13579])\\|([0-3])@([0-9]{1,2}):([0-9]{1,8})");
+         const Groups parts =
+             groups_of(at, "sample:([0-9]{1,19}):([0-9]{0,3}[13579])\\|([0-3])@([0-9]{1,2}):([0-9]{1,8})");
          if (!parts) throw BadCase("'" + at + "': write sample:1:3|2@5:17, with an odd sample");
          const auto number = [&](std::size_t k) { return std::stoull((*parts)[k]); };
          const Substituted what{number(2) / 2, static_cast<State>(number(3)), static_cast<Level>(number(4)),

@@ -6,7 +6,7 @@
 #include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "spec/micromap_lossy.hpp"
+#include "spec/micromap/lossy.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {

@@ -2,13 +2,13 @@
 
 #include <bit>
 
-#include "proofs/isolation/codec.hpp"
+#include "dock/codec.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {
 
-using isolation::Call;
-using isolation::LibraryPtr;
+using dock::Call;
+using dock::LibraryPtr;
 using spec::micromap::micro_triangles;
 
 constexpr std::uint32_t two = 1, four = 2;
@@ -58,14 +58,14 @@ class PluginMicromap : public MicromapSubject {
     return ask("packing",
                {Call::micromap_pack, level_of(states.size()), number(f), codes,
                 packed_bytes(states.size(), number(f))},
-               [&] { return isolation::map_text(number(f), states.size(), packed(f, states)); });
+               [&] { return dock::map_text(number(f), states.size(), packed(f, states)); });
   }
   States unpack(Format f, std::uint64_t count, std::span<const std::uint8_t> bytes) const override {
     States states;
     for (const std::uint8_t code :
          ask("unpacking",
              {Call::micromap_unpack, level_of(count), number(f), bytes, static_cast<std::size_t>(count)},
-             [&] { return isolation::map_text(number(f), count, bytes); }))
+             [&] { return dock::map_text(number(f), count, bytes); }))
       states.push_back(static_cast<State>(code));
     return states;
   }
@@ -91,7 +91,7 @@ class PluginMicromap : public MicromapSubject {
     const auto number_of_mode = static_cast<std::uint32_t>(mode);
     return ask("through mode " + std::to_string(number_of_mode),
                {Call::micromap_through, n, number_of_mode, map, map.size()},
-               [&] { return isolation::map_text(four, micro_triangles(n), map); });
+               [&] { return dock::map_text(four, micro_triangles(n), map); });
   }
   Bytes substitute(Level n, std::span<const std::uint8_t> map) const override {
     return of_map("substituting in", Call::micromap_substitute, n, four, map, map.size());
@@ -105,15 +105,15 @@ class PluginMicromap : public MicromapSubject {
     return spec::micromap::unpack(two_state, Format::two_state, micro_triangles(n));
   }
 
-  Bytes ask(const std::string& doing, const isolation::Question& question,
+  Bytes ask(const std::string& doing, const dock::Question& question,
             const std::function<std::string()>& map) const {
-    return isolation::ask(*library_, question, [&] { return doing + " " + map(); }).bytes;
+    return dock::ask(*library_, question, [&] { return doing + " " + map(); }).bytes;
   }
 
   Bytes of_map(const char* doing, Call call, Level n, std::uint32_t format, std::span<const std::uint8_t> map,
                std::size_t room) const {
     return ask(doing, {call, n, format, map, room},
-               [&] { return isolation::map_text(format, micro_triangles(n), map); });
+               [&] { return dock::map_text(format, micro_triangles(n), map); });
   }
 
   LibraryPtr library_;

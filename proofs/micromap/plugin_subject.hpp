@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "proofs/isolation/library.hpp"
+#include "dock/library.hpp"
 #include "proofs/micromap/subject.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -11,6 +11,6 @@ namespace mmverify::proofs::micromap {
 /// The subject that a library offers; null where it has no entry point of this topic.  It runs in worker
 /// processes; what goes wrong there comes out of the calls as SubjectBroken.  Special indices, arrays and
 /// their validation have no entry points.
-MicromapSubjectPtr plugin_subject(const std::string& name, const isolation::LibraryPtr& library);
+MicromapSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::micromap

@@ -50,7 +50,7 @@ struct Code {
 std::string at(const Code& c) { return fmt::format("{}:{}", name(c.encoding), c.code); }
 
 Finding replayed(const MicromapSubject& s, Level, const std::string& text) {
-  const Parts parts = parts_of(text, "(u8|u16|u32|i16|i32):([0-9]{1,10})");
+  const Groups parts = groups_of(text, "(u8|u16|u32|i16|i32):([0-9]{1,10})");
   if (!parts) throw BadCase("'" + text + "': write u16:65533");
   std::size_t e = 0;
   while ((*parts)[1] != encoding_names[e]) ++e;

@@ -1,9 +1,9 @@
 #include "proofs/micromap/subject.hpp"
 
-#include "impl/micromap_array.hpp"
-#include "impl/micromap_level.hpp"
-#include "impl/micromap_validate.hpp"
-#include "spec/micromap_lossy.hpp"
+#include "impl/micromap/array.hpp"
+#include "impl/micromap/level.hpp"
+#include "impl/micromap/validate.hpp"
+#include "spec/micromap/lossy.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {

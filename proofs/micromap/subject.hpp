@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
-#include "spec/micromap_level.hpp"
-#include "spec/micromap_validate.hpp"
+#include "spec/micromap/level.hpp"
+#include "spec/micromap/validate.hpp"
 
 namespace mmverify::proofs::micromap {
 

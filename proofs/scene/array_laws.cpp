@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "impl/micromap_validate.hpp"
+#include "impl/micromap/validate.hpp"
 #include "proofs/scene/law_groups.hpp"
 #include "proofs/scene/law_parts.hpp"
 #include "proofs/scene/other_order.hpp"
@@ -12,12 +12,12 @@ namespace mmverify::proofs::scene {
 namespace {
 
 namespace micromap = impl::micromap;
-using impl::scene::BakedTriangle;
-using impl::scene::TriangleUse;
+using mmverify::scene::BakedTriangle;
+using mmverify::scene::TriangleUse;
 
 /// Everything that `validate` is given of one primitive.
 micromap::Input input_of(const Data& data, std::size_t primitive, const micromap::Bytes& records) {
-  const impl::scene::PrimitiveIndices& indices = data.arrays.primitives[primitive];
+  const mmverify::scene::PrimitiveIndices& indices = data.arrays.primitives[primitive];
   micromap::Input in;
   // u8 indices and what else EXT forbids do not occur; all sets of rules are to hold.
   in.records = records;
@@ -38,7 +38,7 @@ Law valid_law(const Data& data) {
        .topic = "micromap",
        .says = "the array and each primitive's indices and counts break no rule of EXT, KHR, DXR and glTF",
        .source = "VK_EXT_opacity_micromap, VK_KHR_opacity_micromap, DXR 1.2, EXT_mesh_opacity_micromap; "
-                 "spec/micromap_rules.hpp"},
+                 "spec/micromap/rules.hpp"},
       {"primitives with micromaps", [&data](Level n) { return n == 0 ? data.plan.primitives.size() : 0; },
        [&data](Level, std::uint64_t k) -> Finding {
          const micromap::Bytes records = micromap::record_buffer(data.arrays.array.records);
@@ -125,7 +125,7 @@ Finding leads_to_its_states(const Data& data, Level n, const Use& at) {
     return wrong(
         fmt::format("a map of level {} for triangle {} of primitive {}", n, at.triangle, at.primitive),
         fmt::format("code {}", code));
-  const bool planned_order = use.order == impl::scene::VertexOrder{0, 1, 2};
+  const bool planned_order = use.order == mmverify::scene::VertexOrder{0, 1, 2};
   const unsigned b = micromap::bits(baked.format);
   micromap::StateCounts counts{};
   Finding finding;

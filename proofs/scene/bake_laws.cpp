@@ -14,7 +14,7 @@ namespace mmverify::proofs::scene {
 namespace {
 
 namespace micromap = impl::micromap;
-using impl::scene::BakedTriangle;
+using mmverify::scene::BakedTriangle;
 using spec::bake::State;
 
 unsigned code_of(const BakedTriangle& t, std::uint32_t index) {
@@ -151,7 +151,7 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   law.id = claim.id;
   law.topic = "bake";
   law.says = claim.says;
-  law.source = "design of state: closed micro-triangles, glTF 2.0 Alpha Coverage; spec/bake_state.hpp";
+  law.source = "design of state: closed micro-triangles, glTF 2.0 Alpha Coverage; spec/bake/state.hpp";
   law.divisible = true;
   law.on_lines = false;
   const auto total = [&data, claim](Level n) {

@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <variant>
 
-#include "spec/bake_state.hpp"
+#include "spec/bake/state.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
 
-namespace scene = impl::scene;
+namespace scene = mmverify::scene;
 using namespace spec::bake;
 
 Binary32 bits(float x) { return {std::bit_cast<std::uint32_t>(x)}; }

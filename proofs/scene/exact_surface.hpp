@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "impl/scene/plan.hpp"
 #include "proofs/engine/result.hpp"
-#include "spec/bake.hpp"
+#include "scene/plan/plan.hpp"
+#include "spec/bake/bake.hpp"
 
 namespace mmverify::proofs::scene {
 
 class ExactSurfaces {
  public:
   /// The textures of the plan's surfaces, copied.  Margin: in texels, finite and not below 0.
-  ExactSurfaces(const impl::scene::Scene& scene, const impl::scene::Plan& plan, float margin);
+  ExactSurfaces(const mmverify::scene::Scene& scene, const mmverify::scene::Plan& plan, float margin);
   ~ExactSurfaces();
 
   /// Of micro-triangle `index` of level n of a planned triangle: spec::bake in rationals.
@@ -36,7 +36,7 @@ class ExactSurfaces {
   class OfSurface;
   const OfSurface& of(std::size_t triangle) const;
 
-  const impl::scene::Plan& plan_;
+  const mmverify::scene::Plan& plan_;
   std::vector<std::unique_ptr<const OfSurface>> surfaces_;
 };
 

@@ -4,16 +4,17 @@
 #include <array>
 #include <cstdint>
 
-#include "impl/scene/uv_duplicates.hpp"
 #include "proofs/engine/result.hpp"
-#include "spec/index.hpp"
+#include "scene/plan/uv_duplicates.hpp"
+#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::scene {
 
 /// The index at level n, in the order of the planned triangle, of micro-triangle `index` of a use whose
 /// vertex k is the planned one's vertex order[k]: through corners, as the specification has them.
 /// Domain: index < 4^n; n in 0..16.
-inline std::uint32_t in_planned_order(std::uint32_t index, Level n, const impl::scene::VertexOrder& order) {
+inline std::uint32_t in_planned_order(std::uint32_t index, Level n,
+                                      const mmverify::scene::VertexOrder& order) {
   // The centroid's barycentrics of the vertices, in thirds of 1/N.
   std::array<std::uint32_t, 3> mine{};
   for (const auto& corner : spec::index::corners(index, n)) {

@@ -5,11 +5,11 @@
 #include <mutex>
 #include <string>
 
-#include "impl/scene/arrays.hpp"
-#include "impl/scene/square_maps.hpp"
-#include "impl/tree.hpp"
-#include "impl/vq.hpp"
+#include "impl/tree/tree.hpp"
+#include "impl/vq/vq.hpp"
 #include "proofs/engine/law.hpp"
+#include "scene/bake/arrays.hpp"
+#include "scene/bake/square_maps.hpp"
 
 namespace mmverify::proofs::scene {
 
@@ -28,12 +28,12 @@ struct Codecs {
 
 /// All that its laws look at.  Not owned, but for nothing: the scene outlives its laws.
 struct Data {
-  const impl::scene::Scene& scene;
-  const impl::scene::Plan& plan;
-  const impl::scene::Baked& baked;
-  const impl::scene::SceneArrays& arrays;
-  const impl::scene::Pairs& pairs;
-  const impl::scene::SquareMaps& squares;
+  const mmverify::scene::Scene& scene;
+  const mmverify::scene::Plan& plan;
+  const mmverify::scene::Baked& baked;
+  const mmverify::scene::SceneArrays& arrays;
+  const mmverify::scene::Pairs& pairs;
+  const mmverify::scene::SquareMaps& squares;
   float margin = 0;        ///< that was baked with
   bool two_state = false;  ///< whether it was forced to 2-state
   Codecs codecs = {};

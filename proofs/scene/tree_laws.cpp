@@ -1,5 +1,5 @@
 // The succinct tree, on a scene's own maps.
-#include "impl/tree.hpp"
+#include "impl/tree/tree.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/scene/law_groups.hpp"
 #include "proofs/scene/law_parts.hpp"

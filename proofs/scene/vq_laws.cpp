@@ -1,13 +1,13 @@
 // Square maps and their codes, on a scene's own pairs of triangles.
-#include "impl/vq.hpp"
+#include "impl/vq/vq.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/scene/exact_surface.hpp"
 #include "proofs/scene/law_groups.hpp"
 #include "proofs/scene/law_parts.hpp"
 #include "proofs/scene/other_order.hpp"
-#include "spec/bake.hpp"
-#include "spec/index.hpp"
-#include "spec/vq_block.hpp"
+#include "spec/bake/bake.hpp"
+#include "spec/index/index.hpp"
+#include "spec/vq/block.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
@@ -32,12 +32,12 @@ Finding conservative(const Map& map, const Encoded& encoded) {
 }
 
 /// A region is C if anything in it is, or O meets T, by the exact states of its two micro-triangles.
-Finding exact_region(const ExactSurfaces& exact, const impl::scene::Pair& pair, Level n, std::uint32_t x,
+Finding exact_region(const ExactSurfaces& exact, const mmverify::scene::Pair& pair, Level n, std::uint32_t x,
                      std::uint32_t y, vq::State got) {
   const std::uint32_t side = spec::side(n);
   unsigned marks = 0;
   for (const bool upper : {false, true}) {
-    const impl::scene::TriangleUse& use = upper ? pair.upper : pair.lower;
+    const mmverify::scene::TriangleUse& use = upper ? pair.upper : pair.lower;
     const std::uint32_t i = upper ? side - 1 - x : x, j = upper ? side - 1 - y : y;
     for (const std::uint32_t turned : {0u, 1u}) {
       if (i + j + turned >= side) continue;
@@ -87,7 +87,7 @@ std::vector<Law> vq_laws(const Data& data) {
       over({.id = "vq.square_map",
             .topic = "vq",
             .says = "a pair's square map is C where its region is mixed, and T or O where all of it is",
-            .source = "Compressed Opacity Maps, 3; spec/bake_state.hpp"},
+            .source = "Compressed Opacity Maps, 3; spec/bake/state.hpp"},
            {"regions drawn from the pairs' maps",
             [pairs](Level n) { return (n == 4 || n == 5) && pairs() != 0 ? regions : 0; },
             [&data, exact, pairs](Level n, std::uint64_t k) {

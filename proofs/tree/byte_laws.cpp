@@ -46,7 +46,7 @@ std::pair<Format, Bytes> string_from(const std::string& text) {
 
 /// The number after "k=".
 std::uint64_t number_from(const std::string& text, std::uint64_t limit) {
-  const Parts parts = parts_of(text, "k=([0-9]{1,10})");
+  const Groups parts = groups_of(text, "k=([0-9]{1,10})");
   if (!parts || std::stoull((*parts)[1]) >= limit)
     throw BadCase(fmt::format("'{}': write k= and a number below {}", text, limit));
   return std::stoull((*parts)[1]);

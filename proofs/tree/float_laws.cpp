@@ -108,8 +108,8 @@ Tally judge(const Subject& subject, Level n, const Run& run) {
 }
 
 Replayed replay(const Subject& subject, Level n, const std::string& at) {
-  const Parts parts =
-      at.size() > 64 ? std::nullopt : parts_of(at, "hard:([0-9]{1,19}):([0-9]{1,9}):([0-9]{1,9})");
+  const Groups parts =
+      at.size() > 64 ? std::nullopt : groups_of(at, "hard:([0-9]{1,19}):([0-9]{1,9}):([0-9]{1,9})");
   if (!parts || n > 12)
     throw BadCase(fmt::format("'{:.60}': write hard:SEED:MAP:PAIR, at a level up to 12", at));
   const std::uint64_t seed = std::stoull((*parts)[1]), m = std::stoull((*parts)[2]),

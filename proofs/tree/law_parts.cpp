@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint64_t maps_per_chunk = 256;
 
-const TreeSubject& of_tree(const Subject& s) { return dynamic_cast<const TreeSubject&>(s); }
+const TreeSubject& tree_of(const Subject& s) { return dynamic_cast<const TreeSubject&>(s); }
 
 /// The number of maps, map k, and its text.
 struct Domain {
@@ -41,11 +41,11 @@ Law over(Law law, std::vector<Entry> entries, Cases cases) {
   law.judge = [cases](const Subject& s, Level n, const Run& run) {
     return each_case(
         run, n, cases.count(n), cases.chunk,
-        [&](std::uint64_t k) { return cases.check(of_tree(s), n, k, run); },
+        [&](std::uint64_t k) { return cases.check(tree_of(s), n, k, run); },
         [&](std::uint64_t k) { return cases.text(n, k, run); });
   };
   law.replay = [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
-    return replayed(replay(of_tree(s), n, at));
+    return replayed(replay(tree_of(s), n, at));
   };
   return law;
 }

@@ -194,9 +194,9 @@ std::string text_of(const OneApart& a) {
 }
 
 std::optional<OneApart> apart_from_text(Level n, const std::string& text) {
-  const Parts parts = text.size() > 64
-                          ? std::nullopt
-                          : parts_of(text, "([24])-state:([0-3])\\+([0-3])@([0-9]{1,2}):([0-9]{1,8})");
+  const Groups parts = text.size() > 64
+                           ? std::nullopt
+                           : groups_of(text, "([24])-state:([0-3])\\+([0-3])@([0-9]{1,2}):([0-9]{1,8})");
   if (!parts) return std::nullopt;
   const auto number = [&](std::size_t k) { return std::stoull((*parts)[k]); };
   const OneApart apart{number(1) == 2 ? Format::two_state : Format::four_state,
@@ -247,8 +247,8 @@ std::pair<Format, std::string_view> format_and_rest(std::string_view text) {
 }
 
 Map map_from_text(Level n, const std::string& text) {
-  if (const Parts sample =
-          text.size() > 64 ? std::nullopt : parts_of(text, "sample:([0-9]{1,19}):([0-9]{1,19})")) {
+  if (const Groups sample =
+          text.size() > 64 ? std::nullopt : groups_of(text, "sample:([0-9]{1,19}):([0-9]{1,19})")) {
     if (n > 12) throw BadCase(fmt::format("'{:.60}': samples have levels up to 12", text));
     return sample_map(n, std::stoull((*sample)[1]), std::stoull((*sample)[2]));
   }

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <numeric>
 
-#include "proofs/isolation/codec.hpp"
+#include "dock/codec.hpp"
 #include "sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::tree {
 namespace {
 
-using isolation::Call;
-using isolation::Library;
-using isolation::LibraryPtr;
+using dock::Call;
+using dock::Library;
+using dock::LibraryPtr;
 using spec::micromap::micro_triangles;
 
 constexpr std::uint8_t no_state = 0xFF;
@@ -22,9 +22,9 @@ std::size_t map_bytes(Level n, Format f) {
   return static_cast<std::size_t>(spec::micromap::packed_bytes(micro_triangles(n), f));
 }
 
-isolation::Said ask_decoder(const Library& library, Level n, Format f, std::span<const std::uint8_t> code) {
-  return isolation::ask(library, {Call::tree_decode, n, bits(f), code, map_bytes(n, f)},
-                        [&] { return "decoding " + isolation::code_text(bits(f), code); });
+dock::Said ask_decoder(const Library& library, Level n, Format f, std::span<const std::uint8_t> code) {
+  return dock::ask(library, {Call::tree_decode, n, bits(f), code, map_bytes(n, f)},
+                   [&] { return "decoding " + dock::code_text(bits(f), code); });
 }
 
 class PluginCode : public Code {
@@ -34,7 +34,7 @@ class PluginCode : public Code {
 
   Bytes decode() const override {
     if (library_->offers(Call::tree_decode)) {
-      isolation::Said said = ask_decoder(*library_, n_, format_, code_);
+      dock::Said said = ask_decoder(*library_, n_, format_, code_);
       return said.taken ? std::move(said.bytes) : Bytes{};
     }
     if (library_->offers(Call::tree_lookup)) {
@@ -61,7 +61,7 @@ class PluginCode : public Code {
  private:
   void ask(Call call, std::vector<const void*> arrays, std::span<std::uint8_t> state,
            std::function<std::string(std::uint64_t)> element) const {
-    isolation::ask(*library_, {call, n_, bits(format_), code_, std::move(arrays), std::move(element)}, state);
+    dock::ask(*library_, {call, n_, bits(format_), code_, std::move(arrays), std::move(element)}, state);
   }
 
   /// The map of the states found; none where one is no state of the format.
@@ -166,15 +166,15 @@ class PluginTree : public TreeSubject {
                                           spec::tree::bytes(spec::tree::encode(states, n), f));
     }
     // Room for a code some times larger than the map, so that most maps are asked about once.
-    isolation::Said said = isolation::ask(
-        *library_, {Call::tree_encode, n, bits(f), map.packed, 64 + 2 * map.packed.size()},
-        [&] { return "encoding " + isolation::map_text(bits(f), micro_triangles(n), map.packed); });
+    dock::Said said =
+        dock::ask(*library_, {Call::tree_encode, n, bits(f), map.packed, 64 + 2 * map.packed.size()},
+                  [&] { return "encoding " + dock::map_text(bits(f), micro_triangles(n), map.packed); });
     if (!said.taken) return std::make_unique<NoCode>();
     return std::make_unique<PluginCode>(library_, n, f, std::move(said.bytes));
   }
 
   CodePtr open(Level n, Format f, std::span<const std::uint8_t> bytes) const override {
-    isolation::Said said = ask_decoder(*library_, n, f, bytes);
+    dock::Said said = ask_decoder(*library_, n, f, bytes);
     if (!said.taken) return nullptr;
     return std::make_unique<ReadCode>(library_, n, f, Bytes(bytes.begin(), bytes.end()),
                                       std::move(said.bytes));
@@ -192,12 +192,12 @@ TreeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library
              stream = (library->description().flags & MMVERIFY_TREE_STREAM) != 0;
   if (!encodes && !decodes && !looks_up) return nullptr;
   if (!stream && !encodes)
-    throw isolation::CannotLoad(fmt::format(
+    throw dock::CannotLoad(fmt::format(
         "{}: it decodes trees and has no tree_encode; set the flag MMVERIFY_TREE_STREAM if its codes "
         "are the paper's",
         library->path()));
   if (!stream && !decodes && !looks_up)
-    throw isolation::CannotLoad(
+    throw dock::CannotLoad(
         fmt::format("{}: nothing leads from the codes of tree_encode back to the map; add tree_decode or "
                     "tree_lookup, or set the flag MMVERIFY_TREE_STREAM if they are the paper's",
                     library->path()));

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "impl/tree.hpp"
-#include "impl/tree_container.hpp"
-#include "impl/tree_stream.hpp"
+#include "impl/tree/container.hpp"
+#include "impl/tree/stream.hpp"
+#include "impl/tree/tree.hpp"
 #include "proofs/index/exact_float.hpp"
 
 namespace mmverify::proofs::tree {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
-#include "spec/tree.hpp"
+#include "spec/tree/tree.hpp"
 
 namespace mmverify::proofs::tree {
 

@@ -1,4 +1,4 @@
-// A block as a row of fields, by a table of its own: what spec/vq_block.hpp writes and reads field by field.
+// A block as a row of fields, by a table of its own: what spec/vq/block.hpp writes and reads field by field.
 #pragma once
 
 #include <array>

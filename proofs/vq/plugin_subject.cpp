@@ -4,15 +4,15 @@
 
 #include <bit>
 
-#include "proofs/isolation/codec.hpp"
+#include "dock/codec.hpp"
 #include "proofs/vq/texts.hpp"
 #include "sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::vq {
 namespace {
 
-using isolation::Call;
-using isolation::LibraryPtr;
+using dock::Call;
+using dock::LibraryPtr;
 
 constexpr std::uint32_t no_format = 0;
 
@@ -27,31 +27,30 @@ Codec<Format> codec_of(const LibraryPtr& library, Call decode, Call region, Call
   if (library->offers(decode))
     c.decode = [=](const BlockBytes<Format>& block) {
       Map<Format> map;
-      const isolation::Said said = isolation::ask(*library, {decode, n, no_format, block, map.size()},
-                                                  [&] { return "decoding " + text_of_block<Format>(block); });
+      const dock::Said said = dock::ask(*library, {decode, n, no_format, block, map.size()},
+                                        [&] { return "decoding " + text_of_block<Format>(block); });
       for (std::size_t k = 0; k < map.size(); ++k) map[k] = static_cast<State>(said.bytes.at(k));
       return map;
     };
   if (library->offers(region))
     c.regions = [=](const BlockBytes<Format>& block, auto x, auto y, auto state) {
       std::vector<std::uint8_t> bytes(state.size());
-      isolation::ask(*library,
-                     {region,
-                      n,
-                      no_format,
-                      block,
-                      {x.data(), y.data()},
-                      [&](std::uint64_t k) { return fmt::format("x={},y={}", x[k], y[k]); }},
-                     bytes);
+      dock::ask(*library,
+                {region,
+                 n,
+                 no_format,
+                 block,
+                 {x.data(), y.data()},
+                 [&](std::uint64_t k) { return fmt::format("x={},y={}", x[k], y[k]); }},
+                bytes);
       for (std::size_t k = 0; k < state.size(); ++k) state[k] = static_cast<State>(bytes[k]);
     };
   if (library->offers(encode))
     c.encode = [=](const Map<Format>& map) {
       const auto bytes = std::bit_cast<Bytes<Format>>(map);
       Encoded<Format> encoded{};
-      const isolation::Said said =
-          isolation::ask(*library, {encode, n, no_format, bytes, encoded.block.size()},
-                         [&] { return "encoding " + text_of_map<Format>(map); });
+      const dock::Said said = dock::ask(*library, {encode, n, no_format, bytes, encoded.block.size()},
+                                        [&] { return "encoding " + text_of_map<Format>(map); });
       for (std::size_t k = 0; k < encoded.block.size(); ++k) encoded.block[k] = said.bytes.at(k);
       return encoded;
     };

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "proofs/isolation/library.hpp"
+#include "dock/library.hpp"
 #include "proofs/vq/subject.hpp"
 
 namespace mmverify::proofs::vq {
 
 /// The subject that a library offers; null where it has no entry point of this topic.  It runs in worker
 /// processes; what goes wrong there comes out of the calls as SubjectBroken.
-VqSubjectPtr plugin_subject(const std::string& name, const isolation::LibraryPtr& library);
+VqSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::vq

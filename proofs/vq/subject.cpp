@@ -3,7 +3,7 @@
 #include <bit>
 #include <stdexcept>
 
-#include "impl/vq.hpp"
+#include "impl/vq/vq.hpp"
 
 namespace mmverify::proofs::vq {
 namespace {

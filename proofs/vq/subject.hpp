@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
-#include "spec/vq_block.hpp"
+#include "spec/vq/block.hpp"
 
 namespace mmverify::proofs::vq {
 

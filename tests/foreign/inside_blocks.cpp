@@ -1,5 +1,5 @@
 // Topic vq: a block's fields and its bits.
-// Source: Compressed Opacity Maps, 4, 5.1, table 2, figure 11; the order of the bits: spec/vq_block.hpp, its head.
+// Source: Compressed Opacity Maps, 4, 5.1, table 2, figure 11; the order of the bits: spec/vq/block.hpp, its head.
 #include <cstdint>
 #include <memory>
 #include <utility>

@@ -1,7 +1,7 @@
 // Our batched index as a subject: about a nanosecond an index, fast enough to show what the isolation costs.
 #include <algorithm>
 
-#include "impl/index.hpp"
+#include "impl/index/index.hpp"
 #include "sdk/mmverify_subject.h"
 
 namespace {

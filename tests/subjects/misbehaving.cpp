@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "impl/index.hpp"
+#include "impl/index/index.hpp"
 #include "sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 

@@ -4,9 +4,9 @@
 #include <cstring>
 #include <vector>
 
-#include "impl/index.hpp"
-#include "impl/micromap.hpp"
-#include "impl/micromap_level.hpp"
+#include "impl/index/index.hpp"
+#include "impl/micromap/level.hpp"
+#include "impl/micromap/micromap.hpp"
 #include "sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 

@@ -1,5 +1,5 @@
 // Wrong orders that have a name, one of them chosen when it is linked.
-#include "impl/index.hpp"
+#include "impl/index/index.hpp"
 #include "sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 

@@ -2,7 +2,7 @@
 // it, here.
 #pragma once
 
-#include "spec/index.hpp"
+#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::index::induction {
 

@@ -2,7 +2,7 @@
 // is that of the specification.
 #pragma once
 
-#include "impl/index_wide.hpp"
+#include "impl/index/wide.hpp"
 #include "proofs/index/induction/word_lemmas.hpp"
 
 namespace mmverify::proofs::index::induction {

@@ -8,7 +8,7 @@
 
 #include "proofs/induction/statement.hpp"
 #include "proofs/induction/symbolic.hpp"
-#include "spec/tree.hpp"
+#include "spec/tree/tree.hpp"
 
 namespace mmverify::proofs::tree::induction {
 

@@ -2,7 +2,7 @@
 // them, here.
 #pragma once
 
-#include "spec/tree.hpp"
+#include "spec/tree/tree.hpp"
 
 namespace mmverify::proofs::tree::induction {
 

@@ -1,0 +1,218 @@
+#include "bench/bake/bench.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <random>
+#include <stdexcept>
+
+#include "bench/bake/obvious.hpp"
+#include "bench/textures/leaf_texture.hpp"
+#include "bench/timing.hpp"
+#include "impl/bake/triangles.hpp"
+#include "spec/bake/state.hpp"
+
+namespace mmverify::bench {
+namespace {
+
+namespace fast = impl::bake;
+using fast::AlphaView;
+using fast::BaseTriangle;
+using States = std::vector<std::uint8_t>;
+
+constexpr fast::Cutoff cutoff{1, 2};
+constexpr std::uint32_t level_of_sizes = 6;
+constexpr std::size_t compared_a_map = 24;
+const BaseTriangle halves[] = {{{{0, 0}, {1, 0}, {0, 1}}}, {{{1, 1}, {0, 1}, {1, 0}}}};
+
+AlphaView view(const AlphaTexture& t) {
+  const auto width = static_cast<std::uint32_t>(t.width);
+  return {t.alpha.data(), width, static_cast<std::uint32_t>(t.height), width};
+}
+
+bool unknown(std::uint8_t state) { return state >= 2; }
+
+States unpacked(const std::vector<std::uint8_t>& map, std::uint32_t level) {
+  States states(std::size_t{1} << 2 * level);
+  for (std::size_t k = 0; k < states.size(); ++k) states[k] = map[k / 4] >> 2 * (k % 4) & 3;
+  return states;
+}
+
+/// Ours, and what it took.
+struct Ours {
+  std::vector<std::uint8_t> map;
+  fast::BakeCounts counts;
+};
+Ours ours(const fast::TriangleBaker& baker, const BaseTriangle& uv, std::uint32_t level) {
+  Ours o{std::vector<std::uint8_t>(((std::size_t{1} << 2 * level) + 3) / 4), {}};
+  o.counts = baker.bake(uv, level, o.map);
+  return o;
+}
+
+template <class Q>
+std::uint8_t specified(const spec::bake::Texture& t, const BaseTriangle& uv, std::uint32_t level,
+                       std::uint32_t index) {
+  const auto vertex = [&](std::size_t k) {
+    return spec::bake::place<Q>({std::bit_cast<std::uint32_t>(uv[k].u)},
+                                {std::bit_cast<std::uint32_t>(uv[k].v)});
+  };
+  const spec::bake::BaseTriangle<Q> base{vertex(0), vertex(1), vertex(2)};
+  const spec::bake::Mask<Q> mask{spec::bake::fraction<Q>(cutoff.numerator, cutoff.denominator)};
+  return static_cast<std::uint8_t>(spec::bake::micro_state(t, base, level, index, mask));
+}
+
+/// Half of them unknown ones where there are as many: those are next to a change of state.
+std::vector<std::uint32_t> chosen(const States& states, std::mt19937_64& random) {
+  std::vector<std::uint32_t> at;
+  for (std::size_t tries = 0; at.size() < compared_a_map && tries < 4096; ++tries) {
+    const auto k = static_cast<std::uint32_t>(random() % states.size());
+    if (at.size() < compared_a_map / 2 || unknown(states[k]) || tries > 2048) at.push_back(k);
+  }
+  return at;
+}
+
+void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds, std::mt19937_64& random,
+                   BakeLevel& result, std::uint64_t& compared) {
+  const std::uint32_t level = result.level;
+  std::uint64_t leaves = 0, exact = 0, mixed = 0, all = 0;
+  constexpr std::pair<Baker, BakeInto> obvious[] = {{Baker::centre, bake_centre},
+                                                    {Baker::corners, bake_corners},
+                                                    {Baker::sixteen, bake_sixteen},
+                                                    {Baker::rasterised, bake_rasterised}};
+  const auto figure = [&](Baker b) -> BakeFigure& { return result.by[static_cast<std::size_t>(b)]; };
+  for (const AlphaTexture& texture : textures) {
+    const AlphaView v = view(texture);
+    const fast::TriangleBaker baker(v, cutoff);
+    const spec::bake::Texture specification{v.width, v.height, texture.alpha, spec::bake::Wrap::repeat,
+                                            spec::bake::Wrap::repeat};
+    for (const BaseTriangle& uv : halves) {
+      Ours o;
+      figure(Baker::ours).ns += median_ns(rounds, [&] { o = ours(baker, uv, level); });
+      const States truth = unpacked(o.map, level);
+      figure(Baker::ours).micro_triangles += truth.size();
+      leaves += o.counts.leaves;
+      exact += o.counts.exact;
+      all += truth.size();
+      mixed += static_cast<std::uint64_t>(std::count_if(truth.begin(), truth.end(), unknown));
+      BakeFigure& rational = figure(Baker::rational);
+      for (const std::uint32_t k : chosen(truth, random)) {
+        const double start = thread_ns();
+        const std::uint8_t state = specified<spec::Rational128>(specification, uv, level, k);
+        rational.ns += thread_ns() - start;
+        ++rational.micro_triangles;
+        ++compared;
+        if (state != truth[k])
+          throw std::runtime_error("bake bench: ours is wrong on " + texture.file + ", level " +
+                                   std::to_string(level) + ", micro-triangle " + std::to_string(k));
+      }
+      States states(truth.size());
+      for (const auto& [which, into] : obvious) {
+        BakeFigure& f = figure(which);
+        // Long enough to be taken once.
+        f.ns += median_ns(1, [&, into = into] { into({v, 0.5}, uv, level, states); });
+        f.micro_triangles += states.size();
+        for (std::size_t k = 0; k < states.size(); ++k) {
+          f.wrong += !unknown(states[k]) && states[k] != truth[k] ? 1 : 0;
+          f.needless += unknown(states[k]) && !unknown(truth[k]) ? 1 : 0;
+        }
+      }
+    }
+  }
+  for (BakeFigure& f : result.by) f.ns /= static_cast<double>(std::max<std::uint64_t>(1, f.micro_triangles));
+  result.unknown = static_cast<double>(mixed) / static_cast<double>(all);
+  result.exact = leaves == 0 ? 0 : static_cast<double>(exact) / static_cast<double>(leaves);
+}
+
+BakeSize size_of(int size, const BakeBenchOptions& options) {
+  BakeSize result{size};
+  const std::size_t maps = std::min<std::size_t>(options.maps, 3),
+                    count = std::size_t{1} << 2 * level_of_sizes;
+  States states(count);
+  for (std::size_t k = 0; k < maps; ++k) {
+    const AlphaTexture texture = leaf_texture(options.seed + k, size);
+    const AlphaView v = view(texture);
+    result.ready_ms += median_ns(options.rounds, [&] { const fast::TriangleBaker made(v, cutoff); }) / 1e6;
+    const fast::TriangleBaker baker(v, cutoff);
+    for (const BaseTriangle& uv : halves) {
+      result.ns += median_ns(options.rounds, [&] { ours(baker, uv, level_of_sizes); });
+      result.ns_rasterised += median_ns(options.rounds, [&] {
+        bake_rasterised({v, 0.5}, uv, level_of_sizes, states);
+      });
+    }
+  }
+  const double micro_triangles = static_cast<double>(2 * maps * count);
+  result.ns /= micro_triangles;
+  result.ns_rasterised /= micro_triangles;
+  result.ready_ms /= static_cast<double>(maps);
+  return result;
+}
+
+BakeMargin with_margin(float margin, const std::vector<AlphaTexture>& textures, std::size_t rounds) {
+  BakeMargin result{margin};
+  std::uint64_t mixed = 0, all = 0;
+  for (const AlphaTexture& texture : textures) {
+    const fast::Texels mip = view(texture);
+    fast::Sampling sampling;
+    sampling.margin = margin;
+    const fast::TriangleBaker baker(std::span(&mip, 1), cutoff, sampling);
+    for (const BaseTriangle& uv : halves) {
+      Ours o;
+      result.ns += median_ns(rounds, [&] { o = ours(baker, uv, level_of_sizes); });
+      const States states = unpacked(o.map, level_of_sizes);
+      mixed += static_cast<std::uint64_t>(std::count_if(states.begin(), states.end(), unknown));
+      all += states.size();
+    }
+  }
+  result.ns /= static_cast<double>(all);
+  result.unknown = static_cast<double>(mixed) / static_cast<double>(all);
+  return result;
+}
+
+double per_million(std::uint64_t part, std::uint64_t all) {
+  return all == 0 ? 0 : 1e6 * static_cast<double>(part) / static_cast<double>(all);
+}
+
+}  // namespace
+
+const char* to_string(Baker baker) {
+  constexpr const char* names[] = {"centre sample", "corner samples", "16 samples",
+                                   "binary64",      "ours, exact",    "exact rational"};
+  return names[static_cast<std::size_t>(baker)];
+}
+
+double BakeFigure::wrong_per_million() const { return per_million(wrong, micro_triangles); }
+double BakeFigure::needless_per_million() const { return per_million(needless, micro_triangles); }
+
+BakeFigures bake_figures(const BakeBenchOptions& options) {
+  if (options.maps == 0 || options.rounds == 0 || options.first > options.last ||
+      options.last > fast::max_bake_level)
+    throw std::invalid_argument("bake bench: a texture and a round at least, levels up to 12");
+  const auto begins = [&](const std::string& what) {
+    if (options.progress) options.progress(what);
+  };
+  BakeFigures figures;
+  std::vector<AlphaTexture> textures;
+  begins(options.textures.empty() ? "generating textures" : "textures of " + options.textures);
+  if (options.textures.empty())
+    for (std::size_t k = 0; k < options.maps; ++k) textures.push_back(leaf_texture(options.seed + k));
+  else
+    textures = alpha_textures(options.textures);
+  for (const AlphaTexture& t : textures) figures.textures.push_back(t.file);
+  std::mt19937_64 random(options.seed);
+  for (std::uint32_t level = options.first; level <= options.last; ++level) {
+    begins("level " + std::to_string(level));
+    figures.levels.push_back({level});
+    measure_level(textures, options.rounds, random, figures.levels.back(), figures.compared);
+  }
+  for (int size = 64; size <= options.largest; size *= 2) {
+    begins("textures of " + std::to_string(size) + " texels");
+    figures.sizes.push_back(size_of(size, options));
+  }
+  // 1/512: half a step of a filter's 8-bit weights.
+  for (const float margin : {0.0f, 1.0f / 512, 1.0f / 64, 1.0f / 16, 0.25f, 1.0f}) {
+    begins("a margin of " + std::to_string(margin) + " texels");
+    figures.margins.push_back(with_margin(margin, textures, options.rounds));
+  }
+  return figures;
+}
+
+}  // namespace mmverify::bench

@@ -1,0 +1,75 @@
+// What bakers get wrong, against the time that they take.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/textures/alpha_textures.hpp"
+
+namespace mmverify::bench {
+
+struct BakeBenchOptions {
+  std::uint32_t first = 3, last = 9;                      ///< levels
+  std::uint64_t seed = 1;                                 ///< of the generated textures
+  std::size_t maps = 6;                                   ///< generated textures
+  std::size_t rounds = 3;                                 ///< of the timing of ours; at least 1
+  int largest = 1024;                                     ///< of the sizes from 64 on
+  std::string textures = {};                              ///< a folder of alpha textures instead
+  std::function<void(const std::string&)> progress = {};  ///< told what begins
+};
+
+/// In this order everywhere.
+enum class Baker : std::uint8_t { centre, corners, sixteen, rasterised, ours, rational };
+inline constexpr std::size_t bakers = 6;
+const char* to_string(Baker baker);
+
+/// One baker on all triangles of one level.  Beside the exact states.
+struct BakeFigure {
+  std::uint64_t micro_triangles = 0;  ///< looked at: all of them, of `rational` a sample
+  std::uint64_t wrong = 0;            ///< O or T, and not so on all of it
+  std::uint64_t needless = 0;         ///< unknown, and not so
+  double ns = 0;                      ///< a micro-triangle, making a texture ready left out
+
+  double wrong_per_million() const;
+  double needless_per_million() const;
+};
+
+struct BakeLevel {
+  std::uint32_t level = 0;
+  std::array<BakeFigure, bakers> by{};
+  double unknown = 0;  ///< share of the exact states
+  double exact = 0;    ///< of our leaves, the share that took whole numbers
+
+  const BakeFigure& of(Baker b) const { return by[static_cast<std::size_t>(b)]; }
+};
+
+/// Ours at one level over textures of one size.
+struct BakeSize {
+  int size = 0;
+  double ns = 0, ready_ms = 0;  ///< a micro-triangle, and a texture made ready
+  double ns_rasterised = 0;
+};
+
+/// Ours at one level with a margin.
+struct BakeMargin {
+  float texels = 0;
+  double unknown = 0, ns = 0;
+};
+
+struct BakeFigures {
+  std::vector<std::string> textures;
+  std::vector<BakeLevel> levels;
+  std::vector<BakeSize> sizes;      ///< at level 6, of generated textures
+  std::vector<BakeMargin> margins;  ///< at level 6
+  std::uint64_t compared = 0;  ///< states of ours that were compared with the specification's, all the same
+};
+
+/// Both halves of each texture's unit square, repeated, bilinear, cutoff 1/2.
+/// Throws std::invalid_argument unless maps > 0, rounds > 0 and 0 <= first <= last <= 12; std::runtime_error
+/// where a state of ours is not the specification's, and as alpha_textures does.
+BakeFigures bake_figures(const BakeBenchOptions& options = {});
+
+}  // namespace mmverify::bench

@@ -1,0 +1,23 @@
+// How many cache lines a lookup reads: a model, not a measurement.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "impl/tree/tree.hpp"
+
+namespace mmverify::bench {
+
+/// What the paper's lookup reads of a stream.
+struct StreamReads {
+  std::uint64_t tree_bits;  ///< figure 9 of the paper
+  std::size_t lines;        ///< distinct 64-byte lines of the two sequences, each taken to begin on a line
+};
+
+/// Domain: a stream of encode_stream, index < 4^n.
+StreamReads stream_reads(impl::tree::Level n, const impl::tree::Stream& s, std::uint64_t index);
+
+/// Distinct 64-byte lines of a Tree's memory, taken to begin on a line.
+std::size_t tree_lines(const impl::tree::Tree& tree, std::uint64_t index);
+
+}  // namespace mmverify::bench

@@ -1,0 +1,379 @@
+// mmverify scene: a scene's plan, its micromaps, and the laws on them.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/bench/plot.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/json.hpp"
+#include "cli/output_file.hpp"
+#include "cli/run_identity.hpp"
+#include "cli/scene/scene.hpp"
+#include "cli/text.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/progress.hpp"
+#include "scene/read/load.hpp"
+#include "scene/sample/scene.hpp"
+#include "scene/validate/micromaps.hpp"
+#include "scene/write/glb.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace mmverify::scene;
+using proofs::BadCase;
+using proofs::Interrupted;
+using proofs::InterruptGuard;
+using proofs::Job;
+using proofs::Progress;
+using proofs::Replayed;
+using proofs::Report;
+using proofs::Result;
+using proofs::RunOptions;
+
+constexpr char sample_name[] = "the suite's own scene";
+
+struct SceneOptions {
+  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at;
+  std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
+  unsigned threads = 0, level_limit = finest_level;
+  bool exhaustive = false, quiet = false;
+  float margin = 0;
+  int states = 4;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+LevelRequest request(const SceneOptions& options) {
+  LevelRequest r;
+  r.memory = options.memory;
+  if (options.level == "auto") return r;
+  r.level = parse_level(options.level);
+  if (*r.level > finest_level)
+    throw UsageError(fmt::format("--level {}: maps go up to level {}", options.level, finest_level));
+  if (*r.level > options.level_limit)
+    throw UsageError(fmt::format("--level {}: above --level-limit {}", options.level, options.level_limit));
+  return r;
+}
+
+Levels chosen_levels(const Plan& plan, const LevelRequest& wanted) {
+  try {
+    return levels(plan, wanted);
+  } catch (const std::invalid_argument&) {
+    throw UsageError(fmt::format("--memory {}: not a byte for each of the {} distinct triangles",
+                                 wanted.memory, plan.triangles.size()));
+  }
+}
+
+void stop_if_interrupted() {
+  if (proofs::interrupted()) throw Interrupted();
+}
+
+Baked baked(const Scene& scene, const Plan& plan, const std::vector<unsigned>& of,
+            const SceneOptions& options) {
+  std::uint64_t total = 0;
+  for (const unsigned level : of) total += impl::micromap::micro_triangles(level);
+  Progress progress(total, !options.quiet);
+  progress.now("bake");
+  try {
+    return bake(scene, plan, of,
+                {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
+                   progress.add(done);
+                   stop_if_interrupted();
+                 }});
+  } catch (const std::invalid_argument& error) {
+    throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
+  }
+}
+
+/// Every triangle at each of some levels: the paper's figure 5.
+std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& plan,
+                                             const SceneOptions& options) {
+  std::vector<SceneFigures::AtLevel> all;
+  if (options.sizes.empty()) return all;
+  const proofs::Levels range = parse_levels(options.sizes);
+  if (range.last > finest_level)
+    throw UsageError(fmt::format("--sizes {}: maps go up to level {}", options.sizes, finest_level));
+  for (unsigned level = range.first; level <= range.last; ++level) {
+    if (const auto bytes = (impl::micromap::micro_triangles(level) + 3) / 4 * plan.triangles.size();
+        bytes > options.memory) {
+      fmt::print(stderr, "sizes: level {} would take {} bytes, more than --memory; left out from here on\n",
+                 level, grouped(bytes));
+      break;
+    }
+    const std::vector<unsigned> of(plan.triangles.size(), level);
+    const Baked maps = baked(scene, plan, of, options);
+    all.push_back({level, footprint(scene, plan, arrays(plan, maps), options.threads),
+                   any_hit_shares(scene, plan, maps)});
+  }
+  return all;
+}
+
+/// The arguments that decide what is baked, for a command that shows a case again.
+std::string command(const SceneOptions& options) {
+  std::string text = "mmverify scene" + (options.file.empty() ? "" : " " + shell_quoted(options.file));
+  if (options.level != "auto") text += " --level " + options.level;
+  if (options.level_limit != finest_level) text += fmt::format(" --level-limit {}", options.level_limit);
+  if (options.states != 4) text += " --states 2";
+  if (options.memory != SceneOptions().memory) text += fmt::format(" --memory {}", options.memory);
+  if (options.margin != 0) text += fmt::format(" --margin {}", options.margin);
+  return text;
+}
+
+/// One case again; `--level` then is the case's.
+int replayed(const proofs::scene::SceneLaws& laws, const SceneOptions& options) {
+  for (const Job& job : laws.jobs) {
+    if (job.law->id != options.replay || options.at.empty()) continue;
+    const auto [level, at] = [&] {
+      const auto colon = options.at.find('@');
+      if (colon == std::string::npos) throw UsageError("--case " + options.at + ": write LEVEL@CASE");
+      return std::pair(parse_level(options.at.substr(0, colon)), options.at.substr(colon + 1));
+    }();
+    if (job.levels.first != level) continue;
+    try {
+      const Replayed r = job.law->replay(*job.subject, level, at);
+      fmt::print("{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id,
+                 level, at, r.expected, r.got);
+      return r.holds ? complete : failed;
+    } catch (const BadCase& bad) {
+      throw UsageError(fmt::format("--case {}", bad.what()));
+    }
+  }
+  throw UsageError(
+      fmt::format("--replay {}: no law of that name has cases of that level in this scene", options.replay));
+}
+
+/// The report of a scene that has no case for any law.
+Report nothing_to_bake() {
+  Result result;
+  result.law = "bake.conservative";
+  result.topic = "bake";
+  result.subject = "impl";
+  result.method = "sample";
+  result.domain = "the micro-triangles of this scene";
+  result.verdict = proofs::Verdict::not_applicable;
+  result.reason = "nothing to bake";
+  Report report;
+  report.results.push_back(std::move(result));
+  return report;
+}
+
+/// Without a file the scene of our own.
+Scene loaded_scene(const SceneOptions& options) {
+  if (!options.file.empty()) return load(options.file);
+  const Bytes bytes = sample_scene();
+  return load(sample_name, bytes);
+}
+
+/// The file with the micromaps; our own validator finds nothing in it.
+Bytes with_micromaps(const SceneOptions& options, const Plan& plan, const Scene& scene,
+                     const SceneArrays& arrays) {
+  std::vector<PrimitiveMicromaps> primitives;
+  for (std::size_t k = 0; k < arrays.primitives.size(); ++k) {
+    const Primitive& primitive = scene.primitives[plan.primitives[k].primitive];
+    primitives.push_back(
+        {primitive.mesh, primitive.number, 0, arrays.encoding, arrays.primitives[k].geometry.indices, 0});
+  }
+  const Micromaps micromaps{std::span(&arrays.array, primitives.empty() ? 0 : 1), primitives};
+  const Bytes bytes =
+      options.file.empty() ? to_glb(sample_name, sample_scene(), micromaps) : to_glb(options.file, micromaps);
+  const auto violations = validate_micromaps(options.glb, bytes);
+  if (!violations.empty())
+    throw std::logic_error("what would be written breaks a rule: " + describe(violations.front()));
+  return bytes;
+}
+
+class Output {
+ public:
+  explicit Output(const SceneOptions& options)
+      : options_(options), out_(options.json == "-" ? stderr : stdout) {
+    if (!options.glb.empty()) glb_.emplace(options.glb);
+    if (!options.json.empty() && options.json != "-") json_.emplace(options.json);
+    if (!options.plot.empty()) plot_.emplace(options.plot);
+  }
+  std::FILE* text() const { return out_; }
+  void json(const Report& report, const std::string& scene) {
+    if (options_.json.empty()) return;
+    const std::string all = to_json(report, options_.seed, {}, {}, scene);
+    if (json_)
+      json_->commit(all);
+    else
+      fmt::print("{}", all);
+  }
+  void glb(const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
+    if (!glb_) return;
+    const Bytes bytes = with_micromaps(options_, plan, scene, arrays);
+    glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    fmt::print(out_, "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written",
+               options_.glb, grouped(bytes.size()));
+  }
+  void plot(const SceneFigures& figures) {
+    if (plot_) plot_->commit(run_gnuplot(sizes_plot_script(figures)));
+  }
+
+ private:
+  const SceneOptions& options_;
+  std::FILE* out_;
+  std::optional<OutputFile> json_, plot_, glb_;
+};
+
+/// What cannot go together.
+void check_options(const SceneOptions& options) {
+  const std::vector<std::pair<const char*, std::string>> files{{"the scene", options.file},
+                                                               {"--json", options.json},
+                                                               {"--plot", options.plot},
+                                                               {"-o", options.glb},
+                                                               {"--journal", options.journal}};
+  for (std::size_t a = 0; a < files.size(); ++a)
+    for (std::size_t b = a + 1; b < files.size(); ++b) {
+      std::error_code ignored;
+      if (!files[a].second.empty() && files[b].second != "-" &&
+          std::filesystem::weakly_canonical(files[a].second, ignored) ==
+              std::filesystem::weakly_canonical(files[b].second, ignored))
+        throw UsageError(
+            fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
+    }
+  if (options.replay.empty() != options.at.empty())
+    throw UsageError("--replay LAW and --case LEVEL@CASE go together");
+  if (!options.replay.empty() && !(options.json + options.glb + options.plot + options.sizes).empty())
+    throw UsageError("--replay: it shows one case and writes no file");
+}
+
+int scene(const SceneOptions& options) {
+  if (!options.plot.empty() && options.sizes.empty())
+    throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
+  check_options(options);
+  const InterruptGuard guard;
+  std::signal(SIGPIPE, SIG_IGN);
+  Output output(options);
+  const LevelRequest wanted = request(options);
+  auto start = std::chrono::steady_clock::now();
+  const Scene loaded = loaded_scene(options);
+  const double load_seconds = seconds_since(start);
+  const Plan planned = plan(loaded, options.level_limit);
+  const mmverify::scene::Levels levels = chosen_levels(planned, wanted);
+  if (options.replay.empty()) print_plan(output.text(), loaded, planned, levels);
+  std::fflush(output.text());
+  if (planned.triangles.empty()) {
+    output.glb(planned, loaded, {});
+    output.json(nothing_to_bake(), scene_json(nullptr, loaded, planned, {}));
+    return complete;
+  }
+  start = std::chrono::steady_clock::now();
+  const Baked maps = baked(loaded, planned, levels.of, options);
+  const double bake_seconds = seconds_since(start);
+  const SceneArrays array = arrays(planned, maps);
+  const Pairs found = pairs(loaded, planned);
+  const SquareMaps squares =
+      square_maps(loaded, planned, found, {options.threads, false, options.margin, {}});
+  const proofs::scene::Data data{loaded, planned, maps,           array,
+                                 found,  squares, options.margin, options.states == 2};
+  proofs::scene::BakeSample sample;
+  if (!options.exhaustive) sample.size = options.samples;
+  const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(data, sample, command(options));
+  if (!options.replay.empty()) return replayed(laws, options);
+  print_left_out(output.text(), laws.left_out);
+
+  SceneFigures figures{loaded,
+                       planned,
+                       levels,
+                       maps,
+                       array,
+                       found,
+                       footprint(loaded, planned, array, options.threads),
+                       any_hit_shares(loaded, planned, maps),
+                       vq2_footprint(squares, stop_if_interrupted),
+                       vq4_footprint(squares, stop_if_interrupted),
+                       load_seconds,
+                       bake_seconds,
+                       at_levels(loaded, planned, options)};
+  print_figures(output.text(), figures);
+  output.glb(planned, loaded, array);
+
+  fmt::print(output.text(), "\nlaws on this scene\n");
+  std::fflush(output.text());
+  TextReport text(output.text(), false);
+  RunOptions run;
+  run.threads = options.threads;
+  run.seed = options.seed;
+  run.show_progress = !options.quiet;
+  run.mutants = false;
+  proofs::Identity identity;
+  if (!options.journal.empty()) identity = identity_of(laws.jobs, run);
+  identity.emplace_back("samples", options.exhaustive ? "all" : fmt::format("{}", options.samples));
+  const auto journal = open_journal(options.journal, std::move(identity), {});
+  run.journal = journal.get();
+  const Report report = run_jobs(laws.jobs, run, [&](const Result& r) { text.add(r); });
+  text.finish(report, false);
+  if (report.interrupted && journal)
+    fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
+  output.plot(figures);
+  output.json(report, scene_json(&figures, loaded, planned, laws.left_out));
+  return exit_code(report);
+}
+
+}  // namespace
+
+Action add_scene(CLI::App& program) {
+  auto* command = program.add_subcommand(
+      "scene", "plan and bake the micromaps of a glTF scene, and run the laws on them");
+  auto options = std::make_shared<SceneOptions>();
+  command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
+      ->type_name("FILE.gltf|FILE.glb");
+  command
+      ->add_option("-o,--output", options->glb,
+                   "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
+      ->type_name("OUT.glb");
+  command->add_option("--level", options->level, "of every triangle; auto: each its highest useful one")
+      ->type_name("N|auto");
+  command
+      ->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
+      ->check(CLI::Range(0u, finest_level));
+  command->add_option("--memory", options->memory, "bytes that all maps may take; levels are lowered to fit")
+      ->check([](const std::string& text) {
+        return text.starts_with("-") || text.size() > 15 ? std::string("bytes, as 500MB or 2GB")
+                                                         : std::string();
+      })
+      ->transform(CLI::AsSizeValue(false));
+  command->add_option("--states", options->states, "2: force-2-state of every map")
+      ->check(CLI::IsMember({2, 4}));
+  command
+      ->add_option(
+          "--margin", options->margin,
+          "texels by which micro-triangles are dilated along both axes; sampler: 5/1024, for 8-bit weights")
+      ->transform(CLI::Transformer(std::map<std::string, float>{{"sampler", sampler_margin}}))
+      ->check(finite_within(0, 64));
+  command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+  command->add_flag("--exhaustive", options->exhaustive, "run the laws of baking on all micro-triangles");
+  command->add_option("--sizes", options->sizes, "also the sizes with every triangle at each of these levels")
+      ->type_name("A..B");
+  command->add_option("--plot", options->plot, "draw the sizes as SVG; needs --sizes")->type_name("FILE.svg");
+  command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
+  command
+      ->add_option("--journal", options->journal,
+                   "keep what the laws have done here; the same command goes on from it")
+      ->type_name("FILE");
+  command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
+  command
+      ->add_option("--threads", options->threads,
+                   "worker threads; as many as the machine has where not given")
+      ->check(CLI::Range(1u, 1024u));
+  command->add_option("--replay", options->replay, "show one case of a law again; needs --case")
+      ->type_name("LAW");
+  command->add_option("--case", options->at, "the case of --replay")->type_name("LEVEL@CASE");
+  command->add_flag("--quiet", options->quiet, "no progress");
+  return [options] { return scene(*options); };
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,58 @@
+// What `mmverify scene` makes of a file, and how it is told.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proofs/scene/laws.hpp"
+#include "scene/bake/any_hit.hpp"
+#include "scene/bake/footprint.hpp"
+#include "scene/bake/square_maps.hpp"
+#include "scene/bake/vq_footprint.hpp"
+#include "scene/plan/levels.hpp"
+
+namespace mmverify::cli {
+
+/// Everything that was found, in the order in which it was.
+struct SceneFigures {
+  const mmverify::scene::Scene& scene;
+  const mmverify::scene::Plan& plan;
+  const mmverify::scene::Levels& levels;
+  const mmverify::scene::Baked& baked;
+  const mmverify::scene::SceneArrays& arrays;
+  const mmverify::scene::Pairs& pairs;
+  mmverify::scene::Footprint footprint;
+  mmverify::scene::AnyHitShares any_hit;
+  mmverify::scene::VqFootprint vq2, vq4;
+  double load_seconds = 0, bake_seconds = 0;
+  /// Footprints with every triangle at one level (figure 5), where they were asked for.
+  struct AtLevel {
+    unsigned level;
+    mmverify::scene::Footprint footprint;
+    mmverify::scene::AnyHitShares any_hit;
+  };
+  std::vector<AtLevel> sizes;
+};
+
+/// The plan, with what it leaves out and why.
+void print_plan(std::FILE* out, const mmverify::scene::Scene& scene, const mmverify::scene::Plan& plan,
+                const mmverify::scene::Levels& levels);
+
+/// Counts, states and sizes.
+void print_figures(std::FILE* out, const SceneFigures& figures);
+
+/// What the laws have nothing for.
+void print_left_out(std::FILE* out, const std::vector<proofs::scene::LeftOutLaw>& left_out);
+
+/// The member "scene" of the results.
+std::string scene_json(const SceneFigures* figures, const mmverify::scene::Scene& scene,
+                       const mmverify::scene::Plan& plan,
+                       const std::vector<proofs::scene::LeftOutLaw>& left_out);
+
+/// The gnuplot script of figure 5: above, bytes by level; below, how often smaller the tree is.
+std::string sizes_plot_script(const SceneFigures& figures);
+
+}  // namespace mmverify::cli

@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "cli/arguments.hpp"
+#include "cli/scene/scene.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace mmverify::scene;
+namespace micromap = impl::micromap;
+
+std::string bytes_text(std::uint64_t bytes) {
+  if (bytes < 10000) return fmt::format("{} B", bytes);
+  if (bytes < 10000000) return fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1e3);
+  return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+double share(std::uint64_t part, std::uint64_t all) {
+  return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
+}
+
+/// "levels 9..11 (9: 12, 10: 340, 11: 12)".
+std::string levels_text(const std::vector<unsigned>& of) {
+  std::map<unsigned, std::uint64_t> count;
+  for (const unsigned level : of) ++count[level];
+  if (count.size() == 1) return fmt::format("level {}", count.begin()->first);
+  std::string each;
+  for (const auto& [level, number] : count)
+    each += fmt::format("{}{}: {}", each.empty() ? "" : ", ", level, grouped(number));
+  return fmt::format("levels {}..{} ({})", count.begin()->first, count.rbegin()->first, each);
+}
+
+void line(std::FILE* out, std::string_view what, const std::string& text) {
+  fmt::print(out, "  {:<11}{}\n", what, text);
+}
+
+}  // namespace
+
+void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Levels& levels) {
+  const TriangleCounts all = count_triangles(scene);
+  fmt::print(out, "{}: {} triangles, {} placed\n", scene.file, grouped(all.unique), grouped(all.placed));
+  fmt::print(out, "\nplan\n");
+  const PlanCounts baked = counts(plan);
+  if (plan.triangles.empty())
+    line(out, "bake", "nothing to bake: no triangle is alpha-tested by a texture");
+  else
+    line(
+        out, "bake",
+        fmt::format(
+            "{} triangles ({} placed) of {} primitives on {} surfaces: {} distinct, {} micro-triangles at {}",
+            grouped(baked.unique), grouped(baked.placed), plan.primitives.size(), plan.surfaces.size(),
+            grouped(plan.triangles.size()), grouped(levels.micro_triangles), levels_text(levels.of)));
+  // By reason, in the order of LeftOut.
+  std::map<LeftOut, std::array<std::uint64_t, 2>> why;
+  for (const LeftOutPrimitive& p : plan.left_out) {
+    auto& [primitives, triangles] = why[p.why];
+    ++primitives;
+    triangles += scene.primitives[p.primitive].triangles.size();
+  }
+  for (const auto& [reason, count] : why)
+    line(out, "left out",
+         fmt::format("{} primitives, {} triangles: {}", count[0], grouped(count[1]), sentence(reason)));
+  if (baked.unique > plan.triangles.size())
+    line(out, "left out",
+         fmt::format("{} UV-duplicates of other triangles{}", grouped(baked.unique - plan.triangles.size()),
+                     baked.reordered == 0
+                         ? ""
+                         : fmt::format("; {} triangles are rotated or mirrored ones: their map is reordered",
+                                       grouped(baked.reordered))));
+  if (baked.lines + baked.points != 0)
+    line(out, "note",
+         fmt::format("{} distinct triangles see a line of the texture, {} a point", baked.lines,
+                     baked.points));
+  if (baked.limited != 0)
+    line(out, "left out",
+         fmt::format("levels above {} of {} distinct triangles, whose texture would bear more: the limit",
+                     baked.limit, baked.limited));
+  if (levels.lowered != 0)
+    line(out, "left out",
+         fmt::format("levels of {} distinct triangles, lowered to fit the memory budget",
+                     grouped(levels.lowered)));
+}
+
+void print_figures(std::FILE* out, const SceneFigures& f) {
+  const auto& counts = f.baked.counts;
+  fmt::print(out, "\nbake\n");
+  line(out, "time",
+       fmt::format("{:.2f} s to load, {:.2f} s to bake: {:.0f} million micro-triangles/s", f.load_seconds,
+                   f.bake_seconds, static_cast<double>(counts.micro_triangles) / f.bake_seconds / 1e6));
+  line(out, "work",
+       fmt::format("{:.1f} % not settled by a parent, {} by exact numbers",
+                   100 * share(counts.leaves, counts.micro_triangles), grouped(counts.exact)));
+  micromap::StateCounts states{};
+  std::uint64_t uniform = 0, two_state = 0;
+  for (const BakedTriangle& t : f.baked.triangles) {
+    uniform += t.uniform.has_value();
+    two_state += !t.uniform && t.format == micromap::Format::two_state;
+    for (std::size_t k = 0; k < 4; ++k) states[k] += t.states[k];
+  }
+  line(out, "states",
+       fmt::format(
+           "T {:.2f} %, O {:.2f} %, UT {:.2f} %, UO {:.2f} %", 100 * share(states[0], counts.micro_triangles),
+           100 * share(states[1], counts.micro_triangles), 100 * share(states[2], counts.micro_triangles),
+           100 * share(states[3], counts.micro_triangles)));
+  line(out, "uniform",
+       fmt::format("{} of {} distinct triangles: special indices, no map; {} more need 2 states only",
+                   grouped(uniform), grouped(f.baked.triangles.size()), grouped(two_state)));
+  if (f.any_hit.area > 0)
+    line(out, "any-hit",
+         fmt::format("{:.2f} % of the placed area calls no shader ({:.2f} % transparent, {:.2f} % opaque)",
+                     100 * f.any_hit.known(), 100 * f.any_hit.transparent, 100 * f.any_hit.opaque));
+  else
+    line(out, "any-hit", "no area is placed that could be counted");
+  fmt::print(out, "\nsizes\n");
+  const Footprint& s = f.footprint;
+  line(out, "array",
+       fmt::format("{} micromaps, {} special indices: {} of data, {} of records, {} of indices",
+                   grouped(s.records), grouped(s.special), bytes_text(s.array_data),
+                   bytes_text(s.record_bytes), bytes_text(s.index_bytes)));
+  fmt::print(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "", "micromaps", "data", "tree", "random",
+             "data/tree", "bitmask");
+  for (std::size_t mode = 0; mode < 2; ++mode) {
+    const ModeFootprint& m = s.mode[mode];
+    fmt::print(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12.2f}{:>12}\n", mode == 0 ? "2-state" : "4-state",
+               grouped(m.records), bytes_text(m.data), bytes_text(m.tree), bytes_text(m.our_tree),
+               share(m.data, m.tree), bytes_text(m.bitmask));
+  }
+  line(out, "else",
+       fmt::format("{} of alpha textures, {} of vertex indices and UVs", bytes_text(s.texture),
+                   bytes_text(s.vertex_data)));
+  if (f.pairs.unique == 0) {
+    line(out, "VQ", "no two triangles of a primitive share an edge in position and UV: no square maps");
+  } else {
+    line(out, "pairs",
+         fmt::format("{} pairs, {} distinct; {} triangles in none", grouped(f.pairs.unique),
+                     grouped(f.pairs.distinct.size()), grouped(f.pairs.unpaired)));
+    for (const auto& [name, vq] : {std::pair{"VQ2", &f.vq2}, std::pair{"VQ4", &f.vq4}})
+      line(out, name,
+           fmt::format(
+               "{} for {} maps ({} uniform); {:.2f} % of regions unknown, {:.2f} % more by {} substitutions",
+               bytes_text(vq->bytes), grouped(vq->maps - vq->uniform), grouped(vq->uniform),
+               100 * share(vq->unknown, vq->regions), 100 * share(vq->substitutions, vq->regions),
+               grouped(vq->substitutions)));
+  }
+  if (f.sizes.empty()) return;
+  fmt::print(out,
+             "\nall triangles at one level; asks: share of the placed area where the any-hit shader is "
+             "called\n  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n",
+             "level", "micromaps", "special", "2-st. data", "tree", "data/tree", "4-st. data", "tree",
+             "data/tree", "asks");
+  for (const auto& at : f.sizes) {
+    const Footprint& p = at.footprint;
+    fmt::print(out, "  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10.2f}{:>12}{:>12}{:>10.2f}{:>9.2f} %\n", at.level,
+               grouped(p.records), grouped(p.special), bytes_text(p.mode[0].data), bytes_text(p.mode[0].tree),
+               share(p.mode[0].data, p.mode[0].tree), bytes_text(p.mode[1].data), bytes_text(p.mode[1].tree),
+               share(p.mode[1].data, p.mode[1].tree), 100 * at.any_hit.unknown);
+  }
+}
+
+void print_left_out(std::FILE* out, const std::vector<proofs::scene::LeftOutLaw>& left_out) {
+  for (const auto& [what, why] : left_out) line(out, "left out", fmt::format("{}: {}", what, why));
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,31 @@
+#include "dock/library.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/crc.hpp>
+#include <fstream>
+
+namespace mmverify::dock {
+namespace {
+
+std::string fingerprint_of(const std::string& library) {
+  std::ifstream in(library, std::ios::binary);
+  boost::crc_32_type crc;
+  std::uint64_t size = 0;
+  for (char block[1 << 16]; in.read(block, sizeof block), in.gcount() > 0;) {
+    crc.process_bytes(block, static_cast<std::size_t>(in.gcount()));
+    size += static_cast<std::uint64_t>(in.gcount());
+  }
+  return fmt::format("({} bytes, crc {:08x})", size, crc.checksum());
+}
+
+}  // namespace
+
+Library::Library(const std::string& path, const Options& options)
+    : pool_(path, options), fingerprint_(fingerprint_of(path)) {
+  Borrowed worker(pool_);
+  description_ = worker->description();
+  worker.give_back();
+}
+
+}  // namespace mmverify::dock

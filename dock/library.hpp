@@ -1,0 +1,46 @@
+// A shared library that was opened: its workers, and what its subjects of all topics have in common.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dock/worker.hpp"
+
+namespace mmverify::dock {
+
+/// A worker out of the pool; it goes back only if it answered.
+class Borrowed {
+ public:
+  explicit Borrowed(Pool& pool) : pool_(pool), worker_(pool.take()) {}
+  Worker& operator*() const { return *worker_; }
+  Worker* operator->() const { return worker_.get(); }
+  void give_back() { pool_.give_back(std::move(worker_)); }
+
+ private:
+  Pool& pool_;
+  std::unique_ptr<Worker> worker_;
+};
+
+class Library {
+ public:
+  /// Throws CannotLoad where the file is no subject, std::runtime_error where no process can be had.
+  Library(const std::string& path, const Options& options);
+
+  const std::string& path() const { return pool_.library(); }
+  const Description& description() const { return description_; }
+  bool offers(Call call) const { return (description_.has >> static_cast<std::uint32_t>(call) & 1) != 0; }
+  /// What it calls itself.
+  std::string about() const { return description_.name[0] != 0 ? description_.name : "a shared library"; }
+  /// The file's contents, in a word: its size and a checksum.
+  const std::string& fingerprint() const { return fingerprint_; }
+  Pool& pool() const { return pool_; }
+
+ private:
+  mutable Pool pool_;
+  Description description_{};
+  std::string fingerprint_;
+};
+using LibraryPtr = std::shared_ptr<const Library>;
+
+}  // namespace mmverify::dock

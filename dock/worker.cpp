@@ -1,0 +1,293 @@
+#include "dock/worker.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sched.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "dock/futex.hpp"
+
+extern char** environ;
+
+namespace mmverify::dock {
+namespace {
+
+/// The program that workers run: MMVERIFY_WORKER, or beside this program, or where it is installed.
+std::string worker_program() {
+  if (const char* named = std::getenv("MMVERIFY_WORKER")) return named;
+  std::error_code error;
+  const auto here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (const auto& place : {here / "mmverify-worker", here / "../libexec/mmverify/mmverify-worker"})
+    if (std::filesystem::exists(place, error)) return place.string();
+  throw std::runtime_error(
+      fmt::format("mmverify-worker is not beside {}; set MMVERIFY_WORKER to its path", here.string()));
+}
+
+[[noreturn]] void fail(const char* what) {
+  throw std::runtime_error(fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+/// How often a wait looks whether the process still lives.
+constexpr long slice_milliseconds = 20;
+
+/// Values of processor_ that are no processor.
+constexpr int anywhere = -1, not_asked = -2;
+
+}  // namespace
+
+Worker::Worker(std::string library, const Options& options)
+    : library_(std::move(library)),
+      options_(options),
+      layout_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
+  start();
+}
+
+Worker::~Worker() { stop(); }
+
+void Worker::start() {
+  fd_ = memfd_create("mmverify-subject", 0);
+  if (fd_ < 0 || ftruncate(fd_, static_cast<off_t>(layout_.total())) != 0)
+    fail("cannot get memory for a worker");
+  base_ = static_cast<std::byte*>(mmap(nullptr, layout_.total(), PROT_READ | PROT_WRITE, MAP_SHARED, fd_, 0));
+  if (base_ == MAP_FAILED) fail("cannot map a worker's memory");
+  mailbox_ = reinterpret_cast<Mailbox*>(base_);
+  mailbox_->turn.store(1);
+  mailbox_->outcome = Outcome::cannot_load;  // until the worker says otherwise
+
+  const std::string program = worker_program(), fd = fmt::format("{}", fd_);
+  std::string name = "mmverify-worker", fd_text = fd, library = std::filesystem::absolute(library_).string();
+  char* argv[] = {name.data(), fd_text.data(), library.data(), nullptr};
+  // A group of its own: what a subject forks ends with it, and Ctrl-C stays this process's business.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  const int error = posix_spawn(&pid_, program.c_str(), nullptr, &attributes, argv, environ);
+  posix_spawnattr_destroy(&attributes);
+  if (error != 0) {
+    pid_ = -1;
+    errno = error;
+    fail("cannot start mmverify-worker");
+  }
+  hung_ = false;
+  processor_ = not_asked;
+  group_ = pid_;
+  while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
+    futex_wait(mailbox_->turn, 1, slice_milliseconds);
+    options_.stop_if_asked();
+    if (mailbox_->turn.load(std::memory_order_acquire) == 1 && waitpid(pid_, &status_, WNOHANG) == pid_) {
+      pid_ = -1;
+      throw CannotLoad(fmt::format("{}: {} while it was loaded", library_, end_of_process()));
+    }
+  }
+  if (mailbox_->outcome == Outcome::cannot_load)
+    throw CannotLoad(fmt::format("{}: {}", library_, mailbox_->message));
+}
+
+void Worker::stop() {
+  if (group_ > 0) kill(-group_, SIGKILL);
+  if (pid_ > 0) waitpid(pid_, &status_, 0);
+  pid_ = group_ = -1;
+  if (base_ != nullptr && base_ != MAP_FAILED) munmap(base_, layout_.total());
+  base_ = nullptr;
+  if (fd_ >= 0) close(fd_);
+  fd_ = -1;
+}
+
+std::byte* Worker::input(Call call, std::size_t array, std::uint64_t count, std::uint64_t t) const {
+  const auto slot = static_cast<std::size_t>(t / batch_size);
+  return base_ + layout_.input_at(array, slot, in_slot(count, slot), input_size(call)) +
+         t % batch_size * input_size(call);
+}
+
+const std::byte* Worker::answer(Call call, std::uint64_t count, std::uint64_t t) const {
+  const auto slot = static_cast<std::size_t>(t / batch_size);
+  return base_ + layout_.answer_at(slot, in_slot(count, slot), answer_size(call)) +
+         t % batch_size * answer_size(call);
+}
+
+void Worker::bring_here() {
+  if (processor_ == not_asked) {
+    processor_ = anywhere;
+    return;
+  }
+  const int here = sched_getcpu();
+  if (here == processor_ || here < 0 || here >= CPU_SETSIZE) return;
+  cpu_set_t only;
+  CPU_ZERO(&only);
+  CPU_SET(static_cast<std::size_t>(here), &only);
+  // Where it may not, it runs as well elsewhere.
+  if (sched_setaffinity(pid_, sizeof only, &only) == 0) processor_ = here;
+}
+
+bool Worker::exchange() {
+  using Clock = std::chrono::steady_clock;
+  bring_here();
+  mailbox_->begun.store(0);
+  mailbox_->turn.store(1, std::memory_order_release);
+  futex_wake(mailbox_->turn);
+  std::uint64_t begun = 0;
+  auto since = Clock::now();
+  while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
+    futex_wait(mailbox_->turn, 1, slice_milliseconds);
+    if (mailbox_->turn.load(std::memory_order_acquire) != 1) break;
+    options_.stop_if_asked();
+    if (waitpid(pid_, &status_, WNOHANG) == pid_) {
+      pid_ = -1;
+      return false;
+    }
+    if (const std::uint64_t now = mailbox_->begun.load(std::memory_order_relaxed); now != begun) {
+      begun = now;
+      since = Clock::now();
+    } else if (std::chrono::duration<double>(Clock::now() - since).count() > options_.timeout_seconds) {
+      hung_ = true;
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string Worker::end_of_process() const {
+  if (WIFSIGNALED(status_)) {
+    const int signal = WTERMSIG(status_);
+    const std::string where = mailbox_->message;
+    return fmt::format("crashed (signal {}, {}){}", signal, strsignal(signal),
+                       where.empty() ? "" : ": " + where);
+  }
+  return fmt::format("called exit({})", WEXITSTATUS(status_));
+}
+
+void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found) {
+  // The inputs are still in this process's mapping of the memory that the dead one shared.
+  std::vector<std::byte> inputs[2];
+  const std::size_t arrays = input_arrays(call), size = input_size(call);
+  for (std::size_t array = 0; array < arrays; ++array)
+    for (std::uint64_t t = found.first; t < found.first + found.count; ++t) {
+      const std::byte* from = input(call, array, count, t);
+      inputs[array].insert(inputs[array].end(), from, from + size);
+    }
+  try {
+    stop();
+    start();
+    for (std::size_t array = 0; array < arrays; ++array)
+      std::memcpy(input(call, array, found.count, 0), inputs[array].data(), inputs[array].size());
+    mailbox_->call = call;
+    mailbox_->level = level;
+    mailbox_->count = found.count;
+    mailbox_->one_by_one = 1;
+    if (exchange() && mailbox_->outcome == Outcome::answered)
+      return;  // not again: the batch is all that can be named
+    const bool spoke = pid_ > 0 && !hung_;
+    found.first += spoke ? mailbox_->element : mailbox_->begun.load();
+    found.count = 1;
+  } catch (const std::runtime_error&) {
+  }
+}
+
+std::string Worker::said() const {
+  const std::string message = mailbox_->message;
+  switch (mailbox_->outcome) {
+    case Outcome::threw:
+      return message.empty() ? "threw an exception" : "threw an exception: " + message;
+    case Outcome::changed_mode:
+      return "left the rounding or flush mode changed";
+    case Outcome::wrote_before:
+      return "wrote before the start of its output";
+    case Outcome::unwritten:
+      return "left its output unwritten";
+    case Outcome::non_deterministic:
+      return "non-deterministic, " + message;
+    case Outcome::too_large:
+      return message;
+    case Outcome::answered:
+    case Outcome::ready:
+    case Outcome::cannot_load:
+      break;
+  }
+  return {};
+}
+
+void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
+  mailbox_->call = call;
+  mailbox_->level = level;
+  mailbox_->count = count;
+  mailbox_->one_by_one = 0;
+  mailbox_->message[0] = 0;
+  Misbehaved found{{}, 0, 0};
+  if (!exchange()) {
+    found.what =
+        hung_ ? fmt::format("hung: no answer within {} s", options_.timeout_seconds) : end_of_process();
+    const auto slot = static_cast<std::size_t>(mailbox_->begun.load() / batch_size);
+    found.first = slot * batch_size;
+    found.count = in_slot(count, slot);
+    pin_down(call, level, count, found);
+    throw found;
+  }
+  found.what = said();
+  const std::uint64_t element = mailbox_->element, batch = element / batch_size;
+  switch (mailbox_->outcome) {
+    case Outcome::answered:
+    case Outcome::ready:
+    case Outcome::cannot_load:
+      return;
+    case Outcome::unwritten:
+    case Outcome::non_deterministic:
+      throw Misbehaved{found.what, element, 1};
+    default:
+      break;
+  }
+  found.first = batch * batch_size;
+  found.count = in_slot(count, static_cast<std::size_t>(batch));
+  pin_down(call, level, count, found);
+  throw found;
+}
+
+Reply Worker::ask(const Question& q) {
+  mailbox_->call = q.call;
+  mailbox_->level = q.level;
+  mailbox_->format = q.format;
+  mailbox_->count = q.count;
+  mailbox_->one_by_one = 0;
+  mailbox_->blob_bytes = q.blob.size();
+  mailbox_->room = q.room;
+  mailbox_->message[0] = 0;
+  if (!q.blob.empty()) std::memcpy(base_ + layout_.blob_at(q.blob.size()), q.blob.data(), q.blob.size());
+  if (!exchange())
+    throw Misbehaved{
+        hung_ ? fmt::format("hung: no answer within {} s", options_.timeout_seconds) : end_of_process(), 0,
+        q.count};
+  if (mailbox_->outcome == Outcome::unwritten || mailbox_->outcome == Outcome::non_deterministic)
+    throw Misbehaved{said(), mailbox_->element, q.count == 0 ? 0u : 1u};
+  if (mailbox_->outcome != Outcome::answered) throw Misbehaved{said(), 0, q.count};
+  const auto size = static_cast<std::size_t>(mailbox_->answer_bytes);
+  return {mailbox_->taken != 0,
+          {reinterpret_cast<const std::uint8_t*>(base_ + layout_.blob_answer_at(size)), size}};
+}
+
+std::unique_ptr<Worker> Pool::take() {
+  {
+    const std::lock_guard hold(lock_);
+    if (!idle_.empty()) {
+      auto worker = std::move(idle_.back());
+      idle_.pop_back();
+      return worker;
+    }
+  }
+  return std::make_unique<Worker>(library_, options_);
+}
+
+void Pool::give_back(std::unique_ptr<Worker> worker) {
+  const std::lock_guard hold(lock_);
+  idle_.push_back(std::move(worker));
+}
+
+}  // namespace mmverify::dock

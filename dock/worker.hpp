@@ -1,0 +1,114 @@
+// A worker process and what it is asked: a subject's answers, or why there are none.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "dock/mailbox.hpp"
+
+namespace mmverify::dock {
+
+/// A library that is no subject: missing symbol, another interface, not loadable.  what() names the file.
+struct CannotLoad : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What a subject did instead of answering.
+struct Misbehaved {
+  std::string what;            ///< "crashed (signal 11, Segmentation fault)", "hung: ...", ...
+  std::uint64_t first, count;  ///< the elements of the command during which it did
+};
+
+struct Options {
+  double timeout_seconds = 10;  ///< for one batch of 4096, or one map or code
+  /// Called while an answer is waited for, several times a second; what it throws ends the wait.
+  void (*stop_if_asked)() = [] {};
+};
+
+/// What is asked about a map or a code.
+struct Question {
+  Call call;
+  std::uint32_t level, format;
+  std::span<const std::uint8_t> blob;  ///< the map or the code, up to blob_capacity
+  std::size_t room;         ///< bytes of the answer; of an encoder's, as many as it may write at first
+  std::uint64_t count = 0;  ///< of a lookup's elements, which lie in input(); up to batch_size
+};
+
+/// `bytes` stay where they are until the next question.
+struct Reply {
+  bool taken;  ///< false: there is no code of this map, or the code is no map's
+  std::span<const std::uint8_t> bytes;
+};
+
+/// One process with the library loaded. Not for two threads at once.
+class Worker {
+ public:
+  /// Starts it; CannotLoad where the library is no subject, std::runtime_error where no process can be had.
+  Worker(std::string library, const Options& options);
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  const Description& description() const { return mailbox_->description; }
+
+  /// Where element t of a command of `count` goes, and where its answer comes.  Domain: t < count <=
+  /// capacity.
+  std::byte* input(Call call, std::size_t array, std::uint64_t count, std::uint64_t t) const;
+  const std::byte* answer(Call call, std::uint64_t count, std::uint64_t t) const;
+
+  /// Runs the command on the inputs in place.  Throws Misbehaved, or what Options::stop_if_asked throws; the worker is of no use
+  /// after that.
+  void ask(Call call, std::uint32_t level, std::uint64_t count);
+
+  /// The same for a map or a code.  The elements of what is thrown are a lookup's.
+  Reply ask(const Question& question);
+
+ private:
+  void start();
+  void stop();
+  /// Brings the process to the processor that this thread runs on: only one of the two has work at a time,
+  /// the numbers are in that processor's cache, and nobody has to be woken on an idle one.  Not before its
+  /// first command, so that threads which a subject starts for itself go where they like.
+  void bring_here();
+  /// Hands the turn over and waits for it to come back.  False where the process ended or hung.
+  bool exchange();
+  /// "crashed (signal ...)" or "called exit(...)" of the ended process.
+  std::string end_of_process() const;
+  /// What an outcome other than `answered` is called.
+  std::string said() const;
+  /// Asks element by element in a new process, to name the one.
+  void pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found);
+
+  std::string library_;
+  Options options_;
+  Layout layout_;
+  int fd_ = -1, pid_ = -1, group_ = -1, status_ = 0;
+  int processor_ = -1;  ///< where bring_here() last brought it
+  bool hung_ = false;
+  std::byte* base_ = nullptr;
+  Mailbox* mailbox_ = nullptr;
+};
+
+/// Workers that wait for use, one a thread at most.
+class Pool {
+ public:
+  Pool(std::string library, const Options& options) : library_(std::move(library)), options_(options) {}
+
+  std::unique_ptr<Worker> take();
+  void give_back(std::unique_ptr<Worker> worker);
+  const std::string& library() const { return library_; }
+
+ private:
+  std::string library_;
+  Options options_;
+  std::mutex lock_;
+  std::vector<std::unique_ptr<Worker>> idle_;
+};
+
+}  // namespace mmverify::dock

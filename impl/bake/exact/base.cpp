@@ -1,0 +1,121 @@
+#include "impl/bake/exact/base.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "impl/bake/exact/seen.hpp"
+
+namespace mmverify::impl::bake::detail {
+namespace {
+
+/// Takes the least coordinate's cell, `margin` below it, away, and says which it is.
+/// Domain: coordinates below 2^36 texels in size.
+template <class Int>
+std::int64_t moved_to_origin(std::array<Int, 3>& x, const Int& margin, int fraction_bits) {
+  const Int least = std::min({x[0], x[1], x[2]}) - margin, unit = Int(1) << fraction_bits;
+  std::int64_t low = -(std::int64_t{1} << 36), high = -low;
+  while (high - low > 1) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (Int(middle) * unit <= least ? low : high) = middle;
+  }
+  for (Int& k : x) k = k - Int(low) * unit;
+  return low;
+}
+
+}  // namespace
+
+ExactBase::ExactBase(const Sides& sides, const BaseTriangle& uv, std::uint32_t width, std::uint32_t height,
+                     index::Level level, Filter filter, float margin)
+    : sides_(sides),
+      width_(width),
+      height_(height),
+      level_(static_cast<int>(level)),
+      filter_(filter),
+      margin_(binary(margin)) {
+  double extent = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    u_[k] = binary(uv[k].u);
+    v_[k] = binary(uv[k].v);
+    below_point_ = std::max({below_point_, -u_[k].e, -v_[k].e});
+    const TexturePoint &p = uv[k], &q = uv[(k + 1) % 3];
+    extent = std::max({extent, std::fabs(double{p.u} - double{q.u}) * width,
+                       std::fabs(double{p.v} - double{q.v}) * height});
+  }
+  below_point_ = std::max(below_point_, -margin_.e - level_);
+  // One cell more for where it begins, one for the last, one for rounding.
+  cells_ = static_cast<std::int64_t>(std::ldexp(extent, -level_) + 2 * double{margin}) + 3;
+  const int fraction = below_point_ + level_;
+  const int position = fraction + bits(cells_ + 1);
+  const int height_of = std::max(height_bits(sides.limits.opaque, sides.finest, sides.most),
+                                 height_bits(sides.limits.lean, sides.finest, sides.most));
+  // 20 bits of u and v, 15 of width and height, 3 for sums and a sign, one for the margin.
+  bits_ = std::max(4 * position + 2 * height_of + 12, fraction + 20 + 15 + 4);
+}
+
+/// (texels (U0 N + i (U1 - U0) + j (U2 - U0))) / N, less 1/2 for cells, in units of 2^-(below_point + level).
+template <class Int>
+std::array<Int, 3> ExactBase::along(const Axis& axis, std::uint32_t texels,
+                                    const index::Corners& corners) const {
+  const auto whole = [this](const Binary& b) {
+    return b.m == 0 ? Int(0) : Int(b.m) * (Int(1) << (b.e + below_point_));
+  };
+  const Int first = whole(axis[0]), across = whole(axis[1]) - first, down = whole(axis[2]) - first;
+  const Int half = filter_ == Filter::nearest ? Int(0) : Int(1) << (below_point_ + level_ - 1);
+  std::array<Int, 3> x;
+  for (std::size_t k = 0; k < 3; ++k)
+    x[k] =
+        Int(texels) * (first * (Int(1) << level_) + Int(corners[k].i) * across + Int(corners[k].j) * down) -
+        half;
+  return x;
+}
+
+template <class Int>
+ExactBase::Answer ExactBase::in(const index::Corners& corners) const {
+  std::array<Int, 3> x = along<Int>(u_, width_, corners), y = along<Int>(v_, height_, corners);
+  const int fraction = below_point_ + level_;
+  const Int margin = margin_.m == 0 ? Int(0) : Int(margin_.m) << (margin_.e + fraction), unit = Int(1)
+                                                                                                << fraction;
+  const std::int64_t column = moved_to_origin(x, margin, fraction),
+                     row = moved_to_origin(y, margin, fraction);
+  const Outline<Int> outline(x, y, margin);
+  const auto exact = [&](const Question<Int>& question) {
+    return Exact<Int>(sides_, question, column, row, cells_, fraction, outline);
+  };
+  const auto marks = [&](const Question<Int>& question) {
+    Exact<Int> asked = exact(question);
+    return filter_ == Filter::nearest ? asked.nearest() : asked.bilinear();
+  };
+  const Height<Int> opaque_height(sides_.limits.opaque, sides_.finest);
+  Answer answer{};
+  if (!sides_.limits.blend) {
+    answer.marks = marks({opaque_height});
+  } else {
+    const Marks not_opaque = marks({opaque_height, below, [](Marks m) { return m; }});
+    // -r < 0: alpha is not transparent.
+    const Marks visible =
+        sides_.limits.zero ? Marks{0} : marks({Height<Int>(sides_.finest), below, [](Marks m) {
+                                                 return static_cast<Marks>((m & opaque) != 0 ? below : 0);
+                                               }});
+    answer.marks = static_cast<Marks>((not_opaque & below) | ((visible & below) != 0 ? opaque : 0));
+  }
+  if (answer.marks != both) return answer;
+  const Question<Int> lean{Height<Int>(sides_.limits.lean, sides_.finest)};
+  const Exact<Int> asked = exact(lean);
+  const Int sum_x = x[0] + x[1] + x[2], sum_y = y[0] + y[1] + y[2], three = unit + unit + unit;
+  answer.leans_to_opaque = (filter_ == Filter::nearest ? asked.nearest_at(sum_x, sum_y, three)
+                                                       : asked.sign_at(sum_x, sum_y, three)) == opaque;
+  return answer;
+}
+
+ExactBase::Answer ExactBase::operator()(std::uint32_t index) const {
+  const index::Corners corners = index::corners(index, static_cast<index::Level>(level_));
+  if (bits_ <= 128) return in<Int128>(corners);
+  if (bits_ <= 384) return in<Wide<6>>(corners);
+  if (bits_ <= 1024) return in<Wide<16>>(corners);
+  // The most that can be: 150 + 12 below the point, 36 above it, 447 + 416 + 4 for heights.
+  static_assert(4 * (150 + 12 + 36) + 2 * (447 + 416 + 4) + 12 <= 40 * 64);
+  return in<Wide<40>>(corners);
+}
+
+}  // namespace mmverify::impl::bake::detail

@@ -1,0 +1,46 @@
+// A base triangle's micro-triangles, exactly.  Internal to impl/bake.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "impl/bake/texture/sides.hpp"
+#include "impl/bake/triangles.hpp"
+#include "impl/common/binary.hpp"
+#include "impl/index/index.hpp"
+
+namespace mmverify::impl::bake::detail {
+
+class ExactBase {
+ public:
+  /// Domain: finite coordinates below 2^20 in size; level in 0..12; a margin in [0, 2^20).
+  ExactBase(const Sides& sides, const BaseTriangle& uv, std::uint32_t width, std::uint32_t height,
+            index::Level level, Filter filter = Filter::bilinear, float margin = 0);
+
+  struct Answer {
+    Marks marks;  ///< both, or what all of it is
+    bool leans_to_opaque;
+  };
+  /// Of micro-triangle `index` on the curve.
+  Answer operator()(std::uint32_t index) const;
+
+ private:
+  using Axis = std::array<Binary, 3>;
+
+  template <class Int>
+  Answer in(const index::Corners& corners) const;
+  template <class Int>
+  std::array<Int, 3> along(const Axis& axis, std::uint32_t texels, const index::Corners& corners) const;
+
+  const Sides& sides_;
+  Axis u_, v_;
+  std::uint32_t width_, height_;
+  int level_;
+  Filter filter_;
+  Binary margin_;
+  int below_point_ = 1;  ///< bits of u and v there, and at least the one of half a texel
+  std::int64_t cells_;   ///< that a micro-triangle spans, at most
+  int bits_;             ///< that bake_exact.hpp and positions need
+};
+
+}  // namespace mmverify::impl::bake::detail

@@ -1,0 +1,385 @@
+// How a bilinearly sampled micro-triangle is judged.  Internal to impl/bake.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include "impl/bake/exact/base.hpp"
+#include "impl/bake/judge/cell_judge.hpp"
+#include "impl/bake/judge/codes.hpp"
+#include "impl/bake/judge/filter.hpp"
+#include "impl/bake/judge/inner_box.hpp"
+#include "impl/bake/sixteen/sixteen.hpp"
+#include "impl/bake/texture/sides.hpp"
+
+namespace mmverify::impl::bake::detail {
+
+template <class Texel>
+class Bilinear {
+ public:
+  /// Coordinates' offset from those of texels.
+  static constexpr double offset = 0.5;
+
+  /// `inner`: of a micro-triangle that is not turned.
+  Bilinear(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle& base, index::Level level,
+           const InnerBox& inner, double delta, double margin) noexcept
+      : sides_(sides),
+        filter_(sides, delta, margin),
+        exact_(exact),
+        inner_(sides, inner, margin, delta),
+        cells_(sides, base, delta, filter_.bound(), filter_.usable() && margin == 0),
+        lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {
+    if (level < 2 || !in_vectors() || !cells_.lines().usable) return;
+    for (std::uint32_t height = 2; height <= level; height = height == 2 ? 4 : height + 1) {
+      const double part = std::ldexp(1.0, static_cast<int>(height) - static_cast<int>(level));
+      const Spot b{(base[1].x - base[0].x) * part, (base[1].y - base[0].y) * part},
+          c{(base[2].x - base[0].x) * part, (base[2].y - base[0].y) * part};
+      const double extent = std::max(std::max({b.x, c.x, 0.0}) - std::min({b.x, c.x, 0.0}),
+                                     std::max({b.y, c.y, 0.0}) - std::min({b.y, c.y, 0.0}));
+      // One more for each side's rounding to whole texels.
+      const double more = 6;
+      if (height > 2 && extent + more > sixteen_window) return;
+      const bool is_shared = height == 2 && 2 * extent + more < most_shared;
+      if (is_shared) share_ = true;
+      const double size = (is_shared ? 2 * extent : extent) + more;
+      const std::array<std::array<Spot, 2>, 4> of_nodes{{{b, c},
+                                                         {b, {b.x - c.x, b.y - c.y}},
+                                                         {{{-b.x, -b.y}, {c.x - b.x, c.y - b.y}}},
+                                                         {{{-b.x, -b.y}, {-c.x, -c.y}}}}};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto& [to1, to2] = of_nodes[k];
+        SixteenShape& of = shapes_[height][k];
+        of = {to1, to2, cells_.lines(), k % 2 == 1, margin_in(size)};
+        if (height == 2) judging(of, to1, to2, size);
+      }
+      largest_ = height;
+    }
+  }
+
+  Marks texels(const Triangle& p) const noexcept { return filter_.texels(filter_.box(p)); }
+  /// Of the sixteen nodes that one is cut into, if they can be asked together.
+  SixteenNodes sixteen_nodes(const Triangle& p, bool turned, std::uint32_t height,
+                             std::uint32_t index) const noexcept {
+    if (height > largest_) return {};
+    SixteenInput in;
+    const Window w(filter_.box(p));
+    if (!placed(p, w, in)) return {};
+    in.shape = &shape(height, turned, index);
+    return detail::sixteen_nodes(in);
+  }
+
+  /// One of no quad.
+  unsigned single(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    Quad quad;
+    return leaf(p, {filter_.g(p[0]), filter_.g(p[1]), filter_.g(p[2])}, turned, index, quad, {own, own, own},
+                counts);
+  }
+
+  /// The four children of a node, in one byte; their six corners sampled once.
+  unsigned four(const Triangle& p, Spot p01, Spot p02, Spot p12, bool turned, std::uint32_t index,
+                BakeCounts& counts) const {
+    const double g0 = filter_.g(p[0]), g1 = filter_.g(p[1]), g2 = filter_.g(p[2]), g01 = filter_.g(p01),
+                 g02 = filter_.g(p02), g12 = filter_.g(p12);
+    Quad quad;
+    return leaf({p[0], p01, p02}, {g0, g01, g02}, turned, index, quad, {own, 0, own}, counts) |
+           leaf({p02, p12, p01}, {g02, g12, g01}, !turned, index + 1, quad, {2, 1, 0}, counts) << 2 |
+           leaf({p01, p[1], p12}, {g01, g1, g12}, turned, index + 2, quad, {own, own, 1}, counts) << 4 |
+           leaf({p12, p02, p[2]}, {g12, g02, g2}, turned, index + 3, quad, {2, own, own}, counts) << 6;
+  }
+
+  /// The sixteen of a node, in four bytes: in vectors where they are small, one by one where they are large
+  /// and where vectors cannot tell.
+  std::uint32_t sixteen(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    std::optional<SixteenMarks> marks;
+    if constexpr (!std::is_same_v<Texel, float>)
+      if (in_vectors()) marks = asked(p, turned, index);
+    if (!marks && !cells_.usable()) {
+      const std::array<Triangle, 4> of = children(p);
+      std::uint32_t codes = 0;
+      for (std::uint32_t c = 0; c < 4; ++c) {
+        const Triangle& q = of[c];
+        codes |= four(q, middle(q[0], q[1]), middle(q[0], q[2]), middle(q[1], q[2]), turned != (c == 1),
+                      index + 4 * c, counts)
+                 << (8 * c);
+      }
+      return codes;
+    }
+    return coded(marks ? *marks : SixteenMarks{}, p, turned, index, counts);
+  }
+
+  /// The codes of those that are wanted of the four nodes of sixteen that one is cut into; false if they are
+  /// not asked together: there is but one, they are too large, or vectors cannot be asked (placed()).  Bit c of wanted: node c.
+  bool sixty_four(const Triangle& p, bool turned, std::uint32_t index, std::uint32_t wanted,
+                  BakeCounts& counts, std::array<std::uint32_t, 4>& codes) const {
+    if constexpr (std::is_same_v<Texel, float>) return false;
+    if (!share_ || (wanted & (wanted - 1)) == 0) return false;
+    SixteenInput in;
+    const Window w(filter_.box(p));
+    if (!placed(p, w, in)) return false;
+    const std::array<Triangle, 4> of = children(p);
+    std::array<SixteenNode, 4> nodes;
+    std::array<SixteenMarks, 4> marks;
+    std::size_t count = 0;
+    for (std::uint32_t c = 0; c < 4; ++c)
+      if ((wanted >> c & 1) != 0)
+        nodes[count++] = {&shape(2, turned != (c == 1), index + 16 * c), local(of[c][0], w)};
+    detail::sixteen<Texel>(in, {nodes.data(), count}, marks.data());
+    count = 0;
+    for (std::uint32_t c = 0; c < 4; ++c)
+      if ((wanted >> c & 1) != 0)
+        codes[c] = coded(marks[count++], of[c], turned != (c == 1), index + 16 * c, counts);
+    return true;
+  }
+
+ private:
+  /// The edges between the four children of a node, each asked at most once: 0 p01 p02, 1 p01 p12, 2 p02 p12.
+  struct Quad {
+    std::array<Marks, 3> edge{};
+  };
+  static constexpr std::size_t own = 3;  ///< an edge of no other child
+
+  /// The codes of a node; what its marks do not decide is asked one by one.
+  std::uint32_t coded(const SixteenMarks& marks, const Triangle& p, bool turned, std::uint32_t index,
+                      BakeCounts& counts) const {
+    const std::uint32_t unknowns = marks.below & marks.opaque, leaning = unknowns & marks.leans_to_opaque,
+                        decided = marks.lacks_below | marks.lacks_opaque | (unknowns & marks.leans),
+                        left = ~decided & 0xffff;
+    counts.leaves += marks.leaves;
+    std::uint32_t codes = spread(decided & (leaning | marks.lacks_below)) | spread(decided & unknowns) << 1;
+    if (left == 0) return codes;
+    const std::array<Triangle, 4> of = children(p);
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      if ((left >> (4 * c) & 15) == 0) continue;
+      const bool is_turned = turned != (c == 1);
+      const std::array<Triangle, 4> micro = children(of[c]);
+      for (std::uint32_t k = 4 * c; k < 4 * c + 4; ++k)
+        if ((left >> k & 1) != 0)
+          codes |= lone(micro[k % 4], is_turned != (k % 4 == 1), index + k, counts) << (2 * k);
+    }
+    return codes;
+  }
+
+  /// Bit k to bit 2k.
+  static std::uint32_t spread(std::uint32_t x) noexcept {
+    x = (x | x << 8) & 0x00ff00ff;
+    x = (x | x << 4) & 0x0f0f0f0f;
+    x = (x | x << 2) & 0x33333333;
+    return (x | x << 1) & 0x55555555;
+  }
+
+  using Box = typename BilinearFilter<Texel>::Box;
+
+  /// Whether vectors are asked: see bake_sixteen.hpp.
+  bool in_vectors() const noexcept {
+    return !std::is_same_v<Texel, float> && filter_.usable() && filter_.delta() < 0x1p-30 &&
+           filter_.margin() == 0 && sides_.pitch() <= std::size_t{1} << 20;
+  }
+
+  /// The window about a node, one more all round for what binary32 is off.
+  struct Window {
+    std::int64_t left, right, top, bottom, width, height, size;
+
+    explicit Window(const Box& box) noexcept
+        : left(box.left - 1),
+          right(box.right + 1),
+          top(box.top - 1),
+          bottom(box.bottom + 1),
+          width(right - left + 1),
+          height(bottom - top + 1),
+          size(std::max(width, height)) {}
+  };
+
+  /// What binary32 is off in windows of `size` texels a side or less, and what binary64 is; the margin of
+  /// lines.
+  double delta_in(double size) const noexcept { return filter_.delta() + 0x1p-20 * size; }
+  double margin_in(double size) const noexcept { return 0x1p-18 * size + 0x1p10 * filter_.delta(); }
+  /// Of the node of this height at `index`.
+  const SixteenShape& shape(std::uint32_t height, bool turned, std::uint32_t index) const noexcept {
+    return shapes_[height][2 * reversed(index) + turned];
+  }
+  /// And what judges alpha there: a node at p0, p0 + b, p0 + c.
+  void judging(SixteenShape& of, Spot b, Spot c, double size) const noexcept {
+    const double delta = delta_in(size);
+    of.take_edges(b, c, delta, margin_in(size));
+    of.threshold = static_cast<float>(sides_.threshold);
+    of.gap = static_cast<float>(sides_.gap);
+    of.lean = static_cast<float>(lean_);
+    of.bound = static_cast<float>(sides_.scale * (2 * delta + 0x1p-19));
+    of.edge_bound = static_cast<float>(sides_.scale * (24 * delta + 0x1p-17));
+    of.beyond_bound = static_cast<float>(sides_.scale * (0x1p5 * delta + 0x1p-14));
+    of.clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
+  }
+
+  /// Of a node in one picture: where it and its bits are.  False where it is too large, or lines say nothing.
+  bool placed(const Triangle& p, const Window& w, SixteenInput& in) const noexcept {
+    if (w.size > sixteen_window || !cells_.lines().usable) return false;
+    const auto picture = sides_.in_one_picture(w.left, w.right, w.top, w.bottom);
+    if (!picture) return false;
+    place(p, w, in);
+    in.texels = picture->first;
+    in.pitch = static_cast<std::int32_t>(sides_.pitch());
+    const Plane &are_opaque = sides_.opaque_plane(), &visible = sides_.visible_plane();
+    const std::size_t word = are_opaque.strip() * static_cast<std::size_t>(picture->left / 32) +
+                             static_cast<std::size_t>(picture->top);
+    in.opaque = are_opaque.strips() + word;
+    in.visible = visible.strips() + word;
+    in.strip = are_opaque.strip();
+    in.bit = static_cast<std::uint32_t>(picture->left % 32);
+    return true;
+  }
+  static void place(const Triangle& p, const Window& w, SixteenInput& in) noexcept {
+    in.columns = static_cast<std::int32_t>(w.width);
+    in.rows = static_cast<std::int32_t>(w.height);
+    in.p0 = local(p[0], w);
+  }
+  static std::array<float, 2> local(Spot p, const Window& w) noexcept {
+    return {static_cast<float>(p.x - static_cast<double>(w.left)),
+            static_cast<float>(p.y - static_cast<double>(w.top))};
+  }
+
+  /// Whether the edge p0 p1 of the node at `index` goes the other way than the base triangle's:
+  /// each fourth child's does (children()).
+  static std::size_t reversed(std::uint32_t index) noexcept {
+    // The parity of the even bits, folded: not all processors that this is compiled for can count.
+    std::uint32_t fourth = index & index >> 1 & 0x55555550;
+    fourth ^= fourth >> 16;
+    fourth ^= fourth >> 8;
+    fourth ^= fourth >> 4;
+    return (fourth ^ fourth >> 2) & 1;
+  }
+
+  /// Texels a side where they are not in one picture: a word of bits.
+  static constexpr std::int64_t most_copied = 32;
+
+  /// None where it is too large, or lines say nothing.
+  std::optional<SixteenMarks> asked(const Triangle& p, bool turned, std::uint32_t index) const {
+    SixteenInput in;
+    const Window w(filter_.box(p));
+    in.shape = &shape(2, turned, index);
+    const auto marks = [&in] {
+      const SixteenNode node{in.shape, in.p0};
+      SixteenMarks found;
+      detail::sixteen<Texel>(in, {&node, 1}, &found);
+      return found;
+    };
+    if (placed(p, w, in)) return marks();
+    if (w.size > most_copied || !cells_.lines().usable) return std::nullopt;
+    place(p, w, in);
+    constexpr std::size_t pitch = most_copied;
+    std::array<Texel, pitch * pitch + 4> texels;  // 4 bytes from the last can be read
+    std::array<std::uint32_t, 2 * pitch> opaque_rows{}, visible_rows{};
+    sides_.copy(w.left, w.top, static_cast<std::size_t>(w.width), static_cast<std::size_t>(w.height), pitch,
+                texels.data(), opaque_rows.data(), visible_rows.data());
+    in.texels = texels.data();
+    in.pitch = pitch;
+    in.opaque = opaque_rows.data();
+    in.visible = sides_.limits.blend ? visible_rows.data() : opaque_rows.data();
+    in.strip = pitch;
+    in.bit = 0;
+    return marks();
+  }
+
+  /// A micro-triangle by the cells that it meets, or else as one of no quad.
+  unsigned lone(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    bool by_texels;
+    const Marks marks = cells_.judged(p, turned, by_texels);
+    if ((marks & uncertain) != 0) return single(p, turned, index, counts);
+    if (!by_texels) ++counts.leaves;
+    return marks == both ? leaning(centroid_of(p), index, counts) : settled(marks);
+  }
+
+  static Spot centroid_of(const Triangle& p) noexcept {
+    return {(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
+  }
+  /// Of one that bears both marks.
+  unsigned leaning(Spot centroid, std::uint32_t index, BakeCounts& counts) const {
+    const double at = filter_.g(centroid) - lean_;
+    if (std::fabs(at) > filter_.bound()) return at > 0 ? unknown | 1 : unknown;
+    ++counts.exact;
+    return code_of(exact_(index));
+  }
+
+  /// `edges`: which of the quad's the edges p0 p1, p1 p2, p2 p0 are.
+  unsigned leaf(const Triangle& p, const std::array<double, 3>& g, bool turned, std::uint32_t index,
+                Quad& quad, const std::array<std::size_t, 3>& edges, BakeCounts& counts) const {
+    const Spot centroid = centroid_of(p);
+    Marks marks = filter_.usable()
+                      ? static_cast<Marks>(filter_.side(g[0]) | filter_.side(g[1]) | filter_.side(g[2]))
+                      : uncertain;
+    if (marks != both) {
+      const auto box = filter_.box(p);
+      const Marks all = filter_.texels(box);
+      if (all != both) return settled(all);
+      if (marks != uncertain) marks = judged(p, g, box, centroid, marks, turned, quad, edges);
+    }
+    ++counts.leaves;
+    if (marks == opaque || marks == below) return settled(marks);
+    if (marks == both) return leaning(centroid, index, counts);
+    ++counts.exact;
+    return code_of(exact_(index));
+  }
+
+  /// Of a triangle whose texels bear both marks; `seen` at its corners.
+  Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, Spot centroid, Marks seen,
+               bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
+    seen = static_cast<Marks>(seen | inner_.centres(centroid, turned));
+    if (seen == both) return both;
+    if (filter_.margin() != 0) {
+      seen = static_cast<Marks>(seen | outline(p, seen));
+      if ((seen & both) == both) return both;
+    }
+    for (std::size_t k = 0; k < 3 && filter_.margin() == 0; ++k) {
+      const std::size_t next = k == 2 ? 0 : k + 1;
+      Marks marks = edges[k] == own ? Marks{0} : quad.edge[edges[k]];
+      if (marks == 0) marks = filter_.edge(p[k], p[next], g[k], g[next]);
+      if (edges[k] != own) quad.edge[edges[k]] = marks;
+      seen = static_cast<Marks>(seen | marks);
+      if ((seen & both) == both) return both;
+    }
+    const Marks within = filter_.centres(p, box, seen);
+    if ((seen & uncertain) == 0 && (seen | within) == seen) return seen;
+    return ((seen | (within & filter_.clear())) & both) == both ? both : uncertain;
+  }
+
+  /// Of the segments of the dilated triangle, until both marks are seen.
+  Marks outline(const Triangle& p, Marks seen) const {
+    const double m = filter_.margin();
+    std::array<Spot, 12> moved;
+    std::array<double, 12> g;
+    for (std::size_t k = 0; k < 12; ++k) {
+      const Spot at = p[k / 4];
+      moved[k] = {k % 4 < 2 ? at.x - m : at.x + m, k % 4 == 0 || k % 4 == 3 ? at.y - m : at.y + m};
+      g[k] = filter_.g(moved[k]);
+      seen = static_cast<Marks>(seen | filter_.side(g[k]));
+    }
+    const auto take = [&](std::size_t from, std::size_t to) {
+      if ((seen & both) != both)
+        seen = static_cast<Marks>(seen | filter_.edge(moved[from], moved[to], g[from], g[to]));
+    };
+    for (std::size_t k = 0; k < 12; ++k) {
+      take(k, k / 4 * 4 + (k + 1) % 4);
+      take(k, (k + 4) % 12);
+    }
+    return seen;
+  }
+
+  const SidesOf<Texel>& sides_;
+  BilinearFilter<Texel> filter_;
+  const ExactBase& exact_;
+  Within inner_;
+  CellJudge<Texel> cells_;
+  /// By height, of nodes with p0 at either end of their edges p0 p1: not turned, turned.
+  std::array<std::array<SixteenShape, 4>, max_bake_level + 1> shapes_;
+  std::uint32_t largest_ = 0;  ///< of these heights; 0: none
+  /// Whether nodes are small enough for four of them to share a window.
+  static constexpr double most_shared = 32;
+  bool share_ = false;
+  double lean_;  ///< g where alpha begins to lean to opaque: blended, half of the way from 1 to 0
+};
+
+}  // namespace mmverify::impl::bake::detail

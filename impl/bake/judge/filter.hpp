@@ -1,0 +1,186 @@
+// What a closed triangle sees of bilinear alpha, in binary64, with a bound on every error: where it cannot
+// tell, it says so.  Internal to impl/bake.
+//
+// What is judged is the triangle T' whose corners are the computed ones, each within `delta` of those of the
+// true T along either axis.  Let g be sampled stored numbers less the threshold (bake_sides.hpp), all of them
+// within R of each other and of 0.  g changes by at most R a texel along either axis, so the ranges of g over
+// T and T' differ by less than 2 R delta.  Over T', g is least and greatest on an edge or at a centre within
+// (bake_exact.hpp), and rounding moves no computed point off its edge by more than delta:
+//   edges    are cut where they cross rows and columns of centres; a piece is judged by the cell of its
+//            middle.  A cut that is off by a rounding, or a piece that is lost to one, is no longer than some
+//            delta, over which g and the neighbouring cell's g differ by no more than the bound below.
+//   centres  that rounding leaves out, or takes in, are within delta of an edge.  Left out, the edge has
+//            spoken for them, to within the bound; taken in, they count as seen only if all texels that bear
+//            the mark are farther from its limit than the bound.
+// The bound is R (2^5 delta + 2^-43): eight times what delta makes, and 2^-53 of R for each of the handful of
+// operations, the rounded threshold's among them, many times over.
+// Boxes are grown by delta and asked of whole texels: what they say is exact.
+//
+// With a margin m the same is said of T' + [-m, m]^2, whose edges are segments as in bake_exact.hpp; moving a
+// corner by m rounds once more, which delta has room for.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "impl/bake/judge/codes.hpp"
+#include "impl/bake/plane/spot.hpp"
+#include "impl/bake/texture/sides.hpp"
+
+namespace mmverify::impl::bake::detail {
+
+template <class Texel>
+class BilinearFilter {
+ public:
+  BilinearFilter(const SidesOf<Texel>& sides, double delta, double margin) noexcept
+      : sides_(sides),
+        delta_(delta),
+        margin_(margin),
+        reach_(delta + margin),
+        bound_(sides.scale * (0x1p5 * delta + 0x1p-43)),
+        transparent_(sides.gap + bound_),
+        usable_(0x1p5 * delta < 0x1p-10),
+        clear_(static_cast<Marks>((sides.clear_below > bound_ ? below : 0) |
+                                  (sides.clear_opaque > bound_ ? opaque : 0))) {}
+
+  /// Where coordinates are too large for binary64, nothing is certain.
+  bool usable() const noexcept { return usable_; }
+  double delta() const noexcept { return delta_; }
+  double margin() const noexcept { return margin_; }
+  double bound() const noexcept { return bound_; }
+
+  /// Stored numbers, sampled, less the threshold.
+  double g(Spot p) const noexcept {
+    const std::int64_t i = floored(p.x), j = floored(p.y);
+    const double fx = p.x - static_cast<double>(i), fy = p.y - static_cast<double>(j);
+    const auto f = sides_.four(i, j);
+    const double top = f.a + fx * (f.right - f.a), under = f.below + fx * (f.across - f.below);
+    return top + fy * (under - top) - sides_.threshold;
+  }
+  /// The marks that g proves; there may be others if it is close to a limit.
+  Marks side(double g) const noexcept { return range(g, g); }
+  /// The same of all from the least to the greatest, which occur.
+  Marks range(double least, double greatest) const noexcept {
+    return static_cast<Marks>((greatest > bound_ - sides_.gap ? opaque : 0) | (least < -bound_ ? below : 0));
+  }
+  /// And whether there are no others.
+  Marks range_or_uncertain(double least, double greatest) const noexcept {
+    const bool is_below = least<-bound_, is_opaque = greatest> bound_ - sides_.gap;
+    const bool sure = (is_below || least > bound_) && (is_opaque || greatest < -transparent_);
+    return static_cast<Marks>((is_opaque ? opaque : 0) | (is_below ? below : 0) | (sure ? 0 : uncertain));
+  }
+
+  /// The texels of the cells that the box about a triangle meets, ends included.
+  struct Box {
+    std::int64_t left, right, top, bottom;
+  };
+  Box box(const Triangle& p) const noexcept {
+    return {floored(std::min(std::min(p[0].x, p[1].x), p[2].x) - reach_),
+            floored(std::max(std::max(p[0].x, p[1].x), p[2].x) + reach_) + 1,
+            floored(std::min(std::min(p[0].y, p[1].y), p[2].y) - reach_),
+            floored(std::max(std::max(p[0].y, p[1].y), p[2].y) + reach_) + 1};
+  }
+
+  /// Of all those texels, exactly.
+  Marks texels(const Box& box) const noexcept { return sides_.of(box.left, box.right, box.top, box.bottom); }
+
+  /// Of a closed edge with g at its ends: halves, until a box settles them or they cross few lines.
+  Marks edge(Spot p, Spot q, double at_p, double at_q) const noexcept {
+    const double d = 4 * delta_;
+    const Box box{floored(std::min(p.x, q.x) - d), floored(std::max(p.x, q.x) + d) + 1,
+                  floored(std::min(p.y, q.y) - d), floored(std::max(p.y, q.y) + d) + 1};
+    const Marks all = texels(box);
+    if (all != both) return all;
+    if (box.right - box.left + box.bottom - box.top <= 10) return walked(p, q, at_p, at_q);
+    const Spot m = middle(p, q);
+    const double at_m = g(m);
+    const Marks first = edge(p, m, at_p, at_m);
+    if ((first & both) == both) return both;
+    const Marks all_of_it = static_cast<Marks>(first | edge(m, q, at_m, at_q));
+    return (all_of_it & both) == both ? both : all_of_it;
+  }
+
+  /// Of the centres within, or none where they add nothing to what is seen; `box` is the triangle's.
+  Marks centres(const Triangle& p, const Box& box, Marks seen) const noexcept {
+    // The cells' outer texels are not within.
+    if (box.left + 1 >= box.right || box.top + 1 >= box.bottom) return 0;
+    const Marks about = texels({box.left + 1, box.right - 1, box.top + 1, box.bottom - 1});
+    if ((seen | about) == seen) return 0;
+    Marks marks = 0;
+    for (std::int64_t j = box.top + 1; j < box.bottom && marks != both; ++j)
+      marks = static_cast<Marks>(marks | centres(p, j));
+    return marks;
+  }
+  /// The marks of texels that are clear of their limits.
+  Marks clear() const noexcept { return clear_; }
+
+ private:
+  /// From cell to cell.  Where it enters a column or row of centres, g is a mean of two texels; in a cell, a
+  /// share s of the way from v to w,
+  ///   g = v + (w - v) s - K s (1 - s),   K = d dx dy of the piece,
+  /// which stands still at s = (1 - (w - v) / K) / 2 if |w - v| < |K|.
+  /// dx is 0 or, coordinates being products of 39 bits less 1/2 and halved 12 times, well above 2^-100, so
+  /// that 1/dx is finite; dy likewise.
+  Marks walked(Spot p, Spot q, double at_p, double at_q) const noexcept {
+    const double dx = q.x - p.x, dy = q.y - p.y;
+    std::int64_t i = floored(p.x), j = floored(p.y);
+    const std::int64_t step_x = dx < 0 ? -1 : 1, step_y = dy < 0 ? -1 : 1;
+    const double per_x = dx == 0 ? 4 : 1 / std::fabs(dx), per_y = dy == 0 ? 4 : 1 / std::fabs(dy);
+    double next_x = dx == 0 ? 4 : std::fabs(static_cast<double>(dx < 0 ? i : i + 1) - p.x) * per_x,
+           next_y = dy == 0 ? 4 : std::fabs(static_cast<double>(dy < 0 ? j : j + 1) - p.y) * per_y;
+    double least = std::min(at_p, at_q), greatest = std::max(at_p, at_q), t = 0, v = at_p;
+    while (true) {
+      const auto f = sides_.four(i, j);
+      const double d = f.a - f.right - f.below + f.across, from = t;
+      double w = at_q;
+      const std::int64_t i_here = i, j_here = j;
+      if (next_x >= 1 && next_y >= 1) {
+        t = 1;
+      } else if (next_x <= next_y) {
+        t = next_x;
+        const double low = dx < 0 ? f.a : f.right, high = dx < 0 ? f.below : f.across;
+        w = low + (p.y + t * dy - static_cast<double>(j_here)) * (high - low) - sides_.threshold;
+        next_x += per_x;
+        i += step_x;
+      } else {
+        t = next_y;
+        const double low = dy < 0 ? f.a : f.below, high = dy < 0 ? f.right : f.across;
+        w = low + (p.x + t * dx - static_cast<double>(i_here)) * (high - low) - sides_.threshold;
+        next_y += per_y;
+        j += step_y;
+      }
+      least = std::min(least, w);
+      greatest = std::max(greatest, w);
+      const double K = d * (dx * (t - from)) * (dy * (t - from)), rise = w - v;
+      if (std::fabs(rise) < std::fabs(K)) {
+        const double s = 0.5 - rise / (2 * K), still = v + rise * s - K * s * (1 - s);
+        least = std::min(least, still);
+        greatest = std::max(greatest, still);
+      }
+      if (range(least, greatest) == both) return both;
+      if (t == 1) break;
+      v = w;
+    }
+    return range_or_uncertain(least, greatest);
+  }
+
+  /// Of the centres on row j.
+  Marks centres(const Triangle& p, std::int64_t j) const noexcept {
+    const auto level = static_cast<double>(j);
+    // What is within m of the level along y reaches m beyond it along x.
+    const Reach reach = margin_ == 0 ? at_level(p, level) : between(p, level - margin_, level + margin_);
+    const double from = reach.from - margin_, to = reach.to + margin_;
+    if (from > to) return 0;
+    const std::int64_t first = -floored(-from), last = floored(to);
+    return first > last ? Marks{0} : sides_.of(first, last, j, j);
+  }
+
+  const SidesOf<Texel>& sides_;
+  double delta_, margin_, reach_, bound_, transparent_;
+  bool usable_;
+  Marks clear_;
+};
+
+}  // namespace mmverify::impl::bake::detail

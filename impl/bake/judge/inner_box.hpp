@@ -1,0 +1,85 @@
+// A rectangle within a triangle: most of what is mixed shows it there.  Internal to impl/bake.
+#pragma once
+
+#include <algorithm>
+
+#include "impl/bake/plane/spot.hpp"
+#include "impl/bake/texture/sides.hpp"
+
+namespace mmverify::impl::bake::detail {
+
+/// From the triangle's centroid.  Empty: left > right.
+struct InnerBox {
+  double left = 1, right = -1, top = 1, bottom = -1;
+};
+
+/// The largest of a few, between rows at multiples of 1/12 of the height.
+inline InnerBox inner_box(const Triangle& p) noexcept {
+  const Spot c{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
+  const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
+  constexpr int rows = 12;
+  std::array<double, rows + 1> from, to, at;
+  for (std::size_t r = 0; r <= rows; ++r) {
+    at[r] = low + (high - low) * static_cast<double>(r) / rows;
+    from[r] = 1e300;
+    to[r] = -1e300;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Spot a = p[k], b = p[(k + 1) % 3];
+      if ((a.y <= at[r]) == (b.y <= at[r])) continue;
+      const double x = std::clamp(a.x + (at[r] - a.y) * ((b.x - a.x) / (b.y - a.y)), std::min(a.x, b.x),
+                                  std::max(a.x, b.x));
+      from[r] = std::min(from[r], x);
+      to[r] = std::max(to[r], x);
+    }
+  }
+  InnerBox best;
+  double area = 0;
+  for (std::size_t r = 0; r <= rows; ++r)
+    for (std::size_t s = r + 1; s <= rows; ++s) {
+      const double left = std::max(from[r], from[s]), right = std::min(to[r], to[s]);
+      if (left >= right || (right - left) * (at[s] - at[r]) <= area) continue;
+      area = (right - left) * (at[s] - at[r]);
+      best = {left - c.x, right - c.x, at[r] - c.y, at[s] - c.y};
+    }
+  return best;
+}
+
+/// The same of micro-triangles, which are this one moved or turned by half a circle: what texels are within.
+class Within {
+ public:
+  /// `inner`: of one that is not turned.  Shrunk by 4 delta, so that it is within the true triangle, whose
+  /// centroid may be 2 delta off; grown by the margin, as the triangle is.
+  Within(const Sides& sides, const InnerBox& inner, double margin, double delta) noexcept : sides_(sides) {
+    const InnerBox box = inner.left > inner.right ? InnerBox{0, 0, 0, 0} : inner;
+    const double d = 4 * delta - margin;
+    boxes_[0] = {box.left + d, box.right - d, box.top + d, box.bottom - d};
+    boxes_[1] = {-box.right + d, -box.left - d, -box.bottom + d, -box.top - d};
+    worth_it_ = (box.right - box.left + 2 * margin) * (box.bottom - box.top + 2 * margin) >= 16;
+  }
+
+  /// Of the texels whose centres are at whole numbers; of none where it is too small to hold several.
+  Marks centres(Spot centroid, bool turned) const noexcept {
+    if (!worth_it_) return 0;
+    const InnerBox& b = boxes_[turned];
+    return of(-floored(-(centroid.x + b.left)), floored(centroid.x + b.right),
+              -floored(-(centroid.y + b.top)), floored(centroid.y + b.bottom));
+  }
+  /// Of the texels that begin at whole numbers and which it meets.
+  Marks texels(Spot centroid, bool turned) const noexcept {
+    const InnerBox& b = boxes_[turned];
+    if (b.left > b.right || b.top > b.bottom) return 0;
+    return of(floored(centroid.x + b.left), floored(centroid.x + b.right), floored(centroid.y + b.top),
+              floored(centroid.y + b.bottom));
+  }
+
+ private:
+  Marks of(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
+    return left <= right && top <= bottom ? sides_.of(left, right, top, bottom) : Marks{0};
+  }
+
+  const Sides& sides_;
+  std::array<InnerBox, 2> boxes_;  ///< not turned, turned
+  bool worth_it_;
+};
+
+}  // namespace mmverify::impl::bake::detail

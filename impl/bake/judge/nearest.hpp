@@ -1,0 +1,129 @@
+// How a micro-triangle sampled nearest is judged: by the texels that it meets.  Internal to impl/bake.
+//
+// T is the true triangle, T' the computed one, each within `delta` of the other; P and P' are they, dilated
+// by the margin m.  In the row of texels with j <= y < j + 1
+//   at most  those that P' + [-delta, delta]^2 meets.  Its points there come from points of T' with
+//            j - m - delta <= y <= j + 1 + m + delta, moved by at most m + delta along x.
+//   at least those that it meets by delta: a point (x, y) of P' with i + 2 delta <= x <= i + 1 - 2 delta and
+//            j + 2 delta <= y <= j + 1 - 2 delta has a point of P within the texel (i, j).
+// A computed crossing lies within delta of its edge, at a y within delta of the level: hence 2 delta where
+// the above says delta, and 4 where it says 2.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "impl/bake/exact/base.hpp"
+#include "impl/bake/judge/codes.hpp"
+#include "impl/bake/judge/inner_box.hpp"
+#include "impl/bake/plane/spot.hpp"
+#include "impl/bake/sixteen/sixteen.hpp"
+#include "impl/bake/texture/sides.hpp"
+
+namespace mmverify::impl::bake::detail {
+
+template <class Texel>
+class Nearest {
+ public:
+  static constexpr double offset = 0;
+
+  Nearest(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle&, index::Level,
+          const InnerBox& inner, double delta, double margin) noexcept
+      : sides_(sides),
+        exact_(exact),
+        inner_(sides, inner, margin, delta),
+        delta_(delta),
+        margin_(margin),
+        usable_(delta < 0x1p-10) {}
+
+  Marks texels(const Triangle& p) const noexcept { return texels(box(p)); }
+  SixteenNodes sixteen_nodes(const Triangle&, bool, std::uint32_t, std::uint32_t) const noexcept {
+    return {};
+  }
+  bool sixty_four(const Triangle&, bool, std::uint32_t, std::uint32_t, BakeCounts&,
+                  std::array<std::uint32_t, 4>&) const noexcept {
+    return false;
+  }
+
+  unsigned single(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    const Box around = box(p);
+    const Marks all = texels(around);
+    if (all != both) return settled(all);
+    ++counts.leaves;
+    const Spot centroid{(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
+    const Marks marks = usable_ ? judged(p, around, centroid, turned) : uncertain;
+    if (marks == below || marks == opaque) return settled(marks);
+    if (marks == both) {
+      const std::int64_t i = floored(centroid.x - 2 * delta_), j = floored(centroid.y - 2 * delta_);
+      if (i == floored(centroid.x + 2 * delta_) && j == floored(centroid.y + 2 * delta_)) {
+        if (!sides_.limits.blend) return sides_.of(i, i, j, j) == opaque ? unknown | 1 : unknown;
+        const double at = static_cast<double>(sides_.texel(i, j)) - 0.5 * sides_.gap;
+        if (std::fabs(at) > 0x1p-40 * sides_.scale) return at > 0 ? unknown | 1 : unknown;
+      }
+    }
+    ++counts.exact;
+    return code_of(exact_(index));
+  }
+
+  unsigned four(const Triangle& p, Spot p01, Spot p02, Spot p12, bool turned, std::uint32_t index,
+                BakeCounts& counts) const {
+    return single({p[0], p01, p02}, turned, index, counts) |
+           single({p02, p12, p01}, !turned, index + 1, counts) << 2 |
+           single({p01, p[1], p12}, turned, index + 2, counts) << 4 |
+           single({p12, p02, p[2]}, turned, index + 3, counts) << 6;
+  }
+
+  std::uint32_t sixteen(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
+    const auto child = [&](const Triangle& q, bool is_turned, std::uint32_t first) {
+      return four(q, middle(q[0], q[1]), middle(q[0], q[2]), middle(q[1], q[2]), is_turned, first, counts);
+    };
+    return child({p[0], p01, p02}, turned, index) | child({p02, p12, p01}, !turned, index + 4) << 8 |
+           child({p01, p[1], p12}, turned, index + 8) << 16 |
+           child({p12, p02, p[2]}, turned, index + 12) << 24;
+  }
+
+ private:
+  struct Box {
+    std::int64_t left, right, top, bottom;
+  };
+  Box box(const Triangle& p) const noexcept {
+    const double d = delta_ + margin_;
+    return {floored(std::min({p[0].x, p[1].x, p[2].x}) - d), floored(std::max({p[0].x, p[1].x, p[2].x}) + d),
+            floored(std::min({p[0].y, p[1].y, p[2].y}) - d), floored(std::max({p[0].y, p[1].y, p[2].y}) + d)};
+  }
+  Marks texels(const Box& b) const noexcept { return sides_.of(b.left, b.right, b.top, b.bottom); }
+
+  /// Of a triangle whose texels bear both marks.
+  Marks judged(const Triangle& p, const Box& around, Spot centroid, bool turned) const noexcept {
+    Marks seen = inner_.texels(centroid, turned);
+    if (seen == both) return both;
+    Marks most = 0;
+    const double near = margin_ + 2 * delta_, far = margin_ - 2 * delta_;
+    for (std::int64_t j = around.top; j <= around.bottom; ++j) {
+      const auto low = static_cast<double>(j), high = low + 1;
+      const Reach outer = between(p, low - near, high + near);
+      if (outer.from > outer.to) continue;
+      const std::int64_t left = floored(outer.from - near), right = floored(outer.to + near);
+      const Marks row = sides_.of(left, right, j, j);
+      most = static_cast<Marks>(most | row);
+      if ((seen | row) == seen) continue;
+      const Reach inner = between(p, low - far, high + far);
+      const double from = inner.from - margin_ + 4 * delta_, to = inner.to + margin_ - 4 * delta_;
+      if (!(from <= to)) continue;
+      const std::int64_t first = floored(from), last = floored(to);
+      seen = static_cast<Marks>(seen | sides_.of(first, last, j, j));
+      if (seen == both) return both;
+    }
+    return most == both ? uncertain : most;
+  }
+
+  const SidesOf<Texel>& sides_;
+  const ExactBase& exact_;
+  Within inner_;
+  double delta_, margin_;
+  bool usable_;
+};
+
+}  // namespace mmverify::impl::bake::detail

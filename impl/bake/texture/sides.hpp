@@ -1,0 +1,138 @@
+// A texture by what its texels say: for any rectangle of wrapped texels, whether some are not opaque and
+// whether some are not transparent.  Internal to impl/bake.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include "impl/bake/bake.hpp"
+#include "impl/bake/marks.hpp"
+#include "impl/bake/texture/limits.hpp"
+#include "impl/bake/texture/plane.hpp"
+#include "impl/bake/texture/wrap.hpp"
+
+namespace mmverify::impl::bake::detail {
+
+// Marks here: `below`, some alpha is not opaque; `opaque`, some alpha is not transparent.  With MASK a point
+// bears one of them, with BLEND at least one.  Bilinear alpha is a mean of texels, and all alphas that lack a
+// mark are on one side of a limit: what no texel bears no mean of them does.
+
+class Sides {
+ public:
+  virtual ~Sides() = default;
+
+  /// Of the texels [left, right] x [top, bottom], ends included, before wrapping.
+  Marks of(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
+    if (left >= 0 && right < width_ && top >= 0 && bottom < height_) return within(left, right, top, bottom);
+    return wrapped_around(left, right, top, bottom);
+  }
+
+  /// Texel (i, j), before wrapping, as it is stored.
+  virtual Binary stored(std::int64_t i, std::int64_t j) const noexcept = 0;
+
+  Limits limits;
+  /// Stored numbers are multiples of 2^finest and below 2^most in size.
+  int finest = 0, most = 0;
+  /// They are within `scale` of 0, and of each other.
+  double scale = 0;
+  /// Where they begin to be opaque, rounded, or +-2 scale if it is beyond; less gap, where they cease to be
+  /// transparent.
+  double threshold = 0, gap = 0;
+  /// How far they are from there: those that are not opaque, and those that are not transparent, at least.
+  double clear_below = 0, clear_opaque = 0;
+
+ protected:
+  Sides(const Limits& l, std::uint32_t width, std::uint32_t height, Wrap x, Wrap y) noexcept
+      : limits(l), width_(width), height_(height), wrap_x_(x), wrap_y_(y) {}
+
+  std::int64_t width_, height_;
+  Wrap wrap_x_, wrap_y_;
+  Marks border_marks_ = 0;
+  Plane opaque_, visible_;  ///< visible: not transparent; with BLEND alone
+
+ private:
+  Marks within(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
+    const Plane::Found found = opaque_.in(left, right, top, bottom);
+    const bool seen = limits.blend ? visible_.in(left, right, top, bottom).some : found.some;
+    return static_cast<Marks>((seen ? opaque : 0) | (found.some_not ? below : 0));
+  }
+  Marks wrapped_around(std::int64_t left, std::int64_t right, std::int64_t top,
+                       std::int64_t bottom) const noexcept;
+};
+
+template <class Texel>
+class SidesOf final : public Sides {
+ public:
+  /// Errors: std::invalid_argument for a texel that is not finite, naming it.
+  /// Domain: 1..16384 texels a side, which outlive this; a finite border.
+  SidesOf(const TexelView<Texel>& texture, const Limits& limits, Wrap x, Wrap y, Texel border);
+
+  Binary stored(std::int64_t i, std::int64_t j) const noexcept override;
+
+  Texel texel(std::int64_t i, std::int64_t j) const noexcept {
+    const std::int64_t x = wrapped(wrap_x_, i, width_), y = wrapped(wrap_y_, j, height_);
+    return x < 0 || y < 0
+               ? border_
+               : texture_.texels[static_cast<std::size_t>(y) * texture_.pitch + static_cast<std::size_t>(x)];
+  }
+
+  /// A type whose differences of texels are exact, or rounded once.
+  using Number = std::conditional_t<std::is_same_v<Texel, float>, double, std::int32_t>;
+  /// The texels (i, j), (i+1, j), (i, j+1), (i+1, j+1).
+  struct Four {
+    Number a, right, below, across;
+  };
+  Four four(std::int64_t i, std::int64_t j) const noexcept {
+    if (i >= 0 && i + 1 < width_ && j >= 0 && j + 1 < height_) {
+      const Texel* const p =
+          texture_.texels + static_cast<std::size_t>(j) * texture_.pitch + static_cast<std::size_t>(i);
+      return {p[0], p[1], p[texture_.pitch], p[texture_.pitch + 1]};
+    }
+    return {texel(i, j), texel(i + 1, j), texel(i, j + 1), texel(i + 1, j + 1)};
+  }
+
+  /// Somewhere, texels [left, right] x [top, bottom] that lie in one picture as they are: the first of them.
+  /// Four bytes from each of them can be read.
+  struct InOnePicture {
+    const Texel* first;
+    std::int64_t left, top;  ///< of the picture
+  };
+  std::optional<InOnePicture> in_one_picture(std::int64_t left, std::int64_t right, std::int64_t top,
+                                             std::int64_t bottom) const noexcept {
+    const auto moved = [](Wrap wrap, std::int64_t at, std::int64_t n) {
+      return wrap == Wrap::repeat && (at < 0 || at >= n) ? modulo(at, n) : at;
+    };
+    const std::int64_t x = moved(wrap_x_, left, width_), y = moved(wrap_y_, top, height_),
+                       end_x = x + (right - left), end_y = y + (bottom - top);
+    if (x < 0 || end_x >= width_ || y < 0 || end_y >= height_) return std::nullopt;
+    constexpr std::size_t beyond = 4 / sizeof(Texel) - 1;
+    const auto at = [this](std::int64_t i, std::int64_t j) {
+      return static_cast<std::size_t>(j) * texture_.pitch + static_cast<std::size_t>(i);
+    };
+    if (at(end_x, end_y) + beyond > at(width_ - 1, height_ - 1)) return std::nullopt;
+    return InOnePicture{texture_.texels + at(x, y), x, y};
+  }
+  std::size_t pitch() const noexcept { return texture_.pitch; }
+  /// Texels [left, left + width) x [top, top + height), before wrapping, copied: rows of `pitch`, and their
+  /// bits. Domain: width and height at most 32.
+  void copy(std::int64_t left, std::int64_t top, std::size_t width, std::size_t height, std::size_t pitch,
+            Texel* to, std::uint32_t* opaque_rows, std::uint32_t* visible_rows) const noexcept;
+  const Plane& opaque_plane() const noexcept { return opaque_; }
+  const Plane& visible_plane() const noexcept { return limits.blend ? visible_ : opaque_; }
+  /// Rows of 32 texels from (x, y) of the picture down.  Domain: they are within it.
+  void rows(std::int64_t x, std::int64_t y, std::size_t count, std::uint32_t* opaque_rows,
+            std::uint32_t* visible_rows) const noexcept {
+    opaque_.rows_of(x, y, count, opaque_rows);
+    if (limits.blend) visible_.rows_of(x, y, count, visible_rows);
+  }
+
+ private:
+  TexelView<Texel> texture_;
+  Texel border_;
+  std::conditional_t<std::is_same_v<Texel, float>, float, std::int32_t>
+      least_opaque_;  ///< or one more than any
+};
+
+}  // namespace mmverify::impl::bake::detail

@@ -1,0 +1,82 @@
+// The curve's index beyond level 16, in 64-bit words: the same formula with a wider prefix XOR and
+// interleave.
+#pragma once
+
+#include <cstdint>
+
+#include "impl/index/index.hpp"
+
+namespace mmverify::impl::index {
+
+/// N = 2^30 is the last that signed 32-bit numbers hold, which is what processors convert floats to.
+inline constexpr Level max_wide_level = 30;
+
+namespace detail {
+
+/// XOR of a 32-bit word's bits at and above each bit, in a word of 64.
+template <class Word>
+constexpr Word wide_xor_from_above(Word x) noexcept {
+  x = x ^ x >> 1;
+  x = x ^ x >> 2;
+  x = x ^ x >> 4;
+  x = x ^ x >> 8;
+  return x ^ x >> 16;
+}
+
+/// The low 32 bits, on the even bits of a word of 64.
+template <class Word>
+constexpr Word wide_spread(Word x) noexcept {
+  x = (x | x << 16) & Word{0x0000ffff0000ffff};
+  x = (x | x << 8) & Word{0x00ff00ff00ff00ff};
+  x = (x | x << 4) & Word{0x0f0f0f0f0f0f0f0f};
+  x = (x | x << 2) & Word{0x3333333333333333};
+  return (x | x << 1) & Word{0x5555555555555555};
+}
+
+/// A grid square below the diagonal, and its row: what `locate` finds, limited to the triangle.
+template <class Word>
+struct WideSquare {
+  Word iu, iv, row;
+};
+
+/// From iu = floor(uN), iv = floor(vN), both up to N, and whether uf+vf >= 1:
+///   row = min(N-1, iu+iv+carry); iv at most N-1, iu at most N-1-iv.
+template <class Word>
+constexpr WideSquare<Word> wide_square(Word iu, Word iv, bool carry, Word N) noexcept {
+  const Word last = N - Word{1};
+  const Word diagonal = iu + iv + (carry ? Word{1} : Word{0});
+  const Word row = diagonal < last ? diagonal : last;
+  iv = iv < last ? iv : last;
+  iu = iu < last - iv ? iu : last - iv;
+  return {iu, iv, row};
+}
+
+/// The bit formula, with row for NOT iw.
+template <class Word>
+constexpr Word wide_curve(const WideSquare<Word>& q) noexcept {
+  const Word b0 = q.iu ^ q.row;
+  const Word t = (q.iu ^ q.iv) & b0;
+  const Word b1 = ((wide_xor_from_above(t) ^ q.iu) & ~b0) | t;
+  return wide_spread(b0) | wide_spread(b1) << 1;
+}
+
+}  // namespace detail
+
+/// Index on the curve of the micro-triangle that holds (u, v), at levels that 32 bits do not hold.
+/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..30,
+/// more is 30. Result in [0, 4^level): exactly the rational evaluation of the formula, in words without
+/// bounds, for every pair of finite floats; at levels 0..16 that of from_barycentrics. The whole parts and
+/// the carry are exact for the reasons given at detail::locate.
+/// Source: VK_EXT_opacity_micromap, appendix "Reference Code"; the words' width is ours.
+inline std::uint64_t from_barycentrics_wide(float u, float v, Level level) noexcept {
+  const Level n = std::min(level, max_wide_level);
+  const float side = static_cast<float>(std::int32_t{1} << n);
+  const float un = detail::clamped(u) * side, vn = detail::clamped(v) * side;
+  const std::int32_t iu = static_cast<std::int32_t>(un), iv = static_cast<std::int32_t>(vn);
+  const float uf = un - static_cast<float>(iu), vf = vn - static_cast<float>(iv);
+  const bool carry = std::min(uf, vf) >= 1.0f - std::max(uf, vf);
+  return detail::wide_curve(detail::wide_square(
+      static_cast<std::uint64_t>(iu), static_cast<std::uint64_t>(iv), carry, std::uint64_t{1} << n));
+}
+
+}  // namespace mmverify::impl::index

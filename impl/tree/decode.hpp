@@ -1,0 +1,24 @@
+// Decoding with a reason where there is no map.  Internal to impl/tree.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "impl/tree/stream.hpp"
+
+namespace mmverify::impl::tree::detail {
+
+/// Why two sequences are no tree, and where.
+struct Fault {
+  enum class In : std::uint8_t { counts, tree, data } in;
+  std::uint64_t bit;  ///< of that sequence; 0 for the counts
+  const char* found;
+};
+
+/// decode_stream, over sequences that lie anywhere.
+std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tree, std::uint64_t nodes,
+                            std::span<const std::uint8_t> data, std::uint64_t leaves,
+                            std::span<std::uint8_t> map);
+
+}  // namespace mmverify::impl::tree::detail

@@ -1,0 +1,77 @@
+// The tree for random access: the map's tree in level order with rank, cut at both ends.
+//
+// The form.  Two numbers are chosen for each map: a top depth k and a block depth m, k <= m <= n.
+//   nodes   one bit each, 1 internal, 0 leaf: all 4^k nodes of depth k in order (those below a shallower
+//           leaf are leaves), then the four children of each internal node of depths k..m-1, in level order
+//           in words of 64 bits, each with room above its 56, 48 or 40 nodes for how many ones come before
+//           it, so that one load brings both
+//   blocks  the 4^(n-m) states below each internal node of depth m, as they lie in the map
+//   leaves  the state of each 0 in nodes
+// The children of the r-th one in nodes (from 0) start at 4^k + 4r; a 0 at p is leaf number p - (ones before
+// p).  So a step down is a load, a shift and a population count, and a lookup takes m-k of them.  The form
+// of a map is one block of memory; the handle to it is not counted, as it is none of any other form.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "impl/tree/stream.hpp"
+
+namespace mmverify::impl::tree {
+
+/// A map in a form that finds a state in one to four steps, near the size of the paper's sequences.
+class Tree {
+ public:
+  /// The form of a map, with the fewest steps that fit 18/17 of the paper's stream (the bits of its two
+  /// sequences) and the header; of these the shallowest that takes at most 1/32 more than the smallest; the
+  /// smallest of all where none fits.  Equal maps give equal forms.
+  /// Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown.
+  static Tree encode(Level n, Format b, std::span<const std::uint8_t> map);
+
+  /// Where a form's nodes begin and where its blocks do: k and m.
+  struct Depths {
+    Level top, block;
+  };
+
+  /// The form with these depths, whatever memory it takes: for who wants to see each of them work.
+  /// Domain: as above, and top <= block < max(n, 1), or std::invalid_argument is thrown.
+  static Tree encode(Level n, Format b, std::span<const std::uint8_t> map, Depths depths);
+
+  /// The state of a micro-triangle.  Domain: index < 4^level; its low 2 level bits count.
+  std::uint8_t operator[](std::uint64_t index) const noexcept;
+
+  /// state[k] = (*this)[index[k]].  Domain: spans of one length, or std::invalid_argument is thrown and
+  /// nothing is written; no overlap.
+  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const;
+
+  /// The state at barycentrics (u, v): (*this)[index::from_barycentrics(u, v, level())].
+  /// Domain: every bit pattern, as there.
+  std::uint8_t at(float u, float v) const noexcept;
+
+  /// The map again, padding bits zero.  Domain: a map of the level's size, or std::invalid_argument is
+  /// thrown.
+  void decode(std::span<std::uint8_t> map) const;
+
+  /// All memory of the form in bits, header and counts included; not this handle, a pointer.
+  std::uint64_t bits() const noexcept;
+  Level level() const noexcept;
+  Format format() const noexcept;
+
+  /// What a lookup reads: the bytes of the form from header() on, for models of the cache.
+  const std::uint8_t* memory() const noexcept { return memory_.get(); }
+
+ private:
+  explicit Tree(std::unique_ptr<std::uint8_t[]> memory) noexcept : memory_(std::move(memory)) {}
+
+  std::unique_ptr<std::uint8_t[]> memory_;  // a header of 64 bits, nodes with counts, blocks, leaves
+};
+
+/// state[k] = (*trees[which[k]])[index[k]]: lookups in many trees, in any order.
+/// Domain: which, index and state of one length, and which[k] < trees.size(), or std::invalid_argument is
+/// thrown and nothing is written; index[k] < 4^level of its tree (its low bits count); no overlap.
+void lookup(std::span<const Tree* const> trees, std::span<const std::uint32_t> which,
+            std::span<const std::uint32_t> index, std::span<std::uint8_t> state);
+
+}  // namespace mmverify::impl::tree

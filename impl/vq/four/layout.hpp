@@ -1,0 +1,111 @@
+// Places and codes in a block of VQ4.  Internal to impl/vq.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "impl/vq/transform.hpp"
+#include "impl/vq/vq.hpp"
+
+namespace mmverify::impl::vq::detail {
+
+static_assert(std::endian::native == std::endian::little, "words are loaded as they lie");
+
+/// Of the quadrants TL, TR, BL, BR; of TL there is none stored: the zeros below are the identity.
+inline std::uint32_t transform4(const std::uint8_t* block, std::uint32_t quadrant) noexcept {
+  std::uint16_t three;
+  std::memcpy(&three, block + 32, sizeof three);
+  return (std::uint32_t{three} << 3 >> (3 * quadrant)) & 7;
+}
+
+/// Where the code of an index from 3 on begins, in bits; table 2.
+inline constexpr auto code_at4 = [] {
+  std::array<std::uint16_t, 17> at{};
+  std::uint16_t next = 265;
+  for (std::uint32_t index = 3; index < 17; ++index) {
+    at[index] = next;
+    next = static_cast<std::uint16_t>(next + (index < 6 ? 17 : index < 8 ? 18 : 20));
+  }
+  return at;
+}();
+static_assert(code_at4[16] == 512);
+
+/// At least the 20 bits from there on.
+inline std::uint32_t code4(const std::uint8_t* block, std::uint32_t index) noexcept {
+  const std::uint32_t byte = std::min(code_at4[index] / 8u, 56u);
+  std::uint64_t word;
+  std::memcpy(&word, block + byte, sizeof word);
+  return static_cast<std::uint32_t>(word >> (code_at4[index] - 8 * byte)) & 0xfffff;
+}
+
+/// How a code is written: simple, vertical, horizontal, generic.
+inline constexpr std::array<std::uint8_t, 16> kind4{0, 0, 0, 0, 0, 0, 1, 2, 3, 3, 3, 3, 3, 3, 3, 3};
+
+/// Which bits of the block say that region k of an entry is C, and its palette.
+struct Place4 {
+  std::uint16_t checked, palette;
+};
+/// By index and region; of the indices that are not stored, some place.
+inline constexpr auto places4 = [] {
+  std::array<std::array<Place4, 16>, 16> table{};
+  for (std::uint32_t index = 3; index < 16; ++index)
+    for (std::uint32_t k = 0; k < 16; ++k) {
+      const std::uint32_t x = k % 4, y = k / 4, mini = 5 * (x / 2 + 2 * (y / 2));
+      const std::uint32_t kind = kind4[index];
+      const std::uint32_t checked = kind == 3 ? mini + x % 2 + 2 * (y % 2) : k;
+      const std::uint32_t palette = kind == 3 ? mini + 4 : 16 + (kind == 1 ? x / 2 : kind == 2 ? y / 2 : 0);
+      table[index][k] = {static_cast<std::uint16_t>(code_at4[index] + checked),
+                         static_cast<std::uint16_t>(code_at4[index] + palette)};
+    }
+  return table;
+}();
+
+/// The states of every index, 16 bytes each.
+using Codebook = std::array<std::array<std::uint8_t, 16>, 16>;
+
+/// Eight bits to eight bytes of 0 or 1.
+constexpr std::uint64_t bytes_of_bits(std::uint64_t bits) noexcept {
+  const std::uint64_t apart = (bits & 0xff) * 0x0101010101010101 & 0x8040201008040201;
+  return (apart + 0x7f7f7f7f7f7f7f7f) >> 7 & 0x0101010101010101;
+}
+
+inline Codebook codebook(const std::uint8_t* block) noexcept {
+  Codebook vectors;
+  for (std::uint32_t index = 0; index < 3; ++index) vectors[index].fill(static_cast<std::uint8_t>(index));
+  for (std::uint32_t index = 3; index < 16; ++index) {
+    const std::uint32_t code = code4(block, index), kind = kind4[index];
+    // The bits in the order of the regions, and a byte of ones where the palette is {O, C}: columns 0 and 1
+    // of two rows are bytes 0, 1, 4 and 5.
+    constexpr std::uint64_t left = 0x0000ffff0000ffff, right = ~left;
+    const auto ones = [code](std::uint32_t bit) { return 0 - std::uint64_t{code >> bit & 1}; };
+    std::uint32_t checked = code & 0xffff;
+    std::uint64_t opaque[2];
+    if (kind == 0) {
+      opaque[0] = opaque[1] = ones(16);
+    } else if (kind == 1) {
+      opaque[0] = opaque[1] = (ones(16) & left) | (ones(17) & right);
+    } else if (kind == 2) {
+      opaque[0] = ones(16);
+      opaque[1] = ones(17);
+    } else {
+      checked = 0;
+      for (std::uint32_t mini = 0; mini < 4; ++mini) {
+        const std::uint32_t bits = code >> (5 * mini), corner = 2 * (mini % 2) + 8 * (mini / 2);
+        checked |= (bits & 3) << corner | (bits >> 2 & 3) << (corner + 4);
+      }
+      opaque[0] = (ones(4) & left) | (ones(9) & right);
+      opaque[1] = (ones(14) & left) | (ones(19) & right);
+    }
+    for (std::uint32_t half = 0; half < 2; ++half) {
+      const std::uint64_t c = bytes_of_bits(checked >> (8 * half));
+      const std::uint64_t states = c | (opaque[half] & ((c ^ 0x0101010101010101) << 1));
+      std::memcpy(vectors[index].data() + 8 * half, &states, sizeof states);
+    }
+  }
+  return vectors;
+}
+
+}  // namespace mmverify::impl::vq::detail

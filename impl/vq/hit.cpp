@@ -1,0 +1,23 @@
+#include "impl/vq/vq.hpp"
+
+namespace mmverify::impl::vq {
+namespace {
+
+/// 1 - u is exact in double for u >= 2^-29, as u ends 52 places below 1 or sooner; for smaller ones it is in
+/// the last region, however it rounds.
+std::uint32_t along(Half half, float u, std::uint32_t side) noexcept {
+  const double at = (half == Half::lower ? double{u} : 1.0 - double{u}) * side;
+  // NaN is neither: no conversion out of range.
+  return at >= side ? side - 1 : at > 0 ? static_cast<std::uint32_t>(at) : 0;
+}
+
+}  // namespace
+
+State state_at(const Block2& block, Half half, float u, float v) noexcept {
+  return region(block, along(half, u, 16), along(half, v, 16));
+}
+State state_at(const Block4& block, Half half, float u, float v) noexcept {
+  return region(block, along(half, u, 32), along(half, v, 32));
+}
+
+}  // namespace mmverify::impl::vq

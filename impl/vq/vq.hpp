@@ -1,0 +1,93 @@
+// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512, decoded at random or whole; encoded as
+// the paper does, VQ2 with the fewest substitutions that the format allows, VQ4 with few and a bound.  Axes,
+// codes and the order of the bits are those of spec/vq/block.hpp: x from the left, y from the bottom.
+//
+// Source: Compressed Opacity Maps, 4, 4.1 and 5.1, tables 1 and 2, figures 4 and 11.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace mmverify::impl::vq {
+
+/// Of one region: transparent, check the texture, opaque.
+enum class State : std::uint8_t { T = 0, C = 1, O = 2 };
+
+using Map2 = std::array<State, 256>;   ///< region (x, y) at x + 16 y
+using Map4 = std::array<State, 1024>;  ///< region (x, y) at x + 32 y
+using Block2 = std::array<std::uint8_t, 32>;
+using Block4 = std::array<std::uint8_t, 64>;
+
+/// The state of region (x, y) of a block; every block is one.  Domain: x and y below 16, or 32 of VQ4; their
+/// low four, or five, bits count.
+State region(const Block2& block, std::uint32_t x, std::uint32_t y) noexcept;
+State region(const Block4& block, std::uint32_t x, std::uint32_t y) noexcept;
+
+/// Which triangle of the pair: the lower has the corners (0,0), (1,0), (0,1) of the map's unit square, the
+/// upper (1,1), (0,1), (1,0), each in the order of the barycentrics w, u, v.
+enum class Half : std::uint8_t { lower, upper };
+
+/// The state that a hit with these barycentrics gets: that of the region of (u, v), in the upper triangle of
+/// (1-u, 1-v), times the regions a side, rounded down; exactly, and the far edges belong to the last region.
+/// Domain: u, v >= 0 and u + v <= 1; beyond them, and for NaN, some region's.
+State state_at(const Block2& block, Half half, float u, float v) noexcept;
+State state_at(const Block4& block, Half half, float u, float v) noexcept;
+
+/// The map of a block.
+Map2 decode(const Block2& block) noexcept;
+Map4 decode(const Block4& block) noexcept;
+
+// Encoders.  All substitute C for some O and T, and nothing else: every other region is as it was.  Where O
+// lies beside T within one 2x2 of regions, a code holds the one or the other or neither.
+// Domain: every map of T, C and O.
+
+/// A block of VQ2, and what it lost.
+struct Encoded2 {
+  Block2 block;
+  std::uint32_t substitutions;  ///< regions of O or T that became C
+};
+
+/// A block of VQ4, and what it lost.
+struct Encoded4 {
+  Block4 block;
+  std::uint32_t substitutions;
+};
+
+/// Algorithms 1 and 2 as they are printed, over all 512 transforms.  What the print leaves open is said in
+/// vq2_paper.cpp and vq4_paper.cpp.
+Encoded2 encode_paper(const Map2& map);
+Encoded4 encode_paper(const Map4& map);
+
+/// Algorithm 1 read kindly: it sorts vectors by their sums of C, the highest first, and then takes the
+/// lowest; taken from the front, the frequent ones come first (of equal scores still the last of the sorted
+/// list).
+Encoded2 encode_paper_highest_first(const Map2& map);
+
+/// Algorithm 2 read kindly: the partition that stays all C takes none of the 13 entries, as index 1 is all C.
+Encoded4 encode_paper_free_c(const Map4& map);
+
+/// The block with the fewest substitutions over all transforms and codebooks.  Exact: every choice of the
+/// three shared vectors is tried or cannot be better, by a bound on what two more can add.
+Encoded2 encode_optimal(const Map2& map);
+
+/// How long an encoder of VQ4 may look; more is never worse.
+enum class Effort : std::uint8_t { fast, balanced, thorough };
+
+/// None where the map fits, which every effort finds; else few substitutions, at most those of less effort.
+Encoded4 encode(const Map4& map, Effort effort = Effort::balanced);
+
+/// A block, and how far from the best it can be.
+struct Proved4 {
+  Encoded4 encoded;
+  std::uint32_t least;  ///< substitutions that no block undercuts
+};
+
+/// More than thorough, with a bound for every choice of transforms; on continuous maps the two are most often
+/// equal, and the block then is the best there is.  A tenth of a second a map; of noise, a minute.
+Proved4 encode_proved(const Map4& map);
+
+/// Vectors with O and T in one 2x2 window, overlapping ones included: continuous alpha has none.
+std::uint32_t discontinuous_vectors(const Map2& map);
+std::uint32_t discontinuous_vectors(const Map4& map);
+
+}  // namespace mmverify::impl::vq

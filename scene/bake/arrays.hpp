@@ -1,0 +1,32 @@
+// The scene's micromap array, and each primitive's indices into it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "impl/micromap/array.hpp"
+#include "scene/bake/bake.hpp"
+
+namespace mmverify::scene {
+
+/// Of one planned primitive: a code a triangle.
+struct PrimitiveIndices {
+  std::size_t primitive = 0;  ///< of Scene::primitives
+  impl::micromap::Geometry geometry;
+};
+
+struct SceneArrays {
+  impl::micromap::Array array;
+  /// The narrowest that every primitive's codes fit and all specifications have: u16 or u32.
+  impl::micromap::Encoding encoding = impl::micromap::Encoding::u16;
+  std::vector<PrimitiveIndices> primitives;  ///< by Plan::primitives
+  std::uint64_t special = 0;                 ///< triangles with a special index
+  std::uint64_t reordered = 0;               ///< records made by reordering another's micro-triangles
+};
+
+/// One record for each distinct map and order of its vertices, in the order that triangles come; equal bytes
+/// share a record.  Uniform maps are special indices.
+/// Errors: std::length_error for data beyond 2^32 bytes.
+SceneArrays arrays(const Plan& plan, const Baked& baked);
+
+}  // namespace mmverify::scene

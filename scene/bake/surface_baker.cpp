@@ -1,0 +1,42 @@
+#include "scene/bake/surface_baker.hpp"
+
+#include <span>
+#include <variant>
+
+namespace mmverify::scene {
+namespace {
+
+impl::bake::Wrap wrap(Wrap w) {
+  switch (w) {
+    case Wrap::repeat:
+      return impl::bake::Wrap::repeat;
+    case Wrap::mirrored_repeat:
+      return impl::bake::Wrap::mirrored_repeat;
+    case Wrap::clamp_to_edge:
+      break;
+  }
+  return impl::bake::Wrap::clamp_to_edge;
+}
+
+}  // namespace
+
+impl::bake::TriangleBaker surface_baker(const Scene& scene, const Surface& surface, float margin) {
+  const Image& image = scene.images.at(surface.image);
+  const impl::bake::Texels texels = std::visit(
+      [&image]<class Texel>(const std::vector<Texel>& alpha) -> impl::bake::Texels {
+        return impl::bake::TexelView<Texel>{alpha.data(), image.width, image.height, image.width};
+      },
+      image.alpha);
+  impl::bake::Sampling sampling;
+  sampling.u = wrap(surface.sampler.wrap_u);
+  sampling.v = wrap(surface.sampler.wrap_v);
+  if (filter_of(surface.sampler) == Filter::nearest) sampling.filter = impl::bake::Filter::nearest;
+  sampling.factors = {surface.base_color_alpha, surface.vertex_alpha};
+  sampling.margin = margin;
+  const impl::bake::AlphaMode mode = surface.mode == AlphaMode::mask
+                                         ? impl::bake::AlphaMode(impl::bake::Mask{surface.cutoff})
+                                         : impl::bake::AlphaMode(impl::bake::Blend{});
+  return impl::bake::TriangleBaker(std::span(&texels, 1), mode, sampling);
+}
+
+}  // namespace mmverify::scene

@@ -1,0 +1,15 @@
+// A surface of a plan made ready for baking.
+#pragma once
+
+#include "impl/bake/triangles.hpp"
+#include "scene/plan/plan.hpp"
+
+namespace mmverify::scene {
+
+/// Alpha is filtered as filter_of() says; mip levels below the first are the renderer's own and are not
+/// baked. Margin: in texels; see impl::bake::Sampling.
+/// Domain: a surface of a plan of this scene, which outlives the baker.
+/// Errors: std::invalid_argument as of impl::bake::TriangleBaker.
+impl::bake::TriangleBaker surface_baker(const Scene& scene, const Surface& surface, float margin = 0);
+
+}  // namespace mmverify::scene

@@ -1,0 +1,182 @@
+#include "scene/plan/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace mmverify::scene {
+namespace {
+
+bool same_texture(const std::optional<BaseColorTexture>& a, const std::optional<BaseColorTexture>& b) {
+  if (!a || !b) return !a && !b;
+  return a->image == b->image && a->uv_set == b->uv_set && a->sampler == b->sampler &&
+         a->transform == b->transform;
+}
+
+bool same_alpha(const Material& a, const Material& b) {
+  if (a.mode != b.mode) return false;
+  if (a.mode == AlphaMode::opaque) return true;
+  return (a.mode == AlphaMode::blend || a.cutoff == b.cutoff) && a.base_color_alpha == b.base_color_alpha &&
+         a.specular_glossiness == b.specular_glossiness && same_texture(a.texture, b.texture);
+}
+
+bool any_placed(const Scene& scene) {
+  return std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                     [](const Mesh& mesh) { return mesh.uses != 0; });
+}
+
+/// Of several reasons the one that the scene's author would have to change first.
+std::optional<LeftOut> left_out(const Scene& scene, const Primitive& primitive, bool mesh_may_be_unplaced) {
+  const Material& material = scene.material_of(primitive);
+  if (primitive.triangles.empty()) return LeftOut::no_triangles;
+  if (!mesh_may_be_unplaced && scene.meshes[primitive.mesh].uses == 0) return LeftOut::not_placed;
+  for (const VariantMaterial& variant : primitive.variants)
+    if (!same_alpha(scene.materials[variant.material], material)) return LeftOut::material_variants;
+  // alphaMode is no target of animations: opaque stays opaque.
+  if (material.mode == AlphaMode::opaque) return LeftOut::opaque;
+  if (!material.animated.empty()) return LeftOut::animated;
+  for (const VariantMaterial& variant : primitive.variants)
+    if (!scene.materials[variant.material].animated.empty()) return LeftOut::animated;
+  if (material.specular_glossiness) return LeftOut::specular_glossiness;
+  if (!material.texture) return LeftOut::no_texture;
+  if (!material.texture->image) return LeftOut::no_image;
+  if (primitive.uvs.empty()) return LeftOut::no_uvs;
+  if (primitive.morphs_uvs) return LeftOut::morphed_uvs;
+  if (primitive.vertex_alpha && (primitive.vertex_alpha->least != primitive.vertex_alpha->greatest ||
+                                 primitive.vertex_alpha->least < 0 || primitive.vertex_alpha->least > 1))
+    return LeftOut::vertex_alpha;
+  const Sampler& sampler = material.texture->sampler;
+  if (sampler.magnification && sampler.minification && sampler.magnification != sampler.minification)
+    return LeftOut::two_filters;
+  for (const Triangle& triangle : primitive.triangles)
+    for (const std::uint32_t vertex : triangle)
+      for (const float x : primitive.uvs[vertex])
+        if (std::fabs(x) >= 0x1p20f) return LeftOut::far_uvs;
+  return {};
+}
+
+Surface surface_of(const Material& material, const Primitive& primitive) {
+  Surface surface;
+  surface.image = *material.texture->image;
+  surface.sampler = material.texture->sampler;
+  surface.mode = material.mode;
+  if (material.mode == AlphaMode::mask) surface.cutoff = material.cutoff;
+  surface.base_color_alpha = material.base_color_alpha;
+  if (primitive.vertex_alpha) surface.vertex_alpha = primitive.vertex_alpha->least;
+  return surface;
+}
+
+class Planner {
+ public:
+  Planner(const Scene& scene, unsigned level_limit) : scene_(scene), level_limit_(level_limit) {}
+
+  Plan planned() {
+    const bool all_unplaced = !any_placed(scene_);
+    for (std::size_t k = 0; k < scene_.primitives.size(); ++k)
+      if (const auto why = left_out(scene_, scene_.primitives[k], all_unplaced))
+        plan_.left_out.push_back({k, *why});
+      else
+        add(k);
+    return std::move(plan_);
+  }
+
+ private:
+  /// Surfaces are as few as materials.
+  std::uint32_t number_of(const Surface& surface) {
+    const auto found = std::find(plan_.surfaces.begin(), plan_.surfaces.end(), surface);
+    if (found == plan_.surfaces.end()) {
+      plan_.surfaces.push_back(surface);
+      return static_cast<std::uint32_t>(plan_.surfaces.size() - 1);
+    }
+    return static_cast<std::uint32_t>(found - plan_.surfaces.begin());
+  }
+
+  void add(std::size_t index) {
+    const Primitive& primitive = scene_.primitives[index];
+    const Surface surface = surface_of(scene_.material_of(primitive), primitive);
+    const Image& image = scene_.images.at(surface.image);
+    if (!image.decoded()) throw std::invalid_argument("plan: image " + image.name + " is not decoded");
+    PlannedPrimitive planned{index, number_of(surface), {}};
+    planned.triangles.reserve(primitive.triangles.size());
+    for (const Triangle& triangle : primitive.triangles) {
+      const UvTriangle uvs{primitive.uvs[triangle[0]], primitive.uvs[triangle[1]],
+                           primitive.uvs[triangle[2]]};
+      const auto found = duplicates_.add(planned.surface, uvs, periods(surface.sampler));
+      if (found.is_new) {
+        const TexelTriangle texels = in_texels(uvs, image.width, image.height);
+        plan_.triangles.push_back(
+            {planned.surface, uvs, texels, uv_shape(uvs), useful_level(texels, level_limit_), 0, 0});
+      }
+      PlannedTriangle& distinct = plan_.triangles[found.number];
+      distinct.unique += 1;
+      distinct.placed += scene_.meshes[primitive.mesh].uses;
+      planned.triangles.push_back({static_cast<std::uint32_t>(found.number), found.order});
+    }
+    plan_.primitives.push_back(std::move(planned));
+  }
+
+  const Scene& scene_;
+  unsigned level_limit_;
+  UvDuplicates duplicates_;
+  Plan plan_;
+};
+
+}  // namespace
+
+std::string_view sentence(LeftOut why) {
+  switch (why) {
+    case LeftOut::no_triangles:
+      return "it draws no triangles: points, lines, or too few vertices";
+    case LeftOut::not_placed:
+      return "no node uses its mesh";
+    case LeftOut::material_variants:
+      return "KHR_materials_variants gives it a material of other alpha at run time: a stored micromap would "
+             "be stale";
+    case LeftOut::animated:
+      return "KHR_animation_pointer changes its alpha or UVs at run time: a stored micromap would be stale";
+    case LeftOut::specular_glossiness:
+      return "KHR_materials_pbrSpecularGlossiness takes alpha from another texture, if the renderer knows it";
+    case LeftOut::opaque:
+      return "its material is opaque: no alpha is tested";
+    case LeftOut::no_texture:
+      return "its base colour has no texture: the constant alpha decides for all of it";
+    case LeftOut::no_image:
+      return "its base colour's texture names no PNG or JPEG";
+    case LeftOut::no_uvs:
+      return "it lacks the UV set that its base colour names";
+    case LeftOut::morphed_uvs:
+      return "a morph target moves its UVs or vertex colours at run time: a stored micromap would be stale";
+    case LeftOut::vertex_alpha:
+      return "vertex colours of varying alpha, or of alpha beyond 0..1, multiply the texture's: the texture "
+             "alone does not "
+             "decide";
+    case LeftOut::two_filters:
+      return "its sampler magnifies by one filter and minifies by another: one map would be wrong for either";
+    case LeftOut::far_uvs:
+      return "UVs of 2^20 or more: float32 has no texels left there";
+  }
+  return "";
+}
+
+Filter filter_of(const Sampler& sampler) {
+  return sampler.magnification.value_or(sampler.minification.value_or(Filter::linear));
+}
+
+Plan plan(const Scene& scene, unsigned level_limit) { return Planner(scene, level_limit).planned(); }
+
+PlanCounts counts(const Plan& plan) {
+  PlanCounts c;
+  for (const PlannedTriangle& t : plan.triangles) {
+    c.unique += t.unique;
+    c.placed += t.placed;
+    c.lines += t.shape == UvShape::line;
+    c.points += t.shape == UvShape::point;
+    c.limited += t.level.limited;
+    if (t.level.limited) c.limit = t.level.level;
+  }
+  for (const PlannedPrimitive& p : plan.primitives)
+    for (const TriangleUse& use : p.triangles) c.reordered += use.order != VertexOrder{0, 1, 2};
+  return c;
+}
+
+}  // namespace mmverify::scene

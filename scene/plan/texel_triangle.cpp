@@ -1,0 +1,75 @@
+#include "scene/plan/texel_triangle.hpp"
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+
+namespace mmverify::scene {
+namespace {
+
+using Integer = boost::multiprecision::cpp_int;
+
+// All numbers here are floats, or floats times whole numbers: multiples of the least float.
+constexpr int least_exponent = 149;
+
+/// 2^n.  No shift: of one by a constant g++ 12 warns, in Boost's own loop.
+Integer power_of_two(int n) { return boost::multiprecision::pow(Integer(2), static_cast<unsigned>(n)); }
+
+/// x 2^149.
+Integer fixed(double x) {
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  // 53 bits make the mantissa whole; what is divided away again is zero.
+  const Integer whole(static_cast<std::int64_t>(std::ldexp(mantissa, 53)));
+  const int shift = exponent - 53 + least_exponent;
+  return shift >= 0 ? Integer(whole * power_of_two(shift)) : Integer(whole / power_of_two(-shift));
+}
+
+// Three roundings, and one of each difference: less than 8 units of 2^-53, doubled.
+constexpr double slack = 0x1p-49;
+
+/// |b - a|^2 <= 4^n.
+bool at_most(const std::array<double, 2>& a, const std::array<double, 2>& b, unsigned n) {
+  const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
+  const double bound = std::ldexp(1.0, 2 * static_cast<int>(n));
+  if (square * (1 + slack) <= bound) return true;
+  if (square * (1 - slack) > bound) return false;
+  const Integer x = fixed(b[0]) - fixed(a[0]), y = fixed(b[1]) - fixed(a[1]);
+  return x * x + y * y <= power_of_two(2 * static_cast<int>(n) + 2 * least_exponent);
+}
+
+}  // namespace
+
+TexelTriangle in_texels(const UvTriangle& uvs, std::uint32_t width, std::uint32_t height) {
+  TexelTriangle corners;
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = {double{uvs[k][0]} * width, double{uvs[k][1]} * height};
+  return corners;
+}
+
+UvShape uv_shape(const UvTriangle& uvs) {
+  const auto& [a, b, c] = uvs;
+  if (a == b && b == c) return UvShape::point;
+  const auto difference = [](const Uv& to, const Uv& from, std::size_t k) {
+    return double{to[k]} - double{from[k]};
+  };
+  const double left = difference(b, a, 0) * difference(c, a, 1);
+  const double right = difference(c, a, 0) * difference(b, a, 1);
+  if (std::abs(left - right) > slack * (std::abs(left) + std::abs(right))) return UvShape::area;
+  const auto exact = [](const Uv& to, const Uv& from, std::size_t k) {
+    return Integer(fixed(to[k]) - fixed(from[k]));
+  };
+  return exact(b, a, 0) * exact(c, a, 1) == exact(c, a, 0) * exact(b, a, 1) ? UvShape::line : UvShape::area;
+}
+
+UsefulLevel useful_level(const TexelTriangle& corners, unsigned limit) {
+  const unsigned most = std::min(finest_level, limit);
+  unsigned level = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    while (!at_most(corners[k], corners[(k + 1) % 3], level)) {
+      if (level == most) return {most, true};
+      ++level;
+    }
+  return {level, false};
+}
+
+}  // namespace mmverify::scene

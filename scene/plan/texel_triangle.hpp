@@ -1,0 +1,43 @@
+// A triangle on a texture: its corners in texels, its shape, and its highest useful level.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "scene/scene.hpp"
+
+namespace mmverify::scene {
+
+using UvTriangle = std::array<Uv, 3>;
+
+/// Corners in texels; texel (x, y) is [x, x+1) x [y, y+1).
+using TexelTriangle = std::array<std::array<double, 2>, 3>;
+
+/// (u width, v height), exactly: 24 bits of a float32 times at most 15 of a side.
+/// Domain: UVs finite; width, height in 1..16384.
+TexelTriangle in_texels(const UvTriangle& uvs, std::uint32_t width, std::uint32_t height);
+
+/// The span of the corners in UV: an area, a line or one point.  A micromap of the last two is of a line or a
+/// point of the texture, and as exact.
+enum class UvShape : std::uint8_t { area, line, point };
+
+/// By the exact sign of (b-a) x (c-a).  Domain: UVs finite.
+UvShape uv_shape(const UvTriangle& uvs);
+
+/// The finest level of the paper's tables and of our codecs.
+inline constexpr unsigned finest_level = 12;
+
+struct UsefulLevel {
+  unsigned level = 0;
+  bool limited = false;  ///< the texture would bear more than the limit
+  bool operator==(const UsefulLevel&) const = default;
+};
+
+/// The highest useful level: the smallest at which no edge of a micro-triangle is longer than a texel,
+///   min { n : 4^n >= max |e|^2 },  e over the three edges in texels; at most min(finest_level, limit)
+/// Exact: floats decide where their error bound lets them, else integers.  Domain: corners of in_texels().
+/// Source: succinct opacity micromaps, 3.1.1, equation (1).  It prints the quotient as >= 1 and its logarithm
+/// as <= n; this is the reading that fits the text above it.
+UsefulLevel useful_level(const TexelTriangle& corners, unsigned limit = finest_level);
+
+}  // namespace mmverify::scene

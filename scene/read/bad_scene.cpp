@@ -1,0 +1,25 @@
+#include "scene/read/bad_scene.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+std::string on_one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return line;
+}
+
+}  // namespace
+
+std::string shown(std::string_view name) {
+  constexpr std::size_t longest = 200;  // a data URI may be megabytes
+  return on_one_line(name.size() <= longest ? std::string(name)
+                                            : std::string(name.substr(0, longest)) + "...");
+}
+
+BadScene::BadScene(std::string_view file, std::string_view place, std::string_view what)
+    : std::runtime_error(on_one_line(std::string(file) + ": " +
+                                     (place.empty() ? "" : std::string(place) + ": ") + std::string(what))) {}
+
+}  // namespace mmverify::scene

@@ -1,0 +1,93 @@
+#include "scene/read/load.hpp"
+
+#include <set>
+
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/image.hpp"
+#include "scene/read/materials.hpp"
+#include "scene/read/nodes.hpp"
+#include "scene/read/primitives.hpp"
+#include "scene/read/resource.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+/// The images whose alpha decides a state.
+std::set<std::size_t> alpha_tested_images(const Scene& scene) {
+  std::set<std::size_t> images;
+  for (const Primitive& primitive : scene.primitives) {
+    const Material& material = scene.material_of(primitive);
+    if (!primitive.triangles.empty() && material.mode != AlphaMode::opaque && material.texture &&
+        material.texture->image)
+      images.insert(*material.texture->image);
+  }
+  return images;
+}
+
+/// Several missing ones are named at once: whoever copies them needs all.
+void check_all_there(const Document& document, const nlohmann::json& images) {
+  constexpr std::size_t most_named = 20;
+  std::string names;
+  std::size_t missing = 0;
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    const std::string uri = images[k].value("uri", std::string());
+    if (uri.empty() || images[k].contains("bufferView") || !is_missing(document, uri, place("image", k, uri)))
+      continue;
+    if (++missing <= most_named) names += (names.empty() ? "'" : ", '") + shown(uri) + "'";
+  }
+  if (missing > most_named) names += " and " + std::to_string(missing - most_named) + " more";
+  if (missing > 1)
+    throw BadScene(document.file, "images",
+                   "there are no files " + names + " beside it; is the folder complete?");
+}
+
+/// All images: that each is there; those of `to_decode`, what is in it.
+std::vector<Image> read_images(const Document& document, const Buffers& buffers,
+                               const std::set<std::size_t>& to_decode) {
+  std::vector<Image> images;
+  const nlohmann::json& listed = member(document.json, "images");
+  check_all_there(document, listed);
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    const nlohmann::json& given = listed[k];
+    const bool decode = to_decode.contains(k);
+    const std::string uri = given.value("uri", std::string());
+    const bool embedded = uri.empty() || is_data_uri(uri);
+    Image image;
+    image.name = given.value("name", embedded ? std::string() : shown(uri));
+    const std::string at = place("image", k, image.name);
+    if (given.contains("bufferView")) {
+      const auto bytes = buffers.view(given["bufferView"].get<std::size_t>());
+      if (decode) decode_alpha(bytes, image, document.file, at);
+    } else if (uri.empty()) {
+      throw BadScene(document.file, at, "neither a URI nor a bufferView");
+    } else if (decode || embedded) {
+      const Bytes bytes = read_resource(document, uri, at);
+      if (decode) decode_alpha(bytes, image, document.file, at);
+    } else {
+      check_resource(document, uri, at);
+    }
+    images.push_back(std::move(image));
+  }
+  return images;
+}
+
+Scene scene_of(const Document& document) {
+  const Buffers buffers(document);
+  Scene scene;
+  scene.file = document.file;
+  scene.materials = read_materials(document);
+  scene.meshes = read_meshes(document, buffers);
+  scene.primitives = read_primitives(document, buffers, scene.materials);
+  scene.images = read_images(document, buffers, alpha_tested_images(scene));
+  return scene;
+}
+
+}  // namespace
+
+Scene load(const std::string& file) { return scene_of(open_document(file)); }
+
+Scene load(const std::string& name, std::span<const unsigned char> bytes) {
+  return scene_of(open_document(name, bytes));
+}
+
+}  // namespace mmverify::scene

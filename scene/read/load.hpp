@@ -1,0 +1,33 @@
+// Reads glTF 2.0.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace mmverify::scene {
+
+/// The scene of a .gltf (with buffers and images beside it or in data URIs) or a .glb; which of the two, its
+/// first bytes say.
+///   - Triangle lists, strips and fans become lists in the vertex order of glTF 2.0, 3.7.2.1. Vertices left
+///     over at the end are dropped; points and lines have no triangles.
+///   - Normalised integers become float32 as in 3.11; others only under KHR_mesh_quantization.
+///   - Images are decoded where a primitive's material is MASK or BLEND and its base colour names them.
+///   - A mesh is used once per node that names it, in whatever scene, times EXT_mesh_gpu_instancing's count.
+/// Errors: BadScene, naming file and place, where
+///   - a file or chunk is missing, empty or cut off. Of buffers and images all, also where nothing needs
+///     them: half a scene is not the scene that was asked for, and whoever writes it anew writes every image;
+///   - the JSON is no glTF 2.0, of wrong types, with references to nothing, nested more than 64 deep;
+///   - an accessor reaches beyond its view, a view beyond its buffer, an index beyond the vertices;
+///   - a position or UV is not finite; nodes have two parents or form a circle;
+///   - the file requires an extension that is not read here (Draco and meshopt compression among them);
+///   - an image to decode is neither PNG nor JPEG, damaged, empty or beyond 16384 texels a side;
+///   - it is larger than 2^31 - 1 bytes a file, or than 2^26 vertices and triangles in all.
+Scene load(const std::string& file);
+
+/// The same of a file's bytes in memory; `name` stands for the file in messages.
+/// Errors: as above, and BadScene where a URI names a file.
+Scene load(const std::string& name, std::span<const unsigned char> bytes);
+
+}  // namespace mmverify::scene

@@ -1,0 +1,156 @@
+#include "scene/read/materials.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "scene/read/bad_scene.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+Wrap wrap(int mode, const std::string& file, const std::string& at) {
+  switch (mode) {
+    case TINYGLTF_TEXTURE_WRAP_REPEAT:
+      return Wrap::repeat;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::mirrored_repeat;
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::clamp_to_edge;
+    default:
+      throw BadScene(file, at, "wrap mode " + std::to_string(mode) + " is none of 10497, 33071, 33648");
+  }
+}
+
+Sampler read_sampler(const tinygltf::Sampler& given, const std::string& file, const std::string& at) {
+  Sampler sampler;
+  sampler.wrap_u = wrap(given.wrapS, file, at);
+  sampler.wrap_v = wrap(given.wrapT, file, at);
+  switch (given.magFilter) {
+    case -1:
+      break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+      sampler.magnification = Filter::nearest;
+      break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR:
+      sampler.magnification = Filter::linear;
+      break;
+    default:
+      throw BadScene(file, at, "magFilter " + std::to_string(given.magFilter) + " is none of 9728, 9729");
+  }
+  const auto minify = [&](Filter within, std::optional<Filter> between) {
+    sampler.minification = within;
+    sampler.between_mips = between;
+  };
+  switch (given.minFilter) {
+    case -1:
+      break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+      minify(Filter::nearest, {});
+      break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR:
+      minify(Filter::linear, {});
+      break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+      minify(Filter::nearest, Filter::nearest);
+      break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+      minify(Filter::linear, Filter::nearest);
+      break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+      minify(Filter::nearest, Filter::linear);
+      break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
+      minify(Filter::linear, Filter::linear);
+      break;
+    default:
+      throw BadScene(file, at,
+                     "minFilter " + std::to_string(given.minFilter) + " is none of 9728, 9729, 9984..9987");
+  }
+  return sampler;
+}
+
+class MaterialReader {
+ public:
+  explicit MaterialReader(const Document& document) : document_(document) {}
+
+  Material material(std::size_t index) const {
+    const tinygltf::Material& given = document_.model.materials[index];
+    const nlohmann::json& json = document_.json["materials"][index];
+    const std::string at = place("material", index, given.name);
+    Material material;
+    material.name = given.name;
+    if (given.alphaMode == "MASK")
+      material.mode = AlphaMode::mask;
+    else if (given.alphaMode == "BLEND")
+      material.mode = AlphaMode::blend;
+    else if (given.alphaMode != "OPAQUE")
+      throw BadScene(document_.file, at,
+                     "alphaMode '" + shown(given.alphaMode) + "' is none of OPAQUE, MASK, BLEND");
+    material.cutoff = static_cast<float>(given.alphaCutoff);
+    if (!(material.cutoff >= 0) || !std::isfinite(material.cutoff))
+      throw BadScene(document_.file, at,
+                     "alphaCutoff " + std::to_string(given.alphaCutoff) + " is not from 0 up");
+    material.base_color_alpha = static_cast<float>(given.pbrMetallicRoughness.baseColorFactor.at(3));
+    if (!(material.base_color_alpha >= 0 && material.base_color_alpha <= 1))
+      throw BadScene(
+          document_.file, at,
+          "baseColorFactor's alpha " + std::to_string(material.base_color_alpha) + " is not from 0 to 1");
+    const nlohmann::json& texture = member(member(json, "pbrMetallicRoughness"), "baseColorTexture");
+    if (!texture.empty()) material.texture = base_color(texture, at);
+    material.specular_glossiness = member(json, "extensions").contains("KHR_materials_pbrSpecularGlossiness");
+    return material;
+  }
+
+ private:
+  BaseColorTexture base_color(const nlohmann::json& info, const std::string& at) const {
+    BaseColorTexture result;
+    const tinygltf::Texture& texture = document_.model.textures[info["index"].get<std::size_t>()];
+    if (texture.source >= 0) result.image = static_cast<std::size_t>(texture.source);
+    if (texture.sampler >= 0) {
+      const auto sampler = static_cast<std::size_t>(texture.sampler);
+      result.sampler = read_sampler(document_.model.samplers[sampler], document_.file,
+                                    at + ": " + place("sampler", sampler));
+    }
+    result.uv_set = info.value("texCoord", 0u);
+    const nlohmann::json& transform = extension(info, "KHR_texture_transform");
+    result.uv_set = transform.value("texCoord", result.uv_set);
+    result.transform.offset = transform.value("offset", result.transform.offset);
+    result.transform.scale = transform.value("scale", result.transform.scale);
+    result.transform.rotation = transform.value("rotation", result.transform.rotation);
+    return result;
+  }
+
+  const Document& document_;
+};
+
+/// Notes a pointer such as
+/// /materials/3/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset where it
+/// changes alpha or UVs: all below pbrMetallicRoughness that is about the base colour, and the cutoff.
+void note_animation(const std::string& pointer, std::vector<Material>& materials) {
+  constexpr std::string_view root = "/materials/";
+  if (!pointer.starts_with(root)) return;
+  std::size_t index = 0;
+  const auto [end, error] =
+      std::from_chars(pointer.data() + root.size(), pointer.data() + pointer.size(), index);
+  if (error != std::errc() || index >= materials.size()) return;
+  const std::string_view property(end, static_cast<std::size_t>(pointer.data() + pointer.size() - end));
+  if (property.empty() || property.starts_with("/alphaCutoff") ||
+      property.find("/baseColor") != property.npos)
+    materials[index].animated.push_back(shown(pointer));
+}
+
+}  // namespace
+
+std::vector<Material> read_materials(const Document& document) {
+  std::vector<Material> materials;
+  for (std::size_t k = 0; k < document.model.materials.size(); ++k)
+    materials.push_back(MaterialReader(document).material(k));
+  for (const nlohmann::json& animation : member(document.json, "animations"))
+    for (const nlohmann::json& channel : member(animation, "channels")) {
+      const nlohmann::json& pointer = extension(channel["target"], "KHR_animation_pointer");
+      if (pointer.contains("pointer")) note_animation(pointer["pointer"].get<std::string>(), materials);
+    }
+  return materials;
+}
+
+}  // namespace mmverify::scene

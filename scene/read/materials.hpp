@@ -1,0 +1,16 @@
+// Materials, textures and samplers out of a document.
+#pragma once
+
+#include <vector>
+
+#include "scene/read/document.hpp"
+#include "scene/scene.hpp"
+
+namespace mmverify::scene {
+
+/// All materials, with what animations do to them.
+/// Errors: BadScene where an alphaMode, filter or wrap mode is none of glTF's, or alphaCutoff or
+/// baseColorFactor's alpha is out of range (0 <= cutoff; 0 <= alpha <= 1).
+std::vector<Material> read_materials(const Document& document);
+
+}  // namespace mmverify::scene

@@ -1,0 +1,17 @@
+// Who places which mesh.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/read/buffers.hpp"
+#include "scene/scene.hpp"
+
+namespace mmverify::scene {
+
+/// The meshes, with their uses: nodes that name one, each times the instances of EXT_mesh_gpu_instancing.
+/// Errors: BadScene where a node has two parents or is its own ancestor: nodes are trees (glTF 2.0, 3.5.2);
+/// for scales of instances as of read_floats().
+std::vector<Mesh> read_meshes(const Document& document, const Buffers& buffers);
+
+}  // namespace mmverify::scene

@@ -1,0 +1,30 @@
+// The pictures of the sample scene, drawn by formulas.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/read/file.hpp"
+
+namespace mmverify::scene {
+
+struct Picture {
+  std::string name;
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;  ///< rows from the top
+};
+
+/// Alpha is the share of a texel's 4 x 4 samples that lie in a shape, so that outlines are soft, and nowhere
+/// else is it other than 0 or 255 but in pond(). The same bytes on every machine: they come of +, -, x, / and
+/// square roots alone.
+Picture leaves();  ///< 256 x 128: a toothed leaf, and one of many leaflets, side by side
+Picture wire();    ///< 64 x 64, repeats: chain link
+Picture flower();  ///< 96 x 96: five petals
+Picture blades();  ///< 128 x 64: grass
+Picture pond();    ///< 64 x 64: a soft disc, alpha 255 in its middle
+
+/// Errors: std::runtime_error where the library has no memory.
+Bytes png(const Picture& picture);
+
+}  // namespace mmverify::scene

@@ -1,0 +1,140 @@
+// A scene as its micromaps need it: triangles, UVs, what decides alpha.  Plain data, of no reader's types.
+//
+// Coordinates are glTF's: u along a row of texels, v down from the first row.  Indices into the vectors of a
+// Scene are those of the file, so that what is said of `meshes[3]` is found there.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace mmverify::scene {
+
+using Position = std::array<float, 3>;
+using Uv = std::array<float, 2>;
+using Triangle = std::array<std::uint32_t, 3>;  ///< indices of a primitive's vertices, in glTF's order
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+enum class Filter : std::uint8_t { nearest, linear };
+
+/// How a texture is sampled.  A filter that the file leaves open stays open: a renderer may take either.
+struct Sampler {
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  std::optional<Filter> magnification;
+  std::optional<Filter> minification;  ///< within a mip level
+  std::optional<Filter> between_mips;  ///< between two; none also where only level 0 is sampled
+  bool operator==(const Sampler&) const = default;
+};
+
+/// Alpha of a picture, rows from the top: texel (x, y) is alpha[x + width y], of 255 or of 65535.
+/// Not decoded (width 0) where no alpha-tested primitive needs it.  A picture without alpha is at the most.
+struct Image {
+  std::string name;  ///< its URI or name; for messages
+  std::uint32_t width = 0, height = 0;
+  std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> alpha;
+
+  bool decoded() const { return width != 0; }
+  int bits() const { return alpha.index() == 0 ? 8 : 16; }
+};
+
+/// KHR_texture_transform, in float32 as a renderer holds it.
+struct TextureTransform {
+  Uv offset{0, 0}, scale{1, 1};
+  float rotation = 0;  ///< radians, counter-clockwise in a picture whose v goes down
+  bool operator==(const TextureTransform&) const = default;
+};
+
+/// The UV that is sampled.
+///   u' = offset_u + cos(r) scale_u u + sin(r) scale_v v
+///   v' = offset_v - sin(r) scale_u u + cos(r) scale_v v
+/// in double precision, rounded to float32 once; exactly `uv` where the transform is the identity.
+/// The sign of r is that of the extension's prose and of its worked example, "the lower left quadrant"; the
+/// GLSL of its draft has the other.
+/// Source: KHR_texture_transform, Overview and Example JSON.
+Uv transformed(const TextureTransform& transform, const Uv& uv);
+
+struct BaseColorTexture {
+  std::optional<std::size_t> image;  ///< none where the file names no PNG or JPEG for it
+  std::uint32_t uv_set = 0;          ///< TEXCOORD_n
+  Sampler sampler;
+  TextureTransform transform;
+};
+
+/// What of a material decides alpha = texture alpha x base_color_alpha x vertex alpha.  Numbers are the
+/// file's, rounded to the nearest float32, as renderers hold them.
+struct Material {
+  std::string name;
+  AlphaMode mode = AlphaMode::opaque;
+  float cutoff = 0.5f;  ///< of mask: alpha >= cutoff is opaque
+  float base_color_alpha = 1;
+  std::optional<BaseColorTexture> texture;
+  std::vector<std::string> animated;  ///< KHR_animation_pointer's targets that change this alpha or these UVs
+  /// KHR_materials_pbrSpecularGlossiness puts another texture in its place.
+  bool specular_glossiness = false;
+};
+
+/// KHR_materials_variants: the material in these variants.
+struct VariantMaterial {
+  std::size_t material = 0;
+  std::vector<std::string> variants;
+};
+
+/// The alpha of COLOR_0 over the vertices that the triangles use.
+struct VertexAlpha {
+  float least = 1, greatest = 1;
+};
+
+struct Primitive {
+  std::size_t mesh = 0, number = 0;  ///< meshes[mesh].primitives[number]
+  std::optional<std::size_t> material;
+  bool drawn_as_triangles = true;  ///< else points or lines, and without triangles
+  std::vector<Triangle> triangles;
+  std::vector<Position> positions;
+  std::vector<Uv> uvs;  ///< of the set that the base colour names, transformed; empty where there is none
+  std::optional<VertexAlpha> vertex_alpha;  ///< none without an alpha in COLOR_0
+  std::vector<VariantMaterial> variants;
+  bool morphs_uvs = false;  ///< a morph target moves the UVs or COLOR_0
+};
+
+/// The linear part of a node's transform to its scene's coordinates, column by column.
+using Placement = std::array<double, 9>;
+
+/// What the uses of a mesh do to areas.
+struct Placements {
+  double similar = 0;  ///< the sum of the squared scales of those that keep all angles
+  struct Times {
+    Placement linear;
+    double times;
+  };
+  std::vector<Times> others;  ///< the rest
+};
+
+struct Mesh {
+  std::string name;
+  std::uint64_t uses = 0;  ///< nodes that place it, each as often as EXT_mesh_gpu_instancing says
+  Placements placements = {};
+};
+
+struct Scene {
+  std::string file;
+  std::vector<Image> images;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Primitive> primitives;  ///< of all meshes, in the file's order
+
+  /// Of a primitive; glTF's default where it names none.
+  const Material& material_of(const Primitive& primitive) const;
+};
+
+/// Triangles of all primitives, each once, and each as often as its mesh is used.
+struct TriangleCounts {
+  std::uint64_t unique = 0, placed = 0;
+};
+TriangleCounts count_triangles(const Scene& scene);
+
+}  // namespace mmverify::scene

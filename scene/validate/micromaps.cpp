@@ -1,0 +1,67 @@
+#include "scene/validate/micromaps.hpp"
+
+#include <algorithm>
+
+#include "scene/read/bad_scene.hpp"
+#include "scene/validate/report.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+using Json = nlohmann::json;
+
+bool lists(const Json& json, const char* list) {
+  const Json& names = member(json, list);
+  return std::find(names.begin(), names.end(), micromap_extension) != names.end();
+}
+
+/// Where the extension is used first; empty: nowhere.
+std::string first_use(const Json& json) {
+  const auto uses = [](const Json& object) {
+    return member(object, "extensions").contains(micromap_extension);
+  };
+  const std::string tail = std::string("/extensions/") + micromap_extension;
+  if (uses(json)) return tail;
+  const Json& meshes = member(json, "meshes");
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+    for (std::size_t p = 0; p < meshes[m]["primitives"].size(); ++p)
+      if (uses(meshes[m]["primitives"][p]))
+        return "/meshes/" + std::to_string(m) + "/primitives/" + std::to_string(p) + tail;
+  return "";
+}
+
+void validate_lists(const Json& json, Report& report) {
+  const std::string use = first_use(json);
+  if (!use.empty() && !lists(json, "extensionsUsed"))
+    report.add("used.listed", "/extensionsUsed", "it is used at " + use + ", and not listed");
+  if (lists(json, "extensionsRequired"))
+    report.add("required.unlisted", "/extensionsRequired",
+               "it is listed; without it, geometry and material still say all");
+}
+
+template <class Open>
+std::vector<FileViolation> validated(const Open& open) {
+  Report report;
+  try {
+    const Document document = open();
+    const Buffers buffers(document);
+    validate_lists(document.json, report);
+    const std::vector<RecordCount> micromaps = validate_root(document, buffers, report);
+    validate_primitives(document, buffers, micromaps, report);
+  } catch (const BadScene& bad) {
+    report.add("file.readable", "", bad.what());
+  }
+  return report.taken();
+}
+
+}  // namespace
+
+std::vector<FileViolation> validate_micromaps(const std::string& file) {
+  return validated([&] { return open_document(file); });
+}
+
+std::vector<FileViolation> validate_micromaps(const std::string& name, std::span<const unsigned char> bytes) {
+  return validated([&] { return open_document(name, bytes); });
+}
+
+}  // namespace mmverify::scene

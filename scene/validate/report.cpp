@@ -1,0 +1,61 @@
+#include "scene/validate/report.hpp"
+
+#include "scene/read/bad_scene.hpp"
+
+namespace mmverify::scene {
+
+constexpr std::size_t most = 8;  // of one rule at one place: more says nothing new
+
+void Report::add(std::string_view rule, const std::string& pointer, const std::string& found) {
+  if (++counts_[{rule, pointer}] <= most) list_.push_back({rule, pointer, found});
+}
+
+void Report::add(const impl::micromap::Violation& violation, const std::string& pointer) {
+  // "id (sets): words"
+  const std::string line = impl::micromap::describe(violation);
+  add(impl::micromap::text(violation.rule).id, pointer, line.substr(line.find(": ") + 2));
+}
+
+std::vector<FileViolation> Report::taken() {
+  std::map<std::pair<std::string_view, std::string>, std::size_t> listed;
+  std::vector<FileViolation> all;
+  for (FileViolation& violation : list_) {
+    const std::pair<std::string_view, std::string> key{violation.rule, violation.pointer};
+    const std::size_t number = ++listed[key], count = counts_[key];
+    all.push_back(std::move(violation));
+    if (number == most && count > most)
+      all.push_back({key.first, key.second, "and " + std::to_string(count - most) + " more"});
+  }
+  return all;
+}
+
+std::string found(const nlohmann::json& value) {
+  return value.is_structured() ? std::string("an ") + value.type_name() : shown(value.dump());
+}
+
+std::optional<std::uint64_t> whole(const nlohmann::json& value, std::uint64_t end) {
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= end) return {};
+  return value.get<std::uint64_t>();
+}
+
+std::optional<std::span<const unsigned char>> plain_view(const Document& document, const Buffers& buffers,
+                                                         std::size_t view, const std::string& pointer,
+                                                         Report& report) {
+  if (const nlohmann::json& json = document.json["bufferViews"][view]; json.contains("byteStride"))
+    report.add("view.stride", pointer,
+               place("bufferView", view) + " has a byteStride of " + found(json["byteStride"]));
+  try {
+    return buffers.view(view);
+  } catch (const BadScene& outside) {
+    const std::string what = outside.what(), file = document.file + ": ";
+    report.add("view.inside", pointer, what.starts_with(file) ? what.substr(file.size()) : what);
+    return {};
+  }
+}
+
+std::string describe(const FileViolation& violation) {
+  return std::string(violation.rule) + ": " + (violation.pointer.empty() ? "/" : violation.pointer) + ": " +
+         violation.found;
+}
+
+}  // namespace mmverify::scene

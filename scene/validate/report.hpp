@@ -1,0 +1,53 @@
+// The list of violations as the parts of the validator write it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "impl/micromap/validate.hpp"
+#include "scene/read/buffers.hpp"
+#include "scene/validate/micromaps.hpp"
+
+namespace mmverify::scene {
+
+inline constexpr const char* micromap_extension = "EXT_mesh_opacity_micromap";
+
+class Report {
+ public:
+  /// Keeps eight of one rule at one place, and counts the rest.
+  void add(std::string_view rule, const std::string& pointer, const std::string& found);
+
+  /// A violation of the array's rules, by its number's pointer.  Its words are describe()'s.
+  void add(const impl::micromap::Violation& violation, const std::string& pointer);
+
+  std::vector<FileViolation> taken();
+
+ private:
+  std::vector<FileViolation> list_;
+  std::map<std::pair<std::string_view, std::string>, std::size_t> counts_;
+};
+
+/// The value as a message may show it.
+std::string found(const nlohmann::json& value);
+
+/// A whole number from 0, below `end`; none for all else.
+std::optional<std::uint64_t> whole(const nlohmann::json& value, std::uint64_t end = std::uint64_t{1} << 32);
+
+/// The bytes of a view that the extension names.  None, and a line, where it has a byteStride (which leaves
+/// the bytes readable), or lies outside its buffer (which does not).
+std::optional<std::span<const unsigned char>> plain_view(const Document& document, const Buffers& buffers,
+                                                         std::size_t view, const std::string& pointer,
+                                                         Report& report);
+
+/// What is known of one micromap; none where it could not be read.
+using RecordCount = std::optional<std::uint64_t>;
+
+/// The root's part: one entry for each element of micromaps.
+std::vector<RecordCount> validate_root(const Document& document, const Buffers& buffers, Report& report);
+
+/// The primitives' part.
+void validate_primitives(const Document& document, const Buffers& buffers,
+                         const std::vector<RecordCount>& micromaps, Report& report);
+
+}  // namespace mmverify::scene

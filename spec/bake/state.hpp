@@ -1,0 +1,119 @@
+// Baking: the state of a micro-triangle, from the base triangle's texture coordinates and the alpha mode.
+//
+// Source: glTF 2.0, "Alpha Coverage"; VK_KHR_opacity_micromap; the order of micro-triangles is that of
+// spec/index/index.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+#include "spec/bake/bake.hpp"
+#include "spec/index/index.hpp"
+#include "spec/micromap/micromap.hpp"
+
+namespace mmverify::spec::bake {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Alpha modes
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// MASK: opaque where alpha >= cutoff, transparent where not.
+template <class Q>
+struct Mask {
+  Q cutoff;
+  bool opaque(const Q& alpha) const { return alpha >= cutoff; }
+  bool transparent(const Q& alpha) const { return alpha < cutoff; }
+  /// UO rather than UT.
+  bool rather_opaque(const Q& alpha) const { return alpha >= cutoff; }
+};
+
+/// BLEND: opaque where alpha >= 1, transparent where alpha <= 0; between, alpha is a share.
+template <class Q>
+struct Blend {
+  bool opaque(const Q& alpha) const { return alpha >= 1; }
+  bool transparent(const Q& alpha) const { return alpha <= 0; }
+  bool rather_opaque(const Q& alpha) const { return alpha + alpha >= 1; }
+};
+
+/// O where all of it is opaque, T where all of it is transparent, else C.
+template <class Q, class Mode>
+State state_in(const Mode& mode, const Range<Q>& alpha) {
+  return mode.opaque(alpha.least) ? State::O : mode.transparent(alpha.greatest) ? State::T : State::C;
+}
+
+/// What holds whichever of the two is sampled: O if both are, T if both are, else C.
+constexpr State merged(State a, State b) { return a == b ? a : State::C; }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Micro-triangles
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Texture coordinates (u, v) of a base triangle's vertices; any three points, in any order.
+template <class Q>
+using BaseTriangle = std::array<Place<Q>, 3>;
+
+template <class Q>
+Place<Q> place(Binary32 u, Binary32 v) {
+  return {number<Q>(u), number<Q>(v)};
+}
+
+/// The corners of micro-triangle `index` at level n, in texels: the micro-vertex (i/N, j/N) lies at
+///   P + i/N (Q - P) + j/N (R - P),   times (width, height)
+/// for the base triangle PQR.  Domain: n in 0..16, index in [0, 4^n).
+template <class Q>
+Polygon<Q> micro_triangle(const BaseTriangle<Q>& uv, Level n, std::uint32_t index, std::uint32_t width,
+                          std::uint32_t height) {
+  Polygon<Q> polygon;
+  for (const index::Vertex& vertex : index::corners(index, n)) {
+    const Q i = fraction<Q>(vertex.i, side(n)), j = fraction<Q>(vertex.j, side(n));
+    const auto along = [&](Q Place<Q>::*axis) {
+      return uv[0].*axis + i * (uv[1].*axis - uv[0].*axis) + j * (uv[2].*axis - uv[0].*axis);
+    };
+    polygon.push_back({along(&Place<Q>::x) * Q(width), along(&Place<Q>::y) * Q(height)});
+  }
+  return polygon;
+}
+
+/// The mean of the corners.
+template <class Q>
+Place<Q> centroid(const Polygon<Q>& polygon) {
+  Place<Q> sum{0, 0};
+  for (const Place<Q>& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
+  const Q share = fraction<Q>(1, static_cast<std::int64_t>(polygon.size()));
+  return {sum.x * share, sum.y * share};
+}
+
+/// The state of a micro-triangle: O or T if it is that in every mip level that may be sampled; otherwise UO
+/// or UT, as alpha at its centroid is rather opaque or not in the first of them, the largest.
+/// Mips: as sampled, the first first.  2-state maps hold micromap::force2 of this.
+/// Margin: in texels of each mip level; O or T must hold on all of the dilated micro-triangle.
+/// Errors: std::invalid_argument without mips, or for a margin below 0.
+template <class Q, class Texel, class Mode>
+micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTriangle<Q>& uv, Level n,
+                            std::uint32_t index, const Mode& mode, const Q& margin = Q(0)) {
+  if (mips.empty()) throw std::invalid_argument("bake: no mip level");
+  const auto in = [&](const TextureOf<Texel>& t) { return micro_triangle(uv, n, index, t.width, t.height); };
+  const auto state = [&](const TextureOf<Texel>& t) {
+    return state_in(mode, range(t, dilated(in(t), margin)));
+  };
+  State all = state(mips[0]);
+  for (const TextureOf<Texel>& t : mips.subspan(1)) {
+    if (all == State::C) break;  // and so it stays
+    all = merged(all, state(t));
+  }
+  if (all == State::O) return micromap::State::O;
+  if (all == State::T) return micromap::State::T;
+  return mode.rather_opaque(alpha(mips[0], centroid(in(mips[0])))) ? micromap::State::UO
+                                                                   : micromap::State::UT;
+}
+
+/// Of one texture without mips.
+template <class Q, class Texel, class Mode>
+micromap::State micro_state(const TextureOf<Texel>& texture, const BaseTriangle<Q>& uv, Level n,
+                            std::uint32_t index, const Mode& mode, const Q& margin = Q(0)) {
+  return micro_state(std::span<const TextureOf<Texel>>(&texture, 1), uv, n, index, mode, margin);
+}
+
+}  // namespace mmverify::spec::bake
