@@ -7,6 +7,7 @@
 #include "cli/build_info.hpp"
 #include "cli/text.hpp"
 #include "cli/tool.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -25,10 +26,9 @@ Json counterexample(const Result& r, const Counterexample& c) {
 
 Json result(const Result& r) {
   Json by_kind;
-  constexpr const char* names[] = {"vertex", "edge", "interior"};
   for (std::size_t k = 0; k < kinds; ++k) {
-    by_kind[names[k]] = {{"cases", r.by_kind[k].cases}, {"mismatches", r.by_kind[k].mismatches}};
-    if (r.by_kind[k].declined != 0) by_kind[names[k]]["declined"] = r.by_kind[k].declined;
+    by_kind[kind_names[k]] = {{"cases", r.by_kind[k].cases}, {"mismatches", r.by_kind[k].mismatches}};
+    if (r.by_kind[k].declined != 0) by_kind[kind_names[k]]["declined"] = r.by_kind[k].declined;
   }
   Json j{{"law", r.law},       {"topic", r.topic},   {"subject", r.subject},           {"level", r.level},
          {"method", r.method}, {"domain", r.domain}, {"verdict", to_string(r.verdict)}};

@@ -17,6 +17,7 @@
 #include "cli/run_identity.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/shape.hpp"
+#include "proofs/index/options.hpp"
 #include "proofs/plan.hpp"
 
 namespace mmverify::cli {
@@ -88,7 +89,7 @@ int prove(const ProveOptions& options) {
                  options.errors,
                  options.seed,
                  options.tier == "long" ? Tier::long_run : Tier::fast,
-                 options.cells == "interior",
+                 options.cells == "interior" ? Options{&index::interiors_only} : Options{},
                  !options.quiet,
                  parse_shard(options.shard)};
   const Identity identity = identity_of(jobs, run);

@@ -12,6 +12,7 @@
 
 #include "cli/exit_code.hpp"
 #include "gate/contradictions.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -48,9 +49,8 @@ Result result(const Json& j) {
   r.verdict = verdict(j.at("verdict").get<std::string>());
   r.reason = j.value("reason", "");
   j.at("cases_expected").get_to(r.cases_expected);
-  constexpr std::array names{"vertex", "edge", "interior"};
   for (std::size_t k = 0; k < kinds; ++k) {
-    const Json& kind = j.at("by_kind").at(names[k]);
+    const Json& kind = j.at("by_kind").at(kind_names[k]);
     kind.at("cases").get_to(r.by_kind[k].cases);
     kind.at("mismatches").get_to(r.by_kind[k].mismatches);
     r.by_kind[k].declined = kind.value("declined", std::uint64_t{0});

@@ -98,13 +98,13 @@ std::string digits(const std::vector<spec::micromap::State>& states) {
 Json states_of(const bake::BakeSubject& subject, const std::string& at, Level n) {
   if (n > all_levels_to) return nullptr;
   const bake::Case one = bake::case_from(at);
-  const auto baked = subject.parts.bake(one, n, bake::Format::four_state);
+  const auto baked = subject.functions.bake(one, n, bake::Format::four_state);
   if (!baked) return nullptr;
   std::vector<bake::State> right;
   for (std::uint32_t k = 0; k < baked->states.size(); ++k) {
     right.push_back(bake::true_state(one, n, k));
     // Which of the two unknowns it is, not every baker promises.
-    if (!subject.parts.centroid && spec::micromap::unknown(right[k]) &&
+    if (!subject.functions.centroid && spec::micromap::unknown(right[k]) &&
         spec::micromap::unknown(baked->states[k]))
       right[k] = baked->states[k];
   }

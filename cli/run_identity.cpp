@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/build_info.hpp"
+#include "proofs/index/options.hpp"
 
 namespace mmverify::cli {
 
@@ -23,7 +24,7 @@ Identity identity_of(const std::vector<Job>& jobs, const RunOptions& options) {
   Identity identity = program_identity();
   identity.emplace_back("work", fmt::format("{}", fmt::join(work, "; ")));
   identity.emplace_back("tier", options.tier == Tier::fast ? "fast" : "long");
-  identity.emplace_back("cells", options.interiors_only ? "interior" : "all");
+  identity.emplace_back("cells", has(options.options, proofs::index::interiors_only) ? "interior" : "all");
   identity.emplace_back("errors", fmt::format("{}", options.errors));
   identity.emplace_back("seed", fmt::format("{}", options.seed));
   return identity;

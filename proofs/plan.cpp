@@ -29,7 +29,7 @@ bool fits_somewhere(const Law& law, const Subject& subject, const Levels& levels
 /// What the law brings along on a float subject, if it is about that subject: one takes binary64 numbers,
 /// another has no entry point for points.
 const Law* companion(const Law& law, const Subject& subject) {
-  const Law* on_floats = law.float_companion.empty() ? nullptr : find_law(law.float_companion);
+  const Law* on_floats = law.companion.empty() ? nullptr : find_law(law.companion);
   return on_floats != nullptr && fits_somewhere(*on_floats, subject, on_floats->long_run) ? on_floats
                                                                                           : nullptr;
 }

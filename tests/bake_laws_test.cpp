@@ -39,7 +39,7 @@ Result judged(const char* law, const char* subject, Level level) {
 
 // A subject that is wrong about the third mip alone, or about 2-state maps' last bits.
 TEST(BakeLaws, MipsArePartedAndMapsPadded) {
-  Parts parts = the("bake")->parts;
+  Functions parts = the("bake")->functions;
   parts.bake = [real = parts.bake](const Case& one, Level n, Format format) {
     auto baked = real(one, n, format);
     if (baked && format == Format::two_state) baked->padded = n != 0;
@@ -412,7 +412,7 @@ TEST(BakeLaws, BakersThatSampleAreRefutedWithAPicture) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 BakeSubject declining(bool (*declined)(const Case&)) {
-  Parts parts = the("bake")->parts;
+  Functions parts = the("bake")->functions;
   parts.bake = [=, real = parts.bake](const Case& one, Level n, Format format) {
     return declined(one) ? std::nullopt : real(one, n, format);
   };
@@ -433,7 +433,7 @@ TEST(BakeLaws, WhatIsDeclinedIsCountedAndNeverProved) {
     EXPECT_EQ(none.declined(), none.cases_run());
   }
   const BakeSubject wrong_too = declining([](const Case& one) { return one.alpha[0] != 0; });
-  Parts parts = wrong_too.parts;
+  Functions parts = wrong_too.functions;
   parts.bake = [real = parts.bake](const Case& one, Level n, Format format) {
     auto baked = real(one, n, format);
     if (baked) baked->states[0] = State::O;

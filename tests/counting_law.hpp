@@ -6,6 +6,7 @@
 #include <string>
 
 #include "proofs/engine/runner.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::tests {
 

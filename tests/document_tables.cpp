@@ -13,6 +13,7 @@
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/micromap.hpp"
 #include "proofs/engine/runner.hpp"
+#include "proofs/kinds.hpp"
 #include "proofs/registry.hpp"
 #include "proofs/tree/maps.hpp"
 

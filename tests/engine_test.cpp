@@ -17,6 +17,7 @@
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/runner.hpp"
+#include "proofs/kinds.hpp"
 
 namespace {
 

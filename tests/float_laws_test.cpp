@@ -111,7 +111,7 @@ TEST(FloatLaws, EveryProofOverCellsBringsTheSampleOfItsEntryPointAlong) {
 
 // Where a lookup is asked at points on the way, too.
 TEST(FloatLaws, TreesOfSamplesBringItAlong) {
-  EXPECT_EQ(find_law("tree.on_samples")->float_companion, "tree.point_exact_on_floats");
+  EXPECT_EQ(find_law("tree.on_samples")->companion, "tree.point_exact_on_floats");
 }
 
 TEST(FloatLaws, DoublesAreAskedOfThoseWhoTakeThem) {

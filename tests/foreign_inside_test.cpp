@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "proofs/engine/runner.hpp"
+#include "proofs/index/options.hpp"
 #include "proofs/registry.hpp"
 #include "tests/foreign/inside.hpp"
 #include "tests/foreign/inside_gaps.hpp"
@@ -68,7 +69,7 @@ std::string name_of(const testing::TestParamInfo<InsideFault>& f) {
 /// A law of the long tier is run on its first 64th.
 Result run(const InsideFault& f, Level n) {
   Asked asked;
-  asked.rationals = false;
+  asked.options = {&index::in_fixed_point_alone};
   Division first_part;
   first_part.shard = Shard{1, 64};
   if (find_law(f.law)->long_only) asked.division = &first_part;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "proofs/engine/runner.hpp"
+#include "proofs/index/options.hpp"
 #include "proofs/plugin.hpp"
 #include "proofs/registry.hpp"
 
@@ -105,7 +106,7 @@ std::vector<PluginSubject> foreign(const std::string& topic, const std::string& 
 std::optional<Result> refutation(const Asks& asks, const std::vector<PluginSubject>& subjects) {
   const Law& law = *find_law(asks.law);
   Asked run;
-  run.rationals = false;  // the slow numbers are for the right ones
+  run.options = {&index::in_fixed_point_alone};  // the slow numbers are for the right ones
   run.until_refuted = true;
   for (const PluginSubject& s : subjects)
     for (Level n = asks.level.value_or(law.fast.first); n <= asks.level.value_or(law.fast.last); ++n) {

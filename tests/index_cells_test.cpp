@@ -10,6 +10,7 @@
 #include "proofs/engine/random.hpp"
 #include "proofs/index/cells.hpp"
 #include "proofs/index/point.hpp"
+#include "proofs/kinds.hpp"
 
 namespace {
 

@@ -55,11 +55,11 @@ TEST_P(IndexLaw, CountsItsCellsByKind) {
 // prove --cells interior: the same law for who promises nothing on lines.
 TEST_P(IndexLaw, LeavesTheLinesOutWhereAsked) {
   Asked inside;
-  inside.interiors_only = true;
+  inside.options = {&index::interiors_only};
   const SubjectPtr subject = find_subject(law.subjects.front());
   const Result all = run_level(law, *subject, 2, Asked{}), r = run_level(law, *subject, 2, inside);
   EXPECT_EQ(r.verdict, all.verdict);
-  if (!law.on_lines || !law.general) {
+  if (!has(law.heeds, index::interiors_only) || !law.general) {
     EXPECT_EQ(r.by_kind, all.by_kind);
     return;
   }

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/kinds.hpp"
 #include "tests/counting_law.hpp"
 #include "tests/folder.hpp"
 #include "tests/sanitized.hpp"

@@ -65,8 +65,8 @@ TEST_P(EveryLaw, SaysWhatItIs) {
     ASSERT_NE(find_subject(name), nullptr) << name;
     EXPECT_EQ(find_subject(name)->topic(), law.topic) << name;
   }
-  if (!law.float_companion.empty()) {
-    EXPECT_NE(find_law(law.float_companion), nullptr);
+  if (!law.companion.empty()) {
+    EXPECT_NE(find_law(law.companion), nullptr);
   }
 }
 

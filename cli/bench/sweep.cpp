@@ -12,6 +12,7 @@
 #include "cli/tool.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/cells.hpp"
+#include "proofs/index/options.hpp"
 #include "proofs/index/plain_sweep.hpp"
 #include "proofs/registry.hpp"
 
@@ -46,7 +47,7 @@ std::string bench_sweep(const Levels& levels, unsigned threads, std::FILE* out) 
   oneapi::tbb::task_arena arena(static_cast<int>(threads));
   Run run;
   run.arena = &arena;
-  run.rationals = false;
+  run.options = {&index::in_fixed_point_alone};
   fmt::print(
       out,
       "index.equals_reference, {} thread{}; M/s: million cells a second; growth: time over that of the level "

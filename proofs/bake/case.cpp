@@ -28,11 +28,11 @@ std::size_t digits_of(Texel texel) { return texel_digits[static_cast<std::size_t
 }
 
 std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
+  std::vector<std::string_view> functions;
   for (;;) {
     const std::size_t end = text.find(at);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
+    functions.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return functions;
     text.remove_prefix(end + 1);
   }
 }
@@ -70,10 +70,10 @@ std::uint32_t stored(std::string_view digits, Texel texel) {
 
 void read_texels(Case& one, std::string_view value) {
   constexpr char remedy[] = "write u8, u16 or f32, WIDTHxHEIGHT and the texels' digits, as u8:2x1:00ff";
-  const auto parts = split(value, ':');
-  if (parts.size() != 3) bad(value, remedy);
-  one.texel = static_cast<Texel>(named(parts[0], texel_names, remedy));
-  const auto sides = split(parts[1], 'x');
+  const auto functions = split(value, ':');
+  if (functions.size() != 3) bad(value, remedy);
+  one.texel = static_cast<Texel>(named(functions[0], texel_names, remedy));
+  const auto sides = split(functions[1], 'x');
   if (sides.size() != 2) bad(value, remedy);
   one.width = whole(sides[0], 10, remedy);
   one.height = whole(sides[1], 10, remedy);
@@ -82,8 +82,8 @@ void read_texels(Case& one, std::string_view value) {
     bad(value, "1 to 16384 texels along each side, and no more than 2^21");
   const std::size_t digits = digits_of(one.texel);
   const std::uint64_t count = texels_of(one.width, one.height, one.mips);
-  if (parts[2].starts_with("drawn-")) {
-    one.drawn = parts[2];
+  if (functions[2].starts_with("drawn-")) {
+    one.drawn = functions[2];
     Case drawn = drawn_case(one.drawn);
     if (drawn.texel != one.texel || drawn.width != one.width || drawn.height != one.height ||
         drawn.mips != one.mips)
@@ -91,10 +91,10 @@ void read_texels(Case& one, std::string_view value) {
     one.alpha = std::move(drawn.alpha);
     return;
   }
-  if (parts[2].size() != digits * count) bad(value, "the digits are not those of all texels of all mips");
+  if (functions[2].size() != digits * count) bad(value, "the digits are not those of all texels of all mips");
   one.alpha.clear();
   for (std::size_t k = 0; k < count; ++k)
-    one.alpha.push_back(stored(parts[2].substr(digits * k, digits), one.texel));
+    one.alpha.push_back(stored(functions[2].substr(digits * k, digits), one.texel));
 }
 
 void read_cutoff(Case& one, std::string_view value) {
@@ -103,9 +103,9 @@ void read_cutoff(Case& one, std::string_view value) {
     one.blend = true;
     return;
   }
-  const auto parts = split(value, '/');
-  if (parts.size() != 2) bad(value, remedy);
-  one.cutoff = {whole(parts[0], 10, remedy), whole(parts[1], 10, remedy)};
+  const auto functions = split(value, '/');
+  if (functions.size() != 2) bad(value, remedy);
+  one.cutoff = {whole(functions[0], 10, remedy), whole(functions[1], 10, remedy)};
   if (one.cutoff.denominator == 0) bad(value, "a cutoff over 0");
 }
 

@@ -12,23 +12,15 @@
 
 namespace mmverify::proofs::bake {
 
-struct Said {
-  std::string expected, got;
-};
-
-/// What a check of one case found: a number for the digest, and what was wrong, worked out only where
-/// somebody reads it; `declined` where the subject does not support the case.
-struct Finding {
-  std::uint64_t answer = 0;
-  bool holds = true, declined = false;
-  std::function<Said()> said = {};
-};
-
-inline Finding wrong(std::function<Said()> said) { return {0, false, false, std::move(said)}; }
-inline Finding wrong(std::string expected, std::string got) {
-  return wrong([=] { return Said{expected, got}; });
+inline Finding wrong(std::function<Words()> in_words) {
+  Finding finding{.holds = false};
+  finding.in_words = std::move(in_words);
+  return finding;
 }
-inline Finding unsupported() { return {0, true, true}; }
+using proofs::wrong;
+
+/// The subject does not support the case.
+inline Finding unsupported() { return {.declined = true}; }
 
 inline const char* name_of(State s) {
   constexpr const char* names[] = {"T", "O", "UT", "UO"};
@@ -51,7 +43,7 @@ using Draw = std::function<std::string(const BakeSubject&, const Case&, Level)>;
 
 /// The law, case by case.  Its levels are those of `fast`, unless `long_run` is said.  `lacks`: why a subject
 /// does not fit, if so.
-Law over(Law law, const Cases& cases, const Check& check, const Draw& draw = {},
-         const std::function<std::optional<std::string>(const BakeSubject&)>& lacks = {});
+Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw = {},
+             const std::function<std::optional<std::string>(const BakeSubject&)>& lacks = {});
 
 }  // namespace mmverify::proofs::bake

@@ -64,8 +64,8 @@ std::vector<std::uint8_t> blob_of(const Case& one, Level n, Format format) {
 
 BakeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library) {
   if (!library->offers(Call::bake)) return nullptr;
-  Parts parts;
-  parts.bake = [library](const Case& one, Level n, Format format) -> std::optional<Baked> {
+  Functions functions;
+  functions.bake = [library](const Case& one, Level n, Format format) -> std::optional<Baked> {
     const std::size_t bits = static_cast<std::size_t>(format), count = std::size_t{1} << 2 * n;
     const std::vector<std::uint8_t> blob = blob_of(one, n, format);
     const dock::Said said =
@@ -81,8 +81,8 @@ BakeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library
       baked.padded = baked.padded && state(k) == 0;
     return baked;
   };
-  parts.centroid = (library->description().flags & MMVERIFY_BAKE_CENTROID) != 0;
-  return std::make_shared<BakeSubject>(name, library->about(), std::move(parts), library->fingerprint());
+  functions.centroid = (library->description().flags & MMVERIFY_BAKE_CENTROID) != 0;
+  return std::make_shared<BakeSubject>(name, library->about(), std::move(functions), library->fingerprint());
 }
 
 }  // namespace mmverify::proofs::bake

@@ -34,7 +34,7 @@ struct Declined {};
 struct Unpadded {};
 std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n,
                           Format format = Format::four_state) {
-  std::optional<Baked> baked = s.parts.bake(one, n, format);
+  std::optional<Baked> baked = s.functions.bake(one, n, format);
   if (!baked) throw Declined();
   if (!baked->padded) throw Unpadded();
   return std::move(baked->states);
@@ -83,16 +83,17 @@ Law relation(Law law, Case (*number)(std::uint64_t seed, Level n, std::uint64_t 
   cases.count = [count](Level n, const Run& run) { return count(n, run.tier); };
   cases.number = [number](Level n, std::uint64_t k, std::uint64_t seed) { return number(seed, n, k); };
   cases.chunk = 4;
-  return over(std::move(law), cases,
-              [holds](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>&) {
-                try {
-                  return holds(s, one, n);
-                } catch (const Declined&) {
-                  return unsupported();
-                } catch (const Unpadded&) {
-                  return wrong("zeros after the last state", "others");
-                }
-              });
+  return on_cases(
+      std::move(law), cases,
+      [holds](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>&) {
+        try {
+          return holds(s, one, n);
+        } catch (const Declined&) {
+          return unsupported();
+        } catch (const Unpadded&) {
+          return wrong("zeros after the last state", "others");
+        }
+      });
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -305,7 +306,7 @@ Finding keeps_mips(const BakeSubject& s, const Case& one, Level n) {
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
     // Which unknown it is, only those promise who go by the centroid.
-    if (all[k] == map[k] || (!s.parts.centroid && unknown(all[k]) && unknown(map[k]))) continue;
+    if (all[k] == map[k] || (!s.functions.centroid && unknown(all[k]) && unknown(map[k]))) continue;
     return wrong(fmt::format("micro-triangle {} {}", k, name_of(all[k])), name_of(map[k]));
   }
   return {hash_of(map)};
@@ -329,9 +330,9 @@ Mutant changed(const char* name, Levels levels, bool (*meant)(const Case&), Stat
 }
 
 /// The last state of a map in 2-state is the other one.
-std::function<void(Parts&)> in_two_state(bool (*meant)(const Case&)) {
-  return [meant](Parts& parts) {
-    parts.bake = [meant, real = parts.bake](const Case& one, Level n, Format format) {
+std::function<void(Functions&)> in_two_state(bool (*meant)(const Case&)) {
+  return [meant](Functions& functions) {
+    functions.bake = [meant, real = functions.bake](const Case& one, Level n, Format format) {
       auto baked = real(one, n, format);
       if (baked && format == Format::two_state && meant(one))
         baked->states.back() = baked->states.back() == State::O ? State::T : State::O;
@@ -427,8 +428,9 @@ std::vector<Law> relation_laws() {
                        mutant("the last of tall textures in 2-state", "bake", {3, 3}, in_two_state(tall)),
                        mutant("the last in 2-state", "bake", {4, 4}, in_two_state(any)),
                        mutant("ones after the last in 2-state", "bake", {1, 1},
-                              [](Parts& parts) {
-                                parts.bake = [real = parts.bake](const Case& one, Level n, Format format) {
+                              [](Functions& functions) {
+                                functions.bake = [real = functions.bake](const Case& one, Level n,
+                                                                         Format format) {
                                   auto baked = real(one, n, format);
                                   if (baked && format == Format::two_state) baked->padded = n > 1;
                                   return baked;

@@ -39,7 +39,7 @@ std::optional<Offender> offender(const Case& one, Level n, std::vector<State> go
 
 std::string place_text(const Place& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
 
-Said said(const Offender& o) {
+Words in_words(const Offender& o) {
   const Extreme& e = contradiction(o);
   return {fmt::format("micro-triangle {} {}, alpha {} at texel {}{}", o.index, name_of(o.is),
                       text_of(e.alpha), place_text(e.at), e.mip == 0 ? "" : fmt::format(" of mip {}", e.mip)),
@@ -100,7 +100,7 @@ constexpr Domain strata{
 
 Check judged_by(Denies denies, const Domain& domain) {
   return [=](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>& number) {
-    const std::optional<Baked> baked = s.parts.bake(one, n, Format::four_state);
+    const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
     if (!baked) return unsupported();
     if (!baked->padded) return wrong("zeros after the last state", "others");
     const std::vector<State> truth = domain.truth(one, n, number);
@@ -117,7 +117,7 @@ Check judged_by(Denies denies, const Domain& domain) {
     };
     if (offends())
       return wrong([=, states = baked->states] {
-        return said(offender(one, n, states, domain.at(one, n), truth, denies).value());
+        return in_words(offender(one, n, states, domain.at(one, n), truth, denies).value());
       });
     return Finding{hash_of(baked->states)};
   };
@@ -125,7 +125,7 @@ Check judged_by(Denies denies, const Domain& domain) {
 
 Draw drawn_by(Denies denies, const Domain& domain) {
   return [=](const BakeSubject& s, const Case& one, Level n) {
-    const std::optional<Baked> baked = s.parts.bake(one, n, Format::four_state);
+    const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
     return picture(one, n,
                    offender(one, n, baked.value().states, domain.at(one, n),
                             domain.truth(one, n, std::nullopt), denies));
@@ -133,7 +133,7 @@ Draw drawn_by(Denies denies, const Domain& domain) {
 }
 
 std::optional<std::string> has_another_rule(const BakeSubject& s) {
-  if (!s.parts.centroid) return s.name() + " does not promise the centroid's side for what is unknown";
+  if (!s.functions.centroid) return s.name() + " does not promise the centroid's side for what is unknown";
   return std::nullopt;
 }
 
@@ -152,7 +152,7 @@ Law state_law(const char* id, const char* says, Denies denies, const Domain& dom
     };
     cases.chunk = 4;
   }
-  return over(
+  return on_cases(
       {.id = id,
        .topic = "bake",
        .says = says,

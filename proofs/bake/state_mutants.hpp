@@ -95,8 +95,8 @@ inline void byte_border(Case& one) {
 
 /// The map of another case in the place of this one's.
 inline Mutant asked_for_another(const char* name, Levels levels, const Mistake& mistake) {
-  return mutant(name, "bake", levels, [&](Parts& parts) {
-    parts.bake = [mistake, real = parts.bake](Case one, Level n, Format format) {
+  return mutant(name, "bake", levels, [&](Functions& functions) {
+    functions.bake = [mistake, real = functions.bake](Case one, Level n, Format format) {
       mistake(one);
       return real(one, n, format);
     };
@@ -106,8 +106,8 @@ inline Mutant asked_for_another(const char* name, Levels levels, const Mistake& 
 /// What becomes of a state, given that of the other case's map.
 inline Mutant beside_another(const char* name, Levels levels, const Mistake& mistake,
                              State (*becomes)(State is, State other)) {
-  return mutant(name, "bake", levels, [&](Parts& parts) {
-    parts.bake = [=, real = parts.bake](const Case& one, Level n, Format format) {
+  return mutant(name, "bake", levels, [&](Functions& functions) {
+    functions.bake = [=, real = functions.bake](const Case& one, Level n, Format format) {
       Case another = one;
       mistake(another);
       auto baked = real(one, n, format);

@@ -173,22 +173,23 @@ void fill_by(std::vector<std::uint32_t>& alpha, std::uint32_t width, std::uint32
 // The triangle
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Lengths are counted in so many parts of a texel: all sums of them are exact.
-constexpr std::int64_t parts = 4096;
+/// Lengths are counted in so many functions of a texel: all sums of them are exact.
+constexpr std::int64_t functions = 4096;
 
 struct Offset {
   std::int64_t x, y;
 };
 
-/// Where along one axis the target lies, in parts of texels.
+/// Where along one axis the target lies, in functions of texels.
 std::int64_t target_along(std::uint8_t place, bool second, std::int64_t size, Random& random) {
-  const std::int64_t somewhere = random.between(0, size * 2) * parts / 2,
-                     last = (2 * size - random.between(0, 4)) * parts / 2;
+  const std::int64_t somewhere = random.between(0, size * 2) * functions / 2,
+                     last = (2 * size - random.between(0, 4)) * functions / 2;
   // Lines between texels whose numbers fill words and rows of them.
   const auto at_word = [&] {
     const std::int64_t word = std::int64_t{32} << random.below(4);
-    return size <= word ? last
-                        : random.between(1, size / word) * word * parts + random.between(-1, 1) * parts / 2;
+    return size <= word
+               ? last
+               : random.between(1, size / word) * word * functions + random.between(-1, 1) * functions / 2;
   };
   switch (place) {
     case 0:  // the last corner
@@ -198,13 +199,13 @@ std::int64_t target_along(std::uint8_t place, bool second, std::int64_t size, Ra
     case 2:
       return second ? last : somewhere;
     case 3:  // about the first corner
-      return random.between(-3, 3) * parts / 2;
+      return random.between(-3, 3) * functions / 2;
     case 4:
       return somewhere;
     case 5:  // beyond the last
-      return last + random.between(0, size) * parts;
+      return last + random.between(0, size) * functions;
     case 6:  // below the first
-      return -random.between(0, 2 * size) * parts;
+      return -random.between(0, 2 * size) * functions;
     case 7:  // repeats away
       return somewhere;
     default:
@@ -213,16 +214,17 @@ std::int64_t target_along(std::uint8_t place, bool second, std::int64_t size, Ra
 }
 
 float coordinate(std::int64_t in_parts, std::uint32_t size) {
-  return static_cast<float>(static_cast<double>(in_parts) / (static_cast<double>(parts) * size));
+  return static_cast<float>(static_cast<double>(in_parts) / (static_cast<double>(functions) * size));
 }
 
-/// How long the span's value makes a micro-triangle, in parts of a texel of the mip that decides.
-constexpr std::array<std::int64_t, 5> spans{parts / 16, parts / 2, parts, 5 * parts / 2, 8 * parts};
+/// How long the span's value makes a micro-triangle, in functions of a texel of the mip that decides.
+constexpr std::array<std::int64_t, 5> spans{functions / 16, functions / 2, functions, 5 * functions / 2,
+                                            8 * functions};
 
 /// Cells that one micro-triangle may meet, so that the specification can follow.
 std::int64_t most_along(Level n) {
   constexpr std::array<std::int64_t, 4> texels{40, 20, 8, 5};
-  return (n < texels.size() ? texels[n] : 3) * parts;
+  return (n < texels.size() ? texels[n] : 3) * functions;
 }
 
 void place_triangle(Case& one, const Row& row, Level n, Offset target, std::uint32_t mip, Random& random) {
@@ -249,17 +251,18 @@ void place_triangle(Case& one, const Row& row, Level n, Offset target, std::uint
       e = f = {0, 0};
       break;
     case 6: {  // on lines of texels, or of their centres
-      const std::int64_t step = long_side >= parts ? parts : parts / 2;
+      const std::int64_t step = long_side >= functions ? functions : functions / 2;
       e = {std::max(step, long_side / step * step), 0};
       f = {random.below(2) != 0 ? step : 0, e.x};
-      target = {target.x / (parts / 2) * (parts / 2), target.y / (parts / 2) * (parts / 2)};
+      target = {target.x / (functions / 2) * (functions / 2), target.y / (functions / 2) * (functions / 2)};
       break;
     }
     case 8:  // a strip along u
     case 9:  // a strip along v
-      e = {std::min<std::int64_t>(4 * long_side, std::max<std::int64_t>(long_side, one.width * parts / side)),
+      e = {std::min<std::int64_t>(4 * long_side,
+                                  std::max<std::int64_t>(long_side, one.width * functions / side)),
            random.between(-2, 2)};
-      f = {random.between(-parts, parts) / side, std::max<std::int64_t>(1, parts / 2 / side)};
+      f = {random.between(-functions, functions) / side, std::max<std::int64_t>(1, functions / 2 / side)};
       if (shape == 9) e = {e.y, e.x}, f = {f.y, f.x};
       break;
     default:
@@ -376,7 +379,7 @@ Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
   Offset target{target_along(place, false, one.width, random), target_along(place, true, one.height, random)};
   const auto to_border = [&](Wrap wrap, std::int64_t& x, std::int64_t size) {
     if (wrap != Wrap::clamp_to_border || random.below(2) != 0) return;
-    x = (random.below(2) != 0 ? size * 2 + random.between(0, 6) : -random.between(0, 6)) * parts / 2;
+    x = (random.below(2) != 0 ? size * 2 + random.between(0, 6) : -random.between(0, 6)) * functions / 2;
   };
   to_border(one.wrap_u, target.x, one.width);
   to_border(one.wrap_v, target.y, one.height);
@@ -391,7 +394,7 @@ Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
   for (std::uint32_t k = 0; k < one.mips; ++k) {
     const std::uint32_t width = std::max(1u, one.width >> k), height = std::max(1u, one.height >> k);
     const auto texel_at = [&](Wrap wrap, std::int64_t at_parts, std::uint32_t size, std::uint32_t full) {
-      const std::int64_t index = (at_parts * size / full - (at_parts < 0 ? parts - 1 : 0)) / parts;
+      const std::int64_t index = (at_parts * size / full - (at_parts < 0 ? functions - 1 : 0)) / functions;
       return spec::bake::wrapped(wrap, index, size).value_or(size - 1);
     };
     const Spread spread{row[pattern_of], random.next(), texel_at(one.wrap_u, target.x, width, one.width),

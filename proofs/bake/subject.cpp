@@ -25,20 +25,20 @@ Baked in_format(std::vector<State> states, Format format) {
 
 /// A baker of 4-state maps, state by state.
 template <class One>
-Parts state_by_state(One state) {
-  Parts parts;
-  parts.bake = [state](const Case& one, Level n, Format format) -> std::optional<Baked> {
+Functions state_by_state(One state) {
+  Functions functions;
+  functions.bake = [state](const Case& one, Level n, Format format) -> std::optional<Baked> {
     std::vector<State> states(count_at(n));
     for (std::uint32_t k = 0; k < states.size(); ++k) states[k] = state(one, n, k);
     return in_format(std::move(states), format);
   };
-  return parts;
+  return functions;
 }
 
-Parts specified() {
-  Parts parts = state_by_state(true_state);
-  parts.centroid = true;
-  return parts;
+Functions specified() {
+  Functions functions = state_by_state(true_state);
+  functions.centroid = true;
+  return functions;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -101,7 +101,7 @@ std::optional<Baked> baked_by_impl(const Case& one, Level n, Format format) {
   return baked_from<std::uint8_t>(one, n, format);
 }
 
-Parts this_projects() { return {baked_by_impl, true}; }
+Functions this_projects() { return {baked_by_impl, true}; }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Bakers that sample
@@ -133,8 +133,8 @@ State sampled(const Case& one, Level n, std::uint32_t index, const std::vector<s
   });
 }
 
-BakeSubjectPtr subject(const char* name, const char* about, Parts parts) {
-  return std::make_shared<BakeSubject>(name, about, std::move(parts));
+BakeSubjectPtr subject(const char* name, const char* about, Functions functions) {
+  return std::make_shared<BakeSubject>(name, about, std::move(functions));
 }
 
 }  // namespace
@@ -162,15 +162,15 @@ BakeSubjectPtr the(const std::string& name) {
 }
 
 Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Parts&)>& change) {
-  Parts parts = the(base)->parts;
-  change(parts);
-  return {name, std::make_shared<BakeSubject>(name, "broken on purpose", std::move(parts)), levels};
+              const std::function<void(Functions&)>& change) {
+  Functions functions = the(base)->functions;
+  change(functions);
+  return {name, std::make_shared<BakeSubject>(name, "broken on purpose", std::move(functions)), levels};
 }
 
 Mutant spoiled(const char* name, const std::string& base, Levels levels, const Spoil& spoil) {
-  return mutant(name, base, levels, [&](Parts& parts) {
-    parts.bake = [spoil, real = parts.bake](const Case& one, Level n, Format format) {
+  return mutant(name, base, levels, [&](Functions& functions) {
+    functions.bake = [spoil, real = functions.bake](const Case& one, Level n, Format format) {
       auto baked = real(one, n, Format::four_state);
       if (!baked) return baked;
       spoil(one, n, baked->states);

@@ -22,7 +22,7 @@ struct Baked {
 };
 
 /// What a subject has.
-struct Parts {
+struct Functions {
   /// None where it does not support the case.  Calls may come from several threads at once.
   std::function<std::optional<Baked>(const Case&, Level, Format)> bake = {};
   bool centroid = false;  ///< its unknown states are those of spec/bake/state.hpp, micro_state
@@ -30,15 +30,15 @@ struct Parts {
 
 class BakeSubject : public Subject {
  public:
-  BakeSubject(std::string name, std::string about, Parts parts, std::string fingerprint = {})
+  BakeSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
       : Subject("bake", std::move(name), std::move(about)),
-        parts(std::move(parts)),
+        functions(std::move(functions)),
         fingerprint_(std::move(fingerprint)) {}
   /// It is asked about whole micro-triangles.
   bool exact() const override { return true; }
   std::string fingerprint() const override { return fingerprint_; }
 
-  const Parts parts;
+  const Functions functions;
 
  private:
   std::string fingerprint_;
@@ -60,6 +60,6 @@ Mutant spoiled(const char* name, const std::string& base, Levels levels, const S
 
 /// A subject with one thing broken on purpose.
 Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Parts&)>& change);
+              const std::function<void(Functions&)>& change);
 
 }  // namespace mmverify::proofs::bake

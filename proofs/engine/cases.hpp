@@ -1,7 +1,8 @@
-// A law case by case: what a check finds of one case, and the sweep over the numbers of all.
+// A law case by case: what a check finds of one case, and the law over the numbers of all.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -9,15 +10,32 @@
 
 namespace mmverify::proofs {
 
+/// A counterexample's words.
+struct Words {
+  std::string expected, got;
+};
+
 /// What a check of one case found: a number for the digest, and what was wrong first.
 struct Finding {
   std::uint64_t answer = 0;
   bool holds = true;
   std::string expected = {}, got = {};
+  bool declined = false;  ///< the subject does not claim to support the case
+  /// In the place of expected and got: worked out only where somebody reads it.
+  std::function<Words()> in_words = {};
+
+  Words words() const { return in_words ? in_words() : Words{expected, got}; }
 };
 
 inline Finding wrong(std::string expected, std::string got) {
   return {0, false, std::move(expected), std::move(got)};
+}
+
+/// A finding, for `replay`.
+inline Replayed replayed(const Finding& found) {
+  if (found.holds) return {true, "ok", "ok", {}};
+  const Words words = found.words();
+  return {false, words.expected, words.got, {}};
 }
 
 /// Order-dependent hash of bytes or states, for digests.
@@ -29,26 +47,22 @@ std::uint64_t hash_of(const Bytes& bytes) {
   return hash;
 }
 
-/// Judges the cases 0 .. count-1 of a level: check(k) -> Finding, text(k) -> what names the case.
-template <class Check, class Text>
-Tally each_case(const Run& run, Level n, std::uint64_t count, std::uint64_t chunk_size, const Check& check,
-                const Text& text) {
-  return sweep(run, count, chunk_size, [&](Chunk chunk, Tally& tally) {
-    for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-      const Finding found = check(k);
-      tally.count(Kind::interior, 1);
-      tally.digest(k, found.answer);
-      if (!found.holds)
-        tally.mismatch(Kind::interior, {n, k, 0}, [&] {
-          return Counterexample{{n, k, 0}, n, text(k), {}, found.expected, found.got};
-        });
-    }
-  });
-}
+/// Cases by number: how many at a level, the check of one, the text that names it, and the check of a text.
+struct NumberedCases {
+  std::function<std::uint64_t(Level, const Run&)> count;
+  std::function<Finding(const Subject&, Level, std::uint64_t k, const Run&)> check;
+  std::function<std::string(Level, std::uint64_t k, const Run&)> text;
+  std::function<Finding(const Subject&, Level, const std::string&)> read;  ///< throws BadCase
+  std::uint64_t chunk = 256;
+  Kind kind;  ///< that all are counted by
+  /// Of a subject at a level, where a case is drawn: an SVG; empty: none.
+  std::function<std::string(const Subject&, Level, const std::string&)> draw = {};
+};
 
-/// A finding, for `replay`.
-inline Replayed replayed(const Finding& found) {
-  return found.holds ? Replayed{true, "ok", "ok", {}} : Replayed{false, found.expected, found.got, {}};
-}
+/// The law, case by case, in one sweep: its cases, judge and replay; `how` where it has none.
+Law on_numbered_cases(Law law, const NumberedCases& cases);
+
+/// The sweep of it alone, for a law that makes something ready first.
+Tally judge_numbered_cases(const NumberedCases& cases, const Subject& subject, Level n, const Run& run);
 
 }  // namespace mmverify::proofs

@@ -30,7 +30,7 @@ class Subject {
   /// implementation.
   virtual std::string fingerprint() const { return {}; }
 
-  /// Whether its answers on the representatives decide all points of their cells.
+  /// Whether its answers on the cases of a law decide all inputs that those stand for.
   virtual bool exact() const = 0;
 
  private:
@@ -106,15 +106,16 @@ struct Law {
   /// Given the lowest level run and the one where a subject was first refuted, lines that say what it did
   /// instead.  Empty: nothing to say.
   std::function<std::vector<std::string>(const Subject&, const Levels&)> diagnose = {};
-  bool long_only = false;  ///< no part of the fast tier, unless asked for by its id
-  bool on_lines = true;    ///< its domain has points on grid lines, which a run may leave out
-  bool general = true;     ///< about any subject that fits; otherwise about the ones it names only
+  bool long_only = false;     ///< no part of the fast tier, unless asked for by its id
+  bool general = true;        ///< about any subject that fits; otherwise about the ones it names only
+  Options heeds = {};         ///< the choices of a run that its judge knows
+  Options mutants_with = {};  ///< those that its mutants are run with: no less wrong, and sooner done
   /// The command that shows a counterexample of it again, but for --case LEVEL@CASE; empty: `mmverify
   /// replay`.
   std::string replayed_by = {};
-  /// Runs with it on a float subject, for which cells decide nothing else; and so does the companion's own,
-  /// which may be about wider floats.
-  std::string float_companion = {};
+  /// The law that runs with it on a subject that is not exact, for which its cases decide nothing else; and so
+  /// does that law's own companion.
+  std::string companion = {};
 };
 
 /// Ends the law with `broken`.

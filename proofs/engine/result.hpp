@@ -19,8 +19,8 @@ enum class Verdict { proved, refuted, checked, broken, not_applicable, incomplet
 
 std::string to_string(Verdict v);
 
-/// Where a point lies on the level's grid.
-enum class Kind : std::uint8_t { vertex, edge, interior };
+/// What cases are counted by: numbers below `kinds`, whose names are the topics' (proofs/kinds.hpp).
+enum class Kind : std::uint8_t;
 constexpr std::size_t kinds = 3;
 
 /// Cases judged, those of them that were wrong, and those that the subject does not claim to support.

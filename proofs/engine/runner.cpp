@@ -29,6 +29,14 @@ void judge(const Law& law, Result& r, bool finished) {
     settle(r, law.method == Method::sample);
 }
 
+/// Those of the options that change what the law does.
+Options heeded(const Law& law, Options options) {
+  std::erase_if(options, [&](const Option* option) {
+    return !has(law.heeds, *option) || (option->narrows && !law.general);
+  });
+  return options;
+}
+
 Result named(const Law& law, const Subject& subject, Level level, const Run& run) {
   Result r;
   r.law = law.id;
@@ -40,7 +48,8 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   const bool known = subject.topic() == law.topic;
   r.method = known ? law.how(subject, level) : to_string(law.method);
   r.domain = known ? law.domain(subject, level) : "subjects of topic " + law.topic;
-  if (run.interiors_only && law.on_lines) r.domain += ", those inside micro-triangles only";
+  for (const Option* option : heeded(law, run.options))
+    if (option->domain != nullptr) r.domain += std::string(", ") + option->domain;
   return r;
 }
 
@@ -123,8 +132,7 @@ void name_proof(Result& r, const Law& law) {
 
 Result run_level(const Law& law, const Subject& subject, Level level, const Run& asked) {
   Run run = asked;
-  // What a law says of named subjects it says of all cells.
-  run.interiors_only = asked.interiors_only && law.general;
+  run.options = heeded(law, asked.options);
   run.until_refuted = asked.until_refuted && law.divisible;
   Result r = named(law, subject, level, run);
   if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
@@ -174,14 +182,16 @@ std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const
   Run run = asked;
   run.seed = Run().seed;
   run.tier = Tier::fast;
-  run.rationals = false;
-  run.interiors_only = false;
   run.until_refuted = true;
   std::vector<std::pair<const Law*, const Mutant*>> all;
   for (const Law* law : laws)
     for (const Mutant& mutant : law->mutants) all.emplace_back(law, &mutant);
   std::vector<std::optional<MutantResult>> found(all.size());
-  const auto one = [&](std::size_t k) { found[k] = run_mutant(*all[k].first, *all[k].second, run); };
+  const auto one = [&](std::size_t k) {
+    Run of_law = run;
+    of_law.options = all[k].first->mutants_with;
+    found[k] = run_mutant(*all[k].first, *all[k].second, of_law);
+  };
   const auto each = [&] {
     // Many are short, or a prover's, which has one thread.  Isolated: a thread that waits within one would
     // else begin another, with what the first has locked.
@@ -210,7 +220,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   run.errors = options.errors;
   run.seed = options.seed;
   run.tier = options.tier;
-  run.interiors_only = options.interiors_only;
+  run.options = options.options;
 
   const Shard shard = options.shard.value_or(Shard{});
   std::uint64_t total = 0;

@@ -21,7 +21,7 @@ struct RunOptions {
   std::size_t errors = 1;
   std::uint64_t seed = 1;
   Tier tier = Tier::fast;
-  bool interiors_only = false;
+  Options options = {};  ///< each law gets those that it heeds
   bool show_progress = true;
   std::optional<Shard> shard = {};  ///< none: the whole domain, not called a shard
   Journal* journal = nullptr;

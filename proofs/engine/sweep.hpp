@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "proofs/engine/chunk.hpp"
+#include "proofs/engine/option.hpp"
 #include "proofs/engine/progress.hpp"
 #include "proofs/engine/share.hpp"
 #include "proofs/engine/tally.hpp"
@@ -19,12 +20,10 @@ enum class Tier { fast, long_run };
 struct Run {
   oneapi::tbb::task_arena* arena = nullptr;
   Progress* progress = nullptr;
-  std::size_t errors = 1;  ///< counterexamples kept
-  std::uint64_t seed = 1;  ///< of every sample
-  Tier tier = Tier::fast;  ///< decides the size of samples
-  /// The slow, exact numbers where a law has a choice; its mutants are as wrong in fast ones.
-  bool rationals = true;
-  bool interiors_only = false;   ///< leave out the cells on lines: for who promises nothing there
+  std::size_t errors = 1;        ///< counterexamples kept
+  std::uint64_t seed = 1;        ///< of every sample
+  Tier tier = Tier::fast;        ///< decides the size of samples
+  Options options = {};          ///< those that the law heeds
   Division* division = nullptr;  ///< null: the whole domain, and no journal
   /// Of a subject that must be wrong, one counterexample is enough: a sweep ends with the first chunk that has
   /// one, on one thread, so that it is the same on every machine.  Not for laws that look at a whole sweep.

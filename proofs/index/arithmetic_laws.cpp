@@ -5,6 +5,7 @@
 #include "proofs/index/law_groups.hpp"
 #include "proofs/index/law_parts.hpp"
 #include "proofs/index/mutants.hpp"
+#include "proofs/index/options.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -57,7 +58,8 @@ Law exact_on_floats_law() {
                   {"the reference in binary32", the("reference-f32"), {4, 8}},
                   {"the step algorithm in binary32", the("step-f32"), {4, 4}},
                   wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)},
-      .float_companion = "index.exact_on_doubles"};
+      .heeds = {&interiors_only},
+      .companion = "index.exact_on_doubles"};
 }
 
 Law floats_err_law() {
@@ -88,7 +90,6 @@ Law floats_err_law() {
           .mutants = {right_at_7("binary16 with a guard at level 7", "reference-f16"),
                       {"impl, which compares without a sum", the("impl"), {1, 1}},
                       {"exact arithmetic", the("reference"), {5, 5}}},
-          .on_lines = false,
           .general = false};
 }
 
@@ -115,7 +116,8 @@ Law cells_decide_law() {
                   on_points("representatives of level 9 only", "step", {9, 9},
                             [](Level n, const GridPoint&, std::uint32_t answer) {
                               return n == 9 ? answer ^ 1 : answer;
-                            })}};
+                            })},
+      .heeds = {&interiors_only}};
 }
 
 Law fixed_is_rational_law() {
@@ -152,7 +154,8 @@ Law fixed_is_rational_law() {
                         };
                         return spec::index::reference(GridPoint{even(p.u), even(p.v)}, n);
                       },
-                      false)}};
+                      false)},
+      .heeds = {&interiors_only}};
 }
 
 Law sweep_is_spec_law() {
@@ -180,7 +183,8 @@ Law sweep_is_spec_law() {
       .mutants = {in_rows_only("one vertex of level 7", 7, corner(7) / 2, corner(7) / 4),
                   in_rows_only("the first cell of level 6", 6, 0, 0),
                   in_rows_only("the last cell of level 8", 8, 0, corner(8)),
-                  in_rows_only("one edge of level 9 in the reference", 9, 6, 4, "reference")}};
+                  in_rows_only("one edge of level 9 in the reference", 9, 6, 4, "reference")},
+      .heeds = {&interiors_only}};
 }
 
 Law exact_on_binary16_law() {
@@ -214,8 +218,7 @@ Law exact_on_binary16_law() {
                                0x1p-16f),
                       wrong_at("the v-corner, at level 9", 9, 0.0f, 1.0f)},
           .long_only = true,
-          .on_lines = false,
-          .float_companion = "index.exact_on_floats"};
+          .companion = "index.exact_on_floats"};
 }
 
 }  // namespace

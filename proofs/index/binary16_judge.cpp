@@ -6,6 +6,7 @@
 #include "proofs/index/on_cells.hpp"
 #include "proofs/index/reference_sweep.hpp"
 #include "proofs/index/rounded_subject.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

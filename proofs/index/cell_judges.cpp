@@ -3,6 +3,7 @@
 
 #include "proofs/index/judges.hpp"
 #include "proofs/index/on_cells.hpp"
+#include "proofs/index/options.hpp"
 #include "proofs/index/picture.hpp"
 #include "proofs/index/reference_sweep.hpp"
 #include "spec/rational.hpp"
@@ -58,7 +59,7 @@ RationalPoint received_point(const IndexSubject& s, const std::string& at) {
 }
 
 Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
-  if (s.exact() && run.rationals && n <= rational_levels) {
+  if (s.exact() && !has(run.options, in_fixed_point_alone) && n <= rational_levels) {
     const Answers oracle =
         one_by_one([n](const GridPoint& p) { return spec::index::reference(rational(p), n); });
     return compare_on_cells(s, n, run, oracle, asked_in_rationals(s, n));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "proofs/engine/result.hpp"
+#include "proofs/kinds.hpp"
 #include "spec/fixed.hpp"
 #include "spec/index/index.hpp"
 

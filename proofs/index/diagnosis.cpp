@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "proofs/index/judges.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

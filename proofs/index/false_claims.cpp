@@ -7,6 +7,7 @@
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/index/on_cells.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

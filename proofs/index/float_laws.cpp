@@ -2,6 +2,7 @@
 #include "proofs/index/law_groups.hpp"
 #include "proofs/index/law_parts.hpp"
 #include "proofs/index/mutants.hpp"
+#include "proofs/index/options.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -50,7 +51,8 @@ Law row_exact_on_floats_law() {
           {{"figure 4 in binary32", the("w-minor-f32"), {1, 1}},
            {"figure 4 in binary64, which loses what a sum has beyond 53 bits", the("w-minor-f64"), {7, 16}},
            wrong_at("one pair of level 9, an ulp under the hypotenuse", "impl", 9, 0.5f, 0x1.fffffep-2f),
-           wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)}};
+           wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)},
+      .heeds = {&interiors_only}};
 }
 
 /// Binary64 numbers become binary32 ones first, and those have the right index.
@@ -107,7 +109,8 @@ Law exact_on_doubles_law() {
                   {"the step algorithm in binary64", the("step-f64"), {4, 8}},
                   wrong_at("one pair of level 9, an ulp under the hypotenuse", "step", 9, 0.5,
                            0x1.fffffffffffffp-2),
-                  wrong_at("the least subnormal number is taken for another", "step", 12, 0x1p-1074, 0.5)}};
+                  wrong_at("the least subnormal number is taken for another", "step", 12, 0x1p-1074, 0.5)},
+      .heeds = {&interiors_only}};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "proofs/engine/random.hpp"
 #include "proofs/index/judges.hpp"
 #include "proofs/index/picture.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

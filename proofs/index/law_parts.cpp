@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "proofs/index/options.hpp"
+
 namespace mmverify::proofs::index {
 
 const IndexSubject& of_index(const Subject& s) { return dynamic_cast<const IndexSubject&>(s); }
@@ -14,7 +16,7 @@ std::function<Replayed(const Subject&, Level, const std::string&)> replayed_by(R
 }
 
 std::uint64_t all_cells(Level n, const Run& run) {
-  return run.interiors_only ? triangle_count(n) : cell_count(n);
+  return has(run.options, interiors_only) ? triangle_count(n) : cell_count(n);
 }
 std::uint64_t next_cells(Level n, const Run& run) { return all_cells(n + 1, run); }
 std::uint64_t all_triangles(Level n, const Run&) { return triangle_count(n); }

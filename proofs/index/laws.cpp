@@ -6,6 +6,7 @@
 #include "proofs/index/law_groups.hpp"
 #include "proofs/index/law_parts.hpp"
 #include "proofs/index/mutants.hpp"
+#include "proofs/index/options.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -29,7 +30,9 @@ Law equals_reference_law() {
           .replay = replayed_by(replay_equals_reference),
           .mutants = wrong_on_cells("step"),
           .diagnose = [](const Subject& s, const Levels& run) { return diagnose(of_index(s), run); },
-          .float_companion = "index.exact_on_floats"};
+          .heeds = {&interiors_only, &in_fixed_point_alone},
+          .mutants_with = {&in_fixed_point_alone},
+          .companion = "index.exact_on_floats"};
 }
 
 Law in_range_law() {
@@ -56,7 +59,8 @@ Law in_range_law() {
                                 [](Level n, const GridPoint& p, std::uint32_t answer) {
                                   return n == 6 && p.u + p.v == Fixed64(1) ? answer + (1u << 12) : answer;
                                 })},
-          .float_companion = "index.exact_on_floats"};
+          .heeds = {&interiors_only},
+          .companion = "index.exact_on_floats"};
 }
 
 Law bijective_law() {
@@ -83,8 +87,7 @@ Law bijective_law() {
                                 [](Level n, const GridPoint&, std::uint32_t answer) {
                                   return n == 6 && answer % 4 == 3 ? answer - 1 : answer;
                                 })},
-          .on_lines = false,
-          .float_companion = "index.exact_on_floats"};
+          .companion = "index.exact_on_floats"};
 }
 
 Law nested_law() {
@@ -112,7 +115,8 @@ Law nested_law() {
                                 [](Level n, const GridPoint&, std::uint32_t answer) {
                                   return n >= 6 ? answer ^ (2u << (2 * n - 2)) : answer;
                                 })},
-          .float_companion = "index.exact_on_floats"};
+          .heeds = {&interiors_only},
+          .companion = "index.exact_on_floats"};
 }
 
 Law contiguous_law() {
@@ -148,8 +152,7 @@ Law contiguous_law() {
                             [](Level n, const GridPoint&, std::uint32_t answer) {
                               return n == 5 ? (1u << 10) - 1 : answer;
                             })},
-      .on_lines = false,
-      .float_companion = "index.exact_on_floats"};
+      .companion = "index.exact_on_floats"};
 }
 
 Law inverse_law() {
@@ -183,8 +186,7 @@ Law inverse_law() {
                                 [](Level n, const GridPoint&, std::uint32_t answer) {
                                   return n == 6 && answer == 1234 ? answer + 1 : answer;
                                 })},
-          .on_lines = false,
-          .float_companion = "index.exact_on_floats"};
+          .companion = "index.exact_on_floats"};
 }
 
 Law corners_law() {
@@ -207,12 +209,10 @@ Law corners_law() {
       .replay = replayed_by(replay_corners_in_order),
       .mutants = {swapped_corners("two corners of one index of level 7 change places", "impl", 7, 7777),
                   swapped_corners("two corners of the last index of level 6 change places", "impl", 6, 4095),
-                  on_indices("u and v change places", "impl", {0, 3},
-                             [](Level, std::uint32_t, Corners c) {
-                               for (auto& vertex : c) std::swap(vertex.i, vertex.j);
-                               return c;
-                             })},
-      .on_lines = false};
+                  on_indices("u and v change places", "impl", {0, 3}, [](Level, std::uint32_t, Corners c) {
+                    for (auto& vertex : c) std::swap(vertex.i, vertex.j);
+                    return c;
+                  })}};
 }
 
 Law rounding_law() {
@@ -236,7 +236,8 @@ Law rounding_law() {
           .judge = judged_by(rounding),
           .replay = replayed_by(replay_rounding),
           .mutants = inconsistent_on_cells("reference"),
-          .float_companion = "index.exact_on_floats"};
+          .heeds = {&interiors_only},
+          .companion = "index.exact_on_floats"};
 }
 
 Law row_order_law() {
@@ -262,7 +263,8 @@ Law row_order_law() {
                                 [](Level n, const GridPoint& p, std::uint32_t answer) {
                                   return n == 6 && p.u + p.v == Fixed64(1) ? answer ^ 1 : answer;
                                 })},
-          .float_companion = "index.row_exact_on_floats"};
+          .heeds = {&interiors_only},
+          .companion = "index.row_exact_on_floats"};
 }
 
 Law row_corners_law() {
@@ -288,8 +290,7 @@ Law row_corners_law() {
                   on_indices("the last index of a row goes to the next", "w-minor", {0, 6},
                              [](Level n, std::uint32_t k, Corners c) {
                                return n == 6 && k == 50 * 50 - 1 ? spec::index::w_minor_corners(k + 1) : c;
-                             })},
-      .on_lines = false};
+                             })}};
 }
 
 }  // namespace

@@ -5,7 +5,10 @@
 #include <bit>
 #include <vector>
 
+#include "proofs/index/agreement.hpp"
+#include "proofs/index/options.hpp"
 #include "proofs/index/reference_sweep.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -92,7 +95,7 @@ class Comparison {
   void judge(const Row& row, std::span<const std::uint32_t> have) {
     for (const Kind kind : {Kind::vertex, Kind::edge, Kind::interior})
       if (kind == row.even || kind == row.odd) tally_.count(kind, row.count_of(kind));
-    const Agreement agreement = agreement_of(row.first, want_, have);
+    const Agreement agreement = agreement_of<std::uint32_t>(row.first, want_, have);
     tally_.digest_sum(agreement.digest);
     if (agreement.all) return;
     for (std::uint64_t t = 0; t < row.count; ++t) {
@@ -125,7 +128,7 @@ Tally compare_on_cells(const IndexSubject& subject, Level grid, const Run& run, 
   return sweep(run, cells.size(), chunk_size, [&](Chunk chunk, Tally& tally) {
     Comparison comparison(subject, grid, expected, got, say_expected, tally);
     cells.rows(chunk.begin, chunk.end, [&](const Row& row) {
-      if (!run.interiors_only || row.even == Kind::interior) comparison.add(row);
+      if (!has(run.options, interiors_only) || row.even == Kind::interior) comparison.add(row);
     });
     comparison.judge();
   });

@@ -3,6 +3,7 @@
 #include "proofs/index/law_groups.hpp"
 #include "proofs/index/law_parts.hpp"
 #include "proofs/index/mutants.hpp"
+#include "proofs/index/options.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -17,7 +18,7 @@ Law step_claim_law(Law law) {
   law.long_run = {0, 16};
   law.fast_seconds = 3;
   law.general = false;
-  law.float_companion = {};
+  law.companion = {};
   return law;
 }
 
@@ -50,7 +51,9 @@ Law differs_law(const char* id, const char* says, const char* source, const char
           .mutants = {repaired(6),
                       {"the reading without its difference", the("step"), {0, 2}},
                       single("one more wrong vertex, at level 1", reading, 1, 4, 0)},
-          .general = false};
+          .general = false,
+          .heeds = {&interiors_only, &in_fixed_point_alone},
+          .mutants_with = {&in_fixed_point_alone}};
 }
 
 Law row_holds_point_law() {
@@ -77,7 +80,8 @@ Law row_holds_point_law() {
                                 [](Level n, const GridPoint& p, std::uint32_t answer) {
                                   return n == 6 && on_u_line(p, n) ? answer + 1 : answer;
                                 })},
-          .float_companion = "index.row_exact_on_floats"};
+          .heeds = {&interiors_only},
+          .companion = "index.row_exact_on_floats"};
 }
 
 Law binary32_root_law() {
@@ -105,7 +109,6 @@ Law binary32_root_law() {
                                  [](Level, std::uint32_t k, Corners c) {
                                    return k == first_wrong ? spec::index::w_minor_corners(k) : c;
                                  })},
-          .on_lines = false,
           .general = false};
 }
 

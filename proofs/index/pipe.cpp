@@ -8,6 +8,7 @@
 #include "proofs/index/diagnosis.hpp"
 #include "proofs/index/on_cells.hpp"
 #include "proofs/index/rounded_subject.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "proofs/engine/law.hpp"
 #include "proofs/engine/shape.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -1,7 +1,5 @@
 #include "proofs/index/reference_sweep.hpp"
 
-#include "proofs/engine/tally.hpp"
-
 // The compiler vectorises the plain loops; the clones let one binary use what the machine has.
 #define MMVERIFY_FOR_EACH_MACHINE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 
@@ -55,31 +53,6 @@ MMVERIFY_FOR_EACH_MACHINE void reference_wide_row(Level n, const Row& row, std::
   std::uint64_t* index = out.data();
   for (std::int64_t t = 0; t < count; ++t)
     index[t] = spec::index::reference_wide(GridPoint{Fixed64::from_raw(u + t * du), Fixed64::from_raw(v)}, n);
-}
-
-namespace {
-template <class Word>
-[[gnu::always_inline]] inline Agreement agreement(std::uint64_t first, std::span<const Word> want,
-                                                  std::span<const Word> got) {
-  const Word *w = want.data(), *g = got.data();
-  const std::size_t count = got.size();
-  std::uint64_t digest = 0;
-  Word different = 0;
-  for (std::size_t t = 0; t < count; ++t) {
-    digest += Tally::digest_of(first + t, g[t]);
-    different |= w[t] ^ g[t];
-  }
-  return {different == 0, digest};
-}
-}  // namespace
-
-MMVERIFY_FOR_EACH_MACHINE Agreement agreement_of(std::uint64_t first, std::span<const std::uint32_t> want,
-                                                 std::span<const std::uint32_t> got) {
-  return agreement(first, want, got);
-}
-MMVERIFY_FOR_EACH_MACHINE Agreement agreement_of(std::uint64_t first, std::span<const std::uint64_t> want,
-                                                 std::span<const std::uint64_t> got) {
-  return agreement(first, want, got);
 }
 
 }  // namespace mmverify::proofs::index

@@ -1,5 +1,4 @@
-// The inner loops of a sweep, compiled for several vector widths: the oracle on many points, and the
-// comparison.
+// The oracle on many points, compiled for several vector widths.
 #pragma once
 
 #include <span>
@@ -20,17 +19,5 @@ void reference_rows(Level n, Level grid, std::span<const Row> rows, std::span<st
 /// spec::index::reference_wide on the representatives of a row of level n.
 /// Domain: n in 0..28; out as long as the row.
 void reference_wide_row(Level n, const Row& row, std::span<std::uint64_t> out);
-
-/// Whether two lists of answers are the same, and the digest of the second.
-struct Agreement {
-  bool all;
-  std::uint64_t digest;
-};
-
-/// Domain: as many wanted as got; the cases are numbered from `first` on.
-Agreement agreement_of(std::uint64_t first, std::span<const std::uint32_t> want,
-                       std::span<const std::uint32_t> got);
-Agreement agreement_of(std::uint64_t first, std::span<const std::uint64_t> want,
-                       std::span<const std::uint64_t> got);
 
 }  // namespace mmverify::proofs::index

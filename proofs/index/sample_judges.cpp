@@ -8,6 +8,8 @@
 #include "proofs/index/hard_doubles.hpp"
 #include "proofs/index/hard_rows.hpp"
 #include "proofs/index/judges.hpp"
+#include "proofs/index/options.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -92,8 +94,8 @@ Tally exact_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, 
     for (std::uint64_t from = chunk.begin; from < chunk.end; from += floats_per_batch) {
       const std::uint64_t count = std::min(floats_per_batch, chunk.end - from);
       for (std::uint64_t t = 0; t < count; ++t) {
-        const auto p =
-            run.interiors_only ? inside_pair(n, run.seed, from + t, draw) : draw(n, run.seed, from + t);
+        const auto p = has(run.options, interiors_only) ? inside_pair(n, run.seed, from + t, draw)
+                                                        : draw(n, run.seed, from + t);
         u[t] = p.u;
         v[t] = p.v;
       }
@@ -146,7 +148,7 @@ Tally cells_decide(const IndexSubject& s, Level n, const Run& run, std::uint64_t
     for (std::uint64_t sample = chunk.begin; sample < chunk.end; ++sample) {
       Random random(run.seed, n, sample);
       InCell in = random_in_cell(n, random);
-      while (run.interiors_only && in.kind != Kind::interior) in = random_in_cell(n, random);
+      while (has(run.options, interiors_only) && in.kind != Kind::interior) in = random_in_cell(n, random);
       const std::uint32_t want = s.index(n, in.representative), got = s.index(n, in.anywhere);
       tally.count(in.kind, 1);
       tally.digest(sample, got);

@@ -52,8 +52,7 @@ Law on_samples_law() {
                       [](Level n, const GridPoint& p, std::uint32_t answer) {
                         if (n < 12 || !on_u_line(p, n) || p.u == Fixed64(0)) return answer;
                         return spec::index::reference(GridPoint{Fixed64::from_raw(p.u.raw() - 1), p.v}, n);
-                      })},
-      .on_lines = false};
+                      })}};
 }
 
 Law corners_on_samples_law() {
@@ -86,8 +85,7 @@ Law corners_on_samples_law() {
                       on_indices("the last digit of level 14 is not looked at", "impl", {14, 14},
                                  [](Level n, std::uint32_t k, Corners c) {
                                    return n == 14 ? spec::index::corners(k & ~3u, n) : c;
-                                 })},
-          .on_lines = false};
+                                 })}};
 }
 
 }  // namespace

@@ -4,14 +4,17 @@
 #include <array>
 #include <vector>
 
+#include "proofs/index/agreement.hpp"
 #include "proofs/index/exact_float.hpp"
 #include "proofs/index/hard_floats.hpp"
 #include "proofs/index/law_groups.hpp"
 #include "proofs/index/law_parts.hpp"
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/on_cells.hpp"
+#include "proofs/index/options.hpp"
 #include "proofs/index/picture.hpp"
 #include "proofs/index/reference_sweep.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -26,13 +29,13 @@ Tally wide_equals_reference(const IndexSubject& s, Level n, const Run& run) {
   return sweep(run, cells.size(), cells_per_chunk, [&](Chunk chunk, Tally& tally) {
     std::vector<std::uint64_t> want(cells_per_chunk), got(cells_per_chunk);
     cells.rows(chunk.begin, chunk.end, [&](const Row& row) {
-      if (run.interiors_only && row.even != Kind::interior) return;
+      if (has(run.options, interiors_only) && row.even != Kind::interior) return;
       const std::span<std::uint64_t> w(want.data(), row.count), g(got.data(), row.count);
       reference_wide_row(n, row, w);
       s.wide_index(n, row, g);
       for (const Kind kind : {Kind::vertex, Kind::edge, Kind::interior})
         if (kind == row.even || kind == row.odd) tally.count(kind, row.count_of(kind));
-      const Agreement agreement = agreement_of(row.first, w, g);
+      const Agreement agreement = agreement_of<std::uint64_t>(row.first, w, g);
       tally.digest_sum(agreement.digest);
       for (std::uint64_t t = 0; !agreement.all && t < row.count; ++t) {
         if (w[t] == g[t]) continue;
@@ -181,7 +184,8 @@ Law wide_equals_reference_law() {
                       wide_mutant(
                           "words of 16 bits", "impl", {0, 9},
                           [](Level, const RationalPoint&, std::uint64_t index) { return index & 0xffff; })},
-          .float_companion = "index.wide_exact_on_floats"};
+          .heeds = {&interiors_only},
+          .companion = "index.wide_exact_on_floats"};
 }
 
 Law wide_exact_on_floats_law() {
@@ -214,8 +218,7 @@ Law wide_exact_on_floats_law() {
                   wide_mutant("one off where u is above 3/4, at level 30", "impl", {30, 30},
                               [](Level, const RationalPoint& p, std::uint64_t index) {
                                 return index + (p.u > Rational(spec::Integer(3), spec::Integer(4)) ? 1 : 0);
-                              })},
-      .on_lines = false};
+                              })}};
 }
 
 Law ends_at_16_law() {
@@ -250,7 +253,6 @@ Law ends_at_16_law() {
                                   [](Level, const RationalPoint&, std::uint64_t index) {
                                     return index & 0xffffffff;
                                   })},
-          .on_lines = false,
           .general = false};
 }
 

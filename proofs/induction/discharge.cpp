@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::induction {
 namespace {

@@ -143,7 +143,7 @@ constexpr char says[] =
     "node";
 
 Law every_one() {
-  return over_any_part(over(
+  return on_any_part(on_cases(
       {.id = "micromap.one_apart",
        .topic = "micromap",
        .says = says,
@@ -177,42 +177,43 @@ Law every_one() {
 }
 
 Law chosen_ones() {
-  return over_any_part(
-      over({.id = "micromap.one_apart_on_samples",
-            .topic = "micromap",
-            .says = says,
-            .source = packing_source,
-            .method = Method::sample,
-            .subjects = {"micromap"},
-            .fast = {5, 9},
-            .long_run = {5, 12},
-            .fast_seconds = 1,
-            .domain =
-                [](const Subject& s, Level n) {
-                  return fmt::format(
-                      "{} maps of level {} of one state but for one micro-triangle at a word's or the "
-                      "map's end, or for none{}",
-                      tree::chosen_apart_count(n), n, parts_of(s));
-                },
-            .how = [](const Subject&, Level) { return std::string("sample, against the closed form"); },
-            .mutants = {mutant("the last UO among O of level 7 is O", "micromap", {7, 7},
-                               {.unpack =
-                                    [](Format, States& s) {
-                                      if (s.size() == 16384 && s.back() == UO && s.front() == O) s.back() = O;
-                                    }}),
-                        mutant("a lone T in the middle of O is lost on the way down from level 8", "micromap",
-                               {8, 8},
-                               {.down =
-                                    [](Level n, Format, auto in, Bytes& out) {
-                                      if (is(n, in, 8, {four, 1, 0, 8, 32767})) change(out, 2047, 0x80);
-                                    }}),
-                        mutant("states from 2^17 on are packed as T", "micromap", {9, 9},
-                               {.pack =
-                                    [](Format f, const States&, Bytes& out) {
-                                      if (f == four && out.size() == 1 << 16)
-                                        std::fill(out.begin() + (1 << 15), out.end(), std::uint8_t{0});
-                                    }})}},
-           {}, cases(tree::chosen_apart_count, tree::chosen_apart, 1)));
+  return on_any_part(
+      on_cases({.id = "micromap.one_apart_on_samples",
+                .topic = "micromap",
+                .says = says,
+                .source = packing_source,
+                .method = Method::sample,
+                .subjects = {"micromap"},
+                .fast = {5, 9},
+                .long_run = {5, 12},
+                .fast_seconds = 1,
+                .domain =
+                    [](const Subject& s, Level n) {
+                      return fmt::format(
+                          "{} maps of level {} of one state but for one micro-triangle at a word's or the "
+                          "map's end, or for none{}",
+                          tree::chosen_apart_count(n), n, parts_of(s));
+                    },
+                .how = [](const Subject&, Level) { return std::string("sample, against the closed form"); },
+                .mutants = {mutant("the last UO among O of level 7 is O", "micromap", {7, 7},
+                                   {.unpack =
+                                        [](Format, States& s) {
+                                          if (s.size() == 16384 && s.back() == UO && s.front() == O)
+                                            s.back() = O;
+                                        }}),
+                            mutant("a lone T in the middle of O is lost on the way down from level 8",
+                                   "micromap", {8, 8},
+                                   {.down =
+                                        [](Level n, Format, auto in, Bytes& out) {
+                                          if (is(n, in, 8, {four, 1, 0, 8, 32767})) change(out, 2047, 0x80);
+                                        }}),
+                            mutant("states from 2^17 on are packed as T", "micromap", {9, 9},
+                                   {.pack =
+                                        [](Format f, const States&, Bytes& out) {
+                                          if (f == four && out.size() == 1 << 16)
+                                            std::fill(out.begin() + (1 << 15), out.end(), std::uint8_t{0});
+                                        }})}},
+               {}, cases(tree::chosen_apart_count, tree::chosen_apart, 1)));
 }
 
 }  // namespace

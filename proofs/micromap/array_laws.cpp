@@ -143,7 +143,7 @@ Law pairs() {
       line += (line.empty() ? "" : "|") + tree::text_of_states({m.level, m.format, m.bytes});
     return line;
   };
-  return over(
+  return on_cases(
       {.id = "micromap.build",
        .topic = "micromap",
        .says = "a built array is clean, gives every state back, shares equal maps and has no others",
@@ -196,7 +196,7 @@ Law pairs() {
 }
 
 Law sampled_builds() {
-  return over(
+  return on_cases(
       {.id = "micromap.build_on_samples",
        .topic = "micromap",
        .says = "a built array is clean, gives every state back, and shares equal maps where asked to",
@@ -290,56 +290,57 @@ Change misses(Rule rule, std::uint64_t at_least = 0) {
 }
 
 Law validating() {
-  return over({.id = "micromap.validate",
-               .topic = "micromap",
-               .says = "the validator lists exactly the violations that the rules have, rule by rule",
-               .source = "the rules' sources, docs/MICROMAP.md",
-               .method = Method::sample,
-               .subjects = {"micromap"},
-               .fast = {0, 5},
-               .long_run = {0, 7},
-               .fast_seconds = 4,
-               .domain =
-                   [](const Subject&, Level n) {
-                     return fmt::format(
-                         "arrays of up to 28 maps of levels 0..{}, up to three things spoilt, all sets", n);
-                   },
-               .mutants = {mutant("an index equal to the number of records is in range", "micromap", {0, 5},
-                                  {.validate =
-                                       [](const Input&, std::vector<Violation>& found) {
-                                         std::erase_if(found, [](const Violation& v) {
-                                           return v.rule == Rule::index_range && v.found == v.other;
-                                         });
-                                       }}),
-                           mutant("overlap is missed in arrays of 8 records and more", "micromap", {3, 5},
-                                  misses(Rule::record_overlap, 8)),
-                           mutant("a lossy build may have 2-state records", "micromap", {2, 4},
-                                  misses(Rule::record_lossy_format)),
-                           mutant("-5 is taken for special", "micromap", {0, 5}, misses(Rule::index_special)),
-                           mutant("the histograms' exchange is not seen at level 4", "micromap", {4, 5},
-                                  misses(Rule::counts_array_is_geometry)),
-                           mutant("the last byte of a region may be missing at level 5", "micromap", {5, 5},
-                                  {.validate =
-                                       [](const Input&, std::vector<Violation>& found) {
-                                         std::erase_if(found, [](const Violation& v) {
-                                           return v.rule == Rule::record_region && v.found == v.other + 1;
-                                         });
-                                       }})}},
-              {Entry::validate},
-              {[](Level n) -> std::uint64_t { return n <= 4 ? 3000 : 1500; },
-               [](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
-                 Handed handed;
-                 sample_spoilt(n, run.seed, k, handed);
-                 return validates(s, handed.in);
-               },
-               [](Level, std::uint64_t k, const Run& run) { return text_of(run.seed, k); },
-               [](const MicromapSubject& s, Level n, const std::string& text) {
-                 const auto [seed, k] = sample_from(text);
-                 Handed handed;
-                 sample_spoilt(n, seed, k, handed);
-                 return validates(s, handed.in);
-               },
-               64});
+  return on_cases(
+      {.id = "micromap.validate",
+       .topic = "micromap",
+       .says = "the validator lists exactly the violations that the rules have, rule by rule",
+       .source = "the rules' sources, docs/MICROMAP.md",
+       .method = Method::sample,
+       .subjects = {"micromap"},
+       .fast = {0, 5},
+       .long_run = {0, 7},
+       .fast_seconds = 4,
+       .domain =
+           [](const Subject&, Level n) {
+             return fmt::format(
+                 "arrays of up to 28 maps of levels 0..{}, up to three things spoilt, all sets", n);
+           },
+       .mutants = {mutant("an index equal to the number of records is in range", "micromap", {0, 5},
+                          {.validate =
+                               [](const Input&, std::vector<Violation>& found) {
+                                 std::erase_if(found, [](const Violation& v) {
+                                   return v.rule == Rule::index_range && v.found == v.other;
+                                 });
+                               }}),
+                   mutant("overlap is missed in arrays of 8 records and more", "micromap", {3, 5},
+                          misses(Rule::record_overlap, 8)),
+                   mutant("a lossy build may have 2-state records", "micromap", {2, 4},
+                          misses(Rule::record_lossy_format)),
+                   mutant("-5 is taken for special", "micromap", {0, 5}, misses(Rule::index_special)),
+                   mutant("the histograms' exchange is not seen at level 4", "micromap", {4, 5},
+                          misses(Rule::counts_array_is_geometry)),
+                   mutant("the last byte of a region may be missing at level 5", "micromap", {5, 5},
+                          {.validate =
+                               [](const Input&, std::vector<Violation>& found) {
+                                 std::erase_if(found, [](const Violation& v) {
+                                   return v.rule == Rule::record_region && v.found == v.other + 1;
+                                 });
+                               }})}},
+      {Entry::validate},
+      {[](Level n) -> std::uint64_t { return n <= 4 ? 3000 : 1500; },
+       [](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
+         Handed handed;
+         sample_spoilt(n, run.seed, k, handed);
+         return validates(s, handed.in);
+       },
+       [](Level, std::uint64_t k, const Run& run) { return text_of(run.seed, k); },
+       [](const MicromapSubject& s, Level n, const std::string& text) {
+         const auto [seed, k] = sample_from(text);
+         Handed handed;
+         sample_spoilt(n, seed, k, handed);
+         return validates(s, handed.in);
+       },
+       64});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "proofs/kinds.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -50,13 +51,9 @@ Finding same(const char* what, const Bytes& expected, const Bytes& got) {
   return wrong(fmt::format("{} {}", what, hex(expected)), hex(got));
 }
 
-Law over(Law law, std::vector<Entry> entries, Cases cases) {
-  law.divisible = true;
-  law.on_lines = false;
-  if (!law.how)
-    law.how = [method = law.method](const Subject&, Level) {
-      return std::string(method == Method::sample ? "sample, against the specification" : "exhaustive");
-    };
+Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
+  if (!law.how && law.method == Method::sample)
+    law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
   law.unfit = [entries, levels = law.long_run, exhaustive = law.method == Method::exhaustive](
                   const Subject& subject, Level n) -> std::optional<std::string> {
     const auto* s = dynamic_cast<const MicromapSubject*>(&subject);
@@ -72,17 +69,16 @@ Law over(Law law, std::vector<Entry> entries, Cases cases) {
     if (n > 12) return "samples have levels up to 12";
     return std::nullopt;
   };
-  law.cases = [count = cases.count](Level n, const Run&) { return count(n); };
-  law.judge = [cases](const Subject& s, Level n, const Run& run) {
-    return each_case(
-        run, n, cases.count(n), cases.chunk,
-        [&](std::uint64_t k) { return cases.check(of_micromap(s), n, k, run); },
-        [&](std::uint64_t k) { return cases.text(n, k, run); });
-  };
-  law.replay = [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
-    return replayed(replay(of_micromap(s), n, at));
-  };
-  return law;
+  return on_numbered_cases(
+      std::move(law), {[count = cases.count](Level n, const Run&) { return count(n); },
+                       [check = cases.check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+                         return check(of_micromap(s), n, k, run);
+                       },
+                       cases.text,
+                       [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
+                         return replay(of_micromap(s), n, at);
+                       },
+                       cases.chunk, Kind::interior});
 }
 
 Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, MapCheck check) {
@@ -97,21 +93,21 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, Map
   const auto number = [both](Level n, std::uint64_t k) {
     return tree::map_number(n, both ? k : k + two_state_maps(n));
   };
-  return over(std::move(law), std::move(entries),
-              {[both](Level n) -> std::uint64_t {
-                 if (n > (both ? 2u : 1u)) return 0;
-                 return both ? tree::map_count(n) : two_state_maps(n) * two_state_maps(n);
-               },
-               [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
-                 return check(s, packed(number(n, k)));
-               },
-               [=](Level n, std::uint64_t k, const Run&) { return tree::text_of_states(number(n, k)); },
-               [=](const MicromapSubject& s, Level n, const std::string& at) {
-                 const tree::Map map = tree::map_from_text(n, at);
-                 if (!both && map.format != Format::four_state)
-                   throw BadCase("the law is about 4-state maps");
-                 return check(s, packed(map));
-               }});
+  return on_cases(std::move(law), std::move(entries),
+                  {[both](Level n) -> std::uint64_t {
+                     if (n > (both ? 2u : 1u)) return 0;
+                     return both ? tree::map_count(n) : two_state_maps(n) * two_state_maps(n);
+                   },
+                   [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
+                     return check(s, packed(number(n, k)));
+                   },
+                   [=](Level n, std::uint64_t k, const Run&) { return tree::text_of_states(number(n, k)); },
+                   [=](const MicromapSubject& s, Level n, const std::string& at) {
+                     const tree::Map map = tree::map_from_text(n, at);
+                     if (!both && map.format != Format::four_state)
+                       throw BadCase("the law is about 4-state maps");
+                     return check(s, packed(map));
+                   }});
 }
 
 std::string asked_of(const MicromapSubject& s) {
@@ -126,7 +122,7 @@ std::string asked_of(const MicromapSubject& s) {
   return there.size() == std::size(parts) ? "" : fmt::format(", of it {}", fmt::join(there, ", "));
 }
 
-Law over_any_part(Law law) {
+Law on_any_part(Law law) {
   law.unfit = [fits = law.unfit](const Subject& subject, Level n) -> std::optional<std::string> {
     if (auto why = fits(subject, n)) return why;
     const MicromapSubject& s = of_micromap(subject);
@@ -145,27 +141,27 @@ Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check) {
                        maps == Maps::both_formats ? "both formats" : "4-state",
                        parts ? asked_of(of_micromap(s)) : "");
   };
-  law = over(std::move(law), std::move(entries),
-             {[](Level n) -> std::uint64_t {
-                return n <= 5 ? 200 : n == 6 ? 100 : n == 7 ? 40 : n == 8 ? 20 : 10;
-              },
-              [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
-                return check(s, packed(sampled(n, run.seed, k, maps)));
-              },
-              [=](Level n, std::uint64_t k, const Run& run) {
-                return tree::text_of_sample(sampled(n, run.seed, k, maps), run.seed, k);
-              },
-              [=](const MicromapSubject& s, Level n, const std::string& at) {
-                tree::Map map = tree::map_from_text(n, at);
-                if (maps == Maps::four_state && map.format != Format::four_state) {
-                  const States states =
-                      spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
-                  map = {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
-                }
-                return check(s, packed(map));
-              },
-              1});
-  return parts ? over_any_part(std::move(law)) : law;
+  law = on_cases(std::move(law), std::move(entries),
+                 {[](Level n) -> std::uint64_t {
+                    return n <= 5 ? 200 : n == 6 ? 100 : n == 7 ? 40 : n == 8 ? 20 : 10;
+                  },
+                  [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
+                    return check(s, packed(sampled(n, run.seed, k, maps)));
+                  },
+                  [=](Level n, std::uint64_t k, const Run& run) {
+                    return tree::text_of_sample(sampled(n, run.seed, k, maps), run.seed, k);
+                  },
+                  [=](const MicromapSubject& s, Level n, const std::string& at) {
+                    tree::Map map = tree::map_from_text(n, at);
+                    if (maps == Maps::four_state && map.format != Format::four_state) {
+                      const States states =
+                          spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
+                      map = {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
+                    }
+                    return check(s, packed(map));
+                  },
+                  1});
+  return parts ? on_any_part(std::move(law)) : law;
 }
 
 }  // namespace mmverify::proofs::micromap

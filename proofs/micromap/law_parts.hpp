@@ -45,7 +45,7 @@ struct Cases {
 };
 
 /// The law, case by case.
-Law over(Law law, std::vector<Entry> entries, Cases cases);
+Law on_cases(Law law, std::vector<Entry> entries, Cases cases);
 
 using MapCheck = std::function<Finding(const MicromapSubject&, const PackedMap&)>;
 
@@ -58,7 +58,7 @@ enum class Maps { both_formats, four_state };
 std::string asked_of(const MicromapSubject& s);
 
 /// A law that asks what is there: it fits where any of those entry points is.
-Law over_any_part(Law law);
+Law on_any_part(Law law);
 
 /// The law, on every map of the small levels; one case a map.  `first`: the lowest level that it is about.
 Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, MapCheck check);

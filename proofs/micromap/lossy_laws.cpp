@@ -137,7 +137,7 @@ Law judge_law() {
       if (level == n && a[0] == was && b[0] == is) change(kept);
     }};
   };
-  return over(
+  return on_cases(
       {.id = "lossy.judges",
        .topic = "micromap",
        .says = "a judge of substitutions says which of the three rules every micro-triangle keeps",
@@ -223,7 +223,7 @@ Law judge_samples_law() {
       if (n == level && was.back() >> 6 != is.back() >> 6 && is.back() >> 6 == slow::code(now)) change(kept);
     }};
   };
-  return over(
+  return on_cases(
       {.id = "lossy.judges_on_samples",
        .topic = "micromap",
        .says = "a judge of substitutions says which of the three rules every micro-triangle keeps",

@@ -99,36 +99,37 @@ constexpr char says[] =
     "codes mean nothing, the rest are indices";
 
 Law small() {
-  return over({.id = "micromap.special_indices",
-               .topic = "micromap",
-               .says = says,
-               .source = source,
-               .method = Method::exhaustive,
-               .subjects = {"micromap-spec", "micromap"},
-               .fast = {0, 0},
-               .long_run = {0, 0},
-               .at_once = "all levels",
-               .fast_seconds = 1,
-               .domain = [](const Subject&, Level) { return std::string("all codes of u8, u16 and i16"); },
-               .mutants = {mutant("-5 is UO in 8 bits", "micromap", {0, 0},
-                                  one_code(Encoding::u8, 251, {Kind::special, 0, UO})),
-                           mutant("-32768 is an index", "micromap-spec", {0, 0},
-                                  one_code(Encoding::i16, 0x8000, {Kind::index, 0x8000})),
-                           mutant("UT and UO change codes in 16 bits with a sign", "micromap", {0, 0},
-                                  {.special_code =
-                                       [](State s, Encoding e, std::uint32_t& code) {
-                                         if (e == Encoding::i16 && (s == UT || s == UO)) code ^= 1;
-                                       }})}},
-              {Entry::special},
-              {[](Level) { return small_codes; },
-               [](const MicromapSubject& s, Level, std::uint64_t k, const Run&) {
-                 return means(s, small_code(k).encoding, small_code(k).code);
-               },
-               [](Level, std::uint64_t k, const Run&) { return at(small_code(k)); }, replayed, 8192});
+  return on_cases(
+      {.id = "micromap.special_indices",
+       .topic = "micromap",
+       .says = says,
+       .source = source,
+       .method = Method::exhaustive,
+       .subjects = {"micromap-spec", "micromap"},
+       .fast = {0, 0},
+       .long_run = {0, 0},
+       .at_once = "all levels",
+       .fast_seconds = 1,
+       .domain = [](const Subject&, Level) { return std::string("all codes of u8, u16 and i16"); },
+       .mutants = {mutant("-5 is UO in 8 bits", "micromap", {0, 0},
+                          one_code(Encoding::u8, 251, {Kind::special, 0, UO})),
+                   mutant("-32768 is an index", "micromap-spec", {0, 0},
+                          one_code(Encoding::i16, 0x8000, {Kind::index, 0x8000})),
+                   mutant("UT and UO change codes in 16 bits with a sign", "micromap", {0, 0},
+                          {.special_code =
+                               [](State s, Encoding e, std::uint32_t& code) {
+                                 if (e == Encoding::i16 && (s == UT || s == UO)) code ^= 1;
+                               }})}},
+      {Entry::special},
+      {[](Level) { return small_codes; },
+       [](const MicromapSubject& s, Level, std::uint64_t k, const Run&) {
+         return means(s, small_code(k).encoding, small_code(k).code);
+       },
+       [](Level, std::uint64_t k, const Run&) { return at(small_code(k)); }, replayed, 8192});
 }
 
 Law wide() {
-  return over(
+  return on_cases(
       {.id = "micromap.special_indices_32",
        .topic = "micromap",
        .says = says,

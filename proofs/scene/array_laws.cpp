@@ -33,7 +33,7 @@ micromap::Input input_of(const Data& data, std::size_t primitive, const micromap
 }
 
 Law valid_law(const Data& data) {
-  return over(
+  return on_cases(
       {.id = "micromap.valid",
        .topic = "micromap",
        .says = "the array and each primitive's indices and counts break no rule of EXT, KHR, DXR and glTF",
@@ -152,7 +152,7 @@ Finding leads_to_its_states(const Data& data, Level n, const Use& at) {
 
 Law indirection_law(const Data& data) {
   const auto uses = std::make_shared<const Uses>(data);
-  return over(
+  return on_cases(
       {.id = "micromap.indirection",
        .topic = "micromap",
        .says =

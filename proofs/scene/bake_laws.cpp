@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "proofs/engine/random.hpp"
+#include "proofs/kinds.hpp"
 #include "proofs/scene/exact_surface.hpp"
 #include "proofs/scene/law_groups.hpp"
 
@@ -153,7 +154,6 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   law.says = claim.says;
   law.source = "design of state: closed micro-triangles, glTF 2.0 Alpha Coverage; spec/bake/state.hpp";
   law.divisible = true;
-  law.on_lines = false;
   const auto total = [&data, claim](Level n) {
     std::uint64_t sum = 0;
     for (const BakedTriangle& t : data.baked.triangles)

@@ -7,21 +7,19 @@
 #include <string>
 
 #include "proofs/engine/cases.hpp"
+#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::scene {
 
 /// A law on all parts of a level: `parts` says how many, `what` names them, `check` judges one.
-struct Parts {
+struct Domain {
   std::string what;
   std::function<std::uint64_t(Level)> count;
   std::function<Finding(Level, std::uint64_t)> check;
 };
 
-inline Law over(Law law, Parts parts) {
+inline Law on_cases(Law law, Domain parts) {
   law.method = Method::exhaustive;
-  law.divisible = true;
-  law.on_lines = false;
-  law.cases = [parts](Level n, const Run&) { return parts.count(n); };
   law.how = [](const Subject&, Level) { return std::string("exhaustive"); };
   law.domain = [parts](const Subject&, Level n) {
     return fmt::format("the {} {} of level {} of this scene", parts.count(n), parts.what, n);
@@ -30,18 +28,18 @@ inline Law over(Law law, Parts parts) {
     if (parts.count(n) != 0) return std::nullopt;
     return fmt::format("no {}", parts.what);
   };
-  law.judge = [parts](const Subject&, Level n, const Run& run) {
-    return each_case(
-        run, n, parts.count(n), 1, [&](std::uint64_t k) { return parts.check(n, k); },
-        [](std::uint64_t k) { return fmt::format("{}", k); });
-  };
-  law.replay = [parts](const Subject&, Level n, const std::string& at) {
+  const auto check_text = [parts](const Subject&, Level n, const std::string& at) {
     std::uint64_t k = 0;
     if (std::sscanf(at.c_str(), "%lu", &k) != 1 || fmt::format("{}", k) != at || k >= parts.count(n))
       throw BadCase(fmt::format("{}: not one of the {} {}", at, parts.count(n), parts.what));
-    return replayed(parts.check(n, k));
+    return parts.check(n, k);
   };
-  return law;
+  return on_numbered_cases(
+      std::move(law),
+      {[parts](Level n, const Run&) { return parts.count(n); },
+       [parts](const Subject&, Level n, std::uint64_t k, const Run&) { return parts.check(n, k); },
+       [](Level, std::uint64_t k, const Run&) { return fmt::format("{}", k); }, check_text, 1,
+       Kind::interior});
 }
 
 }  // namespace mmverify::proofs::scene

@@ -59,15 +59,15 @@ std::vector<Law> tree_laws(const Data& data) {
   auto by_level = std::make_shared<std::vector<std::vector<micromap::Record>>>(17);
   for (const micromap::Record& record : data.arrays.array.records)
     (*by_level)[record.level].push_back(record);
-  return {
-      over({.id = "tree.round_trip",
-            .topic = "tree",
-            .says = "a map's tree, as two bit sequences and as the form for random access, is the map again",
-            .source = "Succinct Opacity Micromaps, Algorithms 1 to 3"},
-           {"micromaps", [by_level](Level n) { return (*by_level)[n].size(); },
-            [by_level, &data](Level n, std::uint64_t k) {
-              return round_trip(data.codecs, map_of(data, (*by_level)[n][k]), n);
-            }})};
+  return {on_cases(
+      {.id = "tree.round_trip",
+       .topic = "tree",
+       .says = "a map's tree, as two bit sequences and as the form for random access, is the map again",
+       .source = "Succinct Opacity Micromaps, Algorithms 1 to 3"},
+      {"micromaps", [by_level](Level n) { return (*by_level)[n].size(); },
+       [by_level, &data](Level n, std::uint64_t k) {
+         return round_trip(data.codecs, map_of(data, (*by_level)[n][k]), n);
+       }})};
 }
 
 }  // namespace mmverify::proofs::scene

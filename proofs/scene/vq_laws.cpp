@@ -63,7 +63,7 @@ std::vector<Law> vq_laws(const Data& data) {
   const auto exact = std::make_shared<const ExactSurfaces>(data.scene, data.plan, data.margin);
   const auto pairs = [&data] { return std::uint64_t{data.pairs.distinct.size()}; };
   std::vector<Law> laws{
-      over(
+      on_cases(
           {.id = "vq2.conservative",
            .topic = "vq",
            .says =
@@ -73,7 +73,7 @@ std::vector<Law> vq_laws(const Data& data) {
            [&data](Level, std::uint64_t k) {
              return conservative<spec::vq::Vq2>(data.squares.vq2[k], data.codecs.vq2(data.squares.vq2[k]));
            }}),
-      over(
+      on_cases(
           {.id = "vq4.conservative",
            .topic = "vq",
            .says =
@@ -84,22 +84,22 @@ std::vector<Law> vq_laws(const Data& data) {
              return conservative<spec::vq::Vq4>(data.squares.vq4[k], data.codecs.vq4(data.squares.vq4[k]));
            }})};
   Law squares =
-      over({.id = "vq.square_map",
-            .topic = "vq",
-            .says = "a pair's square map is C where its region is mixed, and T or O where all of it is",
-            .source = "Compressed Opacity Maps, 3; spec/bake/state.hpp"},
-           {"regions drawn from the pairs' maps",
-            [pairs](Level n) { return (n == 4 || n == 5) && pairs() != 0 ? regions : 0; },
-            [&data, exact, pairs](Level n, std::uint64_t k) {
-              Random random(1, 73, k);
-              const std::uint64_t number = random.below(pairs());
-              const std::uint32_t side = spec::side(n);
-              const auto x = static_cast<std::uint32_t>(random.below(side)),
-                         y = static_cast<std::uint32_t>(random.below(side));
-              return exact_region(
-                  *exact, data.pairs.distinct[number], n, x, y,
-                  n == 4 ? data.squares.vq2[number][x + side * y] : data.squares.vq4[number][x + side * y]);
-            }});
+      on_cases({.id = "vq.square_map",
+                .topic = "vq",
+                .says = "a pair's square map is C where its region is mixed, and T or O where all of it is",
+                .source = "Compressed Opacity Maps, 3; spec/bake/state.hpp"},
+               {"regions drawn from the pairs' maps",
+                [pairs](Level n) { return (n == 4 || n == 5) && pairs() != 0 ? regions : 0; },
+                [&data, exact, pairs](Level n, std::uint64_t k) {
+                  Random random(1, 73, k);
+                  const std::uint64_t number = random.below(pairs());
+                  const std::uint32_t side = spec::side(n);
+                  const auto x = static_cast<std::uint32_t>(random.below(side)),
+                             y = static_cast<std::uint32_t>(random.below(side));
+                  return exact_region(*exact, data.pairs.distinct[number], n, x, y,
+                                      n == 4 ? data.squares.vq2[number][x + side * y]
+                                             : data.squares.vq4[number][x + side * y]);
+                }});
   squares.method = Method::sample;
   laws.push_back(std::move(squares));
   return laws;

@@ -131,7 +131,7 @@ Law one_apart_law() {
                         {.point = [](const Map& map, float, float, std::uint8_t& state) {
                           if (is(map, 2, {two, 1, 0, 1, 3}) && state == 0) state = 1;
                         }})};
-  law = over(std::move(law), {}, cases(one_apart_count, one_apart_number, 64));
+  law = on_cases(std::move(law), {}, cases(one_apart_count, one_apart_number, 64));
   law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
     if (n > 6) return "all its maps are run up to level 6; tree.one_apart_on_samples goes beyond";
     return fits(s, n);
@@ -170,7 +170,7 @@ Law one_apart_samples_law() {
                         {.decode = [](const Map& map, Bytes& packed) {
                           if (map.level == 10) packed.resize(packed.size() - 1);
                         }})};
-  law = over(std::move(law), {}, cases(chosen_apart_count, chosen_apart, 1));
+  law = on_cases(std::move(law), {}, cases(chosen_apart_count, chosen_apart, 1));
   law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
     if (n < 5) return "tree.one_apart has all such maps there";
     return fits(s, n);

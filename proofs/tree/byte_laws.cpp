@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "proofs/engine/shape.hpp"
+#include "proofs/kinds.hpp"
 #include "proofs/tree/altered.hpp"
 #include "proofs/tree/checks.hpp"
 
@@ -82,7 +83,6 @@ Law canonical_law() {
           .fast = {0, 4},
           .long_run = {0, 8}};
   law.fast_seconds = 0.4;
-  law.cases = [](Level, const Run&) { return 2 * strings; };
   law.domain = [](const Subject&, Level) {
     return std::string("all byte strings of up to two bytes, 2-state and 4-state");
   };
@@ -91,20 +91,19 @@ Law canonical_law() {
     if (n > 8) return "it is run up to level 8";
     return needing({Entry::bytes, Entry::paper})(s, n);
   };
-  law.divisible = true;
-  law.on_lines = false;
-  law.judge = [](const Subject& s, Level n, const Run& run) {
-    return each_case(
-        run, n, 2 * strings, 1024,
-        [&](std::uint64_t k) {
-          return bytes_are_canonical(of_tree(s), n, formats[k / strings], string_number(k % strings));
-        },
-        [](std::uint64_t k) { return text_of(formats[k / strings], string_number(k % strings)); });
-  };
-  law.replay = [](const Subject& s, Level n, const std::string& at) {
-    const auto [f, bytes] = string_from(at);
-    return replayed(bytes_are_canonical(of_tree(s), n, f, bytes));
-  };
+  law = on_numbered_cases(std::move(law), {[](Level, const Run&) { return 2 * strings; },
+                                           [](const Subject& s, Level n, std::uint64_t k, const Run&) {
+                                             return bytes_are_canonical(of_tree(s), n, formats[k / strings],
+                                                                        string_number(k % strings));
+                                           },
+                                           [](Level, std::uint64_t k, const Run&) {
+                                             return text_of(formats[k / strings], string_number(k % strings));
+                                           },
+                                           [](const Subject& s, Level n, const std::string& at) {
+                                             const auto [f, bytes] = string_from(at);
+                                             return bytes_are_canonical(of_tree(s), n, f, bytes);
+                                           },
+                                           1024, Kind::interior});
   // Each takes, or refuses, one string too many.
   const auto takes = [](const char* name, const char* base, Level n, Format f, Bytes string, Bytes as) {
     return mutant(name, base, {n, n},
@@ -140,26 +139,29 @@ Law bits_read_law() {
           .fast = {0, 6},
           .long_run = {0, 7}};
   law.fast_seconds = 0.3;
-  law.cases = [](Level n, const Run&) { return micro_triangles(n); };
   law.domain = [](const Subject&, Level) { return std::string("the 4^n indices of the alternating map"); };
   law.how = exhaustively;
   law.unfit = needing({Entry::reads});
-  law.divisible = true;
-  law.on_lines = false;
-  law.judge = [](const Subject& s, Level n, const Run& run) {
-    const CodePtr code = of_tree(s).encode(alternating_map(n, Format::two_state));
-    return each_case(
-        run, n, micro_triangles(n), 64,
-        [&](std::uint64_t k) {
-          const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
-                              got = code->tree_bits_read(k);
-          return got == expected ? Finding{got}
-                                 : wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
-        },
-        [](std::uint64_t k) { return fmt::format("k={}", k); });
+  const auto cases = [](std::shared_ptr<const Code> code) {
+    return NumberedCases{[](Level n, const Run&) { return micro_triangles(n); },
+                         [code](const Subject&, Level n, std::uint64_t k, const Run&) {
+                           const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
+                                               got = code->tree_bits_read(k);
+                           return got == expected
+                                      ? Finding{got}
+                                      : wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
+                         },
+                         [](Level, std::uint64_t k, const Run&) { return fmt::format("k={}", k); },
+                         [](const Subject& s, Level n, const std::string& at) {
+                           return reads(of_tree(s), n, number_from(at, micro_triangles(n)));
+                         },
+                         64,
+                         Kind::interior};
   };
-  law.replay = [](const Subject& s, Level n, const std::string& at) {
-    return replayed(reads(of_tree(s), n, number_from(at, micro_triangles(n))));
+  law = on_numbered_cases(std::move(law), cases(nullptr));
+  // One code for all indices of a level.
+  law.judge = [cases](const Subject& s, Level n, const Run& run) {
+    return judge_numbered_cases(cases(of_tree(s).encode(alternating_map(n, Format::two_state))), s, n, run);
   };
   const auto one_more = [](const char* name, Level n, std::uint64_t index) {
     return mutant(name, "tree-spec", {n, n}, {.reads = [=](Level level, std::uint64_t k, std::uint64_t bits) {
@@ -184,19 +186,19 @@ Law worst_size_law() {
           .long_run = {0, 10}};
   law.method = Method::witness;
   law.fast_seconds = 0.3;
-  law.cases = [](Level, const Run&) { return std::uint64_t{2}; };
   law.domain = [](const Subject&, Level) { return std::string("the alternating map, both formats"); };
-  law.how = [](const Subject&, Level) { return std::string("witness"); };
   law.unfit = needing({Entry::stream});
-  law.on_lines = false;
-  law.judge = [](const Subject& s, Level n, const Run& run) {
-    return each_case(
-        run, n, 2, 1, [&](std::uint64_t k) { return worst_size(of_tree(s), n, formats[k]); },
-        [](std::uint64_t k) { return fmt::format("k={}", k); });
-  };
-  law.replay = [](const Subject& s, Level n, const std::string& at) {
-    return replayed(worst_size(of_tree(s), n, formats[number_from(at, 2)]));
-  };
+  law = on_numbered_cases(std::move(law),
+                          {[](Level, const Run&) { return std::uint64_t{2}; },
+                           [](const Subject& s, Level n, std::uint64_t k, const Run&) {
+                             return worst_size(of_tree(s), n, formats[k]);
+                           },
+                           [](Level, std::uint64_t k, const Run&) { return fmt::format("k={}", k); },
+                           [](const Subject& s, Level n, const std::string& at) {
+                             return worst_size(of_tree(s), n, formats[number_from(at, 2)]);
+                           },
+                           1, Kind::interior});
+  law.divisible = false;
   const auto longer = [](const char* name, const char* base, Level n, Format f, int by) {
     return mutant(name, base, {n, n}, {.bytes = [=](const Map& map, Bytes& bytes) {
                     if (map.level == n && map.format == f)

@@ -111,21 +111,21 @@ Law damage_samples_law() {
                       [](Level n, Format, auto bytes, bool) {
                         return n == 6 && bytes.size() > 16 && bytes[5] == 7 ? 1 : 0;
                       })};
-  law = over(std::move(law), {Entry::bytes},
-             {[](Level n) { return samples(n) + apart_maps; },
-              [](const TreeSubject& s, Level n, std::uint64_t k, const Run& run) {
-                return refuses(s, k < samples(n) ? sample_map(n, run.seed, k)
-                                                 : map_of(n, apart_number(n, k - samples(n))));
-              },
-              [](Level n, std::uint64_t k, const Run& run) {
-                return k < samples(n) ? text_of_sample(sample_map(n, run.seed, k), run.seed, k)
-                                      : text_of(apart_number(n, k - samples(n)));
-              },
-              [](const TreeSubject& s, Level n, const std::string& at) {
-                if (n == 0) throw BadCase("'" + at + "': it is about level 1 and above");
-                return refuses(s, map_from_text(n, at));
-              },
-              1});
+  law = on_cases(std::move(law), {Entry::bytes},
+                 {[](Level n) { return samples(n) + apart_maps; },
+                  [](const TreeSubject& s, Level n, std::uint64_t k, const Run& run) {
+                    return refuses(s, k < samples(n) ? sample_map(n, run.seed, k)
+                                                     : map_of(n, apart_number(n, k - samples(n))));
+                  },
+                  [](Level n, std::uint64_t k, const Run& run) {
+                    return k < samples(n) ? text_of_sample(sample_map(n, run.seed, k), run.seed, k)
+                                          : text_of(apart_number(n, k - samples(n)));
+                  },
+                  [](const TreeSubject& s, Level n, const std::string& at) {
+                    if (n == 0) throw BadCase("'" + at + "': it is about level 1 and above");
+                    return refuses(s, map_from_text(n, at));
+                  },
+                  1});
   law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
     if (n < 2) return "tree.malformed has all maps of levels 0 to 2";
     return fits(s, n);

@@ -5,6 +5,7 @@
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/exact_float.hpp"
 #include "proofs/index/hard_floats.hpp"
+#include "proofs/kinds.hpp"
 #include "proofs/tree/altered.hpp"
 #include "proofs/tree/law_parts.hpp"
 
@@ -164,7 +165,6 @@ Law point_exact_on_floats_law() {
   law.how = [](const Subject&, Level) { return std::string("sample, against exact arithmetic"); };
   law.unfit = needing({Entry::point});
   law.divisible = true;
-  law.on_lines = false;
   law.judge = judge;
   law.replay = replay;
   law.mutants = {
@@ -184,7 +184,7 @@ Law point_exact_on_floats_law() {
 }
 
 Law with_points_on_floats(Law law) {
-  law.float_companion = law_id;
+  law.companion = law_id;
   law.domain = [maps = law.domain](const Subject& s, Level n) {
     return maps(s, n) + (of_tree(s).has(Entry::point) ? "; points at multiples of 1/4N" : "");
   };

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "proofs/kinds.hpp"
+
 namespace mmverify::proofs::tree {
 namespace {
 
@@ -18,7 +20,7 @@ struct Domain {
 };
 
 Law on_maps(Law law, std::vector<Entry> entries, const Check& check, const Domain& domain) {
-  return over(
+  return on_cases(
       std::move(law), std::move(entries),
       {domain.count,
        [=](const TreeSubject& s, Level n, std::uint64_t k, const Run& run) {
@@ -33,21 +35,18 @@ std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
 
 }  // namespace
 
-Law over(Law law, std::vector<Entry> entries, Cases cases) {
-  law.divisible = true;
-  law.on_lines = false;
+Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
   law.unfit = needing(std::move(entries));
-  law.cases = [count = cases.count](Level n, const Run&) { return count(n); };
-  law.judge = [cases](const Subject& s, Level n, const Run& run) {
-    return each_case(
-        run, n, cases.count(n), cases.chunk,
-        [&](std::uint64_t k) { return cases.check(tree_of(s), n, k, run); },
-        [&](std::uint64_t k) { return cases.text(n, k, run); });
-  };
-  law.replay = [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
-    return replayed(replay(tree_of(s), n, at));
-  };
-  return law;
+  return on_numbered_cases(
+      std::move(law), {[count = cases.count](Level n, const Run&) { return count(n); },
+                       [check = cases.check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+                         return check(tree_of(s), n, k, run);
+                       },
+                       cases.text,
+                       [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
+                         return replay(tree_of(s), n, at);
+                       },
+                       cases.chunk, Kind::interior});
 }
 
 Finding wrong(const std::string& where, const std::string& expected, std::string got) {

@@ -32,7 +32,7 @@ struct Cases {
 };
 
 /// The law, case by case.
-Law over(Law law, std::vector<Entry> entries, Cases cases);
+Law on_cases(Law law, std::vector<Entry> entries, Cases cases);
 
 /// The law, on every map of levels 0, 1 and (2-state) 2; one case a map.
 Law on_all_maps(Law law, std::vector<Entry> entries, Check check);

@@ -43,7 +43,7 @@ bool apart(const Word& w) {
 
 template <std::size_t side>
 Finding writes(const VqSubject& s, const Word& w) {
-  const Vectors<side>& of = s.parts.vectors<side>();
+  const Vectors<side>& of = s.functions.vectors<side>();
   if (w.of_pair) {
     Vector<side> v = spec::vq::uniform<side>(C);
     v[w.code / 16] = O;
@@ -149,7 +149,7 @@ Law codes_law() {
     return w.side == 2 ? writes<2>(s, w) : writes<4>(s, w);
   };
   cases.chunk = 4096;
-  return over(
+  return on_cases(
       {.id = "vq.codes",
        .topic = "vq",
        .says =
@@ -167,24 +167,27 @@ Law codes_law() {
                                       "C elsewhere, each of the four ways");
            },
        .mutants = {mutant("one word of 20 bits has T for C in its last region", "vq-spec", {2, 2},
-                          [](Parts& parts) {
-                            parts.of4.decode = [real = parts.of4.decode](Code4 how, std::uint32_t code) {
+                          [](Functions& functions) {
+                            functions.of4.decode = [real = functions.of4.decode](Code4 how,
+                                                                                 std::uint32_t code) {
                               Vector<4> v = real(how, code);
                               if (how == Code4::generic && code == 0x7beef) v[15] = T;
                               return v;
                             };
                           }),
                    mutant("all C is written with the palette of O", "vq-spec", {1, 1},
-                          [](Parts& parts) {
-                            parts.of2.encode = [real = parts.of2.encode](Code4 how, const Vector<2>& v) {
+                          [](Functions& functions) {
+                            functions.of2.encode = [real = functions.of2.encode](Code4 how,
+                                                                                 const Vector<2>& v) {
                               auto code = real(how, v);
                               if (v == spec::vq::uniform<2>(C)) code = 31;
                               return code;
                             };
                           }),
                    mutant("a horizontal line takes O and T of one row", "vq-spec", {2, 2},
-                          [](Parts& parts) {
-                            parts.of4.encode = [real = parts.of4.encode](Code4 how, const Vector<4>& v) {
+                          [](Functions& functions) {
+                            functions.of4.encode = [real = functions.of4.encode](Code4 how,
+                                                                                 const Vector<4>& v) {
                               auto code = real(how, v);
                               if (how == Code4::horizontal && v[12] == O && v[15] == T && !code)
                                 code = 0x36fff;

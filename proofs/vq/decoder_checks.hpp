@@ -112,7 +112,7 @@ Finding decoded(const Codec<Format>& codec, const BlockBytes<Format>& block, Map
 /// Both ways to decode, all regions row by row in one call.
 template <class Format>
 Finding decodes(const VqSubject& s, const BlockBytes<Format>& block) {
-  const Codec<Format>& codec = s.parts.codec<Format>();
+  const Codec<Format>& codec = s.functions.codec<Format>();
   Map<Format> expected;
   if (Finding whole = decoded<Format>(codec, block, expected); !whole.holds) return whole;
   if (codec.regions)
@@ -124,7 +124,7 @@ Finding decodes(const VqSubject& s, const BlockBytes<Format>& block) {
 /// 40, some of them twice in turn, then all of them by steps of an odd width.
 template <class Format>
 Finding decodes_in_any_order(const VqSubject& s, const BlockBytes<Format>& block) {
-  const Codec<Format>& codec = s.parts.codec<Format>();
+  const Codec<Format>& codec = s.functions.codec<Format>();
   Map<Format> expected;
   if (Finding whole = decoded<Format>(codec, block, expected); !whole.holds) return whole;
   const std::uint64_t hash = hash_of(block);

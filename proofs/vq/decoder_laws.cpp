@@ -12,7 +12,7 @@ using spec::vq::Region;
 
 template <class Format>
 std::optional<std::string> lacks_decoder(const VqSubject& s) {
-  const Codec<Format>& codec = s.parts.codec<Format>();
+  const Codec<Format>& codec = s.functions.codec<Format>();
   if (!codec.decode && !codec.regions)
     return fmt::format("{} has no decoder of VQ{}", s.name(), Format::side);
   return std::nullopt;
@@ -38,7 +38,7 @@ Law on_blocks(Law law, std::function<std::uint64_t(const Run&)> count, BlockOfNu
   cases.chunk = chunk;
   law.source = figure_11;
   law.fast = level_alone<Format>;
-  return over(std::move(law), lacks_decoder<Format>, cases);
+  return on_cases(std::move(law), lacks_decoder<Format>, cases);
 }
 
 std::function<std::uint64_t(const Run&)> always(std::uint64_t count) {
@@ -51,10 +51,10 @@ std::function<std::uint64_t(const Run&)> always(std::uint64_t count) {
 
 /// A change of whole maps; regions alone are not there, which halves the time of a sweep.
 template <class Format>
-std::function<void(Parts&)> decodes_wrongly(std::function<void(const Format&, Map<Format>&)> change) {
-  return [=](Parts& parts) {
-    parts.codec<Format>().regions = {};
-    auto& decode = parts.codec<Format>().decode;
+std::function<void(Functions&)> decodes_wrongly(std::function<void(const Format&, Map<Format>&)> change) {
+  return [=](Functions& functions) {
+    functions.codec<Format>().regions = {};
+    auto& decode = functions.codec<Format>().decode;
     decode = [=, real = decode](const BlockBytes<Format>& block) {
       Map<Format> map = real(block);
       change(spec::vq::from_bytes<Format>(block), map);
@@ -65,9 +65,9 @@ std::function<void(Parts&)> decodes_wrongly(std::function<void(const Format&, Ma
 
 /// The answer to one region of the blocks that are meant.
 template <class Format>
-std::function<void(Parts&)> asked_wrongly(Region where, std::function<bool(const Format&)> meant) {
-  return [=](Parts& parts) {
-    auto& regions = parts.codec<Format>().regions;
+std::function<void(Functions&)> asked_wrongly(Region where, std::function<bool(const Format&)> meant) {
+  return [=](Functions& functions) {
+    auto& regions = functions.codec<Format>().regions;
     regions = [=, real = regions](const BlockBytes<Format>& block, auto x, auto y, auto state) {
       real(block, x, y, state);
       if (!meant(spec::vq::from_bytes<Format>(block))) return;
@@ -79,11 +79,11 @@ std::function<void(Parts&)> asked_wrongly(Region where, std::function<bool(const
 
 /// One region, where the fields that it is made of have some values and another bit of the block is set.
 template <class Format>
-std::function<void(Parts&)> also_reads(Region where, std::uint32_t index, std::uint32_t transform,
-                                       std::size_t bit) {
-  return [=](Parts& parts) {
-    parts.codec<Format>().regions = {};
-    auto& decode = parts.codec<Format>().decode;
+std::function<void(Functions&)> also_reads(Region where, std::uint32_t index, std::uint32_t transform,
+                                           std::size_t bit) {
+  return [=](Functions& functions) {
+    functions.codec<Format>().regions = {};
+    auto& decode = functions.codec<Format>().decode;
     decode = [=, real = decode](const BlockBytes<Format>& block) {
       Map<Format> map = real(block);
       const std::uint32_t X = where.x / Format::side, Y = where.y / Format::side;
@@ -100,10 +100,10 @@ std::function<void(Parts&)> also_reads(Region where, std::uint32_t index, std::u
 
 /// Regions that are right when they are asked for in their order, all at once.
 template <class Format, class Change>
-std::function<void(Parts&)> in_some_calls(Change change) {
-  return [=](Parts& parts) {
-    parts.codec<Format>().decode = {};
-    auto& regions = parts.codec<Format>().regions;
+std::function<void(Functions&)> in_some_calls(Change change) {
+  return [=](Functions& functions) {
+    functions.codec<Format>().decode = {};
+    auto& regions = functions.codec<Format>().regions;
     regions = [=, real = regions](const BlockBytes<Format>& block, auto x, auto y, auto state) {
       real(block, x, y, state);
       change(x, y, state);

@@ -35,7 +35,7 @@ Finding substituted(const Map<Format>& was, const Map<Format>& is) {
 
 template <class Format>
 Finding conservative(const VqSubject& s, const Map<Format>& map) {
-  const Encoded<Format> encoded = s.parts.codec<Format>().encode(map);
+  const Encoded<Format> encoded = s.functions.codec<Format>().encode(map);
   Finding found = substituted<Format>(map, meant<Format>(encoded.block));
   if (!found.holds) return found;
   if (encoded.substitutions && *encoded.substitutions != found.answer)
@@ -46,7 +46,7 @@ Finding conservative(const VqSubject& s, const Map<Format>& map) {
 
 template <class Format>
 Finding keeps(const VqSubject& s, const Map<Format>& map) {
-  const Encoded<Format> encoded = s.parts.codec<Format>().encode(map);
+  const Encoded<Format> encoded = s.functions.codec<Format>().encode(map);
   const Map<Format> got = meant<Format>(encoded.block);
   for (std::size_t k = 0; k < map.size(); ++k)
     if (got[k] != map[k])
@@ -56,12 +56,12 @@ Finding keeps(const VqSubject& s, const Map<Format>& map) {
 
 template <class Format>
 Finding keeps_what_it_made(const VqSubject& s, const Map<Format>& map) {
-  return keeps<Format>(s, meant<Format>(s.parts.codec<Format>().encode(map).block));
+  return keeps<Format>(s, meant<Format>(s.functions.codec<Format>().encode(map).block));
 }
 
 template <class Format>
 Finding keeps_its_promise(const VqSubject& s, const Map<Format>& map) {
-  const Codec<Format>& codec = s.parts.codec<Format>();
+  const Codec<Format>& codec = s.functions.codec<Format>();
   const Finding found = substituted<Format>(map, meant<Format>(codec.encode(map).block));
   if (!found.holds) return found;
   if (codec.at_most)
@@ -74,7 +74,7 @@ Finding keeps_its_promise(const VqSubject& s, const Map<Format>& map) {
 }
 
 inline Finding fewest(const VqSubject& s, const Map<Vq2>& map) {
-  const Finding found = substituted<Vq2>(map, meant<Vq2>(s.parts.vq2.encode(map).block));
+  const Finding found = substituted<Vq2>(map, meant<Vq2>(s.functions.vq2.encode(map).block));
   if (!found.holds) return found;
   const std::uint32_t least = least_substitutions(map);
   return found.answer == least
@@ -84,7 +84,7 @@ inline Finding fewest(const VqSubject& s, const Map<Vq2>& map) {
 
 template <class Format>
 std::optional<std::string> lacks_encoder(const VqSubject& s) {
-  if (!s.parts.codec<Format>().encode)
+  if (!s.functions.codec<Format>().encode)
     return fmt::format("{} has no encoder of VQ{}", s.name(), Format::side);
   return std::nullopt;
 }
@@ -92,7 +92,7 @@ std::optional<std::string> lacks_encoder(const VqSubject& s) {
 template <class Format>
 std::optional<std::string> does_not_keep(const VqSubject& s) {
   if (auto lacks = lacks_encoder<Format>(s)) return lacks;
-  if (!s.parts.codec<Format>().keeps_what_fits)
+  if (!s.functions.codec<Format>().keeps_what_fits)
     return s.name() + " does not promise to keep what a block can hold";
   return std::nullopt;
 }
@@ -115,7 +115,7 @@ Law on_maps(Law law, std::function<std::uint64_t(const Run&)> count,
   cases.chunk = 4;
   law.topic = "vq";
   law.fast = level_alone<Format>;
-  return over(std::move(law), lacks, cases);
+  return on_cases(std::move(law), lacks, cases);
 }
 
 /// As many in the fast tier, as many in the long one.

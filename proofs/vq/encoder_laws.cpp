@@ -213,7 +213,7 @@ Law effort_law(const char* id, const char* says, const char* source, std::vector
                           .mutants = std::move(mutants)},
                          cases_of(fast, long_run), sample_map<Format>, keeps_its_promise<Format>,
                          [](const VqSubject& s) -> std::optional<std::string> {
-                           const Codec<Format>& codec = s.parts.codec<Format>();
+                           const Codec<Format>& codec = s.functions.codec<Format>();
                            if (!codec.at_most && !codec.at_least)
                              return s.name() + " promises nothing of its substitutions";
                            return lacks_encoder<Format>(s);
@@ -238,14 +238,14 @@ Law optimum_law() {
                       cases_of(48, 10'000), sample_map<Vq2>, fewest,
                       [](const VqSubject& s) -> std::optional<std::string> {
                         if (auto lacks = lacks_encoder<Vq2>(s)) return lacks;
-                        if (!s.parts.vq2.fewest)
+                        if (!s.functions.vq2.fewest)
                           return s.name() + " does not promise the fewest substitutions";
                         return std::nullopt;
                       });
 }
 
 Law bound_law() {
-  const auto vq4 = [](const char* name, const std::function<void(Parts&)>& change) {
+  const auto vq4 = [](const char* name, const std::function<void(Functions&)>& change) {
     return mutant(name, "vq4-proved", level_alone<Vq4>, change);
   };
   return on_maps<Vq4>(
@@ -260,15 +260,15 @@ Law bound_law() {
        .mutants = {vq4("gives up a vector of TL", gives_up_a_vector<Vq4>(0, 0)),
                    vq4("gives up a vector of BR where it is not turned", gives_up_a_vector<Vq4>(3, 0)),
                    vq4("a bound that is one too high",
-                       [](Parts& parts) {
-                         parts.vq4.at_least = [real = parts.vq4.at_least](const Map<Vq4>& map) {
+                       [](Functions& functions) {
+                         functions.vq4.at_least = [real = functions.vq4.at_least](const Map<Vq4>& map) {
                            return real(map) + 1;
                          };
                        })}},
       cases_of(12, 64), sample_map<Vq4>, keeps_its_promise<Vq4>,
       [](const VqSubject& s) -> std::optional<std::string> {
         if (auto lacks = lacks_encoder<Vq4>(s)) return lacks;
-        if (!s.parts.vq4.at_least) return s.name() + " gives no bound";
+        if (!s.functions.vq4.at_least) return s.name() + " gives no bound";
         return std::nullopt;
       });
 }
@@ -276,10 +276,10 @@ Law bound_law() {
 }  // namespace
 
 std::vector<Law> encoder_laws() {
-  const auto vq2 = [](const char* name, const std::function<void(Parts&)>& change) {
+  const auto vq2 = [](const char* name, const std::function<void(Functions&)>& change) {
     return mutant(name, "vq2-optimal", level_alone<Vq2>, change);
   };
-  const auto vq4 = [](const char* name, const char* base, const std::function<void(Parts&)>& change) {
+  const auto vq4 = [](const char* name, const char* base, const std::function<void(Functions&)>& change) {
     return mutant(name, base, level_alone<Vq4>, change);
   };
   const std::vector<std::string> efforts{"vq4-fast", "vq4-balanced", "vq4-thorough"};

@@ -12,9 +12,9 @@ template <class Format>
 using Spoil = std::function<void(const Map<Format>&, Encoded<Format>&)>;
 
 template <class Format>
-std::function<void(Parts&)> spoiled(Spoil<Format> spoil) {
-  return [=](Parts& parts) {
-    auto& encode = parts.codec<Format>().encode;
+std::function<void(Functions&)> spoiled(Spoil<Format> spoil) {
+  return [=](Functions& functions) {
+    auto& encode = functions.codec<Format>().encode;
     encode = [=, real = encode](const Map<Format>& map) {
       Encoded<Format> encoded = real(map);
       spoil(map, encoded);
@@ -41,7 +41,7 @@ inline auto& code_of(Vq4& fields, std::size_t, std::uint32_t index) { return fie
 /// Under one transform of one quadrant, an entry in use loses its lowest bit: C becomes O or T, or, where the
 /// entry has no C, O becomes T.
 template <class Format>
-std::function<void(Parts&)> loses_a_check(std::size_t q, std::uint32_t transform) {
+std::function<void(Functions&)> loses_a_check(std::size_t q, std::uint32_t transform) {
   return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
     Format fields = spec::vq::from_bytes<Format>(encoded.block);
     const std::uint32_t vector = looked_up_in(fields, q);
@@ -54,7 +54,7 @@ std::function<void(Parts&)> loses_a_check(std::size_t q, std::uint32_t transform
 
 /// Under one transform of one quadrant, a uniform vector of T becomes O.
 template <class Format>
-std::function<void(Parts&)> opaque_for_transparent(std::size_t q, std::uint32_t transform) {
+std::function<void(Functions&)> opaque_for_transparent(std::size_t q, std::uint32_t transform) {
   return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
     Format fields = spec::vq::from_bytes<Format>(encoded.block);
     if (fields.transforms[q].number() != transform) return;
@@ -70,7 +70,7 @@ std::function<void(Parts&)> opaque_for_transparent(std::size_t q, std::uint32_t 
 
 /// Under one transform of one quadrant, a vector is given up: all C, and so counted.
 template <class Format>
-std::function<void(Parts&)> gives_up_a_vector(std::size_t q, std::uint32_t transform) {
+std::function<void(Functions&)> gives_up_a_vector(std::size_t q, std::uint32_t transform) {
   return spoiled<Format>([=](const Map<Format>& map, Encoded<Format>& encoded) {
     Format fields = spec::vq::from_bytes<Format>(encoded.block);
     const std::uint32_t vector = looked_up_in(fields, q);
@@ -83,7 +83,7 @@ std::function<void(Parts&)> gives_up_a_vector(std::size_t q, std::uint32_t trans
 }
 
 template <class Format>
-std::function<void(Parts&)> counts_one_less(std::size_t q, std::uint32_t transform) {
+std::function<void(Functions&)> counts_one_less(std::size_t q, std::uint32_t transform) {
   return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
     const Format fields = spec::vq::from_bytes<Format>(encoded.block);
     if (fields.transforms[q].number() == transform && *encoded.substitutions > 0) --*encoded.substitutions;
@@ -92,9 +92,9 @@ std::function<void(Parts&)> counts_one_less(std::size_t q, std::uint32_t transfo
 
 /// One map is encoded as another.
 template <class Format>
-std::function<void(Parts&)> instead(Map<Format> map, Map<Format> other) {
-  return [=](Parts& parts) {
-    auto& encode = parts.codec<Format>().encode;
+std::function<void(Functions&)> instead(Map<Format> map, Map<Format> other) {
+  return [=](Functions& functions) {
+    auto& encode = functions.codec<Format>().encode;
     encode = [=, real = encode](const Map<Format>& given) { return real(given == map ? other : given); };
   };
 }

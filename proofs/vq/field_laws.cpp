@@ -12,7 +12,7 @@ template <class Format>
 Finding lie_in_their_places(const VqSubject& s, const Values<Format>& values) {
   const Format fields = with<Format>(values);
   const BlockBytes<Format> expected = bits_of_values<Format>(values);
-  const Codec<Format>& codec = s.parts.codec<Format>();
+  const Codec<Format>& codec = s.functions.codec<Format>();
   if (const BlockBytes<Format> got = codec.bytes(fields); got != expected)
     return wrong("block " + hex(expected), hex(got));
   if (const Format got = codec.fields(expected); !(got == fields))
@@ -46,7 +46,7 @@ Values<Format> two_bits_number(std::uint64_t k) {
 
 template <class Format>
 std::optional<std::string> lacks_fields(const VqSubject& s) {
-  if (!s.parts.codec<Format>().bytes || !s.parts.codec<Format>().fields)
+  if (!s.functions.codec<Format>().bytes || !s.functions.codec<Format>().fields)
     return s.name() + " has no entry point of fields: they are the specification's";
   return std::nullopt;
 }
@@ -68,7 +68,7 @@ Law law_of_fields(Law law, std::uint64_t count, std::function<Values<Format>(std
   cases.chunk = 4096;
   law.source = figure_11;
   law.fast = level_alone<Format>;
-  return over(std::move(law), lacks_fields<Format>, cases);
+  return on_cases(std::move(law), lacks_fields<Format>, cases);
 }
 
 template <class Format>
@@ -110,9 +110,10 @@ Law values_law(const char* id, std::vector<Mutant> mutants) {
 }
 
 template <class Format>
-std::function<void(Parts&)> writes_wrongly(std::function<void(const Format&, BlockBytes<Format>&)> change) {
-  return [=](Parts& parts) {
-    auto& bytes = parts.codec<Format>().bytes;
+std::function<void(Functions&)> writes_wrongly(
+    std::function<void(const Format&, BlockBytes<Format>&)> change) {
+  return [=](Functions& functions) {
+    auto& bytes = functions.codec<Format>().bytes;
     bytes = [=, real = bytes](const Format& fields) {
       BlockBytes<Format> block = real(fields);
       change(fields, block);
@@ -122,9 +123,9 @@ std::function<void(Parts&)> writes_wrongly(std::function<void(const Format&, Blo
 }
 
 template <class Format>
-std::function<void(Parts&)> reads_wrongly(std::function<void(Format&)> change) {
-  return [=](Parts& parts) {
-    auto& fields = parts.codec<Format>().fields;
+std::function<void(Functions&)> reads_wrongly(std::function<void(Format&)> change) {
+  return [=](Functions& functions) {
+    auto& fields = functions.codec<Format>().fields;
     fields = [=, real = fields](const BlockBytes<Format>& block) {
       Format read = real(block);
       change(read);
@@ -139,10 +140,10 @@ std::vector<Law> field_laws() {
   const auto bit = [](auto& block, std::size_t k) {
     block[k / 8] = static_cast<std::uint8_t>(block[k / 8] ^ 1u << k % 8);
   };
-  const auto spec2 = [](const char* name, const std::function<void(Parts&)>& change) {
+  const auto spec2 = [](const char* name, const std::function<void(Functions&)>& change) {
     return mutant(name, "vq-spec", level_alone<Vq2>, change);
   };
-  const auto spec4 = [](const char* name, const std::function<void(Parts&)>& change) {
+  const auto spec4 = [](const char* name, const std::function<void(Functions&)>& change) {
     return mutant(name, "vq-spec", level_alone<Vq4>, change);
   };
   return {

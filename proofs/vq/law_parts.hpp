@@ -8,6 +8,7 @@
 #include <string>
 
 #include "proofs/engine/cases.hpp"
+#include "proofs/kinds.hpp"
 #include "proofs/vq/subject.hpp"
 
 namespace mmverify::proofs::vq {
@@ -38,14 +39,10 @@ using Lacks = std::function<std::optional<std::string>(const VqSubject&)>;
 
 /// The law, case by case.  Its levels are those of `fast`, in the long tier as well.
 template <class Case>
-Law over(Law law, Lacks lacks, Cases<Case> cases) {
+Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
   law.topic = "vq";
-  law.divisible = true;
-  law.on_lines = false;
   law.long_run = law.fast;
   const auto of_vq = [](const Subject& s) -> const VqSubject& { return dynamic_cast<const VqSubject&>(s); };
-  if (!law.how)
-    law.how = [method = law.method](const Subject&, Level) { return std::string(to_string(method)); };
   law.unfit = [lacks, levels = law.fast](const Subject& s, Level n) -> std::optional<std::string> {
     const auto* subject = dynamic_cast<const VqSubject*>(&s);
     if (subject == nullptr) return "not a subject of topic vq";
@@ -55,18 +52,17 @@ Law over(Law law, Lacks lacks, Cases<Case> cases) {
                          levels.first == levels.last ? "" : fmt::format("..{}", levels.last));
     return lacks(*subject);
   };
-  law.cases = cases.count;
-  law.judge = [cases, of_vq](const Subject& s, Level n, const Run& run) {
-    const auto number = [&](std::uint64_t k) { return cases.number(n, k, run.seed); };
-    return each_case(
-        run, n, cases.count(n, run), cases.chunk,
-        [&](std::uint64_t k) { return cases.check(of_vq(s), number(k)); },
-        [&](std::uint64_t k) { return cases.text(number(k)); });
-  };
-  law.replay = [cases, of_vq](const Subject& s, Level n, const std::string& at) {
-    return replayed(cases.check(of_vq(s), cases.read(n, at)));
-  };
-  return law;
+  return on_numbered_cases(
+      std::move(law),
+      {cases.count,
+       [cases, of_vq](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+         return cases.check(of_vq(s), cases.number(n, k, run.seed));
+       },
+       [cases](Level n, std::uint64_t k, const Run& run) { return cases.text(cases.number(n, k, run.seed)); },
+       [cases, of_vq](const Subject& s, Level n, const std::string& at) {
+         return cases.check(of_vq(s), cases.read(n, at));
+       },
+       cases.chunk, Kind::interior});
 }
 
 }  // namespace mmverify::proofs::vq

@@ -70,9 +70,9 @@ Part part_of(const Map<Vq2>& map, std::size_t q) {
 }
 
 /// The words that may be worth sharing: by what they lose anywhere.
-std::vector<std::uint32_t> worth_sharing(const std::array<Part, 4>& parts) {
+std::vector<std::uint32_t> worth_sharing(const std::array<Part, 4>& functions) {
   Losses everywhere;
-  for (const Part& part : parts)
+  for (const Part& part : functions)
     for (const Losses& losses : part.by_transform)
       for (std::uint32_t w = 0; w < words; ++w)
         everywhere[w].insert(everywhere[w].end(), losses[w].begin(), losses[w].end());
@@ -105,20 +105,20 @@ std::uint32_t least_of(const Part& part, const std::vector<std::vector<std::uint
 }  // namespace
 
 std::uint32_t least_substitutions(const Map<Vq2>& map) {
-  std::array<Part, 4> parts;
+  std::array<Part, 4> functions;
   std::array<std::vector<std::vector<std::uint32_t>>, 4> own;
   for (std::size_t q = 0; q < 4; ++q) {
-    parts[q] = part_of(map, q);
-    for (const Losses& losses : parts[q].by_transform) own[q].push_back(not_replaced(losses));
+    functions[q] = part_of(map, q);
+    for (const Losses& losses : functions[q].by_transform) own[q].push_back(not_replaced(losses));
   }
-  const std::vector<std::uint32_t> shared = worth_sharing(parts);
+  const std::vector<std::uint32_t> shared = worth_sharing(functions);
   std::uint32_t least = ~0u;
   for (std::size_t a = 0; a < shared.size(); ++a)
     for (std::size_t b = a; b < shared.size(); ++b)
       for (std::size_t c = b; c < shared.size(); ++c) {
         std::uint32_t lost = 0;
         for (std::size_t q = 0; q < 4 && lost < least; ++q)
-          lost += least_of(parts[q], own[q], {shared[a], shared[b], shared[c]});
+          lost += least_of(functions[q], own[q], {shared[a], shared[b], shared[c]});
         least = std::min(least, lost);
       }
   return least;

@@ -61,13 +61,13 @@ Codec<Format> codec_of(const LibraryPtr& library, Call decode, Call region, Call
 }  // namespace
 
 VqSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library) {
-  Parts parts;
-  parts.vq2 = codec_of<Vq2>(library, Call::vq2_decode, Call::vq2_region, Call::vq2_encode);
-  parts.vq4 = codec_of<Vq4>(library, Call::vq4_decode, Call::vq4_region, Call::vq4_encode);
-  if (!parts.vq2.decode && !parts.vq2.regions && !parts.vq2.encode && !parts.vq4.decode &&
-      !parts.vq4.regions && !parts.vq4.encode)
+  Functions functions;
+  functions.vq2 = codec_of<Vq2>(library, Call::vq2_decode, Call::vq2_region, Call::vq2_encode);
+  functions.vq4 = codec_of<Vq4>(library, Call::vq4_decode, Call::vq4_region, Call::vq4_encode);
+  if (!functions.vq2.decode && !functions.vq2.regions && !functions.vq2.encode && !functions.vq4.decode &&
+      !functions.vq4.regions && !functions.vq4.encode)
     return nullptr;
-  return std::make_shared<VqSubject>(name, library->about(), std::move(parts), library->fingerprint());
+  return std::make_shared<VqSubject>(name, library->about(), std::move(functions), library->fingerprint());
 }
 
 }  // namespace mmverify::proofs::vq

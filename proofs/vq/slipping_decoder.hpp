@@ -109,9 +109,9 @@ class SlippingDecoder {
 /// A mutant's change: it decodes whole maps alone, with a slip.
 template <class Format>
 auto slips(Slip slip) {
-  return [slip](Parts& parts) {
-    parts.codec<Format>().regions = {};
-    parts.codec<Format>().decode = [slip](const BlockBytes<Format>& block) {
+  return [slip](Functions& functions) {
+    functions.codec<Format>().regions = {};
+    functions.codec<Format>().decode = [slip](const BlockBytes<Format>& block) {
       return SlippingDecoder<Format>(block, slip).map();
     };
   };

@@ -43,7 +43,7 @@ Codec<Format> specified_codec() {
   return c;
 }
 
-Parts specified() {
+Functions specified() {
   return {specified_vectors<2>(), specified_vectors<4>(), slow::composed, specified_codec<Vq2>(),
           specified_codec<Vq4>()};
 }
@@ -96,22 +96,22 @@ constexpr auto thorough4 = [](const fast::Map4& map) { return fast::encode(map, 
 constexpr auto proved4 = [](const fast::Map4& map) { return fast::encode_proved(map).encoded; };
 constexpr auto bound4 = [](const Map<Vq4>& map) { return fast::encode_proved(to_fast<Vq4>(map)).least; };
 
-VqSubjectPtr subject(const char* name, const char* about, const Parts& parts) {
-  return std::make_shared<VqSubject>(name, about, parts);
+VqSubjectPtr subject(const char* name, const char* about, const Functions& functions) {
+  return std::make_shared<VqSubject>(name, about, functions);
 }
 
 VqSubjectPtr decoding() {
-  Parts parts;
-  parts.vq2 = decoders<Vq2>();
-  parts.vq4 = decoders<Vq4>();
-  return subject("vq", "this project's library, its decoders", parts);
+  Functions functions;
+  functions.vq2 = decoders<Vq2>();
+  functions.vq4 = decoders<Vq4>();
+  return subject("vq", "this project's library, its decoders", functions);
 }
 
 template <class Format>
 VqSubjectPtr encoder(const char* name, const char* about, Codec<Format> codec) {
-  Parts parts;
-  parts.codec<Format>() = std::move(codec);
-  return subject(name, about, parts);
+  Functions functions;
+  functions.codec<Format>() = std::move(codec);
+  return subject(name, about, functions);
 }
 
 }  // namespace
@@ -157,10 +157,10 @@ VqSubjectPtr the(const std::string& name) {
 }
 
 Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Parts&)>& change) {
-  Parts parts = the(base)->parts;
-  change(parts);
-  return {name, std::make_shared<VqSubject>(name, "broken on purpose", std::move(parts)), levels};
+              const std::function<void(Functions&)>& change) {
+  Functions functions = the(base)->functions;
+  change(functions);
+  return {name, std::make_shared<VqSubject>(name, "broken on purpose", std::move(functions)), levels};
 }
 
 }  // namespace mmverify::proofs::vq

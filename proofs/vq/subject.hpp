@@ -62,7 +62,7 @@ struct Codec {
 };
 
 /// What a subject has; an empty function is an entry point that is missing.
-struct Parts {
+struct Functions {
   Vectors<2> of2;
   Vectors<4> of4;
   std::function<Transform(Transform then, Transform first)> composed = {};
@@ -85,25 +85,25 @@ struct Parts {
   }
   template <std::size_t side>
   const auto& vectors() const {
-    return const_cast<Parts*>(this)->vectors<side>();
+    return const_cast<Functions*>(this)->vectors<side>();
   }
   template <class Format>
   const auto& codec() const {
-    return const_cast<Parts*>(this)->codec<Format>();
+    return const_cast<Functions*>(this)->codec<Format>();
   }
 };
 
 class VqSubject : public Subject {
  public:
-  VqSubject(std::string name, std::string about, Parts parts, std::string fingerprint = {})
+  VqSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
       : Subject("vq", std::move(name), std::move(about)),
-        parts(std::move(parts)),
+        functions(std::move(functions)),
         fingerprint_(std::move(fingerprint)) {}
   /// Regions have no points between theirs.
   bool exact() const override { return true; }
   std::string fingerprint() const override { return fingerprint_; }
 
-  const Parts parts;
+  const Functions functions;
 
  private:
   std::string fingerprint_;
@@ -118,6 +118,6 @@ VqSubjectPtr the(const std::string& name);
 
 /// A subject with one thing broken on purpose.
 Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Parts&)>& change);
+              const std::function<void(Functions&)>& change);
 
 }  // namespace mmverify::proofs::vq

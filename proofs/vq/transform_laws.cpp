@@ -59,7 +59,7 @@ Finding moves(const VqSubject& s, const char* what, Linear does, const auto& tur
     v[static_cast<std::size_t>(x + (last + 1) * y)] = odd;
     const int to_x = (does.a * X + does.b * Y + last) / 2, to_y = (does.c * X + does.d * Y + last) / 2;
     expected[static_cast<std::size_t>(to_x + (last + 1) * to_y)] = odd;
-    const Vector<side> got = turned(s.parts.vectors<side>(), v);
+    const Vector<side> got = turned(s.functions.vectors<side>(), v);
     if (got != expected)
       return wrong(fmt::format("{} of {} {}", what, letters(v), letters(expected)), letters(got));
   }
@@ -81,12 +81,12 @@ Finding composes(const VqSubject& s, const Pair& pair) {
                       [&](const auto& of, const auto& v) { return of.applied(then, of.applied(first, v)); });
       !two.holds)
     return two;
-  const std::uint32_t got = s.parts.composed(then, first).number();
+  const std::uint32_t got = s.functions.composed(then, first).number();
   if (got != row) return wrong(fmt::format("row {}", row), fmt::format("row {}", got));
   // Closed under composition and finite; that each row has an inverse among the eight is a case of its own.
   bool undone = false;
   for (std::uint32_t k = 0; k < 8; ++k)
-    undone = undone || s.parts.composed(Transform::of(k), then).number() == 0;
+    undone = undone || s.functions.composed(Transform::of(k), then).number() == 0;
   return undone ? Finding{got} : wrong("an inverse", "none");
 }
 
@@ -111,8 +111,8 @@ Law transforms_law() {
     return p.side == 2 ? composes<2>(s, p) : composes<4>(s, p);
   };
   const auto turns = [](auto side, std::uint32_t row, auto wrongly) {
-    return [=](Parts& parts) {
-      auto& applied = parts.vectors<side>().applied;
+    return [=](Functions& functions) {
+      auto& applied = functions.vectors<side>().applied;
       applied = [=, real = applied](Transform t, const auto& v) {
         auto out = real(t, v);
         if (t.number() == row) wrongly(out);
@@ -122,7 +122,7 @@ Law transforms_law() {
   };
   constexpr std::integral_constant<std::size_t, 2> two{};
   constexpr std::integral_constant<std::size_t, 4> four{};
-  return over(
+  return on_cases(
       {.id = "vq.transforms",
        .topic = "vq",
        .says = "table 1's rows do what it says they result in, and are the symmetries of the square: closed, "
@@ -143,8 +143,9 @@ Law transforms_law() {
                    mutant("Reflect X=-Y is Reflect X=Y", "vq-spec", {1, 1},
                           turns(two, 3, [](auto& v) { std::swap(v[0], v[3]), std::swap(v[1], v[2]); })),
                    mutant("Rotate 90 after Reflect LR is another row", "vq-spec", {1, 2},
-                          [](Parts& parts) {
-                            parts.composed = [real = parts.composed](Transform then, Transform first) {
+                          [](Functions& functions) {
+                            functions.composed = [real = functions.composed](Transform then,
+                                                                             Transform first) {
                               return then.number() == 1 && first.number() == 4 ? Transform::of(5)
                                                                                : real(then, first);
                             };

@@ -80,7 +80,7 @@ Finding counts_of_first_row(const VqSubject& s, const FirstRow& first) {
   Finding finding;
   const auto from = [&](const auto& self, Row above, bool holds, std::size_t y) -> void {
     if (y == side) {
-      const bool got = s.parts.vectors<side>().valid(v);
+      const bool got = s.functions.vectors<side>().valid(v);
       found += got ? 1 : 0;
       if (got != holds && finding.holds)
         finding = wrong(fmt::format("{} {}", letters(v), holds ? "valid" : "not valid"),
@@ -122,13 +122,13 @@ Law vectors_law() {
   };
   cases.chunk = 1;
   const auto says = [](auto vector, bool answer) {
-    return [=](Parts& parts) {
+    return [=](Functions& functions) {
       constexpr std::size_t side = std::tuple_size_v<decltype(vector)> == 4 ? 2 : 4;
-      auto& valid = parts.vectors<side>().valid;
+      auto& valid = functions.vectors<side>().valid;
       valid = [=, real = valid](const Vector<side>& v) { return v == vector ? answer : real(v); };
     };
   };
-  return over(
+  return on_cases(
       {.id = "vq.vectors",
        .topic = "vq",
        .says = "31 of the 2x2 vectors and 231,713 of the 4x4 ones hold no O beside T, diagonals included",

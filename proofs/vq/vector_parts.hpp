@@ -25,7 +25,7 @@ auto at_side(Level n, F f) {
 }
 
 inline std::optional<std::string> lacks_vectors(const VqSubject& s) {
-  if (!s.parts.of2.valid || !s.parts.composed)
+  if (!s.functions.of2.valid || !s.functions.composed)
     return s.name() + " has no entry point of vectors: they are the specification's";
   return std::nullopt;
 }

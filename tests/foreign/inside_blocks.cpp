@@ -117,7 +117,7 @@ Codec<Format> codec(Wrong wrong) {
 }
 
 proofs::SubjectPtr subject(Wrong wrong) {
-  Parts parts;
+  Functions parts;
   parts.vq2 = codec<Vq2>(wrong);
   parts.vq4 = codec<Vq4>(wrong);
   return std::make_shared<VqSubject>("foreign-blocks", "fields through a window of 32 bits",

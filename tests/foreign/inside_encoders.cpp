@@ -60,7 +60,7 @@ Encoded<Format> uniform_alone(const Map<Format>& map) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 InsideFault optimum(const char* name, const char* wrong, Encode2 encode) {
-  Parts parts;
+  Functions parts;
   parts.vq2 = {.encode = std::move(encode), .fewest = true};
   return {"vq2.optimum",
           name,
@@ -69,7 +69,7 @@ InsideFault optimum(const char* name, const char* wrong, Encode2 encode) {
           {level_of<Vq2>, level_of<Vq2>}};
 }
 InsideFault effort2(const char* name, const char* wrong, Encode2 encode, Count2 promised) {
-  Parts parts;
+  Functions parts;
   parts.vq2 = {.encode = std::move(encode), .at_most = std::move(promised)};
   return {"vq2.effort",
           name,
@@ -102,7 +102,7 @@ Encoded<Format> guessed(const Map<Format>& map, const Search& search) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 InsideFault effort4(const char* name, const char* wrong, Encode4 encode, Count4 promised) {
-  Parts parts;
+  Functions parts;
   parts.vq4 = {.encode = std::move(encode), .at_most = std::move(promised)};
   return {"vq4.effort",
           name,
@@ -112,7 +112,7 @@ InsideFault effort4(const char* name, const char* wrong, Encode4 encode, Count4 
 }
 InsideFault bound(const char* name, const char* wrong, Encode4 encode, Count4 at_least,
                   Count4 at_most = lost_by(plain4)) {
-  Parts parts;
+  Functions parts;
   parts.vq4 = {.encode = std::move(encode), .at_most = std::move(at_most), .at_least = std::move(at_least)};
   return {"vq4.bound",
           name,

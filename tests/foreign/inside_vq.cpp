@@ -216,7 +216,7 @@ std::optional<std::uint32_t> encoded(Code4 how, const Vector<4>& v, Coded wrong)
 // ---------------------------------------------------------------------------------------------------------------------
 
 proofs::SubjectPtr subject(Valid a, Turn b, Coded c) {
-  Parts parts;
+  Functions parts;
   const auto fill = [&]<std::size_t side>(Vectors<side>& to) {
     to.valid = [a](const Vector<side>& v) { return valid<side>(v, a); };
     to.applied = [b](Transform t, const Vector<side>& v) { return applied<side>(t, v, b); };

@@ -3,6 +3,7 @@
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/index/induction/provable.hpp"
 #include "proofs/index/judges.hpp"
+#include "proofs/index/options.hpp"
 
 namespace mmverify::proofs::index::induction {
 namespace {
@@ -10,8 +11,7 @@ namespace {
 /// The simplest points, on the lowest level that has any, on which the subject is not the reference.
 std::vector<Counterexample> counterexamples(const IndexSubject& subject, Level search, const Run& run) {
   Run quick = run;
-  quick.rationals = false;
-  quick.interiors_only = false;
+  quick.options = {&in_fixed_point_alone};
   quick.progress = nullptr;
   for (Level n = 0; n <= search && !interrupted(); ++n) {
     std::vector<Counterexample> found = equals_reference(subject, n, quick).found();

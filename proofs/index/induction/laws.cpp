@@ -66,8 +66,7 @@ Law settled(const Subjects& (*known)(), Level search, std::uint64_t statements) 
               [known, search](const Subject& s, Level, const Run& run) {
                 return discharge(statements_about(known(), s).value(), of_index(s), search, run);
               },
-          .replay = replayed_by(replay_equals_reference),
-          .on_lines = false};
+          .replay = replayed_by(replay_equals_reference)};
 }
 
 Law all_levels_law() {

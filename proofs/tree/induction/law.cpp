@@ -72,7 +72,6 @@ Law all_levels_law() {
     return replayed(as_specified(dynamic_cast<const TreeSubject&>(s), map_from_text(n, at)));
   };
   law.mutants = mutants_of_all_levels();
-  law.on_lines = false;
   return law;
 }
 

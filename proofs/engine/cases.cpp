@@ -1,0 +1,41 @@
+#include "proofs/engine/cases.hpp"
+
+namespace mmverify::proofs {
+
+Tally judge_numbered_cases(const NumberedCases& cases, const Subject& subject, Level n, const Run& run) {
+  return sweep(run, cases.count(n, run), cases.chunk, [&](Chunk chunk, Tally& tally) {
+    for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
+      const Finding found = cases.check(subject, n, k, run);
+      if (found.declined)
+        tally.decline(cases.kind);
+      else
+        tally.count(cases.kind, 1);
+      tally.digest(k, found.answer);
+      if (!found.holds)
+        tally.mismatch(cases.kind, {n, k, 0}, [&] {
+          const Words words = found.words();
+          return Counterexample{{n, k, 0}, n, cases.text(n, k, run), {}, words.expected, words.got};
+        });
+    }
+  });
+}
+
+Law on_numbered_cases(Law law, const NumberedCases& cases) {
+  law.divisible = true;
+  if (!law.how)
+    law.how = [method = law.method](const Subject&, Level) { return std::string(to_string(method)); };
+  law.cases = cases.count;
+  law.judge = [cases](const Subject& s, Level n, const Run& run) {
+    return judge_numbered_cases(cases, s, n, run);
+  };
+  law.replay = [cases](const Subject& s, Level n, const std::string& at) {
+    const Finding found = cases.read(s, n, at);
+    if (found.declined) throw BadCase("'" + at.substr(0, 60) + "': the subject does not support it");
+    Replayed again = replayed(found);
+    if (cases.draw) again.picture = cases.draw(s, n, at);
+    return again;
+  };
+  return law;
+}
+
+}  // namespace mmverify::proofs
