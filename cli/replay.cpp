@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
+#include "proofs/index/built_in.hpp"
 #include "proofs/registry.hpp"
 
 namespace mmverify::cli {
@@ -24,7 +25,7 @@ struct ReplayOptions {
 
 /// A library may be several subjects: FILE:KIND means one, FILE the first of the law's topic.
 SubjectPtr parse_one(const ReplayOptions& options, const Law& law) {
-  if (options.answer) return subject_that_answers(*options.answer);
+  if (options.answer) return index::given_answer(*options.answer);
   if (options.subject.empty()) return find_subject(law.subjects.front());
   const auto offered = parse_subject(options.subject, options.timeout);
   for (const SubjectPtr& subject : offered)

@@ -1,11 +1,8 @@
 #include "proofs/plugin.hpp"
 
-#include "proofs/bake/plugin_subject.hpp"
+#include <algorithm>
+
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/index/plugin_subject.hpp"
-#include "proofs/micromap/plugin_subject.hpp"
-#include "proofs/tree/plugin_subject.hpp"
-#include "proofs/vq/plugin_subject.hpp"
 
 namespace mmverify::proofs {
 
@@ -15,19 +12,18 @@ std::vector<PluginSubject> plugin_subjects(const std::string& file, double timeo
                                                                                      throw Interrupted();
                                                                                  }});
   std::vector<PluginSubject> all;
-  for (const auto& s : index::plugin_subjects(library))
-    all.push_back({s->arithmetic() == index::Arithmetic::binary64 ? "f64" : "f32", s});
-  const auto name = [&](const char* kind) { return all.empty() ? file : file + ":" + kind; };
-  if (const auto s = tree::plugin_subject(name("tree"), library)) all.push_back({"tree", s});
-  if (const auto s = micromap::plugin_subject(name("micromap"), library)) all.push_back({"micromap", s});
-  if (const auto s = vq::plugin_subject(name("vq"), library)) all.push_back({"vq", s});
-  if (const auto s = bake::plugin_subject(name("bake"), library)) all.push_back({"bake", s});
+  std::vector<Topic> in_order(topics().begin(), topics().end());
+  std::sort(in_order.begin(), in_order.end(),
+            [](const Topic& a, const Topic& b) { return a.first_entry < b.first_entry; });
+  for (const Topic& topic : in_order)
+    for (PluginSubject& subject : topic.of_library(library, all.empty())) all.push_back(std::move(subject));
   return all;
 }
 
 PluginName plugin_name(const std::string& name) {
-  for (const std::string kind : {"f32", "f64", "tree", "micromap", "vq", "bake"})
-    if (name.ends_with(":" + kind)) return {name.substr(0, name.size() - kind.size() - 1), kind};
+  for (const Topic& topic : topics())
+    for (const std::string& kind : topic.kinds)
+      if (name.ends_with(":" + kind)) return {name.substr(0, name.size() - kind.size() - 1), kind};
   return {name, {}};
 }
 

@@ -4,16 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "dock/worker.hpp"
-#include "proofs/engine/law.hpp"
+#include "proofs/topics.hpp"
 
 namespace mmverify::proofs {
-
-/// One of a library's subjects: index in binary32 or binary64, tree, micromap, vq, bake.
-struct PluginSubject {
-  std::string kind;  ///< f32, f64, tree, micromap, vq, bake
-  SubjectPtr subject;
-};
 
 /// Opens the library once.  The first of its subjects is named as the file, the others FILE:KIND.
 /// One batch, or one map or code, may take `timeout_seconds`.

@@ -1,30 +1,16 @@
 #include "proofs/registry.hpp"
 
-#include "proofs/bake/laws.hpp"
-#include "proofs/index/built_in.hpp"
-#include "proofs/index/laws.hpp"
-#include "proofs/micromap/laws.hpp"
-#include "proofs/tree/laws.hpp"
-#include "proofs/vq/laws.hpp"
+#include <algorithm>
+
+#include "proofs/topics.hpp"
 
 namespace mmverify::proofs {
-namespace {
-
-template <class T>
-void append(std::vector<T>& all, const auto& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
-}  // namespace
 
 const std::vector<Law>& laws() {
   static const std::vector<Law> all = [] {
     std::vector<Law> of_all_topics;
-    append(of_all_topics, index::laws());
-    append(of_all_topics, micromap::laws());
-    append(of_all_topics, tree::laws());
-    append(of_all_topics, vq::laws());
-    append(of_all_topics, bake::laws());
+    for (const Topic& topic : topics())
+      for (Law& law : topic.laws()) of_all_topics.push_back(std::move(law));
     return of_all_topics;
   }();
   return all;
@@ -44,19 +30,18 @@ std::vector<const Law*> laws_named(const std::string& name) {
   return found;
 }
 
-Level max_level() { return index::max_level; }
+Level max_level() {
+  Level highest = 0;
+  for (const Topic& topic : topics()) highest = std::max(highest, topic.highest);
+  return highest;
+}
 
 std::vector<SubjectPtr> subjects() {
   std::vector<SubjectPtr> of_all_topics;
-  append(of_all_topics, index::built_in_subjects());
-  append(of_all_topics, micromap::built_in_subjects());
-  append(of_all_topics, tree::built_in_subjects());
-  append(of_all_topics, vq::built_in_subjects());
-  append(of_all_topics, bake::built_in_subjects());
+  for (const Topic& topic : topics())
+    for (SubjectPtr& subject : topic.subjects()) of_all_topics.push_back(std::move(subject));
   return of_all_topics;
 }
-
-SubjectPtr subject_that_answers(std::uint32_t index) { return index::given_answer(index); }
 
 SubjectPtr find_subject(const std::string& name) {
   for (const SubjectPtr& subject : subjects())

@@ -20,9 +20,6 @@ Level max_level();
 /// The built-in subjects.
 std::vector<SubjectPtr> subjects();
 
-/// A subject of topic index that gives this answer to every point.
-SubjectPtr subject_that_answers(std::uint32_t index);
-
 /// Null where there is no built-in subject of that name.
 SubjectPtr find_subject(const std::string& name);
 

@@ -99,7 +99,7 @@ std::vector<PluginSubject> foreign(const std::string& topic, const std::string& 
   setenv("MMVERIFY_WORKER", MMVERIFY_WORKER_PROGRAM, 1);
   setenv("MMVERIFY_FAULT", fault.c_str(), 1);
   return plugin_subjects(std::string(MMVERIFY_SUBJECTS) + "/foreign_" + topic + ".so",
-                         dock::Options().timeout_seconds);
+                         mmverify::dock::Options().timeout_seconds);
 }
 
 /// The first level at which the law refutes one of the subjects, as a result.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "proofs/index/options.hpp"
 #include "tests/every_law.hpp"
 
 namespace {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/topics.hpp"
 #include "tests/every_law.hpp"
 
 namespace {
@@ -34,6 +35,28 @@ TEST(Laws, TheDesignsSubjectsAreThere) {
                            "step-f16", "step-f32", "step-f64", "reference-wide", "impl"})
     EXPECT_NE(find_subject(name), nullptr) << name;
   EXPECT_EQ(find_subject("nobody"), nullptr);
+}
+
+// What the table of topics says of each is so: nothing else looks its laws and subjects up.
+TEST(Topics, ARowSaysWhatItsTopicHas) {
+  std::set<std::string> names, kinds, benches;
+  for (const Topic& topic : topics()) {
+    EXPECT_TRUE(names.insert(topic.name).second) << topic.name;
+    for (const std::string& kind : topic.kinds) EXPECT_TRUE(kinds.insert(kind).second) << kind;
+    if (topic.bench != nullptr) {
+      EXPECT_TRUE(benches.insert(topic.bench).second) << topic.bench;
+    }
+    std::set<std::string> families;
+    for (const Law& law : topic.laws()) {
+      EXPECT_EQ(law.topic, topic.name) << law.id;
+      EXPECT_LE(law.long_run.last, topic.highest) << law.id;
+      families.insert(law.id.substr(0, law.id.find('.')));
+    }
+    EXPECT_EQ(families, std::set<std::string>(topic.families.begin(), topic.families.end())) << topic.name;
+    EXPECT_FALSE(topic.subjects().empty()) << topic.name;
+    for (const SubjectPtr& subject : topic.subjects())
+      EXPECT_EQ(subject->topic(), topic.name) << subject->name();
+  }
 }
 
 TEST(Laws, IdsAndSubjectsAreUnique) {

@@ -30,7 +30,7 @@ inline mmverify::scene::Image disc() {
 
 /// Two quads with the texture on: one as two triangles that share an edge, one whose triangles are the same
 /// UVs with other orders of vertices, and an opaque corner of it, which is uniform.
-inline mmverify::scene::Scene scene() {
+inline mmverify::scene::Scene made_scene() {
   using namespace mmverify::scene;
   Scene s;
   s.file = "made.gltf";
@@ -67,7 +67,7 @@ struct Made {
   bool two_state = false;
 
   explicit Made(std::optional<unsigned> level = {}, const mmverify::scene::BakeOptions& options = {},
-                mmverify::scene::Scene of = scene())
+                mmverify::scene::Scene of = made_scene())
       : s(std::move(of)),
         l(levels(p, {level, 1 << 20})),
         b(bake(s, p, l.of, options)),

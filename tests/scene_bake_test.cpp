@@ -63,7 +63,7 @@ TEST(MicromapReorder, RefusesWhatIsNone) {
 }
 
 TEST(SceneLevels, LowersTheFinestUntilTheyFit) {
-  const Scene s = scene();
+  const Scene s = made_scene();
   const Plan p = plan(s);
   ASSERT_EQ(p.triangles.size(), 3u);                    // two halves of the quad, and the corner
   EXPECT_THAT(levels(p, {}).of, ElementsAre(5, 5, 1));  // diagonal 22.6 texels, 1.1 texels
@@ -106,7 +106,7 @@ TEST(SceneBake, TwoStatesWhereTheyWillDo) {
 }
 
 TEST(SceneBake, WhatItIsToldEndsIt) {
-  const Scene s = scene();
+  const Scene s = made_scene();
   const Plan p = plan(s);
   const std::vector<unsigned> of{3, 3, 3};
   EXPECT_THROW(bake(s, p, of, {1, false, 0, [](std::uint64_t) { throw 17; }}), int);
@@ -173,7 +173,7 @@ TEST(SceneSaved, IsByAreaAndPlacement) {
 
 TEST(ScenePlan, LeavesOutWhatOneMapCannotSay) {
   const auto why = [](auto change) {
-    Scene s = scene();
+    Scene s = made_scene();
     change(s);
     const Plan p = plan(s);
     return p.left_out.empty() ? std::optional<LeftOut>() : p.left_out[0].why;

@@ -65,7 +65,7 @@ void change_uniform(Made& made, unsigned to) {
 
 /// The first triangle once more at the end: a second use of one map.
 mmverify::scene::Scene with_a_second_use() {
-  mmverify::scene::Scene s = scene();
+  mmverify::scene::Scene s = made_scene();
   s.primitives[0].triangles.push_back({0, 1, 2});
   return s;
 }
@@ -207,7 +207,7 @@ const std::vector<Planted>& planted() {
 
 TEST(SceneLaws, RefuteWhatIsPlanted) {
   for (const Planted& one : planted()) {
-    Made made(one.level, {0, one.two_state, 0, {}}, one.second_use ? with_a_second_use() : scene());
+    Made made(one.level, {0, one.two_state, 0, {}}, one.second_use ? with_a_second_use() : made_scene());
     EXPECT_NE(verdicts(judged(made.data(), std::nullopt, one.law))[one.law], proofs::Verdict::refuted)
         << one.what;
     one.plant(made);

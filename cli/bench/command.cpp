@@ -6,15 +6,13 @@
 #include <memory>
 #include <optional>
 
+#include "bench/bake/bench.hpp"
 #include "cli/arguments.hpp"
-#include "cli/bench/bake.hpp"
-#include "cli/bench/index.hpp"
 #include "cli/bench/plot.hpp"
 #include "cli/bench/scene.hpp"
 #include "cli/bench/subject.hpp"
 #include "cli/bench/sweep.hpp"
-#include "cli/bench/tree.hpp"
-#include "cli/bench/vq.hpp"
+#include "cli/bench/topics.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
@@ -22,15 +20,6 @@
 
 namespace mmverify::cli {
 namespace {
-
-struct BenchOptions {
-  std::vector<std::string> topics;
-  std::string json, plot, levels, subject, scene, textures;
-  bench::IndexBenchOptions index;
-  std::size_t maps = 0;  ///< the topic's own number
-  bool quiet = false, sweep = false;
-  unsigned threads = 0;
-};
 
 /// Half a bench is none: throws Interrupted.
 void stop_if_asked() {
@@ -59,15 +48,6 @@ proofs::Levels levels_or(const BenchOptions& options, const proofs::Levels& othe
   return levels;
 }
 
-/// Domain: a topic with levels.
-proofs::Levels levels_of(const BenchOptions& options, const std::string& topic) {
-  const bench::TreeBenchOptions tree;
-  const bench::BakeBenchOptions bake;
-  if (topic == "bake") return levels_or(options, {bake.first, bake.last}, 12);
-  return topic == "index" ? levels_or(options, {options.index.first, options.index.last})
-                          : levels_or(options, {tree.first, tree.last}, tree.last);
-}
-
 /// What judging a library costs, beside calling it.
 int run_subject_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {10, 10});
@@ -90,60 +70,36 @@ int run_sweep_bench(const BenchOptions& options) {
   return run_table(options, [&](std::FILE* out) { return bench_sweep(levels, options.threads, out); });
 }
 
-/// Tables, and what goes into files, of one topic.
-BenchOutput bench_topic(const BenchOptions& options, const std::string& topic, std::FILE* out) {
-  if (topic == "index") {
-    bench::IndexBenchOptions index = options.index;
-    const proofs::Levels levels = levels_of(options, topic);
-    index.first = levels.first;
-    index.last = levels.last;
-    return bench_index(index, options.quiet, out);
-  }
-  if (topic == "vq")
-    return bench_vq({.seed = options.index.seed,
-                     .maps = options.maps == 0 ? bench::VqBenchOptions{}.maps : options.maps,
-                     .textures = options.textures},
-                    options.quiet, out);
-  const proofs::Levels levels = levels_of(options, topic);
-  if (topic == "bake")
-    return bench_bake({.first = levels.first,
-                       .last = levels.last,
-                       .seed = options.index.seed,
-                       .maps = options.maps == 0 ? bench::BakeBenchOptions{}.maps : options.maps,
-                       .textures = options.textures},
-                      options.quiet, out);
-  return bench_tree({.first = levels.first,
-                     .last = levels.last,
-                     .seed = options.index.seed,
-                     .lookups = options.index.samples,
-                     .textures = options.textures},
-                    options.quiet, out);
+using ChosenTopics = std::vector<const BenchTopic*>;
+
+/// The levels of each, empty where it has none.  Throws UsageError for levels and samples that do not go.
+std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const ChosenTopics& topics) {
+  std::vector<proofs::Levels> levels;
+  for (const BenchTopic* topic : topics)
+    levels.push_back(topic->levels ? levels_or(options, *topic->levels, topic->highest) : proofs::Levels{});
+  if (topics.size() == 1 && !topics.front()->levels && !options.levels.empty())
+    throw UsageError(fmt::format("--levels: blocks of topic {} have none", topics.front()->name));
+  for (const BenchTopic* topic : topics)
+    if (options.index.samples > topic->most_samples)
+      throw UsageError(fmt::format("--samples {}: bench {} does {} lookups at most", options.index.samples,
+                                   topic->name, topic->most_samples));
+  return levels;
 }
 
 /// All topics, or those that were named.
-int run_topics(const BenchOptions& options, const std::vector<std::string>& topics) {
-  const auto asked = [&](const char* topic) {
-    return std::find(topics.begin(), topics.end(), topic) != topics.end();
-  };
-  for (const std::string& topic : topics)
-    if (topic != "vq") levels_of(options, topic);
-  if (topics == std::vector<std::string>{"vq"} && !options.levels.empty())
-    throw UsageError("--levels: blocks of topic vq have none");
-  constexpr std::uint64_t most = std::uint64_t{1} << 26;  // 8 bytes each
-  if (asked("tree") && options.index.samples > most)
-    throw UsageError(
-        fmt::format("--samples {}: bench tree does {} lookups at most", options.index.samples, most));
+int run_topics(const BenchOptions& options, const ChosenTopics& topics) {
+  const std::vector<proofs::Levels> levels = checked_levels(options, topics);
   if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot: of one topic");
   std::optional<OutputFile> file, picture;
   if (!options.json.empty() && options.json != "-") file.emplace(options.json);
   if (!options.plot.empty()) picture.emplace(options.plot);
   std::FILE* const out = options.json == "-" ? stderr : stdout;
   std::string json, plot;
-  for (const std::string& topic : topics) {
-    const BenchOutput output = bench_topic(options, topic, out);
+  for (std::size_t k = 0; k < topics.size(); ++k) {
+    const BenchOutput output = topics[k]->run(options, levels[k], out);
     json += (json.empty() ? "" : ",\n") + output.json;
     plot = output.plot;
-    fmt::print(out, "{}", topic == topics.back() ? "" : "\n");
+    fmt::print(out, "{}", k + 1 == topics.size() ? "" : "\n");
   }
   if (topics.size() > 1) json = "[\n" + json + "]\n";
   if (file) file->commit(json);
@@ -152,30 +108,48 @@ int run_topics(const BenchOptions& options, const std::vector<std::string>& topi
   return ExitCode::complete;
 }
 
+/// "index, tree", `last` before the last of them; of those that read textures "bench tree, bench vq".
+std::string names_of_topics(bool with_textures, const char* last) {
+  std::vector<std::string> names;
+  for (const BenchTopic& topic : bench_topics())
+    if (topic.reads_textures || !with_textures)
+      names.push_back((with_textures ? "bench " : "") + std::string(topic.name));
+  const std::string final_name = names.back();
+  names.pop_back();
+  return fmt::format("{}{}{}", fmt::join(names, ", "), last, final_name);
+}
+
 int run_bench(const BenchOptions& options) {
-  const std::vector<std::string> all{"index", "tree", "vq", "bake"};
-  std::vector<std::string> topics;
-  for (const std::string& topic : all)
-    if (options.topics.empty() ||
-        std::find(options.topics.begin(), options.topics.end(), topic) != options.topics.end())
-      topics.push_back(topic);
+  ChosenTopics topics;
+  const auto named = [&](const BenchTopic& topic) {
+    return std::find(options.topics.begin(), options.topics.end(), topic.name) != options.topics.end();
+  };
+  for (const BenchTopic& topic : bench_topics())
+    if (options.topics.empty() || named(topic)) topics.push_back(&topic);
   for (const std::string& topic : options.topics)
-    if (std::find(all.begin(), all.end(), topic) == all.end())
-      throw UsageError(fmt::format("no topic is called '{}'; there are {}", topic, fmt::join(all, ", ")));
+    if (std::none_of(bench_topics().begin(), bench_topics().end(),
+                     [&](const BenchTopic& known) { return topic == known.name; }))
+      throw UsageError(
+          fmt::format("no topic is called '{}'; there are {}", topic, names_of_topics(false, ", ")));
+  const auto only = [&](const char* name) {
+    return topics.size() == 1 && topics.front()->name == std::string(name);
+  };
+  const std::string for_textures = "--textures: for " + names_of_topics(true, " and ");
   const proofs::InterruptGuard guard;
   if (!options.scene.empty()) {
-    if (topics != std::vector<std::string>{"bake"}) throw UsageError("--scene: for bench bake");
+    if (!only("bake")) throw UsageError("--scene: for bench bake");
     return run_scene_bench(options);
   }
   if (!options.subject.empty() || options.sweep) {
     const char* const option = options.sweep ? "--sweep" : "--subject";
-    if (topics.front() != "index" || options.topics.size() > 1)
+    if (topics.front()->name != std::string("index") || options.topics.size() > 1)
       throw UsageError(fmt::format("{}: for bench index", option));
-    if (!options.textures.empty()) throw UsageError("--textures: for bench tree, bench vq and bench bake");
+    if (!options.textures.empty()) throw UsageError(for_textures);
     return options.sweep ? run_sweep_bench(options) : run_subject_bench(options);
   }
-  if (!options.textures.empty() && std::find(topics.begin(), topics.end(), "index") != topics.end())
-    throw UsageError("--textures: for bench tree, bench vq and bench bake");
+  if (!options.textures.empty() &&
+      std::any_of(topics.begin(), topics.end(), [](const BenchTopic* t) { return !t->reads_textures; }))
+    throw UsageError(for_textures);
   return run_topics(options, topics);
 }
 
@@ -185,7 +159,7 @@ Action add_bench(CLI::App& program) {
   auto* command =
       program.add_subcommand("bench", "error against run time, the fast way beside the obvious one");
   auto options = std::make_shared<BenchOptions>();
-  command->add_option("topic", options->topics, "index, tree, vq or bake; all where none is given")
+  command->add_option("topic", options->topics, names_of_topics(false, " or ") + "; all where none is given")
       ->type_name("TOPIC");
   command
       ->add_option("--levels", options->levels,

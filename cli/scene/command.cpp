@@ -66,33 +66,22 @@ LevelRequest request(const SceneOptions& options) {
   return r;
 }
 
-Levels chosen_levels(const Plan& plan, const LevelRequest& wanted) {
-  try {
-    return levels(plan, wanted);
-  } catch (const std::invalid_argument&) {
-    throw UsageError(fmt::format("--memory {}: not a byte for each of the {} distinct triangles",
-                                 wanted.memory, plan.triangles.size()));
-  }
-}
-
 void stop_if_interrupted() {
   if (proofs::interrupted()) throw Interrupted();
 }
 
-Baked baked(const Scene& scene, const Plan& plan, const std::vector<unsigned>& of,
-            const SceneOptions& options) {
-  std::uint64_t total = 0;
-  for (const unsigned level : of) total += impl::micromap::micro_triangles(level);
-  Progress progress(total, !options.quiet);
+/// Bakes with a bar; what cannot be baked is the file's fault.
+template <class Bake>
+auto baked(const std::string& file, const SceneOptions& options, std::uint64_t micro_triangles, Bake bake) {
+  Progress progress(micro_triangles, !options.quiet);
   progress.now("bake");
   try {
-    return bake(scene, plan, of,
-                {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
-                   progress.add(done);
-                   stop_if_interrupted();
-                 }});
+    return bake(BakeOptions{options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
+                              progress.add(done);
+                              stop_if_interrupted();
+                            }});
   } catch (const std::invalid_argument& error) {
-    throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
+    throw EnvironmentError(fmt::format("{}: {}", file, error.what()));
   }
 }
 
@@ -105,16 +94,15 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
   if (range.last > finest_level)
     throw UsageError(fmt::format("--sizes {}: maps go up to level {}", options.sizes, finest_level));
   for (unsigned level = range.first; level <= range.last; ++level) {
-    if (const auto bytes = (impl::micromap::micro_triangles(level) + 3) / 4 * plan.triangles.size();
-        bytes > options.memory) {
+    if (const auto bytes = map_bytes_at_level(plan, level); bytes > options.memory) {
       fmt::print(stderr, "sizes: level {} would take {} bytes, more than --memory; left out from here on\n",
                  level, grouped(bytes));
       break;
     }
-    const std::vector<unsigned> of(plan.triangles.size(), level);
-    const Baked maps = baked(scene, plan, of, options);
-    all.push_back({level, footprint(scene, plan, arrays(plan, maps), options.threads),
-                   any_hit_shares(scene, plan, maps)});
+    const std::uint64_t all_of = impl::micromap::micro_triangles(level) * plan.triangles.size();
+    all.push_back({level, baked(scene.file, options, all_of, [&](const BakeOptions& bake) {
+                     return sizes_at_level(scene, plan, level, bake);
+                   })});
   }
   return all;
 }
@@ -175,24 +163,6 @@ Scene loaded_scene(const SceneOptions& options) {
   return load(sample_name, bytes);
 }
 
-/// The file with the micromaps; our own validator finds nothing in it.
-Bytes with_micromaps(const SceneOptions& options, const Plan& plan, const Scene& scene,
-                     const SceneArrays& arrays) {
-  std::vector<PrimitiveMicromaps> primitives;
-  for (std::size_t k = 0; k < arrays.primitives.size(); ++k) {
-    const Primitive& primitive = scene.primitives[plan.primitives[k].primitive];
-    primitives.push_back(
-        {primitive.mesh, primitive.number, 0, arrays.encoding, arrays.primitives[k].geometry.indices, 0});
-  }
-  const Micromaps micromaps{std::span(&arrays.array, primitives.empty() ? 0 : 1), primitives};
-  const Bytes bytes =
-      options.file.empty() ? to_glb(sample_name, sample_scene(), micromaps) : to_glb(options.file, micromaps);
-  const auto violations = validate_micromaps(options.glb, bytes);
-  if (!violations.empty())
-    throw std::logic_error("what would be written breaks a rule: " + describe(violations.front()));
-  return bytes;
-}
-
 class Output {
  public:
   explicit Output(const SceneOptions& options)
@@ -212,7 +182,10 @@ class Output {
   }
   void glb(const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
     if (!glb_) return;
-    const Bytes bytes = with_micromaps(options_, plan, scene, arrays);
+    const Bytes sample = options_.file.empty() ? sample_scene() : Bytes();
+    const Bytes bytes = options_.file.empty()
+                            ? with_micromaps(sample_name, sample, scene, plan, arrays, options_.glb)
+                            : with_micromaps(options_.file, std::nullopt, scene, plan, arrays, options_.glb);
     glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     fmt::print(out_, "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written",
                options_.glb, grouped(bytes.size()));
@@ -249,6 +222,32 @@ void check_options(const SceneOptions& options) {
     throw UsageError("--replay: it shows one case and writes no file");
 }
 
+/// The pipeline, its plan printed before it bakes.
+SceneMicromaps micromaps_of(const Scene& scene, const LevelRequest& wanted, const SceneOptions& options,
+                            Output& output) {
+  PipelineOptions pipeline{.levels = wanted, .level_limit = options.level_limit};
+  std::optional<Progress> progress;
+  pipeline.planned = [&](const Plan& plan, const mmverify::scene::Levels& levels) {
+    if (options.replay.empty()) print_plan(output.text(), scene, plan, levels);
+    std::fflush(output.text());
+    if (plan.triangles.empty()) return false;
+    progress.emplace(levels.micro_triangles, !options.quiet);
+    progress->now("bake");
+    return true;
+  };
+  pipeline.bake = {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
+                     progress->add(done);
+                     stop_if_interrupted();
+                   }};
+  try {
+    return make_micromaps(scene, pipeline);
+  } catch (const std::invalid_argument& error) {
+    // Before the plan was told, the budget is at fault; after that, the file is.
+    if (progress) throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
+    throw UsageError(fmt::format("--memory {}: {}", wanted.memory, error.what()));
+  }
+}
+
 int scene(const SceneOptions& options) {
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
@@ -257,48 +256,32 @@ int scene(const SceneOptions& options) {
   std::signal(SIGPIPE, SIG_IGN);
   Output output(options);
   const LevelRequest wanted = request(options);
-  auto start = std::chrono::steady_clock::now();
+  const auto start = std::chrono::steady_clock::now();
   const Scene loaded = loaded_scene(options);
   const double load_seconds = seconds_since(start);
-  const Plan planned = plan(loaded, options.level_limit);
-  const mmverify::scene::Levels levels = chosen_levels(planned, wanted);
-  if (options.replay.empty()) print_plan(output.text(), loaded, planned, levels);
-  std::fflush(output.text());
-  if (planned.triangles.empty()) {
-    output.glb(planned, loaded, {});
-    output.json(nothing_to_bake(), scene_json(nullptr, loaded, planned, {}));
+  const SceneMicromaps made = micromaps_of(loaded, wanted, options, output);
+  if (made.plan.triangles.empty()) {
+    output.glb(made.plan, loaded, {});
+    output.json(nothing_to_bake(), scene_json(nullptr, loaded, made.plan, {}));
     return complete;
   }
-  start = std::chrono::steady_clock::now();
-  const Baked maps = baked(loaded, planned, levels.of, options);
-  const double bake_seconds = seconds_since(start);
-  const SceneArrays array = arrays(planned, maps);
-  const Pairs found = pairs(loaded, planned);
-  const SquareMaps squares =
-      square_maps(loaded, planned, found, {options.threads, false, options.margin, {}});
-  const proofs::scene::Data data{loaded, planned, maps,           array,
-                                 found,  squares, options.margin, options.states == 2};
+  const proofs::scene::Data data{loaded,     made.plan,    made.baked,     made.arrays,
+                                 made.pairs, made.squares, options.margin, options.states == 2};
   proofs::scene::BakeSample sample;
   if (!options.exhaustive) sample.size = options.samples;
   const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(data, sample, command(options));
   if (!options.replay.empty()) return replayed(laws, options);
   print_left_out(output.text(), laws.left_out);
 
-  SceneFigures figures{loaded,
-                       planned,
-                       levels,
-                       maps,
-                       array,
-                       found,
-                       footprint(loaded, planned, array, options.threads),
-                       any_hit_shares(loaded, planned, maps),
-                       vq2_footprint(squares, stop_if_interrupted),
-                       vq4_footprint(squares, stop_if_interrupted),
-                       load_seconds,
-                       bake_seconds,
-                       at_levels(loaded, planned, options)};
+  const SceneFigures figures{loaded,
+                             made,
+                             sizes(loaded, made.plan, made.baked, made.arrays, options.threads),
+                             vq2_footprint(made.squares, stop_if_interrupted),
+                             vq4_footprint(made.squares, stop_if_interrupted),
+                             load_seconds,
+                             at_levels(loaded, made.plan, options)};
   print_figures(output.text(), figures);
-  output.glb(planned, loaded, array);
+  output.glb(made.plan, loaded, made.arrays);
 
   fmt::print(output.text(), "\nlaws on this scene\n");
   std::fflush(output.text());
@@ -318,7 +301,7 @@ int scene(const SceneOptions& options) {
   if (report.interrupted && journal)
     fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
   output.plot(figures);
-  output.json(report, scene_json(&figures, loaded, planned, laws.left_out));
+  output.json(report, scene_json(&figures, loaded, made.plan, laws.left_out));
   return exit_code(report);
 }
 

@@ -80,30 +80,32 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
   if (f == nullptr) return text(j);
   Json levels = Json::object();
   impl::micromap::StateCounts states{};
-  for (const BakedTriangle& t : f->baked.triangles) {
+  for (const BakedTriangle& t : f->made.baked.triangles) {
     Json& count = levels[fmt::format("{}", t.level)];
     count = count.is_null() ? 1 : count.get<std::uint64_t>() + 1;
     for (std::size_t k = 0; k < 4; ++k) states[k] += t.states[k];
   }
-  j["bake"] = {{"micro_triangles", f->baked.counts.micro_triangles},
-               {"leaves", f->baked.counts.leaves},
-               {"exact", f->baked.counts.exact},
+  j["bake"] = {{"micro_triangles", f->made.baked.counts.micro_triangles},
+               {"leaves", f->made.baked.counts.leaves},
+               {"exact", f->made.baked.counts.exact},
                {"triangles_by_level", levels},
-               {"lowered", f->levels.lowered},
+               {"lowered", f->made.levels.lowered},
                {"states", {{"T", states[0]}, {"O", states[1]}, {"UT", states[2]}, {"UO", states[3]}}},
                {"load_seconds", f->load_seconds},
-               {"bake_seconds", f->bake_seconds}};
-  j["saved"] = to_json(f->any_hit);
-  j["footprint"] = to_json(f->footprint);
-  j["pairs"] = {
-      {"pairs", f->pairs.unique}, {"distinct", f->pairs.distinct.size()}, {"unpaired", f->pairs.unpaired}};
-  if (f->pairs.unique != 0) {
+               {"bake_seconds", f->made.bake_seconds}};
+  j["saved"] = to_json(f->sizes.any_hit);
+  j["footprint"] = to_json(f->sizes.footprint);
+  j["pairs"] = {{"pairs", f->made.pairs.unique},
+                {"distinct", f->made.pairs.distinct.size()},
+                {"unpaired", f->made.pairs.unpaired}};
+  if (f->made.pairs.unique != 0) {
     j["vq2"] = to_json(f->vq2);
     j["vq4"] = to_json(f->vq4);
   }
-  for (const auto& at : f->sizes)
-    j["sizes"].push_back(
-        {{"level", at.level}, {"footprint", to_json(at.footprint)}, {"saved", to_json(at.any_hit)}});
+  for (const auto& at : f->at_levels)
+    j["sizes"].push_back({{"level", at.level},
+                          {"footprint", to_json(at.sizes.footprint)},
+                          {"saved", to_json(at.sizes.any_hit)}});
   return text(j);
 }
 

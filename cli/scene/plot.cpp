@@ -43,8 +43,8 @@ std::string sizes_plot_script(const SceneFigures& figures) {
   for (std::size_t k = 0; k < std::size(curves); ++k) {
     const Curve& c = curves[k];
     std::string points;
-    for (const auto& at : figures.sizes)
-      if (const double y = c.of(at.footprint); y > 0) points += fmt::format("{} {:.6g}\n", at.level, y);
+    for (const auto& at : figures.at_levels)
+      if (const double y = c.of(at.sizes.footprint); y > 0) points += fmt::format("{} {:.6g}\n", at.level, y);
     if (points.empty()) continue;
     script += fmt::format("$c{} << EOD\n{}EOD\n", k, points);
     bytes += fmt::format("{}$c{} with linespoints pt {} ps 0.9 lw 1.2 lc rgb '{}' title '{}'",
@@ -52,8 +52,8 @@ std::string sizes_plot_script(const SceneFigures& figures) {
   }
   for (std::size_t mode = 0; mode < 2; ++mode) {
     std::string points;
-    for (const auto& at : figures.sizes)
-      if (const auto& m = at.footprint.mode[mode]; m.tree != 0)
+    for (const auto& at : figures.at_levels)
+      if (const auto& m = at.sizes.footprint.mode[mode]; m.tree != 0)
         points +=
             fmt::format("{} {:.6g}\n", at.level, static_cast<double>(m.data) / static_cast<double>(m.tree));
     if (points.empty()) continue;

@@ -8,33 +8,23 @@
 #include <vector>
 
 #include "proofs/scene/laws.hpp"
-#include "scene/bake/any_hit.hpp"
-#include "scene/bake/footprint.hpp"
-#include "scene/bake/square_maps.hpp"
-#include "scene/bake/vq_footprint.hpp"
-#include "scene/plan/levels.hpp"
+#include "scene/pipeline.hpp"
 
 namespace mmverify::cli {
 
 /// Everything that was found, in the order in which it was.
 struct SceneFigures {
   const mmverify::scene::Scene& scene;
-  const mmverify::scene::Plan& plan;
-  const mmverify::scene::Levels& levels;
-  const mmverify::scene::Baked& baked;
-  const mmverify::scene::SceneArrays& arrays;
-  const mmverify::scene::Pairs& pairs;
-  mmverify::scene::Footprint footprint;
-  mmverify::scene::AnyHitShares any_hit;
+  const mmverify::scene::SceneMicromaps& made;
+  mmverify::scene::Sizes sizes;
   mmverify::scene::VqFootprint vq2, vq4;
-  double load_seconds = 0, bake_seconds = 0;
-  /// Footprints with every triangle at one level (figure 5), where they were asked for.
+  double load_seconds = 0;
+  /// With every triangle at one level (figure 5), where they were asked for.
   struct AtLevel {
     unsigned level;
-    mmverify::scene::Footprint footprint;
-    mmverify::scene::AnyHitShares any_hit;
+    mmverify::scene::Sizes sizes;
   };
-  std::vector<AtLevel> sizes;
+  std::vector<AtLevel> at_levels;
 };
 
 /// The plan, with what it leaves out and why.

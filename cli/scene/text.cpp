@@ -85,17 +85,18 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
 }
 
 void print_figures(std::FILE* out, const SceneFigures& f) {
-  const auto& counts = f.baked.counts;
+  const auto& counts = f.made.baked.counts;
   fmt::print(out, "\nbake\n");
   line(out, "time",
        fmt::format("{:.2f} s to load, {:.2f} s to bake: {:.0f} million micro-triangles/s", f.load_seconds,
-                   f.bake_seconds, static_cast<double>(counts.micro_triangles) / f.bake_seconds / 1e6));
+                   f.made.bake_seconds,
+                   static_cast<double>(counts.micro_triangles) / f.made.bake_seconds / 1e6));
   line(out, "work",
        fmt::format("{:.1f} % not settled by a parent, {} by exact numbers",
                    100 * share(counts.leaves, counts.micro_triangles), grouped(counts.exact)));
   micromap::StateCounts states{};
   std::uint64_t uniform = 0, two_state = 0;
-  for (const BakedTriangle& t : f.baked.triangles) {
+  for (const BakedTriangle& t : f.made.baked.triangles) {
     uniform += t.uniform.has_value();
     two_state += !t.uniform && t.format == micromap::Format::two_state;
     for (std::size_t k = 0; k < 4; ++k) states[k] += t.states[k];
@@ -107,15 +108,16 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
            100 * share(states[3], counts.micro_triangles)));
   line(out, "uniform",
        fmt::format("{} of {} distinct triangles: special indices, no map; {} more need 2 states only",
-                   grouped(uniform), grouped(f.baked.triangles.size()), grouped(two_state)));
-  if (f.any_hit.area > 0)
+                   grouped(uniform), grouped(f.made.baked.triangles.size()), grouped(two_state)));
+  if (f.sizes.any_hit.area > 0)
     line(out, "any-hit",
          fmt::format("{:.2f} % of the placed area calls no shader ({:.2f} % transparent, {:.2f} % opaque)",
-                     100 * f.any_hit.known(), 100 * f.any_hit.transparent, 100 * f.any_hit.opaque));
+                     100 * f.sizes.any_hit.known(), 100 * f.sizes.any_hit.transparent,
+                     100 * f.sizes.any_hit.opaque));
   else
     line(out, "any-hit", "no area is placed that could be counted");
   fmt::print(out, "\nsizes\n");
-  const Footprint& s = f.footprint;
+  const Footprint& s = f.sizes.footprint;
   line(out, "array",
        fmt::format("{} micromaps, {} special indices: {} of data, {} of records, {} of indices",
                    grouped(s.records), grouped(s.special), bytes_text(s.array_data),
@@ -131,12 +133,12 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
   line(out, "else",
        fmt::format("{} of alpha textures, {} of vertex indices and UVs", bytes_text(s.texture),
                    bytes_text(s.vertex_data)));
-  if (f.pairs.unique == 0) {
+  if (f.made.pairs.unique == 0) {
     line(out, "VQ", "no two triangles of a primitive share an edge in position and UV: no square maps");
   } else {
     line(out, "pairs",
-         fmt::format("{} pairs, {} distinct; {} triangles in none", grouped(f.pairs.unique),
-                     grouped(f.pairs.distinct.size()), grouped(f.pairs.unpaired)));
+         fmt::format("{} pairs, {} distinct; {} triangles in none", grouped(f.made.pairs.unique),
+                     grouped(f.made.pairs.distinct.size()), grouped(f.made.pairs.unpaired)));
     for (const auto& [name, vq] : {std::pair{"VQ2", &f.vq2}, std::pair{"VQ4", &f.vq4}})
       line(out, name,
            fmt::format(
@@ -145,18 +147,18 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
                100 * share(vq->unknown, vq->regions), 100 * share(vq->substitutions, vq->regions),
                grouped(vq->substitutions)));
   }
-  if (f.sizes.empty()) return;
+  if (f.at_levels.empty()) return;
   fmt::print(out,
              "\nall triangles at one level; asks: share of the placed area where the any-hit shader is "
              "called\n  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n",
              "level", "micromaps", "special", "2-st. data", "tree", "data/tree", "4-st. data", "tree",
              "data/tree", "asks");
-  for (const auto& at : f.sizes) {
-    const Footprint& p = at.footprint;
+  for (const auto& at : f.at_levels) {
+    const Footprint& p = at.sizes.footprint;
     fmt::print(out, "  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10.2f}{:>12}{:>12}{:>10.2f}{:>9.2f} %\n", at.level,
                grouped(p.records), grouped(p.special), bytes_text(p.mode[0].data), bytes_text(p.mode[0].tree),
                share(p.mode[0].data, p.mode[0].tree), bytes_text(p.mode[1].data), bytes_text(p.mode[1].tree),
-               share(p.mode[1].data, p.mode[1].tree), 100 * at.any_hit.unknown);
+               share(p.mode[1].data, p.mode[1].tree), 100 * at.sizes.any_hit.unknown);
   }
 }
 

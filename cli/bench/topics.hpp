@@ -1,0 +1,39 @@
+// The benches of topics: one table.
+#pragma once
+
+#include <cstdio>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/index/bench.hpp"
+#include "cli/bench/output.hpp"
+#include "proofs/engine/law.hpp"
+
+namespace mmverify::cli {
+
+/// What is asked for on the command line.
+struct BenchOptions {
+  std::vector<std::string> topics;
+  std::string json, plot, levels, subject, scene, textures;
+  bench::IndexBenchOptions index;
+  std::size_t maps = 0;  ///< 0: the topic's own number
+  bool quiet = false, sweep = false;
+  unsigned threads = 0;
+};
+
+struct BenchTopic {
+  const char* name;                           ///< as proofs::Topic::bench has it
+  std::optional<proofs::Levels> levels = {};  ///< where none are asked for; none: it has no levels
+  proofs::Level highest = 0;
+  bool reads_textures = false;
+  std::uint64_t most_samples = ~std::uint64_t{0};
+  /// Measures and prints the tables.  Throws proofs::Interrupted, EnvironmentError.
+  BenchOutput (*run)(const BenchOptions& options, const proofs::Levels& levels, std::FILE* out) = nullptr;
+};
+
+/// In the order in which they run.
+std::span<const BenchTopic> bench_topics();
+
+}  // namespace mmverify::cli

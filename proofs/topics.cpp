@@ -1,0 +1,67 @@
+#include "proofs/topics.hpp"
+
+#include "proofs/bake/laws.hpp"
+#include "proofs/bake/plugin_subject.hpp"
+#include "proofs/index/built_in.hpp"
+#include "proofs/index/laws.hpp"
+#include "proofs/index/plugin_subject.hpp"
+#include "proofs/micromap/laws.hpp"
+#include "proofs/micromap/plugin_subject.hpp"
+#include "proofs/tree/laws.hpp"
+#include "proofs/tree/plugin_subject.hpp"
+#include "proofs/vq/laws.hpp"
+#include "proofs/vq/plugin_subject.hpp"
+
+namespace mmverify::proofs {
+namespace {
+
+/// The subjects of a topic, as the engine knows them.
+template <auto of_topic>
+std::vector<SubjectPtr> all() {
+  const auto subjects = of_topic();
+  return {subjects.begin(), subjects.end()};
+}
+
+/// Of a topic that makes one subject of a library, FILE:TOPIC or, where it is the first, FILE.
+template <auto plugin_subject>
+std::vector<PluginSubject> one(const dock::LibraryPtr& library, const char* topic, bool first) {
+  const SubjectPtr subject = plugin_subject(first ? library->path() : library->path() + ":" + topic, library);
+  if (subject == nullptr) return {};
+  return {{topic, subject}};
+}
+
+std::vector<PluginSubject> by_arithmetic(const dock::LibraryPtr& library, bool) {
+  std::vector<PluginSubject> found;
+  for (const auto& s : index::plugin_subjects(library))
+    found.push_back({s->arithmetic() == index::Arithmetic::binary64 ? "f64" : "f32", s});
+  return found;
+}
+
+using dock::Call;
+using dock::LibraryPtr;
+
+// A topic a row.
+// clang-format off
+const std::vector<Topic> table{
+    {"index", {"index", "paper"}, index::laws, all<index::built_in_subjects>, {"f32", "f64"},
+     by_arithmetic, Call::index_f32, 30, "index"},
+    {"micromap", {"micromap", "lossy"}, micromap::laws, all<micromap::built_in_subjects>, {"micromap"},
+     [](const LibraryPtr& l, bool first) { return one<micromap::plugin_subject>(l, "micromap", first); },
+     Call::micromap_pack, 12},
+    {"tree", {"tree", "paper"}, tree::laws, all<tree::built_in_subjects>, {"tree"},
+     [](const LibraryPtr& l, bool first) { return one<tree::plugin_subject>(l, "tree", first); },
+     Call::tree_encode, 16, "tree"},
+    {"vq", {"vq", "vq2", "vq4"}, vq::laws, all<vq::built_in_subjects>, {"vq"},
+     [](const LibraryPtr& l, bool first) { return one<vq::plugin_subject>(l, "vq", first); },
+     Call::vq2_decode, 5, "vq"},
+    {"bake", {"bake"}, bake::laws, all<bake::built_in_subjects>, {"bake"},
+     [](const LibraryPtr& l, bool first) { return one<bake::plugin_subject>(l, "bake", first); },
+     Call::bake, 12, "bake"},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const Topic> topics() { return table; }
+
+}  // namespace mmverify::proofs

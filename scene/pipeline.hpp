@@ -1,0 +1,64 @@
+// From a scene to its micromaps: plan, levels, maps, arrays, pairs and square maps, in one call.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "scene/bake/any_hit.hpp"
+#include "scene/bake/arrays.hpp"
+#include "scene/bake/footprint.hpp"
+#include "scene/bake/square_maps.hpp"
+#include "scene/bake/vq_footprint.hpp"
+#include "scene/plan/levels.hpp"
+#include "scene/plan/pairs.hpp"
+#include "scene/read/file.hpp"
+
+namespace mmverify::scene {
+
+struct PipelineOptions {
+  LevelRequest levels = {};
+  unsigned level_limit = finest_level;  ///< the finest level of a request that leaves levels open
+  BakeOptions bake = {};
+  /// Told once, before a texel is looked at; where it answers false, or there is nothing to bake, the maps,
+  /// arrays, pairs and square maps stay empty.
+  std::function<bool(const Plan&, const Levels&)> planned = {};
+};
+
+/// All that is made of a scene.
+struct SceneMicromaps {
+  Plan plan;
+  Levels levels;
+  Baked baked;
+  SceneArrays arrays;
+  Pairs pairs;
+  SquareMaps squares;
+  double bake_seconds = 0;  ///< of `baked` alone
+};
+
+/// The same for any number of threads.
+/// Errors: std::invalid_argument as of levels() and bake(); what `planned` and BakeOptions::done throw.
+SceneMicromaps make_micromaps(const Scene& scene, const PipelineOptions& options = {});
+
+/// What they take in memory, and the any-hit calls that they save.
+struct Sizes {
+  Footprint footprint;
+  AnyHitShares any_hit;
+};
+Sizes sizes(const Scene& scene, const Plan& plan, const Baked& baked, const SceneArrays& arrays,
+            unsigned threads);
+
+/// The sizes with every triangle at one level.
+/// Source: Opacity Micromaps of a scene level by level, figure 5 of Succinct Opacity Micromaps.
+Sizes sizes_at_level(const Scene& scene, const Plan& plan, unsigned level, const BakeOptions& options);
+
+/// Bytes of the 4-state maps of all planned triangles at one level.
+std::uint64_t map_bytes_at_level(const Plan& plan, unsigned level);
+
+/// The scene of `file` as one GLB, the micromaps added, as to_glb() has it; no rule of validate_micromaps() is
+/// broken.  `bytes`: the file's, where it is not to be read.  `name`: that messages name the result by.
+/// Errors: as of to_glb(); std::logic_error where what would be written breaks a rule.
+Bytes with_micromaps(const std::string& file, std::optional<std::span<const unsigned char>> bytes,
+                     const Scene& scene, const Plan& plan, const SceneArrays& arrays,
+                     const std::string& name);
+
+}  // namespace mmverify::scene
