@@ -1,5 +1,5 @@
-// Micro-triangles of many texels (impl/bake/judge/cells.hpp) and nodes of sixteen (impl/bake/sixteen/sixteen.hpp), where
-// what they go by has corners of its own: every state as the whole numbers of impl/bake/exact/base.hpp have it, and
+// Micro-triangles of many texels, and nodes of sixteen (impl/bake/sixteen/sixteen.hpp), where mixed cells are few or
+// at corners: every state as the whole numbers of impl/bake/exact/base.hpp have it, and
 // some as spec/bake/state.hpp does.
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ void expect_exact(const Picture& picture, const AlphaMode& mode, const Addressin
   const Sampling sampling{addressing.u, addressing.v, Filter::bilinear,
                           static_cast<float>(addressing.border)};
   TriangleBaker(std::span(&texels, 1), mode, sampling).bake(uv, level, map);
-  const detail::SidesOf<std::uint8_t> sides(picture.view(), detail::limits_of(mode, {1, 1}, 255),
+  const detail::TexturePropertiesOf<std::uint8_t> sides(picture.view(), detail::limits_of(mode, {1, 1}, 255),
                                             addressing.u, addressing.v, addressing.border);
   const detail::ExactBase exact(sides, uv, picture.width, picture.height, level);
   const spec::Texture texture{picture.width,

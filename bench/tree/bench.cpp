@@ -48,9 +48,6 @@ struct Forms {
 struct Lookups {
   std::vector<std::uint32_t> which, index;
 
-  std::span<const std::uint32_t> first_which(std::size_t count) const {
-    return std::span(which).first(count);
-  }
   std::span<const std::uint32_t> first_index(std::size_t count) const {
     return std::span(index).first(count);
   }

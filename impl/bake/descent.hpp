@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "impl/bake/judge/codes.hpp"
-#include "impl/bake/plane/spot.hpp"
+#include "impl/bake/plane/points.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
 #include "impl/bake/triangles.hpp"
 

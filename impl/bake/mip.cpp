@@ -11,7 +11,7 @@
 #include "impl/bake/judge/bilinear.hpp"
 #include "impl/bake/judge/inner_box.hpp"
 #include "impl/bake/judge/nearest.hpp"
-#include "impl/bake/texture/sides.hpp"
+#include "impl/bake/texture/properties.hpp"
 
 namespace mmverify::impl::bake::detail {
 namespace {
@@ -85,7 +85,7 @@ class Mip final : public MipBaker {
   std::uint32_t width_, height_;
   Filter filter_;
   float margin_;
-  SidesOf<Texel> sides_;
+  TexturePropertiesOf<Texel> sides_;
 };
 
 }  // namespace

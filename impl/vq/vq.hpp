@@ -54,7 +54,7 @@ struct Encoded4 {
 };
 
 /// Algorithms 1 and 2 as they are printed, over all 512 transforms.  What the print leaves open is said in
-/// vq2_paper.cpp and vq4_paper.cpp.
+/// impl/vq/two/paper.cpp and impl/vq/four/paper.cpp.
 Encoded2 encode_paper(const Map2& map);
 Encoded4 encode_paper(const Map4& map);
 

@@ -30,11 +30,4 @@ inline std::optional<std::string> lacks_vectors(const VqSubject& s) {
   return std::nullopt;
 }
 
-template <std::size_t side>
-Vector<side> to_vector(std::span<const State> states) {
-  Vector<side> v{};
-  std::copy(states.begin(), states.end(), v.begin());
-  return v;
-}
-
 }  // namespace mmverify::proofs::vq

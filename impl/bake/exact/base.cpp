@@ -25,8 +25,8 @@ std::int64_t moved_to_origin(std::array<Int, 3>& x, const Int& margin, int fract
 
 }  // namespace
 
-ExactBase::ExactBase(const Sides& sides, const BaseTriangle& uv, std::uint32_t width, std::uint32_t height,
-                     index::Level level, Filter filter, float margin)
+ExactBase::ExactBase(const TextureProperties& sides, const BaseTriangle& uv, std::uint32_t width,
+                     std::uint32_t height, index::Level level, Filter filter, float margin)
     : sides_(sides),
       width_(width),
       height_(height),

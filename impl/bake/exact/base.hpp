@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "impl/bake/texture/sides.hpp"
+#include "impl/bake/texture/properties.hpp"
 #include "impl/bake/triangles.hpp"
 #include "impl/common/binary.hpp"
 #include "impl/index/index.hpp"
@@ -14,7 +14,7 @@ namespace mmverify::impl::bake::detail {
 class ExactBase {
  public:
   /// Domain: finite coordinates below 2^20 in size; level in 0..12; a margin in [0, 2^20).
-  ExactBase(const Sides& sides, const BaseTriangle& uv, std::uint32_t width, std::uint32_t height,
+  ExactBase(const TextureProperties& sides, const BaseTriangle& uv, std::uint32_t width, std::uint32_t height,
             index::Level level, Filter filter = Filter::bilinear, float margin = 0);
 
   struct Answer {
@@ -32,7 +32,7 @@ class ExactBase {
   template <class Int>
   std::array<Int, 3> along(const Axis& axis, std::uint32_t texels, const index::Corners& corners) const;
 
-  const Sides& sides_;
+  const TextureProperties& sides_;
   Axis u_, v_;
   std::uint32_t width_, height_;
   int level_;
@@ -40,7 +40,7 @@ class ExactBase {
   Binary margin_;
   int below_point_ = 1;  ///< bits of u and v there, and at least the one of half a texel
   std::int64_t cells_;   ///< that a micro-triangle spans, at most
-  int bits_;             ///< that bake_exact.hpp and positions need
+  int bits_;             ///< that impl/bake/exact/seen.hpp and positions need
 };
 
 }  // namespace mmverify::impl::bake::detail

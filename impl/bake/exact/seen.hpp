@@ -1,7 +1,7 @@
 // What a closed triangle, or one dilated by a square, sees of a texture, in whole numbers.  Internal to
 // impl/bake.
 //
-// Of heights (bake_limits.hpp): whether some are negative, and whether some are not.  Coordinates are those
+// Of heights (impl/bake/texture/limits.hpp): whether some are negative, and whether some are not.  Coordinates are those
 // of cells (spec/bake/bake.hpp), the centre of texel (i, j) at (i, j), or with nearest filtering those of texels,
 // its low corner at (i, j); in units of 2^-F, S = 2^F to a texel.
 //
@@ -37,7 +37,7 @@
 #include <vector>
 
 #include "impl/bake/texture/limits.hpp"
-#include "impl/bake/texture/sides.hpp"
+#include "impl/bake/texture/properties.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -82,7 +82,7 @@ class Exact {
  public:
   /// Points in units of 2^-fraction_bits from the origin of texel (column, row), none below 0 nor beyond
   /// `cells` texels.
-  Exact(const Sides& sides, const Question<Int>& question, std::int64_t column, std::int64_t row,
+  Exact(const TextureProperties& sides, const Question<Int>& question, std::int64_t column, std::int64_t row,
         std::int64_t cells, int fraction_bits, const Outline<Int>& outline)
       : sides_(sides),
         question_(question),
@@ -253,7 +253,7 @@ class Exact {
     take_row(first, last, j);
   }
 
-  const Sides& sides_;
+  const TextureProperties& sides_;
   const Question<Int>& question_;
   std::int64_t column_, row_, cells_;
   Int unit_;

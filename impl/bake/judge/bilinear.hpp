@@ -10,12 +10,11 @@
 #include <type_traits>
 
 #include "impl/bake/exact/base.hpp"
-#include "impl/bake/judge/cell_judge.hpp"
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/judge/filter.hpp"
 #include "impl/bake/judge/inner_box.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
-#include "impl/bake/texture/sides.hpp"
+#include "impl/bake/texture/properties.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -26,18 +25,18 @@ class Bilinear {
   static constexpr double offset = 0.5;
 
   /// `inner`: of a micro-triangle that is not turned.
-  Bilinear(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle& base, index::Level level,
-           const InnerBox& inner, double delta, double margin) noexcept
+  Bilinear(const TexturePropertiesOf<Texel>& sides, const ExactBase& exact, const Triangle& base,
+           index::Level level, const InnerBox& inner, double delta, double margin) noexcept
       : sides_(sides),
         filter_(sides, delta, margin),
         exact_(exact),
         inner_(sides, inner, margin, delta),
-        cells_(sides, base, delta, filter_.bound(), filter_.usable() && margin == 0),
+        lines_(filter_.usable() && margin == 0 ? Lines(base, delta) : Lines()),
         lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {
-    if (level < 2 || !in_vectors() || !cells_.lines().usable) return;
+    if (level < 2 || !in_vectors() || !lines_.usable) return;
     for (std::uint32_t height = 2; height <= level; height = height == 2 ? 4 : height + 1) {
       const double part = std::ldexp(1.0, static_cast<int>(height) - static_cast<int>(level));
-      const Spot b{(base[1].x - base[0].x) * part, (base[1].y - base[0].y) * part},
+      const PlanePoint b{(base[1].x - base[0].x) * part, (base[1].y - base[0].y) * part},
           c{(base[2].x - base[0].x) * part, (base[2].y - base[0].y) * part};
       const double extent = std::max(std::max({b.x, c.x, 0.0}) - std::min({b.x, c.x, 0.0}),
                                      std::max({b.y, c.y, 0.0}) - std::min({b.y, c.y, 0.0}));
@@ -47,14 +46,14 @@ class Bilinear {
       const bool is_shared = height == 2 && 2 * extent + more < most_shared;
       if (is_shared) share_ = true;
       const double size = (is_shared ? 2 * extent : extent) + more;
-      const std::array<std::array<Spot, 2>, 4> of_nodes{{{b, c},
-                                                         {b, {b.x - c.x, b.y - c.y}},
-                                                         {{{-b.x, -b.y}, {c.x - b.x, c.y - b.y}}},
-                                                         {{{-b.x, -b.y}, {-c.x, -c.y}}}}};
+      const std::array<std::array<PlanePoint, 2>, 4> of_nodes{{{b, c},
+                                                               {b, {b.x - c.x, b.y - c.y}},
+                                                               {{{-b.x, -b.y}, {c.x - b.x, c.y - b.y}}},
+                                                               {{{-b.x, -b.y}, {-c.x, -c.y}}}}};
       for (std::size_t k = 0; k < 4; ++k) {
         const auto& [to1, to2] = of_nodes[k];
         SixteenShape& of = shapes_[height][k];
-        of = {to1, to2, cells_.lines(), k % 2 == 1, margin_in(size)};
+        of = {to1, to2, lines_, k % 2 == 1, margin_in(size)};
         if (height == 2) judging(of, to1, to2, size);
       }
       largest_ = height;
@@ -81,8 +80,8 @@ class Bilinear {
   }
 
   /// The four children of a node, in one byte; their six corners sampled once.
-  unsigned four(const Triangle& p, Spot p01, Spot p02, Spot p12, bool turned, std::uint32_t index,
-                BakeCounts& counts) const {
+  unsigned four(const Triangle& p, PlanePoint p01, PlanePoint p02, PlanePoint p12, bool turned,
+                std::uint32_t index, BakeCounts& counts) const {
     const double g0 = filter_.g(p[0]), g1 = filter_.g(p[1]), g2 = filter_.g(p[2]), g01 = filter_.g(p01),
                  g02 = filter_.g(p02), g12 = filter_.g(p12);
     Quad quad;
@@ -98,7 +97,7 @@ class Bilinear {
     std::optional<SixteenMarks> marks;
     if constexpr (!std::is_same_v<Texel, float>)
       if (in_vectors()) marks = asked(p, turned, index);
-    if (!marks && !cells_.usable()) {
+    if (!marks) {
       const std::array<Triangle, 4> of = children(p);
       std::uint32_t codes = 0;
       for (std::uint32_t c = 0; c < 4; ++c) {
@@ -109,7 +108,7 @@ class Bilinear {
       }
       return codes;
     }
-    return coded(marks ? *marks : SixteenMarks{}, p, turned, index, counts);
+    return coded(*marks, p, turned, index, counts);
   }
 
   /// The codes of those that are wanted of the four nodes of sixteen that one is cut into; false if they are
@@ -159,7 +158,7 @@ class Bilinear {
       const std::array<Triangle, 4> micro = children(of[c]);
       for (std::uint32_t k = 4 * c; k < 4 * c + 4; ++k)
         if ((left >> k & 1) != 0)
-          codes |= lone(micro[k % 4], is_turned != (k % 4 == 1), index + k, counts) << (2 * k);
+          codes |= single(micro[k % 4], is_turned != (k % 4 == 1), index + k, counts) << (2 * k);
     }
     return codes;
   }
@@ -174,7 +173,7 @@ class Bilinear {
 
   using Box = typename BilinearFilter<Texel>::Box;
 
-  /// Whether vectors are asked: see bake_sixteen.hpp.
+  /// Whether vectors are asked: see impl/bake/sixteen/sixteen.hpp.
   bool in_vectors() const noexcept {
     return !std::is_same_v<Texel, float> && filter_.usable() && filter_.delta() < 0x1p-30 &&
            filter_.margin() == 0 && sides_.pitch() <= std::size_t{1} << 20;
@@ -203,7 +202,7 @@ class Bilinear {
     return shapes_[height][2 * reversed(index) + turned];
   }
   /// And what judges alpha there: a node at p0, p0 + b, p0 + c.
-  void judging(SixteenShape& of, Spot b, Spot c, double size) const noexcept {
+  void judging(SixteenShape& of, PlanePoint b, PlanePoint c, double size) const noexcept {
     const double delta = delta_in(size);
     of.take_edges(b, c, delta, margin_in(size));
     of.threshold = static_cast<float>(sides_.threshold);
@@ -217,7 +216,7 @@ class Bilinear {
 
   /// Of a node in one picture: where it and its bits are.  False where it is too large, or lines say nothing.
   bool placed(const Triangle& p, const Window& w, SixteenInput& in) const noexcept {
-    if (w.size > sixteen_window || !cells_.lines().usable) return false;
+    if (w.size > sixteen_window || !lines_.usable) return false;
     const auto picture = sides_.in_one_picture(w.left, w.right, w.top, w.bottom);
     if (!picture) return false;
     place(p, w, in);
@@ -237,7 +236,7 @@ class Bilinear {
     in.rows = static_cast<std::int32_t>(w.height);
     in.p0 = local(p[0], w);
   }
-  static std::array<float, 2> local(Spot p, const Window& w) noexcept {
+  static std::array<float, 2> local(PlanePoint p, const Window& w) noexcept {
     return {static_cast<float>(p.x - static_cast<double>(w.left)),
             static_cast<float>(p.y - static_cast<double>(w.top))};
   }
@@ -268,7 +267,7 @@ class Bilinear {
       return found;
     };
     if (placed(p, w, in)) return marks();
-    if (w.size > most_copied || !cells_.lines().usable) return std::nullopt;
+    if (w.size > most_copied || !lines_.usable) return std::nullopt;
     place(p, w, in);
     constexpr std::size_t pitch = most_copied;
     std::array<Texel, pitch * pitch + 4> texels;  // 4 bytes from the last can be read
@@ -284,20 +283,11 @@ class Bilinear {
     return marks();
   }
 
-  /// A micro-triangle by the cells that it meets, or else as one of no quad.
-  unsigned lone(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
-    bool by_texels;
-    const Marks marks = cells_.judged(p, turned, by_texels);
-    if ((marks & uncertain) != 0) return single(p, turned, index, counts);
-    if (!by_texels) ++counts.leaves;
-    return marks == both ? leaning(centroid_of(p), index, counts) : settled(marks);
-  }
-
-  static Spot centroid_of(const Triangle& p) noexcept {
+  static PlanePoint centroid_of(const Triangle& p) noexcept {
     return {(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
   }
   /// Of one that bears both marks.
-  unsigned leaning(Spot centroid, std::uint32_t index, BakeCounts& counts) const {
+  unsigned leaning(PlanePoint centroid, std::uint32_t index, BakeCounts& counts) const {
     const double at = filter_.g(centroid) - lean_;
     if (std::fabs(at) > filter_.bound()) return at > 0 ? unknown | 1 : unknown;
     ++counts.exact;
@@ -307,26 +297,26 @@ class Bilinear {
   /// `edges`: which of the quad's the edges p0 p1, p1 p2, p2 p0 are.
   unsigned leaf(const Triangle& p, const std::array<double, 3>& g, bool turned, std::uint32_t index,
                 Quad& quad, const std::array<std::size_t, 3>& edges, BakeCounts& counts) const {
-    const Spot centroid = centroid_of(p);
+    const PlanePoint centroid = centroid_of(p);
     Marks marks = filter_.usable()
                       ? static_cast<Marks>(filter_.side(g[0]) | filter_.side(g[1]) | filter_.side(g[2]))
                       : uncertain;
     if (marks != both) {
       const auto box = filter_.box(p);
       const Marks all = filter_.texels(box);
-      if (all != both) return settled(all);
+      if (all != both) return known_code(all);
       if (marks != uncertain) marks = judged(p, g, box, centroid, marks, turned, quad, edges);
     }
     ++counts.leaves;
-    if (marks == opaque || marks == below) return settled(marks);
+    if (marks == opaque || marks == below) return known_code(marks);
     if (marks == both) return leaning(centroid, index, counts);
     ++counts.exact;
     return code_of(exact_(index));
   }
 
   /// Of a triangle whose texels bear both marks; `seen` at its corners.
-  Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, Spot centroid, Marks seen,
-               bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
+  Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, PlanePoint centroid,
+               Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
     seen = static_cast<Marks>(seen | inner_.centres(centroid, turned));
     if (seen == both) return both;
     if (filter_.margin() != 0) {
@@ -349,10 +339,10 @@ class Bilinear {
   /// Of the segments of the dilated triangle, until both marks are seen.
   Marks outline(const Triangle& p, Marks seen) const {
     const double m = filter_.margin();
-    std::array<Spot, 12> moved;
+    std::array<PlanePoint, 12> moved;
     std::array<double, 12> g;
     for (std::size_t k = 0; k < 12; ++k) {
-      const Spot at = p[k / 4];
+      const PlanePoint at = p[k / 4];
       moved[k] = {k % 4 < 2 ? at.x - m : at.x + m, k % 4 == 0 || k % 4 == 3 ? at.y - m : at.y + m};
       g[k] = filter_.g(moved[k]);
       seen = static_cast<Marks>(seen | filter_.side(g[k]));
@@ -368,11 +358,11 @@ class Bilinear {
     return seen;
   }
 
-  const SidesOf<Texel>& sides_;
+  const TexturePropertiesOf<Texel>& sides_;
   BilinearFilter<Texel> filter_;
   const ExactBase& exact_;
   Within inner_;
-  CellJudge<Texel> cells_;
+  Lines lines_;
   /// By height, of nodes with p0 at either end of their edges p0 p1: not turned, turned.
   std::array<std::array<SixteenShape, 4>, max_bake_level + 1> shapes_;
   std::uint32_t largest_ = 0;  ///< of these heights; 0: none

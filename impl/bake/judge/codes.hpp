@@ -15,10 +15,10 @@ inline constexpr unsigned opaque_code = 1, unknown = 2;
 inline constexpr Marks uncertain = 4;
 
 /// Of one mark.
-inline unsigned settled(Marks all) noexcept { return all == opaque ? opaque_code : 0; }
+inline unsigned known_code(Marks all) noexcept { return all == opaque ? opaque_code : 0; }
 
 inline unsigned code_of(const ExactBase::Answer& answer) noexcept {
-  if (answer.marks != both) return settled(answer.marks);
+  if (answer.marks != both) return known_code(answer.marks);
   return answer.leans_to_opaque ? unknown | 1 : unknown;
 }
 

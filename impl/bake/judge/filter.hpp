@@ -2,10 +2,10 @@
 // tell, it says so.  Internal to impl/bake.
 //
 // What is judged is the triangle T' whose corners are the computed ones, each within `delta` of those of the
-// true T along either axis.  Let g be sampled stored numbers less the threshold (bake_sides.hpp), all of them
+// true T along either axis.  Let g be sampled stored numbers less the threshold (impl/bake/texture/properties.hpp), all of them
 // within R of each other and of 0.  g changes by at most R a texel along either axis, so the ranges of g over
 // T and T' differ by less than 2 R delta.  Over T', g is least and greatest on an edge or at a centre within
-// (bake_exact.hpp), and rounding moves no computed point off its edge by more than delta:
+// (impl/bake/exact/seen.hpp), and rounding moves no computed point off its edge by more than delta:
 //   edges    are cut where they cross rows and columns of centres; a piece is judged by the cell of its
 //            middle.  A cut that is off by a rounding, or a piece that is lost to one, is no longer than some
 //            delta, over which g and the neighbouring cell's g differ by no more than the bound below.
@@ -16,7 +16,7 @@
 // operations, the rounded threshold's among them, many times over.
 // Boxes are grown by delta and asked of whole texels: what they say is exact.
 //
-// With a margin m the same is said of T' + [-m, m]^2, whose edges are segments as in bake_exact.hpp; moving a
+// With a margin m the same is said of T' + [-m, m]^2, whose edges are segments as in impl/bake/exact/seen.hpp; moving a
 // corner by m rounds once more, which delta has room for.
 #pragma once
 
@@ -26,15 +26,15 @@
 #include <cstdint>
 
 #include "impl/bake/judge/codes.hpp"
-#include "impl/bake/plane/spot.hpp"
-#include "impl/bake/texture/sides.hpp"
+#include "impl/bake/plane/points.hpp"
+#include "impl/bake/texture/properties.hpp"
 
 namespace mmverify::impl::bake::detail {
 
 template <class Texel>
 class BilinearFilter {
  public:
-  BilinearFilter(const SidesOf<Texel>& sides, double delta, double margin) noexcept
+  BilinearFilter(const TexturePropertiesOf<Texel>& sides, double delta, double margin) noexcept
       : sides_(sides),
         delta_(delta),
         margin_(margin),
@@ -52,7 +52,7 @@ class BilinearFilter {
   double bound() const noexcept { return bound_; }
 
   /// Stored numbers, sampled, less the threshold.
-  double g(Spot p) const noexcept {
+  double g(PlanePoint p) const noexcept {
     const std::int64_t i = floored(p.x), j = floored(p.y);
     const double fx = p.x - static_cast<double>(i), fy = p.y - static_cast<double>(j);
     const auto f = sides_.four(i, j);
@@ -87,14 +87,14 @@ class BilinearFilter {
   Marks texels(const Box& box) const noexcept { return sides_.of(box.left, box.right, box.top, box.bottom); }
 
   /// Of a closed edge with g at its ends: halves, until a box settles them or they cross few lines.
-  Marks edge(Spot p, Spot q, double at_p, double at_q) const noexcept {
+  Marks edge(PlanePoint p, PlanePoint q, double at_p, double at_q) const noexcept {
     const double d = 4 * delta_;
     const Box box{floored(std::min(p.x, q.x) - d), floored(std::max(p.x, q.x) + d) + 1,
                   floored(std::min(p.y, q.y) - d), floored(std::max(p.y, q.y) + d) + 1};
     const Marks all = texels(box);
     if (all != both) return all;
     if (box.right - box.left + box.bottom - box.top <= 10) return walked(p, q, at_p, at_q);
-    const Spot m = middle(p, q);
+    const PlanePoint m = middle(p, q);
     const double at_m = g(m);
     const Marks first = edge(p, m, at_p, at_m);
     if ((first & both) == both) return both;
@@ -123,7 +123,7 @@ class BilinearFilter {
   /// which stands still at s = (1 - (w - v) / K) / 2 if |w - v| < |K|.
   /// dx is 0 or, coordinates being products of 39 bits less 1/2 and halved 12 times, well above 2^-100, so
   /// that 1/dx is finite; dy likewise.
-  Marks walked(Spot p, Spot q, double at_p, double at_q) const noexcept {
+  Marks walked(PlanePoint p, PlanePoint q, double at_p, double at_q) const noexcept {
     const double dx = q.x - p.x, dy = q.y - p.y;
     std::int64_t i = floored(p.x), j = floored(p.y);
     const std::int64_t step_x = dx < 0 ? -1 : 1, step_y = dy < 0 ? -1 : 1;
@@ -177,7 +177,7 @@ class BilinearFilter {
     return first > last ? Marks{0} : sides_.of(first, last, j, j);
   }
 
-  const SidesOf<Texel>& sides_;
+  const TexturePropertiesOf<Texel>& sides_;
   double delta_, margin_, reach_, bound_, transparent_;
   bool usable_;
   Marks clear_;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "impl/bake/plane/spot.hpp"
-#include "impl/bake/texture/sides.hpp"
+#include "impl/bake/plane/points.hpp"
+#include "impl/bake/texture/properties.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -15,7 +15,7 @@ struct InnerBox {
 
 /// The largest of a few, between rows at multiples of 1/12 of the height.
 inline InnerBox inner_box(const Triangle& p) noexcept {
-  const Spot c{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
+  const PlanePoint c{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
   const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
   constexpr int rows = 12;
   std::array<double, rows + 1> from, to, at;
@@ -24,7 +24,7 @@ inline InnerBox inner_box(const Triangle& p) noexcept {
     from[r] = 1e300;
     to[r] = -1e300;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Spot a = p[k], b = p[(k + 1) % 3];
+      const PlanePoint a = p[k], b = p[(k + 1) % 3];
       if ((a.y <= at[r]) == (b.y <= at[r])) continue;
       const double x = std::clamp(a.x + (at[r] - a.y) * ((b.x - a.x) / (b.y - a.y)), std::min(a.x, b.x),
                                   std::max(a.x, b.x));
@@ -49,7 +49,8 @@ class Within {
  public:
   /// `inner`: of one that is not turned.  Shrunk by 4 delta, so that it is within the true triangle, whose
   /// centroid may be 2 delta off; grown by the margin, as the triangle is.
-  Within(const Sides& sides, const InnerBox& inner, double margin, double delta) noexcept : sides_(sides) {
+  Within(const TextureProperties& sides, const InnerBox& inner, double margin, double delta) noexcept
+      : sides_(sides) {
     const InnerBox box = inner.left > inner.right ? InnerBox{0, 0, 0, 0} : inner;
     const double d = 4 * delta - margin;
     boxes_[0] = {box.left + d, box.right - d, box.top + d, box.bottom - d};
@@ -58,14 +59,14 @@ class Within {
   }
 
   /// Of the texels whose centres are at whole numbers; of none where it is too small to hold several.
-  Marks centres(Spot centroid, bool turned) const noexcept {
+  Marks centres(PlanePoint centroid, bool turned) const noexcept {
     if (!worth_it_) return 0;
     const InnerBox& b = boxes_[turned];
     return of(-floored(-(centroid.x + b.left)), floored(centroid.x + b.right),
               -floored(-(centroid.y + b.top)), floored(centroid.y + b.bottom));
   }
   /// Of the texels that begin at whole numbers and which it meets.
-  Marks texels(Spot centroid, bool turned) const noexcept {
+  Marks texels(PlanePoint centroid, bool turned) const noexcept {
     const InnerBox& b = boxes_[turned];
     if (b.left > b.right || b.top > b.bottom) return 0;
     return of(floored(centroid.x + b.left), floored(centroid.x + b.right), floored(centroid.y + b.top),
@@ -77,7 +78,7 @@ class Within {
     return left <= right && top <= bottom ? sides_.of(left, right, top, bottom) : Marks{0};
   }
 
-  const Sides& sides_;
+  const TextureProperties& sides_;
   std::array<InnerBox, 2> boxes_;  ///< not turned, turned
   bool worth_it_;
 };

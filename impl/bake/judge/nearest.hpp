@@ -17,9 +17,9 @@
 #include "impl/bake/exact/base.hpp"
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/judge/inner_box.hpp"
-#include "impl/bake/plane/spot.hpp"
+#include "impl/bake/plane/points.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
-#include "impl/bake/texture/sides.hpp"
+#include "impl/bake/texture/properties.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -28,7 +28,7 @@ class Nearest {
  public:
   static constexpr double offset = 0;
 
-  Nearest(const SidesOf<Texel>& sides, const ExactBase& exact, const Triangle&, index::Level,
+  Nearest(const TexturePropertiesOf<Texel>& sides, const ExactBase& exact, const Triangle&, index::Level,
           const InnerBox& inner, double delta, double margin) noexcept
       : sides_(sides),
         exact_(exact),
@@ -49,11 +49,11 @@ class Nearest {
   unsigned single(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
     const Box around = box(p);
     const Marks all = texels(around);
-    if (all != both) return settled(all);
+    if (all != both) return known_code(all);
     ++counts.leaves;
-    const Spot centroid{(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
+    const PlanePoint centroid{(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
     const Marks marks = usable_ ? judged(p, around, centroid, turned) : uncertain;
-    if (marks == below || marks == opaque) return settled(marks);
+    if (marks == below || marks == opaque) return known_code(marks);
     if (marks == both) {
       const std::int64_t i = floored(centroid.x - 2 * delta_), j = floored(centroid.y - 2 * delta_);
       if (i == floored(centroid.x + 2 * delta_) && j == floored(centroid.y + 2 * delta_)) {
@@ -66,8 +66,8 @@ class Nearest {
     return code_of(exact_(index));
   }
 
-  unsigned four(const Triangle& p, Spot p01, Spot p02, Spot p12, bool turned, std::uint32_t index,
-                BakeCounts& counts) const {
+  unsigned four(const Triangle& p, PlanePoint p01, PlanePoint p02, PlanePoint p12, bool turned,
+                std::uint32_t index, BakeCounts& counts) const {
     return single({p[0], p01, p02}, turned, index, counts) |
            single({p02, p12, p01}, !turned, index + 1, counts) << 2 |
            single({p01, p[1], p12}, turned, index + 2, counts) << 4 |
@@ -75,7 +75,7 @@ class Nearest {
   }
 
   std::uint32_t sixteen(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
-    const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
+    const PlanePoint p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
     const auto child = [&](const Triangle& q, bool is_turned, std::uint32_t first) {
       return four(q, middle(q[0], q[1]), middle(q[0], q[2]), middle(q[1], q[2]), is_turned, first, counts);
     };
@@ -96,7 +96,7 @@ class Nearest {
   Marks texels(const Box& b) const noexcept { return sides_.of(b.left, b.right, b.top, b.bottom); }
 
   /// Of a triangle whose texels bear both marks.
-  Marks judged(const Triangle& p, const Box& around, Spot centroid, bool turned) const noexcept {
+  Marks judged(const Triangle& p, const Box& around, PlanePoint centroid, bool turned) const noexcept {
     Marks seen = inner_.texels(centroid, turned);
     if (seen == both) return both;
     Marks most = 0;
@@ -119,7 +119,7 @@ class Nearest {
     return most == both ? uncertain : most;
   }
 
-  const SidesOf<Texel>& sides_;
+  const TexturePropertiesOf<Texel>& sides_;
   const ExactBase& exact_;
   Within inner_;
   double delta_, margin_;

@@ -23,7 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "impl/bake/plane/spot.hpp"
+#include "impl/bake/plane/points.hpp"
 
 namespace mmverify::impl::bake::detail {
 

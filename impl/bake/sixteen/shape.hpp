@@ -2,7 +2,7 @@
 // turned by half a circle, and so are their micro-triangles and their edges.  Internal to impl/bake.
 //
 // All of it is computed in binary64, from the base triangle's sides cut to a node's, which are off by less
-// than delta of bake_filter.hpp, and rounded once: what that makes of places is in bake_sixteen.hpp.
+// than delta of impl/bake/judge/filter.hpp, and rounded once: what that makes of places is in impl/bake/sixteen/sixteen.hpp.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 #include <cstddef>
 
 #include "impl/bake/plane/lines.hpp"
-#include "impl/bake/plane/spot.hpp"
+#include "impl/bake/plane/points.hpp"
 
 namespace mmverify::impl::bake::detail {
 
 struct SixteenShape {
   std::array<float, 2> p01{}, p02{};  ///< x, y
   float threshold = 0, gap = 0, lean = 0, bound = 0, edge_bound = 0, beyond_bound = 0, delta = 0;
-  std::array<float, 3> slope{};  ///< of the lines A, B, C (bake_lines.hpp)
+  std::array<float, 3> slope{};  ///< of the lines A, B, C (impl/bake/plane/lines.hpp)
   bool ab_left = false;          ///< of micro-triangles that are turned as the node is
   bool has_flat = false;
   bool clear = false;
@@ -49,20 +49,21 @@ struct SixteenShape {
 
   SixteenShape() = default;
   /// Of a node at p0, p0 + b, p0 + c; margin: of lines there.  No edges yet.
-  SixteenShape(Spot b, Spot c, const Lines& lines, bool turned, double margin) noexcept
+  SixteenShape(PlanePoint b, PlanePoint c, const Lines& lines, bool turned, double margin) noexcept
       : p01{static_cast<float>(b.x), static_cast<float>(b.y)},
         p02{static_cast<float>(c.x), static_cast<float>(c.y)},
         ab_left(lines.ab_left != turned),
         has_flat(lines.has_flat) {
     for (std::size_t l = 0; l < 3; ++l) slope[l] = static_cast<float>(lines.slope[l]);
-    const Spot across{b.x / 4, b.y / 4}, down{c.x / 4, c.y / 4}, far{across.x + down.x, across.y + down.y};
-    take_micro(micro[0], {Spot{0, 0}, across, down}, lines, ab_left, margin);
+    const PlanePoint across{b.x / 4, b.y / 4}, down{c.x / 4, c.y / 4},
+        far{across.x + down.x, across.y + down.y};
+    take_micro(micro[0], {PlanePoint{0, 0}, across, down}, lines, ab_left, margin);
     take_micro(micro[1], {across, down, far}, lines, !ab_left, margin);
     is_small = micro[0].right - micro[0].left < 2.5f && micro[0].bottom - micro[0].top < 2.5f;
-    if (is_small) take_micro(whole, {Spot{0, 0}, b, c}, lines, ab_left, margin);
+    if (is_small) take_micro(whole, {PlanePoint{0, 0}, b, c}, lines, ab_left, margin);
   }
   /// Of the same node; off: what its corners in binary32 are off.
-  void take_edges(Spot b, Spot c, double off, double margin) noexcept {
+  void take_edges(PlanePoint b, PlanePoint c, double off, double margin) noexcept {
     delta = static_cast<float>(off);
     take_edge(0, {b.x / 4, b.y / 4}, off, margin);
     take_edge(1, {c.x / 4, c.y / 4}, off, margin);
@@ -92,7 +93,7 @@ struct SixteenShape {
       m.at[l] = static_cast<float>(line + 0.5);
     }
   }
-  void take_edge(std::size_t e, Spot to, double off, double margin) noexcept {
+  void take_edge(std::size_t e, PlanePoint to, double off, double margin) noexcept {
     const auto per = [](float d) { return d == 0 ? 0 : 1 / d; };
     dx[e] = static_cast<float>(to.x);
     dy[e] = static_cast<float>(to.y);

@@ -7,14 +7,19 @@
 // of a rounded corner and the base triangle's sides, cut to a node's and rounded; nine roundings of 2^-24 S
 // or less, those of p0, p1 - p0, p2 - p0 and of thirds among them, leave it, and a centroid, within 2^-20 S
 // of its place along either axis.  Another corner, or an end, taken from one by what all micro-triangles or
-// edges have in common (bake_sixteen_shape.hpp), is off by no more: five of the nine are made. delta is that
+// edges have in common (impl/bake/sixteen/shape.hpp), is off by no more: five of the nine are made. delta is that
 // and what coordinates in binary64 were off; T is a true triangle, T' the computed one, R as in
-// bake_filter.hpp.
+// impl/bake/judge/filter.hpp.
 //
-// The latter is less than 2^-30, so that slopes (bake_lines.hpp) put no line off by more than 2^-21 (1 + |s|)
+// The latter is less than 2^-30, so that slopes (impl/bake/plane/lines.hpp) put no line off by more than 2^-21 (1 + |s|)
 // over the rows here.
 //
-//   cells    As in bake_cells.hpp: where T meets no mixed cell, its texels bear one mark, and so does it.
+// A cell is mixed unless its four texels are all opaque, or none of them is visible (not transparent; with MASK
+// that is opaque): one that is not bears one mark, as only cells whose four texels differ hold a contour.
+//
+//   cells    Every cell that T meets is in a row that T reaches and between the lines, a margin outside.  If no
+//            cell that may be met is mixed, all of T bears one mark: cells that share a corner share a texel.
+//            A point on a cell's border counts for the cell to the right and below.
 //            Lines go through the computed corners; with the roundings of this they are within
 //            2 delta (1 + |s|) along x, and 4 delta (1 + |s|) more than that.
 //   samples  g changes by at most R a texel along either axis, and its evaluation errs by less than 2^-19 R:
@@ -23,11 +28,16 @@
 //            it: g at a point of T differs by less than 6 R delta.  They count as seen where clear, the least
 //            that a texel is from its limit, is more than 8 R delta.  Those left out are within 3 delta of an
 //            edge, which speaks for them to within its bound.
-//   edges    In the mixed cells that they may meet alone, for the reasons in bake_cells.hpp: those within
+//   edges    What T bears it bears on an edge or at a centre within (impl/bake/exact/seen.hpp).  Along an
+//            edge, from the first corner on, a mark begins only in a mixed cell, since cells with a border in
+//            common share the texels that say what is on it.  So only mixed cells are asked: those within
 //            2^4 delta (1 + |s|) of the edge's line and 4 delta of its box; s is rounded once, off by less
 //            than 2^3 delta (1 + |s|) with what sides are off, where it falls by a quarter of a texel or
 //            more, and no line bounds it where it falls by less.
-//   pieces   as there, delta in place of its delta: a cell's own alpha is off g by less than 12 R delta, the
+//   pieces   The edge is P + t (Q - P), t from where it enters the cell, grown to every side, to where it
+//            leaves it, so that all t of the true edge in the true cell are among them.  There the cell's own
+//            alpha a + bx + cy + dxy is least and greatest at an end or where it stands still
+//            (impl/bake/judge/filter.hpp, walked()).  A cell's own alpha is off g by less than 12 R delta, the
 //            true edge's by 2 R delta more, and roundings are less than 2^-18 R: less than
 //            edge_bound = R (24 delta + 2^-17).
 // What neither a corner, nor a piece, nor a centre within bears, T does not.
@@ -74,7 +84,7 @@ struct SixteenInput {
   std::int32_t pitch;
   std::int32_t columns, rows;  ///< of texels in the window
   std::array<float, 2> p0;     ///< x, y
-  /// Words of a plane (bake_plane.hpp): row 0 of the strip that column 0 is in, at `bit`; visible is opaque
+  /// Words of a plane (impl/bake/texture/plane.hpp): row 0 of the strip that column 0 is in, at `bit`; visible is opaque
   /// with MASK.
   const std::uint32_t *opaque, *visible;
   std::size_t strip;

@@ -7,7 +7,7 @@
 //   a corner              255 D^2                      < 2^26, times the denominator < 2^58
 //   an edge's point       255 D                        smaller
 //   a diagonal's point    255 D max(width, height)     < 2^31, times the denominator < 2^63
-// and the diagonal's turning points are in 128 bits (bake_triangle.cpp).
+// and the diagonal's turning points are in 128 bits (impl/bake/square/triangle.cpp).
 #pragma once
 
 #include <algorithm>

@@ -33,7 +33,7 @@ class Regions {
     return i < 0 || i >= side_ || j < 0 || j >= side_;
   }
   /// Nothing more can change it.
-  bool settled(std::int64_t i, std::int64_t j) const noexcept { return outside(i, j) || at(i, j) == both; }
+  bool known_code(std::int64_t i, std::int64_t j) const noexcept { return outside(i, j) || at(i, j) == both; }
   void take(std::int64_t i, std::int64_t j, Marks marks) noexcept {
     if (outside(i, j)) return;
     Marks& all = marks_[static_cast<std::size_t>(i + side_ * j)];
@@ -44,9 +44,9 @@ class Regions {
   void texel_row(std::int64_t j, std::int64_t y) noexcept {
     const std::uint8_t* const row = s_.row(y);
     for (std::int64_t i = 0; i < side_; ++i)
-      if (!settled(i, j)) take(i, j, s_.span(row, s_.across.centres(i), s_.across.centres(i + 1)));
+      if (!known_code(i, j)) take(i, j, s_.span(row, s_.across.centres(i), s_.across.centres(i + 1)));
     for (std::int64_t i = 0; i <= side_; ++i) {
-      if (settled(i - 1, j) && settled(i, j)) continue;
+      if (known_code(i - 1, j) && known_code(i, j)) continue;
       const Marks m = s_.on_row(s_.across.at_edge(i), s_.across.d, y);
       take(i - 1, j, m);
       take(i, j, m);
@@ -58,7 +58,7 @@ class Regions {
     const Between y = s_.down.at_edge(j);
     for (std::int64_t i = 0; i < side_; ++i)
       for (std::int64_t x = s_.across.centres(i), end = s_.across.centres(i + 1); x < end; ++x) {
-        if (settled(i, j - 1) && settled(i, j)) break;
+        if (known_code(i, j - 1) && known_code(i, j)) break;
         const Marks m = s_.on_column(x, y, s_.down.d);
         take(i, j - 1, m);
         take(i, j, m);

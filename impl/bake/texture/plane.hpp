@@ -70,15 +70,6 @@ class Plane {
   std::size_t strip() const noexcept { return strip_; }
   static constexpr std::size_t rows_beyond = 32;
 
-  /// The words of 32 texels from (x, y) down.
-  void rows_of(std::int64_t x, std::int64_t y, std::size_t count, std::uint32_t* to) const noexcept {
-    const std::uint32_t* const left =
-        strips_.data() + strip_ * static_cast<std::size_t>(x / 32) + static_cast<std::size_t>(y);
-    const auto bit = static_cast<unsigned>(x % 32);
-    for (std::size_t k = 0; k < count; ++k)
-      to[k] = static_cast<std::uint32_t>((left[k] | std::uint64_t{left[k + strip_]} << 32) >> bit);
-  }
-
   struct Found {
     bool some, some_not;
   };

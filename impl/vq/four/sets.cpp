@@ -193,18 +193,4 @@ Encoded4 written(const Vectors4& vectors, const Transforms& transforms, const st
   return out;
 }
 
-std::vector<Set4> entries_of(const Block4& block) {
-  const Codebook vectors = codebook(block.data());
-  std::vector<Set4> entries;
-  for (std::size_t index = 3; index < 16; ++index) {
-    Set4 set = 0;
-    for (std::uint32_t k = 0; k < 16; ++k) {
-      const auto state = static_cast<State>(vectors[index][k]);
-      set |= (state == State::T ? 1u : state == State::O ? 0x10000u : 0) << k;
-    }
-    entries.push_back(set);
-  }
-  return entries;
-}
-
 }  // namespace mmverify::impl::vq::detail

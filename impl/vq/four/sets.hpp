@@ -54,7 +54,4 @@ void fit_places(std::vector<Set4>& entries, std::span<const Set4> sources);
 /// The block of a codebook that has places, each vector by what keeps most of it.
 Encoded4 written(const Vectors4& vectors, const Transforms& transforms, const std::vector<Set4>& entries);
 
-/// What the indices 3..15 of a block mean.
-std::vector<Set4> entries_of(const Block4& block);
-
 }  // namespace mmverify::impl::vq::detail

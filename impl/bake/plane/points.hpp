@@ -8,10 +8,10 @@
 
 namespace mmverify::impl::bake::detail {
 
-struct Spot {
+struct PlanePoint {
   double x, y;
 };
-using Triangle = std::array<Spot, 3>;
+using Triangle = std::array<PlanePoint, 3>;
 
 /// floor, without a call where the processor has no instruction for it.  Domain: |x| < 2^62.
 inline std::int64_t floored(double x) noexcept {
@@ -19,12 +19,14 @@ inline std::int64_t floored(double x) noexcept {
   return i - (x < static_cast<double>(i) ? 1 : 0);
 }
 
-inline Spot middle(Spot a, Spot b) noexcept { return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5}; }
+inline PlanePoint middle(PlanePoint a, PlanePoint b) noexcept {
+  return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5};
+}
 
 /// The four that a triangle is cut into, in the order and with the corners of impl/index/index.hpp; the second is
 /// turned.
 inline std::array<Triangle, 4> children(const Triangle& p) noexcept {
-  const Spot p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
+  const PlanePoint p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
   return {Triangle{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}};
 }
 
@@ -39,7 +41,7 @@ struct Reach {
 
 /// Where a segment whose ends are on either side of a level is at it; within its ends' x, however that
 /// rounds.
-inline double crossing(Spot a, Spot b, double level) noexcept {
+inline double crossing(PlanePoint a, PlanePoint b, double level) noexcept {
   return std::clamp(a.x + (level - a.y) * ((b.x - a.x) / (b.y - a.y)), std::min(a.x, b.x),
                     std::max(a.x, b.x));
 }
@@ -48,7 +50,7 @@ inline double crossing(Spot a, Spot b, double level) noexcept {
 inline Reach at_level(const Triangle& p, double level) noexcept {
   Reach reach;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Spot a = p[k], b = p[k == 2 ? 0 : k + 1];
+    const PlanePoint a = p[k], b = p[k == 2 ? 0 : k + 1];
     if ((a.y <= level) != (b.y <= level)) reach.take(crossing(a, b, level));
   }
   return reach;
@@ -58,7 +60,7 @@ inline Reach at_level(const Triangle& p, double level) noexcept {
 inline Reach between(const Triangle& p, double low, double high) noexcept {
   Reach reach;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Spot a = p[k], b = p[k == 2 ? 0 : k + 1];
+    const PlanePoint a = p[k], b = p[k == 2 ? 0 : k + 1];
     if (a.y >= low && a.y <= high) reach.take(a.x);
     for (const double level : {low, high})
       if ((a.y < level) != (b.y < level)) reach.take(crossing(a, b, level));

@@ -19,9 +19,9 @@ namespace mmverify::impl::bake::detail {
 // bears one of them, with BLEND at least one.  Bilinear alpha is a mean of texels, and all alphas that lack a
 // mark are on one side of a limit: what no texel bears no mean of them does.
 
-class Sides {
+class TextureProperties {
  public:
-  virtual ~Sides() = default;
+  virtual ~TextureProperties() = default;
 
   /// Of the texels [left, right] x [top, bottom], ends included, before wrapping.
   Marks of(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
@@ -44,7 +44,7 @@ class Sides {
   double clear_below = 0, clear_opaque = 0;
 
  protected:
-  Sides(const Limits& l, std::uint32_t width, std::uint32_t height, Wrap x, Wrap y) noexcept
+  TextureProperties(const Limits& l, std::uint32_t width, std::uint32_t height, Wrap x, Wrap y) noexcept
       : limits(l), width_(width), height_(height), wrap_x_(x), wrap_y_(y) {}
 
   std::int64_t width_, height_;
@@ -63,11 +63,11 @@ class Sides {
 };
 
 template <class Texel>
-class SidesOf final : public Sides {
+class TexturePropertiesOf final : public TextureProperties {
  public:
   /// Errors: std::invalid_argument for a texel that is not finite, naming it.
   /// Domain: 1..16384 texels a side, which outlive this; a finite border.
-  SidesOf(const TexelView<Texel>& texture, const Limits& limits, Wrap x, Wrap y, Texel border);
+  TexturePropertiesOf(const TexelView<Texel>& texture, const Limits& limits, Wrap x, Wrap y, Texel border);
 
   Binary stored(std::int64_t i, std::int64_t j) const noexcept override;
 
@@ -121,12 +121,6 @@ class SidesOf final : public Sides {
             Texel* to, std::uint32_t* opaque_rows, std::uint32_t* visible_rows) const noexcept;
   const Plane& opaque_plane() const noexcept { return opaque_; }
   const Plane& visible_plane() const noexcept { return limits.blend ? visible_ : opaque_; }
-  /// Rows of 32 texels from (x, y) of the picture down.  Domain: they are within it.
-  void rows(std::int64_t x, std::int64_t y, std::size_t count, std::uint32_t* opaque_rows,
-            std::uint32_t* visible_rows) const noexcept {
-    opaque_.rows_of(x, y, count, opaque_rows);
-    if (limits.blend) visible_.rows_of(x, y, count, visible_rows);
-  }
 
  private:
   TexelView<Texel> texture_;

@@ -1,4 +1,4 @@
-#include "impl/bake/texture/sides.hpp"
+#include "impl/bake/texture/properties.hpp"
 
 #include <algorithm>
 #include <array>
@@ -57,8 +57,9 @@ double threshold_of(const Limit& l) noexcept {
 }  // namespace
 
 template <class Texel>
-SidesOf<Texel>::SidesOf(const TexelView<Texel>& texture, const Limits& l, Wrap x, Wrap y, Texel border)
-    : Sides(l, texture.width, texture.height, x, y), texture_(texture), border_(border) {
+TexturePropertiesOf<Texel>::TexturePropertiesOf(const TexelView<Texel>& texture, const Limits& l, Wrap x,
+                                                Wrap y, Texel border)
+    : TextureProperties(l, texture.width, texture.height, x, y), texture_(texture), border_(border) {
   const auto least = least_opaque_ = least_opaque<Texel>(limits);
   const bool visible = !limits.zero;
   threshold = threshold_of(limits.opaque);
@@ -124,9 +125,10 @@ SidesOf<Texel>::SidesOf(const TexelView<Texel>& texture, const Limits& l, Wrap x
 }
 
 template <class Texel>
-void SidesOf<Texel>::copy(std::int64_t left, std::int64_t top, std::size_t width, std::size_t height,
-                          std::size_t pitch, Texel* to, std::uint32_t* opaque_rows,
-                          std::uint32_t* visible_rows) const noexcept {
+void TexturePropertiesOf<Texel>::copy(std::int64_t left, std::int64_t top, std::size_t width,
+                                      std::size_t height, std::size_t pitch, Texel* to,
+                                      std::uint32_t* opaque_rows,
+                                      std::uint32_t* visible_rows) const noexcept {
   std::array<std::int64_t, 32> columns;
   for (std::size_t i = 0; i < width; ++i)
     columns[i] = wrapped(wrap_x_, left + static_cast<std::int64_t>(i), width_);
@@ -146,7 +148,7 @@ void SidesOf<Texel>::copy(std::int64_t left, std::int64_t top, std::size_t width
 }
 
 template <class Texel>
-Binary SidesOf<Texel>::stored(std::int64_t i, std::int64_t j) const noexcept {
+Binary TexturePropertiesOf<Texel>::stored(std::int64_t i, std::int64_t j) const noexcept {
   const Texel r = texel(i, j);
   if constexpr (std::is_same_v<Texel, float>)
     return binary(r);
@@ -154,12 +156,12 @@ Binary SidesOf<Texel>::stored(std::int64_t i, std::int64_t j) const noexcept {
     return {r, 0};
 }
 
-template class SidesOf<std::uint8_t>;
-template class SidesOf<std::uint16_t>;
-template class SidesOf<float>;
+template class TexturePropertiesOf<std::uint8_t>;
+template class TexturePropertiesOf<std::uint16_t>;
+template class TexturePropertiesOf<float>;
 
-Marks Sides::wrapped_around(std::int64_t left, std::int64_t right, std::int64_t top,
-                            std::int64_t bottom) const noexcept {
+Marks TextureProperties::wrapped_around(std::int64_t left, std::int64_t right, std::int64_t top,
+                                        std::int64_t bottom) const noexcept {
   const Runs across = runs(wrap_x_, left, right, width_), down = runs(wrap_y_, top, bottom, height_);
   Marks marks = across.border || down.border ? border_marks_ : Marks{0};
   for (int j = 0; j < down.count; ++j)
