@@ -60,7 +60,7 @@ void expect_exact(const Picture& picture, const AlphaMode& mode, const Addressin
                           static_cast<float>(addressing.border)};
   TriangleBaker(std::span(&texels, 1), mode, sampling).bake(uv, level, map);
   const detail::TexturePropertiesOf<std::uint8_t> sides(picture.view(), detail::limits_of(mode, {1, 1}, 255),
-                                            addressing.u, addressing.v, addressing.border);
+                                                        addressing.u, addressing.v, addressing.border);
   const detail::ExactBase exact(sides, uv, picture.width, picture.height, level);
   const spec::Texture texture{picture.width,
                               picture.height,

@@ -100,8 +100,8 @@ int exact_state(const detail::ExactBase& base, std::uint32_t index) {
 void expect_specified(const Picture& picture, Cutoff cutoff, const Addressing& addressing,
                       const BaseTriangle& uv, std::uint32_t level, std::uint32_t step = 1) {
   const Baked baked = bake(picture, cutoff, addressing, uv, level);
-  const detail::TexturePropertiesOf<std::uint8_t> sides(picture.view(), detail::limits_of(cutoff, {1, 1}, 255),
-                                            addressing.u, addressing.v, addressing.border);
+  const detail::TexturePropertiesOf<std::uint8_t> sides(
+      picture.view(), detail::limits_of(cutoff, {1, 1}, 255), addressing.u, addressing.v, addressing.border);
   const detail::ExactBase exact(sides, uv, picture.width, picture.height, level);
   ASSERT_LE(baked.counts.exact, baked.counts.leaves);
   ASSERT_EQ(baked.counts.micro_triangles, baked.codes.size());

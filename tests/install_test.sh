@@ -66,13 +66,14 @@ read -ra flags < <(pkg-config --cflags --libs mmverify)
 "$folder/by_pkg_config"
 
 # Each installed header stands by itself, and docs/API.md offers them all and no other.
-(cd "$(dirname "$(find "$folder/installed" -path '*/impl/index.hpp')")/.." && printf '%s\n' impl/*) | LC_ALL=C sort >"$folder/headers"
-grep -o 'impl/[a-z0-9_]*\.hpp' "$(find "$folder/installed" -name API.md)" | LC_ALL=C sort -u >"$folder/offered"
+(cd "$folder/installed/include" && find mmverify -name '*.h' -o -name '*.hpp') | LC_ALL=C sort >"$folder/headers"
+grep -oE '<mmverify/[a-z0-9_/]*\.hp*>' "$(find "$folder/installed" -name API.md)" | tr -d '<>' | LC_ALL=C sort -u >"$folder/offered"
 diff "$folder/headers" "$folder/offered" || fail "installed (<) is not what docs/API.md offers (>)"
 while read -r header; do
-  echo "#include \"$header\"" >"$folder/alone.cpp"
+  echo "#include <$header>" >"$folder/alone.cpp"
   "$CXX" -std=c++20 -fsyntax-only "${flags[@]}" "$folder/alone.cpp" || fail "$header does not stand by itself"
 done <"$folder/headers"
+grep -rq '"impl/' "$folder/installed/include" && fail "an installed header includes impl/"
 
 # The package, unpacked rather than installed: this machine stays as it is.
 (cd "$folder" && cpack -G DEB --config "$build/CPackConfig.cmake" -B "$folder" >"$folder/cpack.log" 2>&1) ||

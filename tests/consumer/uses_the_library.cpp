@@ -1,9 +1,6 @@
 // The library from outside: an index and its way back.
 #include <cstdio>
-
-#include "impl/index/index.hpp"
-#include "impl/tree/tree.hpp"
-#include "impl/vq/vq.hpp"
+#include <mmverify/mmverify.hpp>
 
 int main() {
   const std::uint32_t k = mmverify::impl::index::from_barycentrics(0.25f, 0.5f, 3);

@@ -1,0 +1,119 @@
+/* The library for C, and for all languages that call C.  Installed as <mmverify/mmverify.h>.
+ *
+ * Functions that can fail return 1 where they did what they say, and 0 where they did not: an argument outside
+ * its domain, or no memory.  mmverify_error() then says why.  Nothing is written by a call that failed, and
+ * nothing is thrown.  All may be called from several threads at once.
+ *
+ * Levels are 0..16 of indices, 0..12 of maps.  A map of level n and format b is 4^n states of b bits in the
+ * order of the index, packed from the least significant bit of each byte on: ceil(4^n b / 8) bytes, the bits
+ * after the last state zero.  States are T 0, O 1, UT 2, UO 3.
+ */
+#ifndef MMVERIFY_H
+#define MMVERIFY_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Formats of maps, as Vulkan numbers them; also the bits of one state. */
+enum { MMVERIFY_FORMAT_2_STATE = 1, MMVERIFY_FORMAT_4_STATE = 2 };
+
+/* Why the last call of this thread that failed did so; "" before the first.  Valid until its next call. */
+const char* mmverify_error(void);
+
+/* index[k]: the micro-triangle that holds the barycentrics (u[k], v[k]) of the second and third vertex.
+ * Source: Vulkan, VK_EXT_opacity_micromap, "Reference Code"; exact for all finite floats in the triangle. */
+int mmverify_index(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
+
+/* corners[6 k ..]: i0 j0 i1 j1 i2 j2 of index[k] < 4^level, in units of 1/2^level along u and v: the corners
+ * that the children 0, 2 and 3 touch. */
+int mmverify_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
+
+/* The same two in row order.  Source: Color and Attribute Micromaps, figure 4. */
+int mmverify_row_index(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
+int mmverify_row_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
+
+/* `count` states, a byte each, to ceil(count b / 8) bytes, and back. */
+int mmverify_pack(uint32_t format, const uint8_t* states, size_t count, uint8_t* map);
+int mmverify_unpack(uint32_t format, const uint8_t* map, size_t count, uint8_t* states);
+
+/* 4-state to 2-state: T and UT to T, O and UO to O; and 2-state as 4-state. */
+int mmverify_force2(uint32_t level, const uint8_t* four_state, uint8_t* two_state);
+int mmverify_widen(uint32_t level, const uint8_t* two_state, uint8_t* four_state);
+
+/* The map of level + 1, children as their parent; and of level - 1, a parent T or O where its children are,
+ * otherwise unknown (docs/MICROMAP.md). */
+int mmverify_map_up(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* above);
+int mmverify_map_down(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* below);
+
+/* The code of a map: the tree's bits, then from the next whole byte on its leaves' states.  The size of the
+ * code; it is written where `capacity` is no less.  0: failed.
+ * Source: Succinct Opacity Micromaps, Algorithms 1 and 2. */
+size_t mmverify_tree_encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code,
+                            size_t capacity);
+
+/* A map in the form for lookups: its memory is its own.  Null: failed. */
+typedef struct mmverify_tree mmverify_tree;
+mmverify_tree* mmverify_tree_new(uint32_t level, uint32_t format, const uint8_t* map);
+void mmverify_tree_free(mmverify_tree* tree);
+/* state[k]: that at index[k] < 4^level. */
+int mmverify_tree_lookup(const mmverify_tree* tree, const uint32_t* index, uint8_t* state, size_t count);
+int mmverify_tree_decode(const mmverify_tree* tree, uint8_t* map);
+
+/* Square maps: a byte a region, T 0, C 1, O 2, region (x, y) at x + 16 y or x + 32 y, y from the bottom; blocks
+ * of VQ2 have 32 bytes, of VQ4 64 (docs/VQ.md).  Every block is one; an encoder takes every map. */
+int mmverify_vq2_decode(const uint8_t* block, uint8_t* map);
+int mmverify_vq4_decode(const uint8_t* block, uint8_t* map);
+int mmverify_vq2_region(const uint8_t* block, const uint32_t* x, const uint32_t* y, uint8_t* state,
+                        size_t count);
+int mmverify_vq4_region(const uint8_t* block, const uint32_t* x, const uint32_t* y, uint8_t* state,
+                        size_t count);
+int mmverify_vq2_encode(const uint8_t* map, uint8_t* block);
+int mmverify_vq4_encode(const uint8_t* map, uint8_t* block);
+
+/* What is baked. */
+enum { MMVERIFY_TEXEL_UNORM8 = 1, MMVERIFY_TEXEL_UNORM16 = 2, MMVERIFY_TEXEL_FLOAT32 = 3 };
+enum { MMVERIFY_FILTER_BILINEAR = 0, MMVERIFY_FILTER_NEAREST = 1 };
+enum {
+  MMVERIFY_WRAP_REPEAT = 0,
+  MMVERIFY_WRAP_MIRRORED_REPEAT = 1,
+  MMVERIFY_WRAP_CLAMP_TO_EDGE = 2,
+  MMVERIFY_WRAP_CLAMP_TO_BORDER = 3,
+  MMVERIFY_WRAP_MIRROR_CLAMP_TO_EDGE = 4
+};
+
+/* One mip level of a texture's alpha: texel (x, y) at x + width y. */
+typedef struct mmverify_texture {
+  const void* texels;
+  uint32_t width, height;
+} mmverify_texture;
+
+typedef struct mmverify_sampling {
+  uint32_t texel;                  /* MMVERIFY_TEXEL_UNORM8, ... */
+  uint32_t filter, wrap_u, wrap_v; /* Vulkan's; texel (i, j) has its centre at (i + 1/2, j + 1/2) */
+  float border;                    /* as it is stored, for MMVERIFY_WRAP_CLAMP_TO_BORDER */
+  float factor, vertex_factor;     /* alpha is what is sampled, times both; not below 0 */
+  uint32_t blend; /* 0: opaque where alpha >= the cutoff; else opaque at 1, transparent at 0 */
+  uint32_t cutoff_numerator, cutoff_denominator;
+  float margin; /* texels by which each micro-triangle is grown to either side along x and y */
+} mmverify_sampling;
+
+/* Mip levels in the order in which they are sampled, the largest first.  The texels must outlive the baker.
+ * Null: failed. */
+typedef struct mmverify_baker mmverify_baker;
+mmverify_baker* mmverify_baker_new(const mmverify_texture* mips, size_t count,
+                                   const mmverify_sampling* sampling);
+void mmverify_baker_free(mmverify_baker* baker);
+/* The 4-state map of the triangle with these texture coordinates, u and v of three vertices: O where alpha is
+ * opaque on all of a closed micro-triangle, T where it is transparent on all of it, in each mip; otherwise
+ * unknown, UO or UT as its centroid is.  Exact. */
+int mmverify_bake(const mmverify_baker* baker, const float* uv, uint32_t level, uint8_t* map);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
