@@ -18,10 +18,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::vector<std::string> quick{"prove",    "index.in_range", "--subject", "step",
+const std::vector<std::string> quick_files{"prove",    "index.in_range", "--subject", "step",
                                      "--levels", "0..2",           "--quiet"};
 
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+std::vector<std::string> with_files(std::vector<std::string> arguments, const std::vector<std::string>& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
@@ -60,7 +60,7 @@ void expect_sound(const json& run) {
 
 TEST(Json, AFileIsWholeAndAlone) {
   Folder folder;
-  EXPECT_EQ(program(with(quick, {"--json", folder / "r.json"})).exit_code, 0);
+  EXPECT_EQ(program(with_files(quick_files, {"--json", folder / "r.json"})).exit_code, 0);
   EXPECT_THAT(folder.files(), ElementsAre("r.json"));
   const json run = json::parse(text_of(folder / "r.json"));
   expect_sound(run);
@@ -78,7 +78,7 @@ TEST(Json, AFileIsWholeAndAlone) {
 }
 
 TEST(Json, OnStdoutItIsAlone) {
-  const Outcome r = program(with(quick, {"--json", "-"}));
+  const Outcome r = program(with_files(quick_files, {"--json", "-"}));
   EXPECT_EQ(r.exit_code, 0);
   expect_sound(json::parse(r.out));  // throws where anything else is printed
   EXPECT_THAT(r.err, HasSubstr("proved"));
@@ -116,7 +116,7 @@ TEST(Json, ReplacesAnOlderFileOnlyWhenItIsDone) {
   // Usage is settled before the file is touched, and a refused case before a picture is.
   EXPECT_EQ(program({"prove", "no.such.law", "--json", folder / "r.json"}).exit_code, 2);
   EXPECT_EQ(text_of(folder / "r.json"), "the older one");
-  EXPECT_EQ(program(with(quick, {"--json", folder / "r.json"})).exit_code, 0);
+  EXPECT_EQ(program(with_files(quick_files, {"--json", folder / "r.json"})).exit_code, 0);
   expect_sound(json::parse(text_of(folder / "r.json")));
   EXPECT_THAT(folder.files(), ElementsAre("r.json"));
 }
@@ -133,20 +133,20 @@ TEST_P(Unwritable, IsKnownBeforeTheRunAndLeavesNothing) {
   Folder folder;
   fs::create_directory(folder / "a-folder");
   for (const fs::path& place : {folder / "missing/r", folder / "a-folder"})
-    expect_complaint(program(with(quick, {GetParam(), place})), 4, place);
+    expect_complaint(program(with_files(quick_files, {GetParam(), place})), 4, place);
   EXPECT_THAT(folder.files(), ElementsAre("a-folder"));
   EXPECT_TRUE(fs::is_empty(folder / "a-folder"));
 }
 
 TEST_P(Unwritable, AFullDiskIs4) {
-  const Outcome r = program(with(quick, {GetParam(), "/dev/full"}));
+  const Outcome r = program(with_files(quick_files, {GetParam(), "/dev/full"}));
   EXPECT_EQ(r.exit_code, 4);
   EXPECT_THAT(r.err, HasSubstr("/dev/full"));
 }
 
 TEST(Unwritable, TheSecondFileLeavesNothingOfTheFirst) {
   Folder folder;
-  expect_complaint(program(with(quick, {"--json", folder / "r.json", "--junit", folder / "missing/r.xml"})),
+  expect_complaint(program(with_files(quick_files, {"--json", folder / "r.json", "--junit", folder / "missing/r.xml"})),
                    4, "r.xml");
   EXPECT_THAT(folder.files(), IsEmpty());
 }
@@ -154,7 +154,7 @@ TEST(Unwritable, TheSecondFileLeavesNothingOfTheFirst) {
 // Two results under one name would be a mixture of both.
 TEST(Unwritable, OneFileForTwoResults) {
   Folder folder;
-  const Outcome r = program(with(quick, {"--json", folder / "r", "--junit", folder / "r"}));
+  const Outcome r = program(with_files(quick_files, {"--json", folder / "r", "--junit", folder / "r"}));
   EXPECT_NE(r.exit_code, 0);
   EXPECT_THAT(folder.files(), IsEmpty());
 }
@@ -162,8 +162,8 @@ TEST(Unwritable, OneFileForTwoResults) {
 // A result that was lost is no success, were it a proof.
 TEST(Unwritable, AFullDiskUnderStdoutIs4) {
   const std::vector<std::vector<std::string>> commands{
-      quick,
-      with(quick, {"--json", "-"}),
+      quick_files,
+      with_files(quick_files, {"--json", "-"}),
       {"list"},
       {"list", "--json"},
       {"replay", "index.in_range", "--level", "1", "--case", "u=0,v=0"}};
@@ -239,7 +239,7 @@ const std::vector<std::string> quarter{
 
 TEST(Picture, IsAnSvgWithTheAnswers) {
   Folder folder;
-  EXPECT_EQ(program(with(quarter, {"--picture", folder / "p.svg"})).exit_code, 1);
+  EXPECT_EQ(program(with_files(quarter, {"--picture", folder / "p.svg"})).exit_code, 1);
   EXPECT_THAT(folder.files(), ElementsAre("p.svg"));
   pugi::xml_document document;
   ASSERT_TRUE(document.load_file((folder / "p.svg").c_str()));
@@ -269,8 +269,8 @@ TEST(Picture, OfTheFinestLevelHasTheAnswersInWords) {
 TEST(Picture, WhatCannotBeDrawnLeavesNothing) {
   Folder folder;
   fs::create_directory(folder / "a-folder");
-  expect_complaint(program(with(quarter, {"--picture", folder / "a-folder"})), 4, "a-folder");
-  expect_complaint(program(with(quarter, {"--picture", folder / "missing/p.svg"})), 4, "p.svg");
+  expect_complaint(program(with_files(quarter, {"--picture", folder / "a-folder"})), 4, "a-folder");
+  expect_complaint(program(with_files(quarter, {"--picture", folder / "missing/p.svg"})), 4, "p.svg");
   expect_complaint(program({"replay", "index.equals_reference", "--level", "3", "--case", "garbage",
                             "--picture", folder / "p.svg"}),
                    2, "'garbage'");

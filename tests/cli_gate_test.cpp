@@ -83,7 +83,7 @@ void refute(Json& result, std::uint64_t mismatches, const char* verdict = "refut
 }
 
 /// The first object in a list with this member of this value.
-Json& with(Json& list, const char* member, const Json& value) {
+Json& with_gate(Json& list, const char* member, const Json& value) {
   for (Json& one : list)
     if (one.at(member) == value) return one;
   throw std::runtime_error("nothing with " + value.dump());
@@ -115,7 +115,7 @@ TEST_F(Gate, KnowsEveryFieldOfEveryCommandAndIsGreenOnTheSameRun) {
 }
 
 TEST_F(Gate, AVerdict) {
-  const auto checked = [](Json& j) { with(j["results"], "verdict", "proved")["verdict"] = "checked"; };
+  const auto checked = [](Json& j) { with_gate(j["results"], "verdict", "proved")["verdict"] = "checked"; };
   expect_red(proved(), checked, ": verdict proved -> checked\n");
   const auto refuted = [](Json& j) {
     set_cases(j["results"][0], j["results"][0]["cases_run"]);
@@ -127,7 +127,7 @@ TEST_F(Gate, AVerdict) {
 
 TEST_F(Gate, ABetterVerdictIsRedUntilBlessed) {
   Json before = proved();
-  with(before["results"], "verdict", "proved")["verdict"] = "checked";
+  with_gate(before["results"], "verdict", "proved")["verdict"] = "checked";
   const Outcome outcome = gate(before, proved());
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.out, HasSubstr("better  index.in_range"));
@@ -254,7 +254,7 @@ TEST_F(Gate, Substitutions) {
 TEST_F(Gate, NeedlessUnknowns) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_red(
-      bench_bake(), [](Json& j) { with(j["rows"][0]["bakers"], "baker", "ours, exact")["needless"] = 1; },
+      bench_bake(), [](Json& j) { with_gate(j["rows"][0]["bakers"], "baker", "ours, exact")["needless"] = 1; },
       ": needless 0 -> 1\n");
   expect_red(
       scene(),

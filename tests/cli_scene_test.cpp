@@ -19,21 +19,21 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-json parsed(const std::string& text) { return json::parse(text, nullptr, false); }
+json parsed_scene(const std::string& text) { return json::parse(text, nullptr, false); }
 
-void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
+void write_scene(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
 
-const std::vector<std::string> quick{"scene", "--quiet", "--samples", "200", "--level", "4"};
+const std::vector<std::string> quick_scene{"scene", "--quiet", "--samples", "200", "--level", "4"};
 
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+std::vector<std::string> with_scene(std::vector<std::string> arguments, const std::vector<std::string>& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
 
 TEST(CliScene, OfOurOwnPlansBakesAndJudges) {
-  const Outcome r = program(with(quick, {"--json", "-"}));
+  const Outcome r = program(with_scene(quick_scene, {"--json", "-"}));
   EXPECT_EQ(r.exit_code, 0) << r.err;
-  const json all = parsed(r.out);
+  const json all = parsed_scene(r.out);
   EXPECT_EQ(all["schema"], "mmverify.result/1");
   std::set<std::string> laws;
   for (const json& one : all["results"]) {
@@ -58,7 +58,7 @@ TEST(CliScene, OfOurOwnPlansBakesAndJudges) {
 TEST(CliScene, WritesAFileThatItReadsAgain) {
   Folder folder;
   const std::string glb = folder / "out.glb";
-  Outcome r = program(with(quick, {"-o", glb}));
+  Outcome r = program(with_scene(quick_scene, {"-o", glb}));
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("no rule of EXT_mesh_opacity_micromap broken"));
   EXPECT_EQ(folder.files().size(), 1u);
@@ -71,21 +71,21 @@ TEST(CliScene, WritesAFileThatItReadsAgain) {
 TEST(CliScene, DrawsTheSizes) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   Folder folder;
-  const Outcome r = program(with(quick, {"--sizes", "1..3", "--plot", folder / "s.svg"}));
+  const Outcome r = program(with_scene(quick_scene, {"--sizes", "1..3", "--plot", folder / "s.svg"}));
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(text_of(folder / "s.svg"), HasSubstr("How often smaller the tree is"));
-  EXPECT_EQ(program(with(quick, {"--plot", folder / "t.svg"})).exit_code, 2);
-  EXPECT_EQ(program(with(quick, {"--sizes", "1..13"})).exit_code, 2);
+  EXPECT_EQ(program(with_scene(quick_scene, {"--plot", folder / "t.svg"})).exit_code, 2);
+  EXPECT_EQ(program(with_scene(quick_scene, {"--sizes", "1..13"})).exit_code, 2);
   EXPECT_EQ(folder.files().size(), 1u);
 }
 
 TEST(CliScene, ShowsACaseAgain) {
-  Outcome r = program(with(quick, {"--replay", "bake.tight", "--case", "4@t0:i17"}));
+  Outcome r = program(with_scene(quick_scene, {"--replay", "bake.tight", "--case", "4@t0:i17"}));
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("holds bake.tight level 4 case t0:i17"));
   for (const char* at : {"4@t0:i256", "5@t0:i1", "t0:i1", "4@", "4@t0:i1 "})
-    EXPECT_EQ(program(with(quick, {"--replay", "bake.tight", "--case", at})).exit_code, 2) << at;
-  EXPECT_EQ(program(with(quick, {"--replay", "no.law", "--case", "4@t0:i17"})).exit_code, 2);
+    EXPECT_EQ(program(with_scene(quick_scene, {"--replay", "bake.tight", "--case", at})).exit_code, 2) << at;
+  EXPECT_EQ(program(with_scene(quick_scene, {"--replay", "no.law", "--case", "4@t0:i17"})).exit_code, 2);
 }
 
 TEST(CliScene, RunsAllOfASmallScene) {
@@ -98,9 +98,9 @@ TEST(CliScene, RunsAllOfASmallScene) {
 
 TEST(CliScene, AMarginLeavesMoreUnknown) {
   const auto unknown = [](const std::string& margin) {
-    const Outcome r = program(with(quick, {"--margin", margin, "--json", "-"}));
+    const Outcome r = program(with_scene(quick_scene, {"--margin", margin, "--json", "-"}));
     EXPECT_EQ(r.exit_code, 0) << r.err;
-    const json states = parsed(r.out)["scene"]["bake"]["states"];
+    const json states = parsed_scene(r.out)["scene"]["bake"]["states"];
     return states["UT"].get<int>() + states["UO"].get<int>();
   };
   const int none = unknown("0"), sampler = unknown("sampler"), two = unknown("2");
@@ -110,7 +110,7 @@ TEST(CliScene, AMarginLeavesMoreUnknown) {
 
 TEST(CliScene, OfABadFileIsOneLineAnd4) {
   Folder folder;
-  write(folder / "bad.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": 7}");
+  write_scene(folder / "bad.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": 7}");
   const Outcome r =
       program({"scene", folder / "bad.gltf", "--json", folder / "r.json", "-o", folder / "o.glb"});
   EXPECT_EQ(r.exit_code, 4);
@@ -126,10 +126,10 @@ TEST(CliScene, OfABadFileIsOneLineAnd4) {
 TEST(CliScene, ABenchSaysHowFastItsTrianglesAreBaked) {
   Folder folder;
   const std::string glb = folder / "out.glb";
-  ASSERT_EQ(program(with(quick, {"-o", glb})).exit_code, 0);
+  ASSERT_EQ(program(with_scene(quick_scene, {"-o", glb})).exit_code, 0);
   const Outcome r = program({"bench", "bake", "--scene", glb, "--levels", "1..2", "--quiet", "--json", "-"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
-  const json bench = parsed(r.out);
+  const json bench = parsed_scene(r.out);
   EXPECT_EQ(bench["triangles"], 42);
   ASSERT_EQ(bench["rows"].size(), 2u);
   for (const json& row : bench["rows"]) {
@@ -142,13 +142,13 @@ TEST(CliScene, ABenchSaysHowFastItsTrianglesAreBaked) {
   expect_complaint(program({"bench", "bake", "--scene", folder / "none.glb", "--quiet"}), 4, "none.glb");
   expect_complaint(program({"bench", "tree", "--scene", glb}), 2, "--scene: for bench bake");
   expect_complaint(program({"bench", "bake", "--scene", glb, "--levels", "2..13"}), 2, "highest level");
-  write(folder / "bare.gltf", "{\"asset\": {\"version\": \"2.0\"}}");
+  write_scene(folder / "bare.gltf", "{\"asset\": {\"version\": \"2.0\"}}");
   expect_complaint(program({"bench", "bake", "--scene", folder / "bare.gltf", "--quiet"}), 2,
                    "nothing to bake");
 }
 
 TEST(CliScene, InTwoStatesIsJudgedAsThat) {
-  const Outcome r = program(with(quick, {"--states", "2"}));
+  const Outcome r = program(with_scene(quick_scene, {"--states", "2"}));
   EXPECT_EQ(r.exit_code, 0) << r.out;
   EXPECT_THAT(r.out, HasSubstr("bake.force2"));
   EXPECT_THAT(r.out, Not(HasSubstr("bake.conservative")));
@@ -164,17 +164,17 @@ TEST(CliScene, RefusesWhatCannotGoTogether) {
            {"--memory", "-1"},
            {"--level-limit", "3"},
            {"--margin", "65"}})
-    EXPECT_EQ(program(with(quick, arguments)).exit_code, 2) << arguments[0];
+    EXPECT_EQ(program(with_scene(quick_scene, arguments)).exit_code, 2) << arguments[0];
   EXPECT_TRUE(folder.files().empty());
 }
 
 TEST(CliScene, WithNothingToBakeIs0) {
   Folder folder;
-  write(folder / "empty.gltf", R"({"asset": {"version": "2.0"}})");
+  write_scene(folder / "empty.gltf", R"({"asset": {"version": "2.0"}})");
   const Outcome r = program({"scene", folder / "empty.gltf", "--json", folder / "r.json"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("nothing to bake"));
-  const json all = parsed(text_of(folder / "r.json"));
+  const json all = parsed_scene(text_of(folder / "r.json"));
   ASSERT_EQ(all["results"].size(), 1u);
   EXPECT_EQ(all["results"][0]["verdict"], "not_applicable");
 }

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 using Arguments = std::vector<std::string>;
 
-Arguments with(Arguments arguments, const Arguments& more) {
+Arguments with_resumed(Arguments arguments, const Arguments& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
@@ -44,9 +44,9 @@ class Resume : public testing::Test {
 
 TEST_F(Resume, KilledThreeTimesAndDividedBySevenItIsTheSame) {
   const Arguments run = sweep_of("12");
-  expect_success(with(run, {"--threads", "1", "--json", at("whole")}));
+  expect_success(with_resumed(run, {"--threads", "1", "--json", at("whole")}));
 
-  const Arguments again = with(run, {"--journal", at("journal"), "--json", at("killed")});
+  const Arguments again = with_resumed(run, {"--journal", at("journal"), "--json", at("killed")});
   std::mt19937 random(std::random_device{}());
   int killed = 0;
   for (int kill = 1; kill <= 3; ++kill) {
@@ -63,11 +63,11 @@ TEST_F(Resume, KilledThreeTimesAndDividedBySevenItIsTheSame) {
   Arguments merge{"merge"};
   for (int k = 1; k <= 7; ++k) {
     const std::string file = at("shard" + std::to_string(k));
-    expect_success(with(run, {"--shard", std::to_string(k) + "/7", "--json", file}));
+    expect_success(with_resumed(run, {"--shard", std::to_string(k) + "/7", "--json", file}));
     EXPECT_EQ(results_in(file)[0]["verdict"], "checked");
     merge.push_back(file);
   }
-  expect_success(with(merge, {"-o", at("merged")}));
+  expect_success(with_resumed(merge, {"-o", at("merged")}));
 
   const json whole = results_in(at("whole"))[0], resumed = results_in(at("killed"))[0],
              merged = results_in(at("merged"))[0];
@@ -80,29 +80,29 @@ TEST_F(Resume, KilledThreeTimesAndDividedBySevenItIsTheSame) {
 }
 
 TEST_F(Resume, AShardKeepsAJournalOfItsOwn) {
-  const Arguments run = with(sweep_of("9"), {"--journal", at("journal")});
-  expect_success(with(run, {"--shard", "1/2"}));
-  expect_complaint(program(with(run, {"--shard", "2/2"})), 4, "(shard: 1/2 there, 2/2 here)");
+  const Arguments run = with_resumed(sweep_of("9"), {"--journal", at("journal")});
+  expect_success(with_resumed(run, {"--shard", "1/2"}));
+  expect_complaint(program(with_resumed(run, {"--shard", "2/2"})), 4, "(shard: 1/2 there, 2/2 here)");
 }
 
 TEST_F(Resume, AJournalOfAnotherSubjectIsRefused) {
-  expect_success(with(sweep_of("5"), {"--journal", at("journal")}));
+  expect_success(with_resumed(sweep_of("5"), {"--journal", at("journal")}));
   expect_complaint(program({"prove", "index.equals_reference", "--subject", "impl", "--levels", "5",
                             "--quiet", "--journal", at("journal")}),
                    4, "journal of another run (work: index.equals_reference step 5..5 there, ");
-  expect_complaint(program(with(sweep_of("5"), {"--journal", at("journal"), "--cells", "interior"})), 4,
+  expect_complaint(program(with_resumed(sweep_of("5"), {"--journal", at("journal"), "--cells", "interior"})), 4,
                    "(cells: all there, interior here)");
 }
 
 TEST_F(Resume, MergeSaysWhatIsWrong) {
   const Arguments run = sweep_of("4");
   for (const std::string k : {"1", "2", "3"})
-    expect_success(with(run, {"--shard", k + "/3", "--json", at(k)}));
-  expect_success(with(run, {"--json", at("whole")}));
+    expect_success(with_resumed(run, {"--shard", k + "/3", "--json", at(k)}));
+  expect_success(with_resumed(run, {"--json", at("whole")}));
   const auto merge = [&](const Arguments& files) {
     Arguments all{"merge"};
     for (const std::string& file : files) all.push_back(at(file));
-    return program(with(all, {"-o", at("merged")}));
+    return program(with_resumed(all, {"-o", at("merged")}));
   };
   expect_complaint(merge({"1", "2"}), 4, "shard 3/3 is missing");
   expect_complaint(merge({"1", "2", "2"}), 4, "both are shard 2/3");
@@ -118,7 +118,7 @@ TEST_F(Resume, MergeSaysWhatIsWrong) {
 
 TEST_F(Resume, MergeTrustsOnlyWhatItCanStandFor) {
   const Arguments run = sweep_of("4");
-  expect_success(with(run, {"--shard", "1/1", "--json", at("one")}));
+  expect_success(with_resumed(run, {"--shard", "1/1", "--json", at("one")}));
   const auto merge_one_with = [&](const std::string& from, const std::string& to) {
     std::string text = text_of(at("one"));
     const std::size_t place = text.find(from);
@@ -142,7 +142,7 @@ TEST_F(Resume, MergeTrustsOnlyWhatItCanStandFor) {
 TEST_F(Resume, MergeTakesNoShardThatContradictsItself) {
   const Arguments run{"prove",  "index.equals_reference", "--subject", "step-appendix-ties", "--levels", "3",
                       "--quiet"};
-  EXPECT_EQ(program(with(run, {"--shard", "1/1", "--json", at("one")})).exit_code, 1);
+  EXPECT_EQ(program(with_resumed(run, {"--shard", "1/1", "--json", at("one")})).exit_code, 1);
   json shard = json::parse(text_of(at("one")));
   for (auto& [kind, count] : shard["results"][0]["by_kind"].items()) count["mismatches"] = 0;
   std::ofstream(at("forged")) << shard;
@@ -155,10 +155,10 @@ TEST_F(Resume, MergeTakesNoShardThatContradictsItself) {
 }
 
 TEST_F(Resume, AShardThatFailsLeavesNoOldResultToMerge) {
-  const Arguments run = with(sweep_of("4"), {"--shard", "1/2", "--json", at("shard")});
+  const Arguments run = with_resumed(sweep_of("4"), {"--shard", "1/2", "--json", at("shard")});
   expect_success(run);
   std::ofstream(at("bad")) << "no journal";
-  EXPECT_EQ(program(with(run, {"--journal", at("bad")})).exit_code, 4);
+  EXPECT_EQ(program(with_resumed(run, {"--journal", at("bad")})).exit_code, 4);
   EXPECT_FALSE(fs::exists(at("shard")));
 }
 
@@ -166,12 +166,12 @@ TEST_F(Resume, WhereNothingAppliesAShardAndAMergeSaySo) {
   const Arguments run{"prove", "index.vulkan_ends_at_16", "--levels", "3", "--quiet"};
   Arguments merge{"merge"};
   for (const std::string k : {"1", "2"}) {
-    const Outcome o = program(with(run, {"--shard", k + "/2", "--json", at(k)}));
+    const Outcome o = program(with_resumed(run, {"--shard", k + "/2", "--json", at(k)}));
     EXPECT_EQ(o.exit_code, 2) << o.err;
     EXPECT_NE(o.err.find("nothing was run"), std::string::npos) << o.err;
     merge.push_back(at(k));
   }
-  const Outcome o = program(with(merge, {"-o", at("merged")}));
+  const Outcome o = program(with_resumed(merge, {"-o", at("merged")}));
   EXPECT_EQ(o.exit_code, 2) << o.err;
   EXPECT_FALSE(fs::exists(at("merged")));
 }
@@ -182,7 +182,7 @@ TEST_F(Resume, AFileThatMayNotGrowIsReported) {
   EXPECT_EQ(o.exit_code, 4) << o.out;
   EXPECT_NE(o.out.find("journal: "), std::string::npos) << o.out;
   // What was written before is not lost.
-  expect_success(with(sweep_of("10"), {"--journal", at("journal"), "--json", at("json")}));
+  expect_success(with_resumed(sweep_of("10"), {"--journal", at("journal"), "--json", at("json")}));
   EXPECT_GT(results_in(at("json"))[0]["cases_resumed"], 0);
 }
 
@@ -192,13 +192,13 @@ TEST_F(Resume, AWrongShardMakesAWrongRun) {
                       "--levels",  "5",
                       "--quiet",   "--errors",
                       "3"};
-  const Outcome whole = program(with(run, {"--json", at("whole")}));
+  const Outcome whole = program(with_resumed(run, {"--json", at("whole")}));
   Arguments merge{"merge"};
   for (const std::string k : {"1", "2", "3"}) {
-    program(with(run, {"--shard", k + "/3", "--json", at(k)}));
+    program(with_resumed(run, {"--shard", k + "/3", "--json", at(k)}));
     merge.push_back(at(k));
   }
-  const Outcome merged = program(with(merge, {"-o", at("merged")}));
+  const Outcome merged = program(with_resumed(merge, {"-o", at("merged")}));
   EXPECT_EQ(whole.exit_code, 1);
   EXPECT_EQ(merged.exit_code, 1);
   json one = results_in(at("whole"))[0], other = results_in(at("merged"))[0];
@@ -209,10 +209,10 @@ TEST_F(Resume, AWrongShardMakesAWrongRun) {
 
 TEST_F(Resume, ArgumentsAreLookedAt) {
   for (const std::string bad : {"0/3", "4/3", "1", "1/0", "a/b", "1/3/5", "-1/3", "1/9999999"})
-    expect_complaint(program(with(sweep_of("3"), {"--shard=" + bad})), 2, "--shard " + bad);
-  expect_complaint(program(with(sweep_of("3"), {"--journal", at("x"), "--json", at("x")})), 2,
+    expect_complaint(program(with_resumed(sweep_of("3"), {"--shard=" + bad})), 2, "--shard " + bad);
+  expect_complaint(program(with_resumed(sweep_of("3"), {"--journal", at("x"), "--json", at("x")})), 2,
                    "another output's file");
-  expect_complaint(program(with(sweep_of("3"), {"--journal", folder.path()})), 4, "cannot be opened");
+  expect_complaint(program(with_resumed(sweep_of("3"), {"--journal", folder.path()})), 4, "cannot be opened");
 }
 
 }  // namespace

@@ -254,7 +254,7 @@ TEST(ScenePlan, DuplicatesAreExact) {
 }
 
 /// A masked square of two triangles under a 4 x 4 texture.
-Scene square() {
+Scene planned_square() {
   Scene scene;
   Image image;
   image.width = image.height = 4;
@@ -284,7 +284,7 @@ std::optional<LeftOut> why(const Scene& scene) {
 }
 
 TEST(ScenePlan, WhatIsBaked) {
-  Scene scene = square();
+  Scene scene = planned_square();
   scene.primitives.push_back(scene.primitives[0]);  // turned and mirrored
   scene.primitives[1].triangles = {{2, 0, 1}, {3, 2, 0}, {3, 3, 3}, {2, 1, 0}};
   scene.primitives[1].mesh = 1;
@@ -327,48 +327,48 @@ TEST(ScenePlan, WhatIsBaked) {
 }
 
 TEST(ScenePlan, WhatIsLeftOut) {
-  EXPECT_EQ(why(square()), std::nullopt);
-  Scene scene = square();
+  EXPECT_EQ(why(planned_square()), std::nullopt);
+  Scene scene = planned_square();
   scene.primitives[0].triangles.clear();
   EXPECT_EQ(why(scene), LeftOut::no_triangles);
-  scene = square();
+  scene = planned_square();
   scene.meshes.push_back({"unused", 0});
   scene.primitives[0].mesh = 1;
   EXPECT_EQ(why(scene), LeftOut::not_placed);
   scene.meshes[0].uses = 0;  // a file of meshes alone
   EXPECT_EQ(why(scene), std::nullopt);
-  scene = square();
+  scene = planned_square();
   scene.materials[0].mode = AlphaMode::opaque;
   EXPECT_EQ(why(scene), LeftOut::opaque);
   scene.primitives[0].material.reset();
   EXPECT_EQ(why(scene), LeftOut::opaque);
-  scene = square();
+  scene = planned_square();
   scene.materials[0].texture.reset();
   EXPECT_EQ(why(scene), LeftOut::no_texture);
-  scene = square();
+  scene = planned_square();
   scene.materials[0].texture->image.reset();
   EXPECT_EQ(why(scene), LeftOut::no_image);
-  scene = square();
+  scene = planned_square();
   scene.primitives[0].uvs.clear();
   EXPECT_EQ(why(scene), LeftOut::no_uvs);
-  scene = square();
+  scene = planned_square();
   scene.primitives[0].morphs_uvs = true;
   EXPECT_EQ(why(scene), LeftOut::morphed_uvs);
-  scene = square();
+  scene = planned_square();
   scene.primitives[0].vertex_alpha = {0.5f, 1};
   EXPECT_EQ(why(scene), LeftOut::vertex_alpha);
   scene.primitives[0].vertex_alpha = {1, 1};
   EXPECT_EQ(why(scene), std::nullopt);
-  scene = square();
+  scene = planned_square();
   scene.materials[0].specular_glossiness = true;
   EXPECT_EQ(why(scene), LeftOut::specular_glossiness);
-  scene = square();
+  scene = planned_square();
   scene.materials[0].animated = {"/materials/0/alphaCutoff"};
   EXPECT_EQ(why(scene), LeftOut::animated);
 }
 
 TEST(ScenePlan, MaterialVariants) {
-  Scene scene = square();
+  Scene scene = planned_square();
   scene.materials.push_back(scene.materials[0]);
   scene.primitives[0].variants = {{1, {"winter"}}};
   EXPECT_EQ(why(scene), std::nullopt);  // of another colour, perhaps, but of the same alpha
@@ -388,14 +388,14 @@ TEST(ScenePlan, MaterialVariants) {
 
 /// Distinct masked UV triangles: of each material, corners in order; and as the plan has them, of each
 /// surface, in whatever order, and shifted by whole periods: counted in rationals by a program of its own.
-struct RealScene {
+struct PlannedScene {
   const char* file;
   std::size_t by_material, planned;
 };
 
-class RealScenes : public testing::TestWithParam<RealScene> {};
+class PlannedScenes : public testing::TestWithParam<PlannedScene> {};
 
-TEST_P(RealScenes, DistinctTriangles) {
+TEST_P(PlannedScenes, DistinctTriangles) {
   const std::string file = std::string(MMVERIFY_SCENES "/") + GetParam().file;
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "there is no " << file;
   const Scene scene = load(file);
@@ -422,12 +422,12 @@ TEST_P(RealScenes, DistinctTriangles) {
   EXPECT_EQ(covered, triangles);  // every masked triangle of these scenes is baked
 }
 
-INSTANTIATE_TEST_SUITE_P(ScenePlan, RealScenes,
-                         testing::Values(RealScene{"ez_forest/ez_forest.gltf", 10, 6},
-                                         RealScene{"shapespark_garden/shapespark_garden.gltf", 364, 362},
-                                         RealScene{"lattice_fence/lattice_fence.gltf", 878, 792},
-                                         RealScene{"scatter_grove/scatter_grove.gltf", 34, 30},
-                                         RealScene{"littlest_tokyo/littlest_tokyo.gltf", 1056, 1045}),
+INSTANTIATE_TEST_SUITE_P(ScenePlan, PlannedScenes,
+                         testing::Values(PlannedScene{"ez_forest/ez_forest.gltf", 10, 6},
+                                         PlannedScene{"shapespark_garden/shapespark_garden.gltf", 364, 362},
+                                         PlannedScene{"lattice_fence/lattice_fence.gltf", 878, 792},
+                                         PlannedScene{"scatter_grove/scatter_grove.gltf", 34, 30},
+                                         PlannedScene{"littlest_tokyo/littlest_tokyo.gltf", 1056, 1045}),
                          [](const auto& info) {
                            return std::filesystem::path(info.param.file).stem().string();
                          });

@@ -21,7 +21,7 @@ using mmverify::impl::micromap::Encoding;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const char* const name = "EXT_mesh_opacity_micromap";
+const char* const written_name = "EXT_mesh_opacity_micromap";
 
 /// Records of levels 1 and 2.
 const Array& array() {
@@ -133,10 +133,10 @@ TEST(SceneWrite, AllElseStays) {
   const Bytes glb = written(file, chosen.micromaps);
   expect_clean(glb);
   GltfFile parts = taken_apart(glb);
-  EXPECT_EQ(parts.json["extensionsUsed"], (Json{"ACME_things", "KHR_texture_transform", name}));
+  EXPECT_EQ(parts.json["extensionsUsed"], (Json{"ACME_things", "KHR_texture_transform", written_name}));
   parts.json["extensionsUsed"].erase(2);
-  parts.json["extensions"].erase(name);
-  parts.primitive()["extensions"].erase(name);
+  parts.json["extensions"].erase(written_name);
+  parts.primitive()["extensions"].erase(written_name);
   EXPECT_EQ(parts.json["accessors"].size(), json["accessors"].size() + 1);
   parts.json["accessors"].erase(json["accessors"].size());
   for (std::size_t k = 0; k < 3; ++k) parts.json["bufferViews"].erase(json["bufferViews"].size());
@@ -159,7 +159,7 @@ TEST(SceneWrite, TheMicromaps) {
   const Bytes glb = written(file, {arrays, primitives});
   expect_clean(glb);
   const GltfFile parts = taken_apart(glb);
-  const Json& micromaps = parts.json["extensions"][name]["micromaps"];
+  const Json& micromaps = parts.json["extensions"][written_name]["micromaps"];
   ASSERT_EQ(micromaps.size(), 2u);
   // By level, then format.
   EXPECT_EQ(micromaps[0]["usageCounts"], (Json{1, 2}));
@@ -172,7 +172,7 @@ TEST(SceneWrite, TheMicromaps) {
                                                                    24));
   EXPECT_EQ(view_of(parts, micromaps[1]["data"]), "\3");
   const auto of_primitive = [&](std::size_t mesh) {
-    return parts.json["meshes"][mesh]["primitives"][0]["extensions"][name];
+    return parts.json["meshes"][mesh]["primitives"][0]["extensions"][written_name];
   };
   EXPECT_EQ(of_primitive(0)["micromap"], 1);
   EXPECT_EQ(of_primitive(1)["micromap"], 0);
@@ -222,19 +222,19 @@ TEST(SceneWrite, AnArrayOfSpecialIndicesAlone) {
   const PrimitiveMicromaps primitive{0, 0, 0, Encoding::u8, codes, 0};
   const Bytes glb = written(square(), {std::span(&none, 1), std::span(&primitive, 1)});
   expect_clean(glb);
-  EXPECT_EQ(taken_apart(glb).json["extensions"][name]["micromaps"][0]["usageCounts"], Json{1});
+  EXPECT_EQ(taken_apart(glb).json["extensions"][written_name]["micromaps"][0]["usageCounts"], Json{1});
 }
 
 TEST(SceneWrite, OldMicromapsAreReplaced) {
   Chosen first{{0, 1}}, second{{65533, 2}};
   GltfFile old = taken_apart(written(square(), first.micromaps));
-  old.json["extensionsRequired"] = {name};
+  old.json["extensionsRequired"] = {written_name};
   const Bytes glb = to_glb("old.glb", as_bytes(old.glb()), second.micromaps);
   expect_clean(glb);
   const GltfFile parts = taken_apart(glb);
-  EXPECT_EQ(parts.json["extensionsUsed"], Json{name});
+  EXPECT_EQ(parts.json["extensionsUsed"], Json{written_name});
   EXPECT_FALSE(parts.json.contains("extensionsRequired"));
-  EXPECT_EQ(parts.json["extensions"][name]["micromaps"].size(), 1u);
+  EXPECT_EQ(parts.json["extensions"][written_name]["micromaps"].size(), 1u);
   const Bytes without = to_glb("old.glb", as_bytes(old.glb()), {});
   EXPECT_FALSE(taken_apart(without).json.contains("extensions"));
   EXPECT_FALSE(taken_apart(without).primitive().contains("extensions"));

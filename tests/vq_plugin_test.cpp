@@ -10,13 +10,13 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Outcome judge(const std::string& name, const std::string& what) {
+Outcome judge_vq(const std::string& name, const std::string& what) {
   return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --threads 1 --subject " +
                library(name));
 }
 
 TEST(VqSubject, the_example_in_c_keeps_every_law_that_it_has_entry_points_for) {
-  const Outcome o = judge("vq_example", "vq");
+  const Outcome o = judge_vq("vq_example", "vq");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   for (const char* law :
        {"vq2.region_is_map", "vq4.region_is_map", "vq2.no_other_bit", "vq4.no_other_bit", "vq2.conservative"})
@@ -31,46 +31,46 @@ TEST(VqSubject, the_example_in_c_keeps_every_law_that_it_has_entry_points_for) {
 
 // -----------------------------------------------------------------------------------------------------------------
 
-struct WrongAnswer {
-  friend void PrintTo(const WrongAnswer& w, std::ostream* out) { *out << w.name; }
+struct WrongVqAnswer {
+  friend void PrintTo(const WrongVqAnswer& w, std::ostream* out) { *out << w.name; }
   const char *name, *law, *at, *expected;
 };
 
-class Wrong : public testing::TestWithParam<WrongAnswer> {};
+class WrongVq : public testing::TestWithParam<WrongVqAnswer> {};
 
-TEST_P(Wrong, is_refuted_and_replayed) {
+TEST_P(WrongVq, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto& [name, law, at, expected] = GetParam();
-  const Outcome o = judge(name, law);
+  const Outcome o = judge_vq(name, law);
   expect_refuted_and_replayed(o, law);
   EXPECT_THAT(o.out, HasSubstr(std::string("case ") + at));
   EXPECT_THAT(o.out, HasSubstr(std::string("expected ") + expected));
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Subject, Wrong,
+    Subject, WrongVq,
     testing::Values(
-        WrongAnswer{"vq_y_downwards", "vq2.region_is_map", "block:", "decoded region"},
-        WrongAnswer{"vq_turns_the_other_way", "vq2.region_is_map", "block:", "decoded region"},
-        WrongAnswer{"vq_last_region_of_br", "vq2.region_is_map", "block:", "asked for region 15,0"},
-        WrongAnswer{"vq_state_3", "vq2.region_is_map", "block:", "decoded region 0,0 O got 3"},
-        WrongAnswer{"vq_opaque_for_transparent", "vq2.conservative", "map:02000000",
+        WrongVqAnswer{"vq_y_downwards", "vq2.region_is_map", "block:", "decoded region"},
+        WrongVqAnswer{"vq_turns_the_other_way", "vq2.region_is_map", "block:", "decoded region"},
+        WrongVqAnswer{"vq_last_region_of_br", "vq2.region_is_map", "block:", "asked for region 15,0"},
+        WrongVqAnswer{"vq_state_3", "vq2.region_is_map", "block:", "decoded region 0,0 O got 3"},
+        WrongVqAnswer{"vq_opaque_for_transparent", "vq2.conservative", "map:02000000",
                     "region 1,0 T or C got O"},
-        WrongAnswer{"vq_checks_nothing", "vq2.conservative", "map:02000000", "region 0,0 O or C got T"},
-        WrongAnswer{"vq_promises_to_keep", "vq2.lossless_when_it_fits", "map:", "region"}),
+        WrongVqAnswer{"vq_checks_nothing", "vq2.conservative", "map:02000000", "region 0,0 O or C got T"},
+        WrongVqAnswer{"vq_promises_to_keep", "vq2.lossless_when_it_fits", "map:", "region"}),
     [](const auto& info) { return std::string(info.param.name); });
 
-struct Misbehaviour {
-  friend void PrintTo(const Misbehaviour& m, std::ostream* out) { *out << m.name; }
+struct VqMisbehaviour {
+  friend void PrintTo(const VqMisbehaviour& m, std::ostream* out) { *out << m.name; }
   const char *name, *law, *said, *doing;
 };
 
-class Misbehaving : public testing::TestWithParam<Misbehaviour> {};
+class MisbehavingVq : public testing::TestWithParam<VqMisbehaviour> {};
 
-TEST_P(Misbehaving, is_broken_with_the_case_and_the_run_goes_on) {
+TEST_P(MisbehavingVq, is_broken_with_the_case_and_the_run_goes_on) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto& [name, law, said, doing] = GetParam();
-  const Outcome o = judge(name, std::string(law) + " vq4.region_is_map");
+  const Outcome o = judge_vq(name, std::string(law) + " vq4.region_is_map");
   EXPECT_EQ(o.exit_code, 1) << o.err;
   EXPECT_THAT(o.out, HasSubstr(std::string("broken     ") + law));
   EXPECT_THAT(o.out, HasSubstr(said));
@@ -79,20 +79,20 @@ TEST_P(Misbehaving, is_broken_with_the_case_and_the_run_goes_on) {
 }
 
 constexpr char regions[] = "vq2.region_is_map", encodes[] = "vq2.conservative",
-               out_of_input[] = "it wrote to its input or read past its end";
+               out_of_vq_input[] = "it wrote to its input or read past its end";
 
 // What each does stands in tests/subjects/wrong_vq.cpp.
 INSTANTIATE_TEST_SUITE_P(
-    Subject, Misbehaving,
+    Subject, MisbehavingVq,
     testing::Values(
-        Misbehaviour{"vq_decoder_reads_past", regions, out_of_input, "decoding block:"},
-        Misbehaviour{"vq_decoder_unwritten", regions, "left its output unwritten", "decoding block:"},
-        Misbehaviour{"vq_region_crashes", regions, "crashed (signal ", "looking up x=15,y=0 in block:"},
-        Misbehaviour{"vq_encoder_overrun", encodes, "it touched memory outside its output",
+        VqMisbehaviour{"vq_decoder_reads_past", regions, out_of_vq_input, "decoding block:"},
+        VqMisbehaviour{"vq_decoder_unwritten", regions, "left its output unwritten", "decoding block:"},
+        VqMisbehaviour{"vq_region_crashes", regions, "crashed (signal ", "looking up x=15,y=0 in block:"},
+        VqMisbehaviour{"vq_encoder_overrun", encodes, "it touched memory outside its output",
                      "encoding map:02000000"},
-        Misbehaviour{"vq_encoder_counts_calls", encodes, "non-deterministic, asked again: byte 31",
+        VqMisbehaviour{"vq_encoder_counts_calls", encodes, "non-deterministic, asked again: byte 31",
                      "encoding map:02000000"},
-        Misbehaviour{"vq_encoder_throws", encodes, "threw an exception: no such map",
+        VqMisbehaviour{"vq_encoder_throws", encodes, "threw an exception: no such map",
                      "encoding map:02000000"}),
     [](const auto& info) { return std::string(info.param.name); });
 
@@ -101,8 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(VqSubject, a_decoder_or_an_encoder_may_come_alone_and_one_format_too) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::string both = "vq2.region_is_map vq2.conservative vq4.region_is_map vq4.conservative";
-  const Outcome decodes = judge("vq_decodes_only", both), encodes = judge("vq_encodes_only", both),
-                vq4 = judge("vq_vq4_only", both);
+  const Outcome decodes = judge_vq("vq_decodes_only", both), encodes = judge_vq("vq_encodes_only", both),
+                vq4 = judge_vq("vq_vq4_only", both);
   for (const Outcome* o : {&decodes, &encodes, &vq4}) EXPECT_EQ(o->exit_code, 0) << o->out << o->err;
   EXPECT_THAT(decodes.out, HasSubstr("proved     vq2.region_is_map"));
   EXPECT_THAT(decodes.out, HasSubstr("n/a        vq2.conservative"));
@@ -113,7 +113,7 @@ TEST(VqSubject, a_decoder_or_an_encoder_may_come_alone_and_one_format_too) {
 }
 
 TEST(VqSubject, built_before_there_were_blocks_it_has_none) {
-  expect_complaint(judge("vq_old_header", "vq"), 4, "all its entry points are null");
+  expect_complaint(judge_vq("vq_old_header", "vq"), 4, "all its entry points are null");
 }
 
 TEST(VqSubject, same_digest_as_ours) {
