@@ -15,10 +15,10 @@ namespace {
 void ask_piece(const Library& library, const Lookup& l, std::uint64_t from, std::uint64_t count,
                std::uint8_t* out) {
   Borrowed worker(library.pool());
+  const std::size_t bytes = entry_point(l.call).signature.number_bytes;
   for (std::size_t a = 0; a < l.arrays.size(); ++a)
-    std::memcpy(worker->input(l.call, a, count, 0),
-                static_cast<const std::byte*>(l.arrays[a]) + from * input_size(l.call),
-                count * input_size(l.call));
+    std::memcpy(worker->input(l.call, a, count, 0), static_cast<const std::byte*>(l.arrays[a]) + from * bytes,
+                count * bytes);
   const Reply reply =
       worker->ask(Question{l.call, l.level, l.format, l.code, static_cast<std::size_t>(count), count});
   std::copy(reply.bytes.begin(), reply.bytes.end(), out);
@@ -48,19 +48,19 @@ std::string hex_text(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-Said ask(const Library& library, const Question& question, const std::function<std::string()>& doing) {
+Answer ask(const Library& library, const Question& question, const std::function<std::string()>& doing) {
   Borrowed worker(library.pool());
   try {
     const Reply reply = worker->ask(question);
-    Said said{reply.taken, {reply.bytes.begin(), reply.bytes.end()}};
+    Answer answer{reply.taken, {reply.bytes.begin(), reply.bytes.end()}};
     worker.give_back();
-    return said;
+    return answer;
   } catch (const Misbehaved& found) {
     throw SubjectBroken(fmt::format("{} at level {} {}", found.what, question.level, doing()));
   }
 }
 
-void ask(const Library& library, const Lookup& l, std::span<std::uint8_t> out) {
+void look_up(const Library& library, const Lookup& l, std::span<std::uint8_t> out) {
   for (std::uint64_t from = 0; from < out.size(); from += batch_size) try {
       ask_piece(library, l, from, std::min<std::uint64_t>(batch_size, out.size() - from), out.data() + from);
     } catch (const Misbehaved& first) {

@@ -12,26 +12,27 @@
 namespace mmverify::dock {
 
 /// A reply that outlives its worker.
-struct Said {
+struct Answer {
   bool taken;
   std::vector<std::uint8_t> bytes;
 };
 
 /// Asks any worker.  Throws SubjectBroken, its text `what it did at level N` and `doing`, for example
 /// "encoding 2-state:0110".
-Said ask(const Library& library, const Question& question, const std::function<std::string()>& doing);
+Answer ask(const Library& library, const Question& question, const std::function<std::string()>& doing);
 
-/// A lookup: state k of out for each element, pieces of batch_size at a time.  `array` holds the elements'
-/// numbers, one span a parameter of the entry point, of 4 bytes each; `element` names one.
-/// A reply that is none names the element that it is about, found by asking one by one.
+/// A question about the states of elements in one code.
 struct Lookup {
   Call call;
   std::uint32_t level, format;
   std::span<const std::uint8_t> code;
+  /// The elements' numbers, an array each of the entry point's.
   std::vector<const void*> arrays;
-  std::function<std::string(std::uint64_t)> element;
+  std::function<std::string(std::uint64_t)> element;  ///< names one, for messages
 };
-void ask(const Library& library, const Lookup& lookup, std::span<std::uint8_t> out);
+/// State k of `out` is that of element k; asked in pieces of batch_size.  Throws SubjectBroken, which names the
+/// element that it is about, found by asking one by one.
+void look_up(const Library& library, const Lookup& lookup, std::span<std::uint8_t> out);
 
 /// A map as the laws' cases write it up to level 4, above its first bytes, size and checksum.
 std::string map_text(std::uint32_t format, std::uint64_t states, std::span<const std::uint8_t> packed);

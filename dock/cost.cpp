@@ -34,7 +34,8 @@ const mmverify_subject_t& load_here(const std::string& library) {
   using Get = const mmverify_subject_t* (*)();
   const auto get = reinterpret_cast<Get>(dlsym(handle, "mmverify_subject_v1"));
   if (get == nullptr || get() == nullptr || get()->index_f32 == nullptr)
-    throw std::runtime_error(fmt::format("{}: no entry point index_f32", library));
+    throw std::runtime_error(
+        fmt::format("{}: no entry point {}", library, entry_point(Call::index_f32).name));
   return *get();
 }
 

@@ -28,4 +28,10 @@ Library::Library(const std::string& path, const Options& options)
   worker.give_back();
 }
 
+bool Library::offers(Topic topic) const {
+  for (std::size_t c = 0; c < calls; ++c)
+    if (description_.has[c] && entry_points[c].topic == topic) return true;
+  return false;
+}
+
 }  // namespace mmverify::dock

@@ -29,7 +29,9 @@ class Library {
 
   const std::string& path() const { return pool_.library(); }
   const Description& description() const { return description_; }
-  bool offers(Call call) const { return (description_.has >> static_cast<std::uint32_t>(call) & 1) != 0; }
+  bool offers(Call call) const { return description_.has[static_cast<std::size_t>(call)]; }
+  /// Whether it has an entry point of the topic.
+  bool offers(Topic topic) const;
   /// What it calls itself.
   std::string about() const { return description_.name[0] != 0 ? description_.name : "a shared library"; }
   /// The file's contents, in a word: its size and a checksum.

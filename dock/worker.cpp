@@ -105,14 +105,14 @@ void Worker::stop() {
 
 std::byte* Worker::input(Call call, std::size_t array, std::uint64_t count, std::uint64_t t) const {
   const auto slot = static_cast<std::size_t>(t / batch_size);
-  return base_ + layout_.input_at(array, slot, in_slot(count, slot), input_size(call)) +
-         t % batch_size * input_size(call);
+  const std::size_t size = entry_point(call).signature.number_bytes;
+  return base_ + layout_.input_at(array, slot, in_slot(count, slot), size) + t % batch_size * size;
 }
 
 const std::byte* Worker::answer(Call call, std::uint64_t count, std::uint64_t t) const {
   const auto slot = static_cast<std::size_t>(t / batch_size);
-  return base_ + layout_.answer_at(slot, in_slot(count, slot), answer_size(call)) +
-         t % batch_size * answer_size(call);
+  const std::size_t size = entry_point(call).answer_bytes;
+  return base_ + layout_.answer_at(slot, in_slot(count, slot), size) + t % batch_size * size;
 }
 
 void Worker::bring_here() {
@@ -168,8 +168,9 @@ std::string Worker::end_of_process() const {
 
 void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found) {
   // The inputs are still in this process's mapping of the memory that the dead one shared.
-  std::vector<std::byte> inputs[2];
-  const std::size_t arrays = input_arrays(call), size = input_size(call);
+  std::vector<std::byte> inputs[most_arrays];
+  const std::size_t arrays = entry_point(call).signature.arrays,
+                    size = entry_point(call).signature.number_bytes;
   for (std::size_t array = 0; array < arrays; ++array)
     for (std::uint64_t t = found.first; t < found.first + found.count; ++t) {
       const std::byte* from = input(call, array, count, t);
@@ -193,7 +194,7 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbe
   }
 }
 
-std::string Worker::said() const {
+std::string Worker::misdeed() const {
   const std::string message = mailbox_->message;
   switch (mailbox_->outcome) {
     case Outcome::threw:
@@ -232,7 +233,7 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
     pin_down(call, level, count, found);
     throw found;
   }
-  found.what = said();
+  found.what = misdeed();
   const std::uint64_t element = mailbox_->element, batch = element / batch_size;
   switch (mailbox_->outcome) {
     case Outcome::answered:
@@ -266,8 +267,8 @@ Reply Worker::ask(const Question& q) {
         hung_ ? fmt::format("hung: no answer within {} s", options_.timeout_seconds) : end_of_process(), 0,
         q.count};
   if (mailbox_->outcome == Outcome::unwritten || mailbox_->outcome == Outcome::non_deterministic)
-    throw Misbehaved{said(), mailbox_->element, q.count == 0 ? 0u : 1u};
-  if (mailbox_->outcome != Outcome::answered) throw Misbehaved{said(), 0, q.count};
+    throw Misbehaved{misdeed(), mailbox_->element, q.count == 0 ? 0u : 1u};
+  if (mailbox_->outcome != Outcome::answered) throw Misbehaved{misdeed(), 0, q.count};
   const auto size = static_cast<std::size_t>(mailbox_->answer_bytes);
   return {mailbox_->taken != 0,
           {reinterpret_cast<const std::uint8_t*>(base_ + layout_.blob_answer_at(size)), size}};

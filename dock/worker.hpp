@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dock/mailbox.hpp"
+#include "dock/layout.hpp"
 
 namespace mmverify::dock {
 
@@ -62,8 +62,8 @@ class Worker {
   std::byte* input(Call call, std::size_t array, std::uint64_t count, std::uint64_t t) const;
   const std::byte* answer(Call call, std::uint64_t count, std::uint64_t t) const;
 
-  /// Runs the command on the inputs in place.  Throws Misbehaved, or what Options::stop_if_asked throws; the worker is of no use
-  /// after that.
+  /// Runs the command on the inputs in place.  Throws Misbehaved, or what Options::stop_if_asked throws; the
+  /// worker is of no use after that.
   void ask(Call call, std::uint32_t level, std::uint64_t count);
 
   /// The same for a map or a code.  The elements of what is thrown are a lookup's.
@@ -80,8 +80,8 @@ class Worker {
   bool exchange();
   /// "crashed (signal ...)" or "called exit(...)" of the ended process.
   std::string end_of_process() const;
-  /// What an outcome other than `answered` is called.
-  std::string said() const;
+  /// What the subject did, by the outcome; empty where it answered.
+  std::string misdeed() const;
   /// Asks element by element in a new process, to name the one.
   void pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found);
 

@@ -5,7 +5,6 @@
 #include "proofs/engine/interrupt.hpp"
 
 namespace mmverify::proofs {
-
 std::vector<PluginSubject> plugin_subjects(const std::string& file, double timeout_seconds) {
   const auto library = std::make_shared<const dock::Library>(file, dock::Options{timeout_seconds, [] {
                                                                                    if (interrupted())

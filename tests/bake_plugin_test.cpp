@@ -50,7 +50,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         WrongBakeAnswer{"bake_settles_all", "bake.conservative", "2x2:80000000", "micro-triangle 0 U"},
         WrongBakeAnswer{"bake_rows_from_below", "bake.conservative", "2x2:", "micro-triangle"},
-        WrongBakeAnswer{"bake_pads_with_ones", "bake.conservative", "2x2:00000000", "zeros after the last state"},
+        WrongBakeAnswer{"bake_pads_with_ones", "bake.conservative", "2x2:00000000",
+                        "zeros after the last state"},
         WrongBakeAnswer{"bake_promises_the_centroid", "bake.unknown_side", "2x2:", "micro-triangle"},
         WrongBakeAnswer{"bake_all_unknown", "bake.tight", "2x2:00000000", "micro-triangle 0 T"}),
     [](const auto& info) { return std::string(info.param.name); });

@@ -19,9 +19,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::vector<std::string> quick_files{"prove",    "index.in_range", "--subject", "step",
-                                     "--levels", "0..2",           "--quiet"};
+                                           "--levels", "0..2",           "--quiet"};
 
-std::vector<std::string> with_files(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+std::vector<std::string> with_files(std::vector<std::string> arguments,
+                                    const std::vector<std::string>& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
@@ -146,8 +147,9 @@ TEST_P(Unwritable, AFullDiskIs4) {
 
 TEST(Unwritable, TheSecondFileLeavesNothingOfTheFirst) {
   Folder folder;
-  expect_complaint(program(with_files(quick_files, {"--json", folder / "r.json", "--junit", folder / "missing/r.xml"})),
-                   4, "r.xml");
+  expect_complaint(
+      program(with_files(quick_files, {"--json", folder / "r.json", "--junit", folder / "missing/r.xml"})), 4,
+      "r.xml");
   EXPECT_THAT(folder.files(), IsEmpty());
 }
 

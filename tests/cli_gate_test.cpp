@@ -254,7 +254,8 @@ TEST_F(Gate, Substitutions) {
 TEST_F(Gate, NeedlessUnknowns) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_red(
-      bench_bake(), [](Json& j) { with_gate(j["rows"][0]["bakers"], "baker", "ours, exact")["needless"] = 1; },
+      bench_bake(),
+      [](Json& j) { with_gate(j["rows"][0]["bakers"], "baker", "ours, exact")["needless"] = 1; },
       ": needless 0 -> 1\n");
   expect_red(
       scene(),

@@ -25,7 +25,8 @@ void write_scene(const std::filesystem::path& file, const std::string& text) { s
 
 const std::vector<std::string> quick_scene{"scene", "--quiet", "--samples", "200", "--level", "4"};
 
-std::vector<std::string> with_scene(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+std::vector<std::string> with_scene(std::vector<std::string> arguments,
+                                    const std::vector<std::string>& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }

@@ -90,8 +90,8 @@ TEST_F(Resume, AJournalOfAnotherSubjectIsRefused) {
   expect_complaint(program({"prove", "index.equals_reference", "--subject", "impl", "--levels", "5",
                             "--quiet", "--journal", at("journal")}),
                    4, "journal of another run (work: index.equals_reference step 5..5 there, ");
-  expect_complaint(program(with_resumed(sweep_of("5"), {"--journal", at("journal"), "--cells", "interior"})), 4,
-                   "(cells: all there, interior here)");
+  expect_complaint(program(with_resumed(sweep_of("5"), {"--journal", at("journal"), "--cells", "interior"})),
+                   4, "(cells: all there, interior here)");
 }
 
 TEST_F(Resume, MergeSaysWhatIsWrong) {

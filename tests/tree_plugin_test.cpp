@@ -18,8 +18,8 @@ Outcome judge_tree(const std::string& name, const std::string& what, const std::
 TEST(TreeSubject, the_example_in_c_is_proved_on_all_maps) {
   const Outcome o =
       judge_tree("tree_example",
-            "tree.round_trip tree.lookup_is_decode tree.point_is_index tree.equals_spec tree.canonical "
-            "tree.sizes --levels 0..1");
+                 "tree.round_trip tree.lookup_is_decode tree.point_is_index tree.equals_spec tree.canonical "
+                 "tree.sizes --levels 0..1");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   for (const char* law :
        {"round_trip", "lookup_is_decode", "point_is_index", "equals_spec", "canonical", "sizes"})
@@ -114,14 +114,15 @@ INSTANTIATE_TEST_SUITE_P(
         TreeMisbehaviour{"tree_throws", trip, "threw an exception: no such map", encoding},
         TreeMisbehaviour{"tree_rounds", trip, "left the rounding or flush mode changed", encoding},
         TreeMisbehaviour{"tree_counts_calls", trip, "non-deterministic, asked again: byte 1 was 6, then 7",
-                     encoding},
+                         encoding},
         TreeMisbehaviour{"tree_sees_room", trip,
-                     "non-deterministic, a code of 2 bytes, then, with room for 2, of 3", encoding},
+                         "non-deterministic, a code of 2 bytes, then, with room for 2, of 3", encoding},
         TreeMisbehaviour{"tree_sees_threads", trip, "non-deterministic, asked from two threads at once",
-                     encoding},
+                         encoding},
         TreeMisbehaviour{"tree_writes_input", trip, out_of_tree_input, encoding},
         TreeMisbehaviour{"tree_unwritten", trip, "left its output unwritten", encoding},
-        TreeMisbehaviour{"tree_asks_too_much", trip, "asked for 1073741824 bytes, more than 16777216", encoding},
+        TreeMisbehaviour{"tree_asks_too_much", trip, "asked for 1073741824 bytes, more than 16777216",
+                         encoding},
         TreeMisbehaviour{"tree_reads_past", trip, out_of_tree_input, decoding},
         TreeMisbehaviour{"tree_writes_code", trip, out_of_tree_input, decoding},
         TreeMisbehaviour{"tree_unwritten_map", trip, "left its output unwritten", decoding},
@@ -130,9 +131,10 @@ INSTANTIATE_TEST_SUITE_P(
         TreeMisbehaviour{"tree_lookup_unwritten", look, "left its output unwritten", at_2},
         TreeMisbehaviour{"tree_lookup_reads_past", look, out_of_tree_input, at_2},
         TreeMisbehaviour{"tree_point_throws", point, "threw an exception: no such point", at_point},
-        TreeMisbehaviour{"several_reads_past_map", "micromap.up", out_of_tree_input, "one level up from 4-state:"},
+        TreeMisbehaviour{"several_reads_past_map", "micromap.up", out_of_tree_input,
+                         "one level up from 4-state:"},
         TreeMisbehaviour{"several_leaves_unwritten", "micromap.packing", "left its output unwritten",
-                     "unpacking 2-state:0110"}),
+                         "unpacking 2-state:0110"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 // -----------------------------------------------------------------------------------------------------------------
@@ -150,7 +152,8 @@ TEST(TreeSubject, an_encoder_alone_is_judged_by_the_specifications_decoder) {
 
 TEST(TreeSubject, a_decoder_alone_gets_the_specifications_codes) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const Outcome o = judge_tree("tree_decodes_only", "tree.round_trip tree.canonical tree.equals_spec --levels 0");
+  const Outcome o =
+      judge_tree("tree_decodes_only", "tree.round_trip tree.canonical tree.equals_spec --levels 0");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("proved     tree.round_trip"));
   EXPECT_THAT(o.out, HasSubstr("n/a        tree.equals_spec"));
@@ -197,7 +200,8 @@ TEST(Several, one_of_them_can_be_named) {
   const Outcome o = judge_tree("several_nothing", one_law_a_topic, ":tree");
   EXPECT_THAT(o.out, HasSubstr("proved     tree.round_trip"));
   EXPECT_THAT(o.out, Not(HasSubstr("proved     micromap.packing")));
-  expect_complaint(judge_tree("tree_example", "tree.round_trip", ":micromap"), 2, "no entry point of micromap");
+  expect_complaint(judge_tree("tree_example", "tree.round_trip", ":micromap"), 2,
+                   "no entry point of micromap");
 }
 
 TEST(Several, one_that_was_built_before_there_were_trees_is_judged_as_before) {

@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongVqAnswer{"vq_last_region_of_br", "vq2.region_is_map", "block:", "asked for region 15,0"},
         WrongVqAnswer{"vq_state_3", "vq2.region_is_map", "block:", "decoded region 0,0 O got 3"},
         WrongVqAnswer{"vq_opaque_for_transparent", "vq2.conservative", "map:02000000",
-                    "region 1,0 T or C got O"},
+                      "region 1,0 T or C got O"},
         WrongVqAnswer{"vq_checks_nothing", "vq2.conservative", "map:02000000", "region 0,0 O or C got T"},
         WrongVqAnswer{"vq_promises_to_keep", "vq2.lossless_when_it_fits", "map:", "region"}),
     [](const auto& info) { return std::string(info.param.name); });
@@ -89,11 +89,11 @@ INSTANTIATE_TEST_SUITE_P(
         VqMisbehaviour{"vq_decoder_unwritten", regions, "left its output unwritten", "decoding block:"},
         VqMisbehaviour{"vq_region_crashes", regions, "crashed (signal ", "looking up x=15,y=0 in block:"},
         VqMisbehaviour{"vq_encoder_overrun", encodes, "it touched memory outside its output",
-                     "encoding map:02000000"},
+                       "encoding map:02000000"},
         VqMisbehaviour{"vq_encoder_counts_calls", encodes, "non-deterministic, asked again: byte 31",
-                     "encoding map:02000000"},
+                       "encoding map:02000000"},
         VqMisbehaviour{"vq_encoder_throws", encodes, "threw an exception: no such map",
-                     "encoding map:02000000"}),
+                       "encoding map:02000000"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 // -----------------------------------------------------------------------------------------------------------------

@@ -63,21 +63,21 @@ std::vector<std::uint8_t> blob_of(const Case& one, Level n, Format format) {
 }  // namespace
 
 BakeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library) {
-  if (!library->offers(Call::bake)) return nullptr;
+  if (!library->offers(dock::Topic::bake)) return nullptr;
   Functions functions;
   functions.bake = [library](const Case& one, Level n, Format format) -> std::optional<Baked> {
     const std::size_t bits = static_cast<std::size_t>(format), count = std::size_t{1} << 2 * n;
     const std::vector<std::uint8_t> blob = blob_of(one, n, format);
-    const dock::Said said =
+    const dock::Answer answer =
         dock::ask(*library, {Call::bake, n, static_cast<std::uint32_t>(format), blob, (count * bits + 7) / 8},
                   [&] { return "baking " + text_of(one); });
-    if (!said.taken) return std::nullopt;
+    if (!answer.taken) return std::nullopt;
     Baked baked;
     const auto state = [&](std::size_t k) {
-      return said.bytes.at(k * bits / 8) >> k * bits % 8 & ((1u << bits) - 1);
+      return answer.bytes.at(k * bits / 8) >> k * bits % 8 & ((1u << bits) - 1);
     };
     for (std::size_t k = 0; k < count; ++k) baked.states.push_back(static_cast<State>(state(k)));
-    for (std::size_t k = count; k * bits < 8 * said.bytes.size(); ++k)
+    for (std::size_t k = count; k * bits < 8 * answer.bytes.size(); ++k)
       baked.padded = baked.padded && state(k) == 0;
     return baked;
   };

@@ -49,11 +49,8 @@ Unfit needing(std::vector<Entry> entries, Level above) {
   return [=](const Subject& subject, Level n) -> std::optional<std::string> {
     const auto* s = dynamic_cast<const IndexSubject*>(&subject);
     if (s == nullptr) return "not a subject of topic index";
-    constexpr const char* names[] = {"barycentrics -> index", "index -> corners", "barycentrics -> row order",
-                                     "row order -> corners", "barycentrics -> 64-bit index"};
     for (const Entry e : entries)
-      if (!s->has(e))
-        return fmt::format("{} has no entry point {}", s->name(), names[static_cast<std::size_t>(e)]);
+      if (!s->has(e)) return fmt::format("{} has no entry point {}", s->name(), name_of(e));
     if (n + above > s->max_level())
       return fmt::format("{} is defined up to level {}", s->name(), s->max_level());
     return std::nullopt;

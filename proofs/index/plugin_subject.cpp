@@ -202,7 +202,7 @@ class PluginSubject : public IndexSubject {
   }
 
   void ask_corners(Call call, Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const {
-    static_assert(sizeof(Corners) == dock::answer_size(Call::corners));
+    static_assert(sizeof(Corners) == dock::entry_point(Call::corners).answer_bytes);
     in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
       ask(
           n, call, count, [&](Worker& w, Call c) { put(w, c, 0, count, indices.data() + from); },
@@ -211,8 +211,8 @@ class PluginSubject : public IndexSubject {
   }
 
   /// Runs one command; `place` writes the inputs, the answers go to `out`.
-  template <class Place, class Answer>
-  void ask(Level n, Call call, std::size_t count, Place place, Answer* out) const {
+  template <class Place, class Number>
+  void ask(Level n, Call call, std::size_t count, Place place, Number* out) const {
     Borrowed borrowed(library_->pool());
     Worker& worker = *borrowed;
     place(worker, call);
@@ -226,7 +226,7 @@ class PluginSubject : public IndexSubject {
     }
     for (std::size_t from = 0; from < count; from += dock::batch_size)
       std::memcpy(out + from, worker.answer(call, count, from),
-                  std::min(dock::batch_size, count - from) * sizeof(Answer));
+                  std::min(dock::batch_size, count - from) * sizeof(Number));
     borrowed.give_back();
   }
 

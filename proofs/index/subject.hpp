@@ -5,6 +5,7 @@
 #include <span>
 
 #include "proofs/engine/law.hpp"
+#include "proofs/entries.hpp"
 #include "proofs/index/cells.hpp"
 #include "proofs/index/point.hpp"
 
@@ -18,7 +19,13 @@ enum class Arithmetic { exact, binary16, binary32, binary64 };
 std::string to_string(Arithmetic a);
 
 /// Entry points that a subject may have.
-enum class Entry { index, corners, row_index, row_corners, wide_index };
+#define MMVERIFY_INDEX_ENTRIES(ROW)           \
+  ROW(index, "barycentrics -> index")         \
+  ROW(corners, "index -> corners")            \
+  ROW(row_index, "barycentrics -> row order") \
+  ROW(row_corners, "row order -> corners")    \
+  ROW(wide_index, "barycentrics -> 64-bit index")
+MMVERIFY_ENTRIES(MMVERIFY_INDEX_ENTRIES)
 
 /// Points on one level's grid.  `row`: equally spaced in u, all with the same v.
 struct Batch {

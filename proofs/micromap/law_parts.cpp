@@ -28,6 +28,13 @@ std::string hex(const Bytes& bytes) {
   return fmt::format("{:02x}{}", fmt::join(first, " "), bytes.size() > shown ? " ..." : "");
 }
 
+/// What maps to maps a subject may have, as the domain of a law names it.
+constexpr std::pair<Entry, const char*> map_parts[] = {{Entry::pack, "packing"},
+                                                       {Entry::force2, "force-2-state"},
+                                                       {Entry::up, "up"},
+                                                       {Entry::down, "down"},
+                                                       {Entry::modes, "modes"}};
+
 }  // namespace
 
 std::vector<Bytes> with_paddings(const PackedMap& map) {
@@ -58,11 +65,8 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
                   const Subject& subject, Level n) -> std::optional<std::string> {
     const auto* s = dynamic_cast<const MicromapSubject*>(&subject);
     if (s == nullptr) return "not a subject of topic micromap";
-    constexpr const char* names[] = {"pack",    "force2",     "up",    "down",  "modes",
-                                     "special", "substitute", "judge", "build", "validate"};
     for (const Entry e : entries)
-      if (!s->has(e))
-        return fmt::format("{} has no entry point {}", s->name(), names[static_cast<std::size_t>(e)]);
+      if (!s->has(e)) return fmt::format("{} has no entry point {}", s->name(), name_of(e));
     if (n < levels.first) return fmt::format("it is about level {} and above", levels.first);
     if (exhaustive && n > levels.last)
       return fmt::format("all cases are run up to level {} only; samples go beyond", levels.last);
@@ -111,23 +115,18 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, Map
 }
 
 std::string asked_of(const MicromapSubject& s) {
-  constexpr std::pair<Entry, const char*> parts[] = {{Entry::pack, "packing"},
-                                                     {Entry::force2, "force-2-state"},
-                                                     {Entry::up, "up"},
-                                                     {Entry::down, "down"},
-                                                     {Entry::modes, "modes"}};
   std::vector<std::string> there;
-  for (const auto& [entry, name] : parts)
+  for (const auto& [entry, name] : map_parts)
     if (s.has(entry)) there.push_back(name);
-  return there.size() == std::size(parts) ? "" : fmt::format(", of it {}", fmt::join(there, ", "));
+  return there.size() == std::size(map_parts) ? "" : fmt::format(", of it {}", fmt::join(there, ", "));
 }
 
 Law on_any_part(Law law) {
   law.unfit = [fits = law.unfit](const Subject& subject, Level n) -> std::optional<std::string> {
     if (auto why = fits(subject, n)) return why;
     const MicromapSubject& s = of_micromap(subject);
-    for (const Entry e : {Entry::pack, Entry::force2, Entry::up, Entry::down, Entry::modes})
-      if (s.has(e)) return std::nullopt;
+    for (const auto& [entry, name] : map_parts)
+      if (s.has(entry)) return std::nullopt;
     return s.name() + " has no entry point pack, force2, up, down or modes";
   };
   return law;

@@ -122,11 +122,8 @@ class PluginMicromap : public MicromapSubject {
 }  // namespace
 
 MicromapSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library) {
-  for (const Call call :
-       {Call::micromap_pack, Call::micromap_unpack, Call::micromap_force2, Call::micromap_widen,
-        Call::micromap_up, Call::micromap_down, Call::micromap_through, Call::micromap_substitute})
-    if (library->offers(call)) return std::make_shared<PluginMicromap>(name, library);
-  return nullptr;
+  if (!library->offers(dock::Topic::micromap)) return nullptr;
+  return std::make_shared<PluginMicromap>(name, library);
 }
 
 }  // namespace mmverify::proofs::micromap

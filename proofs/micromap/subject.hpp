@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
+#include "proofs/entries.hpp"
 #include "spec/micromap/level.hpp"
 #include "spec/micromap/validate.hpp"
 
@@ -24,18 +25,21 @@ using spec::micromap::UsageCount;
 using spec::micromap::Violation;
 
 /// What a subject may be asked.
-enum class Entry {
-  pack,        ///< states to bytes and back
-  force2,      ///< 4-state to 2-state and back
-  up,          ///< one level up
-  down,        ///< one level down
-  modes,       ///< through a 1-bit mode and back
-  special,     ///< special indices
-  substitute,  ///< what a lossy codec makes of a map
-  judge,       ///< what a substitution keeps
-  build,       ///< arrays
-  validate,    ///< violations
-};
+/// pack: states to bytes and back; force2: 4-state to 2-state and back; up, down: one level; modes: through a
+/// 1-bit mode and back; special: special indices; substitute: what a lossy codec makes of a map; judge: what a
+/// substitution keeps; build: arrays; validate: violations.
+#define MMVERIFY_MICROMAP_ENTRIES(ROW) \
+  ROW(pack, "pack")                    \
+  ROW(force2, "force2")                \
+  ROW(up, "up")                        \
+  ROW(down, "down")                    \
+  ROW(modes, "modes")                  \
+  ROW(special, "special")              \
+  ROW(substitute, "substitute")        \
+  ROW(judge, "judge")                  \
+  ROW(build, "build")                  \
+  ROW(validate, "validate")
+MMVERIFY_ENTRIES(MMVERIFY_MICROMAP_ENTRIES)
 
 /// A map, packed: 4^n states of the format.
 struct PackedMap {

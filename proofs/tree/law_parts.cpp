@@ -57,11 +57,8 @@ std::function<std::optional<std::string>(const Subject&, Level)> needing(std::ve
   return [=](const Subject& subject, Level n) -> std::optional<std::string> {
     const auto* s = dynamic_cast<const TreeSubject*>(&subject);
     if (s == nullptr) return "not a subject of topic tree";
-    constexpr const char* names[] = {"index -> state",    "barycentrics -> state",  "bytes",
-                                     "the paper's bytes", "the paper's codes read", "bits read"};
     for (const Entry e : entries)
-      if (!s->has(e))
-        return fmt::format("{} has no entry point {}", s->name(), names[static_cast<std::size_t>(e)]);
+      if (!s->has(e)) return fmt::format("{} has no entry point {}", s->name(), name_of(e));
     if (n > s->max_level()) return fmt::format("{} is defined up to level {}", s->name(), s->max_level());
     return std::nullopt;
   };

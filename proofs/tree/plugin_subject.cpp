@@ -22,7 +22,7 @@ std::size_t map_bytes(Level n, Format f) {
   return static_cast<std::size_t>(spec::micromap::packed_bytes(micro_triangles(n), f));
 }
 
-dock::Said ask_decoder(const Library& library, Level n, Format f, std::span<const std::uint8_t> code) {
+dock::Answer ask_decoder(const Library& library, Level n, Format f, std::span<const std::uint8_t> code) {
   return dock::ask(library, {Call::tree_decode, n, bits(f), code, map_bytes(n, f)},
                    [&] { return "decoding " + dock::code_text(bits(f), code); });
 }
@@ -34,8 +34,8 @@ class PluginCode : public Code {
 
   Bytes decode() const override {
     if (library_->offers(Call::tree_decode)) {
-      dock::Said said = ask_decoder(*library_, n_, format_, code_);
-      return said.taken ? std::move(said.bytes) : Bytes{};
+      dock::Answer answer = ask_decoder(*library_, n_, format_, code_);
+      return answer.taken ? std::move(answer.bytes) : Bytes{};
     }
     if (library_->offers(Call::tree_lookup)) {
       std::vector<std::uint32_t> all(micro_triangles(n_));
@@ -61,7 +61,7 @@ class PluginCode : public Code {
  private:
   void ask(Call call, std::vector<const void*> arrays, std::span<std::uint8_t> state,
            std::function<std::string(std::uint64_t)> element) const {
-    dock::ask(*library_, {call, n_, bits(format_), code_, std::move(arrays), std::move(element)}, state);
+    dock::look_up(*library_, {call, n_, bits(format_), code_, std::move(arrays), std::move(element)}, state);
   }
 
   /// The map of the states found; none where one is no state of the format.
@@ -166,18 +166,18 @@ class PluginTree : public TreeSubject {
                                           spec::tree::bytes(spec::tree::encode(states, n), f));
     }
     // Room for a code some times larger than the map, so that most maps are asked about once.
-    dock::Said said =
+    dock::Answer answer =
         dock::ask(*library_, {Call::tree_encode, n, bits(f), map.packed, 64 + 2 * map.packed.size()},
                   [&] { return "encoding " + dock::map_text(bits(f), micro_triangles(n), map.packed); });
-    if (!said.taken) return std::make_unique<NoCode>();
-    return std::make_unique<PluginCode>(library_, n, f, std::move(said.bytes));
+    if (!answer.taken) return std::make_unique<NoCode>();
+    return std::make_unique<PluginCode>(library_, n, f, std::move(answer.bytes));
   }
 
   CodePtr open(Level n, Format f, std::span<const std::uint8_t> bytes) const override {
-    dock::Said said = ask_decoder(*library_, n, f, bytes);
-    if (!said.taken) return nullptr;
+    dock::Answer answer = ask_decoder(*library_, n, f, bytes);
+    if (!answer.taken) return nullptr;
     return std::make_unique<ReadCode>(library_, n, f, Bytes(bytes.begin(), bytes.end()),
-                                      std::move(said.bytes));
+                                      std::move(answer.bytes));
   }
 
  private:
@@ -187,10 +187,10 @@ class PluginTree : public TreeSubject {
 }  // namespace
 
 TreeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library) {
+  if (!library->offers(dock::Topic::tree)) return nullptr;
   const bool encodes = library->offers(Call::tree_encode), decodes = library->offers(Call::tree_decode),
              looks_up = library->offers(Call::tree_lookup) || library->offers(Call::tree_lookup_f32),
              stream = (library->description().flags & MMVERIFY_TREE_STREAM) != 0;
-  if (!encodes && !decodes && !looks_up) return nullptr;
   if (!stream && !encodes)
     throw dock::CannotLoad(fmt::format(
         "{}: it decodes trees and has no tree_encode; set the flag MMVERIFY_TREE_STREAM if its codes "

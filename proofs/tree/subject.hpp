@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
+#include "proofs/entries.hpp"
 #include "spec/tree/tree.hpp"
 
 namespace mmverify::proofs::tree {
@@ -25,14 +26,16 @@ struct Map {
 };
 
 /// What a subject may be asked beside encoding a map and decoding it.
-enum class Entry {
-  lookup,  ///< the state at an index
-  point,   ///< the state at barycentrics
-  bytes,   ///< its codes as bytes, and codes from bytes
-  stream,  ///< the bytes that it writes are the paper's: spec::tree::bytes
-  paper,   ///< the bytes that it reads are the paper's
-  reads,   ///< how many of the tree's bits a lookup reads
-};
+/// bytes: its codes as bytes, and codes from bytes; stream: the bytes that it writes are the paper's,
+/// spec::tree::bytes; paper: the bytes that it reads are; reads: how many of the tree's bits a lookup reads.
+#define MMVERIFY_TREE_ENTRIES(ROW)     \
+  ROW(lookup, "index -> state")        \
+  ROW(point, "barycentrics -> state")  \
+  ROW(bytes, "bytes")                  \
+  ROW(stream, "the paper's bytes")     \
+  ROW(paper, "the paper's codes read") \
+  ROW(reads, "bits read")
+MMVERIFY_ENTRIES(MMVERIFY_TREE_ENTRIES)
 
 /// An encoded map.  Const calls may come from several threads at once.
 class Code {

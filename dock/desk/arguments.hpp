@@ -1,0 +1,44 @@
+// What an entry point is called with, as the rows of dock/entry_points.hpp name it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "dock/entry_points.hpp"
+
+namespace mmverify::dock {
+
+struct Arguments {
+  std::uint32_t level, format;
+  const std::uint8_t* blob;  ///< the map, the code or the case
+  std::size_t blob_bytes;
+  std::array<const std::byte*, most_arrays> arrays;  ///< of `count` numbers each
+  std::size_t count;
+  std::byte* out;
+  std::size_t room;  ///< bytes of the answer to a blob; of an encoder's, as many as it may write
+
+  const float* floats(std::size_t k) const { return reinterpret_cast<const float*>(arrays[k]); }
+  const double* doubles(std::size_t k) const { return reinterpret_cast<const double*>(arrays[k]); }
+  const std::uint32_t* words(std::size_t k) const {
+    return reinterpret_cast<const std::uint32_t*>(arrays[k]);
+  }
+  std::uint32_t* numbers() const { return reinterpret_cast<std::uint32_t*>(out); }
+  std::uint8_t* bytes() const { return reinterpret_cast<std::uint8_t*>(out); }
+};
+
+/// The case that a blob begins with; its texels are the rest of the blob.
+class BakeCase {
+ public:
+  explicit BakeCase(const Arguments& a) {
+    std::memcpy(&what_, a.blob, sizeof what_);
+    what_.texels = a.blob + sizeof what_;
+  }
+  operator const mmverify_bake_case_t*() const { return &what_; }
+
+ private:
+  mmverify_bake_case_t what_;
+};
+
+}  // namespace mmverify::dock

@@ -1,0 +1,147 @@
+#include "dock/desk/desk.hpp"
+
+#include <algorithm>
+#include <cfenv>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <thread>
+
+#include "dock/desk/call.hpp"
+#include "dock/futex.hpp"
+
+namespace mmverify::dock {
+namespace {
+
+/// The processor's rounding, flush and exception-mask bits.
+std::uint32_t float_mode() {
+#if defined(__x86_64__)
+  return __builtin_ia32_stmxcsr() & 0xffc0u;
+#else
+  return static_cast<std::uint32_t>(std::fegetround());
+#endif
+}
+
+bool all(const std::byte* bytes, std::size_t size, unsigned char value) {
+  return std::all_of(bytes, bytes + size, [value](std::byte b) { return b == std::byte{value}; });
+}
+
+std::uint32_t number_at(const std::byte* bytes) {
+  std::uint32_t number = 0;
+  std::memcpy(&number, bytes, sizeof number);
+  return number;
+}
+
+}  // namespace
+
+Desk::Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject)
+    : base_(base),
+      layout_(layout),
+      mailbox_(*reinterpret_cast<Mailbox*>(base)),
+      subject_(subject),
+      mode_(float_mode()) {
+  CPU_ZERO(&everywhere_);
+  sched_getaffinity(0, sizeof everywhere_, &everywhere_);
+}
+
+void Desk::serve() {
+  for (std::uint64_t number = 0;; ++number) {
+    while (mailbox_.turn.load(std::memory_order_acquire) != 1) futex_wait(mailbox_.turn, 0, 1000);
+    run(number);
+    // A copy that the subject forked comes back here, too.
+    if (getpid() != self_) _exit(0);
+    mailbox_.turn.store(0, std::memory_order_release);
+    futex_wake(mailbox_.turn);
+  }
+}
+
+void Desk::run(std::uint64_t number) {
+  finish(Outcome::answered, 0, "");
+  try {
+    if (asked().signature.of_blob)
+      run_on_blob();
+    else
+      run_on_numbers(number);
+  } catch (const Stop&) {
+  }
+}
+
+void Desk::finish(Outcome outcome, std::uint64_t element, const std::string& message) {
+  mailbox_.outcome = outcome;
+  mailbox_.element = element;
+  std::snprintf(mailbox_.message, sizeof mailbox_.message, "%s", message.c_str());
+}
+
+void Desk::stop(Outcome outcome, std::uint64_t element, const std::string& message) {
+  finish(outcome, element, message);
+  throw Stop();
+}
+
+std::uint64_t Desk::guarded(const Arguments& a, std::uint64_t element) {
+  std::uint64_t size = 0;
+  try {
+    size = call(subject_, mailbox_.call, a);
+  } catch (const std::exception& e) {
+    stop(Outcome::threw, element, e.what());
+  } catch (...) {
+    stop(Outcome::threw, element, "");
+  }
+  if (float_mode() != mode_) stop(Outcome::changed_mode, element, "");
+  return size;
+}
+
+void Desk::set_canary(std::byte* out) { std::memset(out - canary_size, canary, canary_size); }
+
+void Desk::check_canary(const std::byte* out, std::uint64_t element) {
+  if (!all(out - canary_size, canary_size, canary)) stop(Outcome::wrote_before, element, "");
+}
+
+void Desk::ask_from_threads(const Arguments& a, std::size_t bytes, std::size_t rounds, std::uint64_t element,
+                            const See& see) {
+  if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return;
+  struct Asked {
+    std::vector<std::vector<std::byte>> answers;
+    std::vector<std::uint64_t> sizes;
+    bool threw = false;
+  } threads[2];
+  const auto ask = [&](Asked& mine) {
+    try {
+      for (std::size_t round = 0; round < rounds; ++round) {
+        Arguments own = a;
+        own.out = mine.answers.emplace_back(bytes, std::byte{blank_again}).data();
+        mine.sizes.push_back(call(subject_, mailbox_.call, own));
+      }
+    } catch (...) {
+      mine.threw = true;
+    }
+  };
+  std::thread other([&] {
+    // Goes where it likes, not where the tool brought this process: there the two would take turns.
+    sched_setaffinity(0, sizeof everywhere_, &everywhere_);
+    ask(threads[1]);
+  });
+  ask(threads[0]);
+  other.join();
+  for (const Asked& one : threads) {
+    if (one.threw) stop(Outcome::threw, element, "when called from two threads at once");
+    for (std::size_t round = 0; round < rounds; ++round) see(one.answers[round].data(), one.sizes[round]);
+  }
+}
+
+void Desk::compare(const std::byte* before, const std::byte* again, std::size_t count, std::uint64_t first,
+                   const std::string& how) {
+  const std::size_t wide = asked().answer_bytes;
+  if (count == 0 || std::memcmp(before, again, count * wide) == 0) return;
+  const std::byte* const differs = std::mismatch(before, before + count * wide, again).first;
+  const std::size_t t = static_cast<std::size_t>(differs - before) / wide;
+  const std::byte *was = before + t * wide, *is = again + t * wide;
+  if (all(is, wide, blank_again)) stop(Outcome::unwritten, first + t, "");
+  const auto text = [](auto number) { return std::to_string(number); };
+  stop(Outcome::non_deterministic, first + t,
+       how + (asked().signature.of_blob
+                  ? ": byte " + text(t) + " was " + text(std::to_integer<unsigned>(*was)) + ", then " +
+                        text(std::to_integer<unsigned>(*is))
+                  : ": " + text(number_at(was)) + " before, " + text(number_at(is)) + " then"));
+}
+
+}  // namespace mmverify::dock

@@ -1,0 +1,82 @@
+// Commands on numbers in slots: batches whose answers may not depend on each other.
+#include <algorithm>
+#include <cstring>
+
+#include "dock/desk/desk.hpp"
+
+namespace mmverify::dock {
+
+void Desk::run_on_numbers(std::uint64_t number) {
+  for (std::size_t slot = 0; in_slot(mailbox_.count, slot) != 0; ++slot) call_slot(slot);
+  if (mailbox_.one_by_one != 0) return;
+  const std::size_t batches = static_cast<std::size_t>((mailbox_.count + batch_size - 1) / batch_size);
+  // The first command of a level is asked again in every way, all of it; the others, a batch in a way in turn.
+  for (std::size_t slot = 0; first_at_this_level() && slot < batches; ++slot) {
+    for (const std::size_t size : {batch_size, std::size_t{7}, std::size_t{1}}) ask_slot_again(slot, size);
+    ask_slot_from_threads(slot);
+  }
+  mark_level();
+  constexpr std::size_t sizes[] = {batch_size, 7, batch_size - 1, 1};
+  ask_slot_again(number % batches, sizes[number / slots % 4]);
+}
+
+bool Desk::first_at_this_level() const {
+  return (probed_[static_cast<std::size_t>(mailbox_.call)] >> (mailbox_.level % 32) & 1) == 0;
+}
+
+void Desk::mark_level() {
+  probed_[static_cast<std::size_t>(mailbox_.call)] |= std::uint64_t{1} << (mailbox_.level % 32);
+}
+
+Arguments Desk::piece(std::size_t slot, std::size_t at, std::size_t count, std::byte* out) const {
+  const std::size_t bytes = asked().signature.number_bytes;
+  Arguments a{};
+  a.level = mailbox_.level;
+  for (std::size_t array = 0; array < asked().signature.arrays; ++array)
+    a.arrays[array] =
+        base_ + layout_.input_at(array, slot, in_slot(mailbox_.count, slot), bytes) + at * bytes;
+  a.count = count;
+  a.out = out;
+  return a;
+}
+
+std::byte* Desk::slot_answer(std::size_t slot) const {
+  return base_ + layout_.answer_at(slot, in_slot(mailbox_.count, slot), asked().answer_bytes);
+}
+
+void Desk::call_slot(std::size_t slot) {
+  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+                    wide = asked().answer_bytes;
+  std::byte* out = slot_answer(slot);
+  set_canary(out);
+  // Filling costs time; what the first command of a level covers is enough to see an output left alone.
+  if (first_at_this_level()) std::memset(out, blank, count * wide);
+  const std::size_t step = mailbox_.one_by_one != 0 ? 1 : count;
+  for (std::size_t at = 0; at < count; at += step) {
+    mailbox_.begun.store(from + at, std::memory_order_relaxed);
+    guarded(piece(slot, at, step, out + at * wide), from + at);
+  }
+  check_canary(out, from);
+}
+
+void Desk::ask_slot_again(std::size_t slot, std::size_t size) {
+  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+                    wide = asked().answer_bytes;
+  mailbox_.begun.store(from, std::memory_order_relaxed);
+  again_.assign(count * wide, std::byte{blank_again});
+  for (std::size_t at = 0; at < count; at += size)
+    guarded(piece(slot, at, std::min(size, count - at), again_.data() + at * wide), from + at);
+  compare(slot_answer(slot), again_.data(), count, from,
+          size == batch_size ? "asked again" : "asked in batches of " + std::to_string(size));
+}
+
+void Desk::ask_slot_from_threads(std::size_t slot) {
+  constexpr std::size_t rounds = 4;
+  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size;
+  ask_from_threads(piece(slot, 0, count, nullptr), count * asked().answer_bytes, rounds, from,
+                   [&](const std::byte* theirs, std::uint64_t) {
+                     compare(slot_answer(slot), theirs, count, from, "asked from two threads at once");
+                   });
+}
+
+}  // namespace mmverify::dock

@@ -1,0 +1,14 @@
+// Loading a library, in the process that may die of it.
+#pragma once
+
+#include <string>
+
+#include "dock/mailbox.hpp"
+
+namespace mmverify::dock {
+
+/// Loads the library; writes its subject, entry points that its header did not have yet null, and what it says
+/// of itself.  Returns why it is no subject, or nothing.
+std::string cannot_load(Description& description, const char* library, mmverify_subject_t& subject);
+
+}  // namespace mmverify::dock

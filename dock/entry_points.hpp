@@ -1,0 +1,97 @@
+// The one table of entry points.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "dock/signature.hpp"
+#include "sdk/mmverify_subject.h"
+
+namespace mmverify::dock {
+
+/// Whose laws ask.
+enum class Topic : std::uint32_t { index, tree, micromap, vq, bake };
+
+// A row is ROW(name, topic, values, arguments), in the order of the header:
+//   name       of the pointer in mmverify_subject_t;
+//   values     how many numbers the answer for one element has;
+//   arguments  what it is called with, where `a` is the Arguments of dock/desk/arguments.hpp.
+// What arrays and which answer it has, and whether it gets a blob, its type in the header says: Signature.
+// clang-format off
+#define MMVERIFY_ENTRY_POINTS(ROW)                                                                                    \
+  ROW(index_f32,           index,    1, (a.level, a.floats(0), a.floats(1), a.numbers(), a.count))                    \
+  ROW(index_f64,           index,    1, (a.level, a.doubles(0), a.doubles(1), a.numbers(), a.count))                  \
+  ROW(corners,             index,    6, (a.level, a.words(0), a.numbers(), a.count))                                  \
+  ROW(row_index_f32,       index,    1, (a.level, a.floats(0), a.floats(1), a.numbers(), a.count))                    \
+  ROW(row_corners,         index,    6, (a.level, a.words(0), a.numbers(), a.count))                                  \
+  ROW(tree_encode,         tree,     1, (a.level, a.format, a.blob, a.bytes(), a.room))                               \
+  ROW(tree_decode,         tree,     1, (a.level, a.format, a.blob, a.blob_bytes, a.bytes()))                         \
+  ROW(tree_lookup,         tree,     1, (a.level, a.format, a.blob, a.blob_bytes, a.words(0), a.bytes(), a.count))    \
+  ROW(tree_lookup_f32,     tree,     1,                                                                               \
+      (a.level, a.format, a.blob, a.blob_bytes, a.floats(0), a.floats(1), a.bytes(), a.count))                        \
+  ROW(micromap_pack,       micromap, 1, (a.format, a.blob, a.blob_bytes, a.bytes()))                                  \
+  ROW(micromap_unpack,     micromap, 1, (a.format, a.blob, a.room, a.bytes()))                                        \
+  ROW(micromap_force2,     micromap, 1, (a.level, a.blob, a.bytes()))                                                 \
+  ROW(micromap_widen,      micromap, 1, (a.level, a.blob, a.bytes()))                                                 \
+  ROW(micromap_up,         micromap, 1, (a.level, a.format, a.blob, a.bytes()))                                       \
+  ROW(micromap_down,       micromap, 1, (a.level, a.format, a.blob, a.bytes()))                                       \
+  ROW(micromap_through,    micromap, 1, (a.level, a.format, a.blob, a.bytes()))                                       \
+  ROW(micromap_substitute, micromap, 1, (a.level, a.blob, a.bytes()))                                                 \
+  ROW(vq2_decode,          vq,       1, (a.blob, a.bytes()))                                                          \
+  ROW(vq2_region,          vq,       1, (a.blob, a.words(0), a.words(1), a.bytes(), a.count))                         \
+  ROW(vq2_encode,          vq,       1, (a.blob, a.bytes()))                                                          \
+  ROW(vq4_decode,          vq,       1, (a.blob, a.bytes()))                                                          \
+  ROW(vq4_region,          vq,       1, (a.blob, a.words(0), a.words(1), a.bytes(), a.count))                         \
+  ROW(vq4_encode,          vq,       1, (a.blob, a.bytes()))                                                          \
+  ROW(bake,                bake,     1, (BakeCase(a), a.bytes()))
+// clang-format on
+
+/// Entry points by number: their rows'.
+#define MMVERIFY_NUMBER(name, topic, values, arguments) name,
+enum class Call : std::uint32_t { MMVERIFY_ENTRY_POINTS(MMVERIFY_NUMBER) };
+#undef MMVERIFY_NUMBER
+
+struct EntryPoint {
+  const char* name;
+  Topic topic;
+  std::size_t offset;  ///< of its pointer in mmverify_subject_t
+  Signature signature;
+  std::size_t answer_bytes;  ///< for one element
+};
+
+#define MMVERIFY_ROW(name, topic, values, arguments)                                 \
+  EntryPoint{#name, Topic::topic, offsetof(mmverify_subject_t, name),                \
+             signature_of(static_cast<decltype(mmverify_subject_t::name)>(nullptr)), \
+             values * signature_of(static_cast<decltype(mmverify_subject_t::name)>(nullptr)).value_bytes},
+constexpr std::array entry_points = {MMVERIFY_ENTRY_POINTS(MMVERIFY_ROW)};
+#undef MMVERIFY_ROW
+
+constexpr std::size_t calls = entry_points.size();
+constexpr const EntryPoint& entry_point(Call c) { return entry_points[static_cast<std::size_t>(c)]; }
+
+constexpr bool rows_are_the_headers() {
+  constexpr std::size_t pointer = sizeof(void (*)()),
+                        before = offsetof(mmverify_subject_t, flags) + sizeof(std::uint32_t);
+  std::size_t next = (before + pointer - 1) / pointer * pointer;
+  for (const EntryPoint& e : entry_points) {
+    if (e.offset != next) return false;
+    next += pointer;
+  }
+  return next == sizeof(mmverify_subject_t);
+}
+static_assert(rows_are_the_headers(), "a row each for the pointers of mmverify_subject_t, in their order");
+
+/// The largest of a figure over the table.
+constexpr std::size_t largest(std::size_t (*of)(const EntryPoint&)) {
+  std::size_t found = 0;
+  for (const EntryPoint& e : entry_points) found = std::max(found, of(e));
+  return found;
+}
+constexpr std::size_t most_arrays = largest([](const EntryPoint& e) { return e.signature.arrays; });
+constexpr std::size_t most_number_bytes =
+    largest([](const EntryPoint& e) { return e.signature.number_bytes; });
+constexpr std::size_t most_answer_bytes = largest([](const EntryPoint& e) { return e.answer_bytes; });
+
+}  // namespace mmverify::dock

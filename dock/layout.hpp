@@ -1,0 +1,75 @@
+// The memory that the tool and a worker process share: a mailbox, numbers in slots and whole maps or codes,
+// all between guard pages.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "dock/entry_points.hpp"
+#include "dock/mailbox.hpp"
+
+namespace mmverify::dock {
+
+/// A subject is called with this many elements at a time, a command carries up to `slots` such batches: one
+/// switch of processes for all of them keeps its cost small beside 524,288 answers.
+constexpr std::size_t batch_size = 4096;
+constexpr std::size_t slots = 128;
+constexpr std::size_t capacity = batch_size * slots;
+
+/// The largest map or code: a 4-state map of level 12 has 4 MiB, its tree 6.7.
+constexpr std::size_t blob_capacity = std::size_t{1} << 24;
+
+/// Bytes before an answer array that must stay as they are: an overrun at the far end meets a guard page.
+constexpr std::size_t canary_size = 64;
+constexpr unsigned char canary = 0xC5;
+
+/// What lies in an output before a call, and before the same elements are asked again.
+constexpr unsigned char blank = 0xD3, blank_again = 0x5A;
+
+/// Where things lie. Every slot ends at a page that cannot be touched, and so does the mailbox.
+class Layout {
+ public:
+  explicit Layout(std::size_t page) : page_(page) {}
+  std::size_t mailbox_bytes() const { return rounded(sizeof(Mailbox)); }
+  std::size_t input_bytes() const { return rounded(batch_size * most_number_bytes); }
+  std::size_t answer_bytes() const { return rounded(batch_size * most_answer_bytes + canary_size); }
+  std::size_t input(std::size_t array, std::size_t slot) const {
+    return mailbox_bytes() + page_ + (array * slots + slot) * (input_bytes() + page_);
+  }
+  std::size_t answer(std::size_t slot) const {
+    return input(most_arrays, 0) + slot * (answer_bytes() + page_);
+  }
+  std::size_t blob() const { return answer(slots); }
+  std::size_t blob_bytes() const { return rounded(blob_capacity); }
+  std::size_t blob_answer() const { return blob() + blob_bytes() + page_; }
+  std::size_t blob_answer_bytes() const { return rounded(blob_capacity + canary_size); }
+  std::size_t total() const { return blob_answer() + blob_answer_bytes() + page_; }
+  std::size_t page() const { return page_; }
+
+  /// First byte of `count` numbers pushed against the end of a slot.
+  std::size_t input_at(std::size_t array, std::size_t slot, std::size_t count, std::size_t size) const {
+    return input(array, slot) + input_bytes() - count * size;
+  }
+  std::size_t answer_at(std::size_t slot, std::size_t count, std::size_t size) const {
+    return answer(slot) + answer_bytes() - count * size;
+  }
+  /// The same for a map or code, and for the answer to one.
+  std::size_t blob_at(std::uint64_t bytes) const {
+    return blob() + blob_bytes() - static_cast<std::size_t>(bytes);
+  }
+  std::size_t blob_answer_at(std::uint64_t bytes) const {
+    return blob_answer() + blob_answer_bytes() - static_cast<std::size_t>(bytes);
+  }
+
+ private:
+  std::size_t rounded(std::size_t bytes) const { return (bytes + page_ - 1) / page_ * page_; }
+  std::size_t page_;
+};
+
+/// Elements of batch `slot` of a command of `count`.
+constexpr std::size_t in_slot(std::uint64_t count, std::size_t slot) {
+  const std::uint64_t from = slot * batch_size;
+  return from >= count ? 0 : static_cast<std::size_t>(count - from < batch_size ? count - from : batch_size);
+}
+
+}  // namespace mmverify::dock

@@ -1,0 +1,51 @@
+// What the C header's types say of an entry point.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "sdk/mmverify_subject.h"
+
+namespace mmverify::dock {
+
+struct Signature {
+  std::size_t arrays;        ///< of input numbers; each has one number an element
+  std::size_t number_bytes;  ///< of one of them; 0 where there are none
+  std::size_t value_bytes;   ///< of one number of the answer
+  bool of_blob;              ///< a map, a code or a case comes with them
+  bool sizes_answer;         ///< it returns how many bytes its answer has, which it alone knows
+};
+
+template <class T, class... Of>
+constexpr bool one_of = (std::is_same_v<T, Of> || ...);
+/// The kinds of pointers that entry points take.
+template <class T>
+constexpr bool is_numbers = one_of<T, const float*, const double*, const std::uint32_t*>;
+template <class T>
+constexpr bool is_blob = one_of<T, const std::uint8_t*, const mmverify_bake_case_t*>;
+template <class T>
+constexpr bool is_answer = one_of<T, std::uint32_t*, std::uint8_t*>;
+/// Bytes of what a pointer of a kind points to; 0 for anything else.
+template <class T>
+constexpr std::size_t bytes_behind = 0;
+template <class T>
+constexpr std::size_t bytes_behind<T*> = sizeof(T);
+
+/// Domain: function types whose pointers are of the kinds above, with input numbers of one width and one answer;
+/// others do not compile.
+template <class Returned, class... P>
+constexpr Signature signature_of(Returned (*)(P...)) {
+  constexpr std::size_t widest = std::max({is_numbers<P> ? bytes_behind<P> : 0 ...});
+  static_assert(((!std::is_pointer_v<P> || is_numbers<P> || is_blob<P> || is_answer<P>)&&...));
+  static_assert(((!is_numbers<P> || bytes_behind<P> == widest) && ...));
+  static_assert((std::size_t{is_answer<P>} + ...) == 1);
+  return {.arrays = (std::size_t{is_numbers<P>} + ...),
+          .number_bytes = widest,
+          .value_bytes = ((is_answer<P> ? bytes_behind<P> : 0) + ...),
+          .of_blob = (is_blob<P> || ...),
+          .sizes_answer = std::is_same_v<Returned, std::size_t>};
+}
+
+}  // namespace mmverify::dock

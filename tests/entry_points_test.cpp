@@ -1,0 +1,99 @@
+// The table of entry points beside the C header that it follows, read as text.
+#include "dock/entry_points.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace mmverify::dock {
+namespace {
+
+struct Declared {
+  std::string name, returned, parameters;
+};
+
+/// The pointers to functions of mmverify_subject_t, in their order.
+std::vector<Declared> declared() {
+  std::ifstream in(MMVERIFY_HEADER);
+  std::stringstream text;
+  text << in.rdbuf();
+  std::string header = std::regex_replace(text.str(), std::regex(R"(/\*[^*]*\*+(?:[^/*][^*]*\*+)*/)"), " ");
+  const auto from = header.find("typedef struct mmverify_subject {"),
+             to = header.find("} mmverify_subject_t;");
+  if (from == std::string::npos || to == std::string::npos) return {};
+  header = header.substr(from, to - from);
+  std::vector<Declared> all;
+  const std::regex pointer(R"((\w+)\s*\(\s*\*(\w+)\s*\)\s*\(([^)]*)\)\s*;)");
+  for (std::sregex_iterator it(header.begin(), header.end(), pointer), end; it != end; ++it)
+    all.push_back({(*it)[2], (*it)[1], (*it)[3]});
+  return all;
+}
+
+/// How often a type stands before a name or a comma in the parameters.
+std::size_t count(const std::string& parameters, const std::string& type) {
+  const std::regex one("(^|,)\\s*" + type + "\\s*\\*");
+  return static_cast<std::size_t>(
+      std::distance(std::sregex_iterator(parameters.begin(), parameters.end(), one), std::sregex_iterator()));
+}
+
+TEST(EntryPoints, stand_in_the_headers_order) {
+  std::vector<std::string> header, table;
+  for (const Declared& d : declared()) header.push_back(d.name);
+  for (const EntryPoint& e : entry_points) table.push_back(e.name);
+  EXPECT_EQ(table, header);
+  ASSERT_EQ(header.size(), 24u);
+  EXPECT_EQ(header.front(), "index_f32");
+  EXPECT_EQ(header.back(), "bake");
+}
+
+TEST(EntryPoints, take_what_the_header_declares) {
+  const auto header = declared();
+  ASSERT_EQ(header.size(), entry_points.size());
+  for (std::size_t c = 0; c < calls; ++c) {
+    const Signature& s = entry_points[c].signature;
+    const std::string& p = header[c].parameters;
+    const std::size_t floats = count(p, "const float"), doubles = count(p, "const double"),
+                      words = count(p, "const uint32_t");
+    EXPECT_EQ(s.arrays, floats + doubles + words) << header[c].name;
+    EXPECT_EQ(s.number_bytes, doubles != 0 ? 8u : floats + words != 0 ? 4u : 0u) << header[c].name;
+    EXPECT_EQ(s.of_blob, count(p, "const uint8_t") + count(p, "const mmverify_bake_case_t") != 0)
+        << header[c].name;
+    EXPECT_EQ(s.value_bytes, count(p, "uint32_t") != 0 ? 4u : 1u) << header[c].name;
+    EXPECT_EQ(s.sizes_answer, header[c].returned == "size_t") << header[c].name;
+  }
+}
+
+// What no type in the header says.
+TEST(EntryPoints, six_numbers_are_a_triangles_corners) {
+  for (const EntryPoint& e : entry_points) {
+    const bool corners = std::string(e.name).ends_with("corners");
+    EXPECT_EQ(e.answer_bytes, corners ? 24u : e.signature.value_bytes) << e.name;
+  }
+}
+
+TEST(EntryPoints, are_of_the_topic_that_their_name_begins_with) {
+  for (const EntryPoint& e : entry_points) {
+    const std::string name = e.name;
+    const Topic topic = name.starts_with("tree")       ? Topic::tree
+                        : name.starts_with("micromap") ? Topic::micromap
+                        : name.starts_with("vq")       ? Topic::vq
+                        : name.starts_with("bake")     ? Topic::bake
+                                                       : Topic::index;
+    EXPECT_EQ(e.topic, topic) << name;
+  }
+}
+
+TEST(EntryPoints, have_their_place_for_a_number) {
+  EXPECT_STREQ(entry_point(Call::index_f32).name, "index_f32");
+  EXPECT_STREQ(entry_point(Call::tree_encode).name, "tree_encode");
+  EXPECT_STREQ(entry_point(Call::bake).name, "bake");
+  EXPECT_EQ(static_cast<std::size_t>(Call::bake), calls - 1);
+}
+
+}  // namespace
+}  // namespace mmverify::dock
