@@ -1,7 +1,11 @@
 #include "proofs/index/reference_sweep.hpp"
 
 // The compiler vectorises the plain loops; the clones let one binary use what the machine has.
+#ifdef __x86_64__
 #define MMVERIFY_FOR_EACH_MACHINE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#else
+#define MMVERIFY_FOR_EACH_MACHINE
+#endif
 
 namespace mmverify::proofs::index {
 namespace {
