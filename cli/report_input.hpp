@@ -1,4 +1,4 @@
-// The files that mmverify report shows: read, checked, and of each what the page needs.
+// The files that mmverify report shows, read and checked.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,8 +13,9 @@ struct ReportInput {
 };
 
 /// What prove --json, scene --json or bench --json wrote; a bench of several topics is several inputs.  What
-/// the page does not show is left out.  Throws EnvironmentError, which names the file and the place in it,
-/// where it is missing or is no such file.
+/// their schemas do not name is left out.  Throws EnvironmentError, which names the file and the place in it,
+/// where it is missing, is no such file or contradicts itself.
+/// Source: docs/result.schema.json and docs/bench.schema.json, by way of gate/schema.hpp.
 std::vector<ReportInput> read_report_input(const std::string& path);
 
 }  // namespace mmverify::cli

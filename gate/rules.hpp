@@ -1,8 +1,13 @@
-// How each field of a result is compared: one table.
+// How each field of a result is compared: what its schema says.
 #pragma once
 
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "gate/schema.hpp"
 
 namespace mmverify::gate {
 
@@ -22,10 +27,27 @@ enum class Rule {
   left_out     ///< not compared, nor what it holds: a time, a name of a machine
 };
 
-/// What happens to the field at a place, written as "results[].by_kind.vertex.cases"; nothing where no line
-/// of the table speaks of it, so that a new field is met with an error and not with silence.  A "*" in it
-/// stands for a name.
-/// schema: "mmverify.result/1", or "mmverify.bench/1" and a topic, "mmverify.bench/1 tree".
+/// The rules of one schema: each field's keyword "x-gate", by the field's place.
+class Rules {
+ public:
+  /// header: the members that decide which part of the schema counts, of a bench {"topic": "tree"}.
+  /// Throws std::logic_error, which names the place, where a field has no rule and lies in nothing left out:
+  /// a new field is met with an error and not with silence.
+  Rules(const Schema& schema, const nlohmann::ordered_json& header);
+  Rules(Rules&&) noexcept;
+  ~Rules();
+
+  /// The rule of the field at a place, written as "results[].by_kind.vertex.cases"; nothing where the schema
+  /// knows no such field, or an object or a list whose fields have their own.
+  std::optional<Rule> at(std::string_view place) const;
+
+ private:
+  struct Field;
+  std::unique_ptr<Field> root_;
+};
+
+/// The same of the program's own: "mmverify.result/1", or "mmverify.bench/1" and a topic,
+/// "mmverify.bench/1 tree".
 std::optional<Rule> rule_of(const std::string& schema, const std::string& place);
 
 /// The place of a verdict from the worst on: refuted, broken, incomplete, not_applicable, checked, proved;

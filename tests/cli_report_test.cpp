@@ -261,7 +261,7 @@ TEST_F(Report, BadFilesAreNamedAndLeaveNoPage) {
   refuse(R"({"schema": 7})", "no schema of mmverify");
   refuse(R"({"schema": "sarif/2"})", "'sarif/2'");
   refuse(R"([{"schema": "mmverify.bench/1", "topic": "taste"}])",
-         "bad.json[0]: no bench is of a topic 'taste'");
+         "bad.json[0].topic: one of \"index\", \"tree\"");
   refuse(R"({"schema": "mmverify.result/1"})", "no \"tool\"");
   refuse(std::string(100'000, '['), "parse error");
 }
@@ -270,14 +270,16 @@ TEST_F(Report, AMisshapenPlaceIsNamed) {
   const auto refuse = [&](const std::string& pointer, const json& value, const std::string& words) {
     expect_complaint(changed(pointer, value), 4, words);
   };
-  refuse("/results", json::array(), "changed.json: results: there are none");
+  refuse("/results", json::array(),
+         "changed.json.results: a list of 1 or more should stand here, not a list of 0");
   refuse("/results/1/level", "two",
-         "changed.json.results[1].level: a level, 0 to 31 should stand here, not \"two\"");
+         "changed.json.results[1].level: a whole number, 0 to 31, or null should stand here, not \"two\"");
   refuse("/results/1/level", 32, "results[1].level");
-  refuse("/results/0/verdict", "perhaps", "results[0].verdict: a verdict");
+  refuse("/results/0/verdict", "perhaps", "results[0].verdict: one of \"proved\"");
   refuse("/results/0/seconds", -1, "results[0].seconds");
   refuse("/results/0/seconds", nullptr, "results[0].seconds");
-  refuse("/results/1/counterexample", 5, "results[1].counterexample: an object");
+  refuse("/results/1/counterexample", 5,
+         "results[1].counterexample: null or an object should stand here, not 5");
   refuse("/results/1/counterexample/case", json::array(),
          "counterexample.case: a text should stand here, not a list");
   refuse("/tool/seed", std::string(200, 'x'), "tool.seed");

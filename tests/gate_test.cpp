@@ -163,7 +163,14 @@ TEST(Gate, TheFiguresThatMatterPointTheRightWay) {
              {"mmverify.bench/1 bake", "rows[].bakers[].times_ours", Rule::speed_more},
              {"mmverify.bench/1 scene", "rows[].ratio_centre_to_ours", Rule::speed_more},
              {"mmverify.bench/1 subject", "judged_ratio", Rule::speed_less}};
-  for (const auto& [schema, place, rule] : all) EXPECT_EQ(rule_of(schema, place), rule) << place;
+  for (const auto& [schema, place, rule] : all) {
+    EXPECT_EQ(rule_of(schema, place), rule) << place;
+    // Nor does it lie in something that is left out.
+    const std::string whole = place;
+    for (std::size_t at = whole.find_first_of(".["); at != std::string::npos;
+         at = whole.find_first_of(".[", at + 1))
+      EXPECT_NE(rule_of(schema, whole.substr(0, at)), Rule::left_out) << whole.substr(0, at);
+  }
   EXPECT_EQ(rule_of("mmverify.result/1", "results[].no_such_field"), std::nullopt);
 }
 

@@ -19,6 +19,7 @@ export NODE_PATH=$home/node_modules
 said=$("$program" report /dev/null -o /dev/null 2>&1 || true)
 [[ $said != *'built without its page'* ]] || skip "$said"
 
+node "$report/types.mjs" "$home/node_modules/mmverify"
 "$home/node_modules/.bin/tsc" --project "$report" --typeRoots "$home/node_modules/@types" --paths null --baseUrl "$home/node_modules"
 node "$report/test.mjs" unit
 

@@ -70,13 +70,14 @@ function summary(report: Report): HTMLElement {
 }
 
 function toolLine(tool: Tool): string {
-  const parts = [`mmverify ${tool.version}`, tool.compiler, tool.flags, tool.cpu, tool.threads && plural(tool.threads, "thread"), `seed ${tool.seed}`, `specification ${tool.spec_hash.slice(0, 12)}`];
+  const threads = "threads" in tool && plural(tool.threads, "thread"), seed = "seed" in tool && `seed ${tool.seed}`;
+  const parts = [`mmverify ${tool.version}`, tool.compiler, tool.flags, tool.cpu, threads, seed, `specification ${tool.spec_hash.slice(0, 12)}`];
   return parts.filter((p) => p).join(", ");
 }
 
 function sources(report: Report): HTMLElement {
   const rows = report.files.map(({ name, content }) => {
-    if (content.schema === "mmverify.bench/1") return [name, `bench ${content.topic}`, "tool" in content ? toolLine(content.tool) : ""];
+    if (content.schema === "mmverify.bench/1") return [name, `bench ${content.topic}`, toolLine(content.tool)];
     const time = content.results.reduce((sum, r) => sum + r.seconds, 0);
     const shard = content.shard ? `, shard ${content.shard.number} of ${content.shard.of}: a part of a run` : "";
     return [name, `${content.scene ? "scene" : "prove"}: ${plural(content.results.length, "result")}, ${seconds(time)}${shard}`, toolLine(content.tool)];

@@ -143,13 +143,15 @@ test("a group is as weak as its weakest level", () => {
   const result = (level: number, verdict: Verdict): Result => ({
     law: "index.nested", topic: "index", subject: "step", level, method: "exhaustive", domain: "cells", verdict,
     cases_expected: 7, cases_run: verdict === "not_applicable" ? 0 : 7, mismatches: 0, counterexample: null, seconds: 1,
+    by_kind: { vertex: { cases: 7, mismatches: 0 }, edge: { cases: 0, mismatches: 0 }, interior: { cases: 0, mismatches: 0 } },
+    digest: "0123456789abcdef",
   });
   const run = (...verdicts: Verdict[]): Run => ({
     file: 0,
     name: "a.json",
     content: {
       schema: "mmverify.result/1",
-      tool: { version: "0", compiler: "", flags: "", seed: 1, spec_hash: "" },
+      tool: { version: "0", compiler: "", flags: "", cpu: "", threads: 1, seed: 1, spec_hash: "" },
       results: verdicts.map((v, level) => result(level, v)),
     },
   });
