@@ -17,8 +17,10 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::int32_t unit = 64;  ///< of a region, and prices are whole
-constexpr std::uint32_t lanes = 64;
+constexpr std::int32_t unit = 64;  ///< of a region, and prices are whole; a power of 2, to multiply by shifts
+constexpr std::uint32_t lanes = 64;  ///< the vectors of a map
+// Chosen by hand: they say when to stop, and any values give a true bound.  With these, noise takes ten
+// seconds to a minute, and continuous maps some 0.1 s (docs/VQ.md).
 constexpr int rounds = 10;
 constexpr std::size_t most_found = 400;  ///< new entries a round
 
@@ -39,7 +41,7 @@ class Bound {
     for (const Set4 e : entries) add(e);
     std::int64_t proved = std::numeric_limits<std::int64_t>::max();
     for (int round = 0; round < rounds && proved >= enough_; ++round) {
-      descend(round == 0 ? 200 : 100);
+      descend(round == 0 ? 200 : 100);  // chosen by hand; later rounds begin with good prices
       const Shown shown = show();
       proved = std::min(proved, shown.bound);
       if (shown.found.empty()) break;
@@ -133,6 +135,7 @@ class Bound {
   void descend(int steps) {
     Prices best_price = price_;
     std::int64_t best = std::numeric_limits<std::int64_t>::max();
+    // Polyak's step times a number between 0 and 2; 1.5, and halving after ten steps in vain, chosen by hand.
     double eager = 1.5;
     int stale = 0;
     for (int step = 0; step < steps; ++step) {
@@ -176,6 +179,7 @@ class Bound {
     };
     // Others may be worth more than the 13th where even so much would do.
     threshold_ = worths.back();
+    // By halves, from all regions of a vector on.
     for (std::int32_t more = 16 * unit; more > 0; more /= 2)
       if (bound_if(threshold_ + more) < enough_) threshold_ += more;
     open_ = threshold_;
@@ -231,7 +235,7 @@ class Bound {
     look(set, left_out, bound);
   }
 
-  static constexpr std::int32_t far_away = 1 << 16;  ///< more than any gain
+  static constexpr std::int32_t far_away = 1 << 16;  ///< more than any gain: 16 regions are 2^10
 
   HWY_ALIGN std::array<Set4, lanes> v_;
   HWY_ALIGN Prices most_, price_;

@@ -27,8 +27,9 @@ struct Bounded4 {
 };
 
 struct BoundLimits {
-  std::uint32_t enough = 0;       ///< looks no further once the bound is this or less
-  std::uint32_t nodes = 200'000;  ///< a round of branch and bound; the rest is bounded as it stands
+  std::uint32_t enough = 0;  ///< looks no further once the bound is this or less
+  /// A round of branch and bound, chosen by hand; the rest is bounded as it stands.
+  std::uint32_t nodes = 200'000;
 };
 
 /// At least the regions that any 13 entries keep, whatever the limits.

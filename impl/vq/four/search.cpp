@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::uint32_t lanes = 64;
+constexpr std::uint32_t lanes = 64;  ///< the vectors of a map
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Merging
@@ -77,6 +77,7 @@ class Merge {
   }
 
  private:
+  /// More than all that is kept, 64 vectors of 16 regions; 6 bits higher, above a lane, it is still a word.
   static constexpr std::uint32_t none = 1u << 20;
 
   static HWY_INLINE std::uint32_t ones(Set4 v) { return static_cast<std::uint32_t>(__builtin_popcount(v)); }
@@ -179,7 +180,7 @@ class Pool {
   explicit Pool(const Sources4& sources) : sources_(sources), seen_(slots) {
     for (std::uint32_t a = 0; a < sources.count; ++a)
       for (std::uint32_t b = a; b < sources.count; ++b) add(sources.v[a] & sources.v[b]);
-    kept_.reserve(sets_.size() + 1024);
+    kept_.reserve(sets_.size() + 1024);  // an entry and a source: at most 13 times 64
     for (const Set4 set : sets_) keep(sources_, set, kept_.emplace_back().of.data());
     fixed_ = sets_.size();
   }
@@ -207,10 +208,12 @@ class Pool {
   }
 
  private:
-  static constexpr std::size_t slots = 8192;  ///< more than three for each pair of 64
+  /// 2^13: more than three for each pair of 64, 2080 with those of one and the same, so that few collide.
+  static constexpr std::size_t slots = 8192;
 
   void add(Set4 set) {
     if (set == 0) return;
+    // 2^32 over the golden ratio, as Knuth has it; its 13 highest bits.
     std::size_t slot = set * 0x9e3779b1u >> 19;
     while (seen_[slot] != 0 && seen_[slot] != set) slot = (slot + 1) % slots;
     if (seen_[slot] == set) return;
