@@ -1,4 +1,4 @@
-// The JSON of a glTF file: checked, and as tinygltf's types.  Only impl/scene's sources include this.
+// The JSON of a glTF file: checked, and as tinygltf's types.  Only scene/ includes this.
 #pragma once
 
 #include <tiny_gltf.h>
