@@ -91,6 +91,7 @@ typedef struct mmverify_texture {
   uint32_t width, height;
 } mmverify_texture;
 
+/* How it is sampled, and what of it is opaque. */
 typedef struct mmverify_sampling {
   uint32_t texel;                  /* MMVERIFY_TEXEL_UNORM8, ... */
   uint32_t filter, wrap_u, wrap_v; /* Vulkan's; texel (i, j) has its centre at (i + 1/2, j + 1/2) */
