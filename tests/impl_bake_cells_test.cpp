@@ -101,6 +101,24 @@ const std::vector<Corners> shapes{
     {{{20, 3}, {37, 20}, {3, 20}}},
 };
 
+// Slivers whose long edge is on a column of centres, and a texel that differs just above the apex: there the two
+// long edges' lines are closer than rounding tells, and the row of that centre is not the triangle's.
+TEST(ImplBakeCells, ARowBeyondAnApexIsNotTheSlivers) {
+  constexpr std::uint32_t width = 8, height = 16, level = 7;
+  const Picture upright = speck(width, height, 2, 5, 0, 128), lying = speck(height, width, 5, 2, 0, 128);
+  for (const bool lies : {false, true})
+    for (const bool is_right : {false, true})
+      for (int k = 0; k < (sanitized ? 1 : 8); ++k) {
+        const float thin = 0x1.95fp-13f + 0x1p-19f * static_cast<float>(k), beside = is_right ? thin : -thin;
+        BaseTriangle uv{
+            {{0x1.4p-2f, 0x1.61p-2f}, {0x1.4p-2f, 0x1.82c2p+5f}, {0x1.4p-2f + beside, 0x1.80c2p+5f}}};
+        if (lies)
+          for (TexturePoint& v : uv) std::swap(v.u, v.v);
+        ASSERT_NO_FATAL_FAILURE(
+            expect_exact(lies ? lying : upright, Cutoff{1, 2}, {Wrap::repeat, Wrap::repeat, 0}, uv, level));
+      }
+}
+
 // One texel that differs, everywhere: within, on an edge, a cell or two beside one, at a corner.  The contour
 // about it is next to a point, half a texel wide, and all but as wide as its cells.
 TEST(ImplBakeCells, ASpeckIsSeenWhereverItIs) {

@@ -268,7 +268,10 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     const Float a = line(0), b = line(1), c = line(2);
     return Span{hn::IfThenElse(ab_left, hn::Max(a, b), c), hn::IfThenElse(ab_left, c, hn::Min(a, b))};
   };
-  // Rows that meet a flat edge have centres on both sides of it.
+  // Where an edge's line goes on beyond a corner it bounds nothing: there the box does.  Rows that meet a flat
+  // edge have centres on both sides of it.
+  const Float from_column = hn::Sub(hn::Add(x0, of([](const Micro&m) { return m.first_column; })), x),
+              to_column = hn::Sub(hn::Add(x0, of([](const Micro&m) { return m.last_column; })), x);
   const Float from_row = hn::Add(y0, of([](const Micro&m) { return m.first_row; })),
               to_row = hn::Add(y0, of([](const Micro&m) { return m.last_row; }));
   const Int zero = set(0);
@@ -297,27 +300,30 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     if constexpr (keeps) {
       // What is before the grid is only within its margin, and not met; what is beyond a row of it seems to be
       // in the next one, which may keep a mark from being said.
-      const Int from_column = hn::Shr(mixed, set(met.grid.column));
-      met_0 = hn::Or(met_0, to_bit(from_column, to));
-      met_1 = hn::Or(met_1, to_bit(from_column, hn::Sub(to, set(32))));
+      const Int in_grid = hn::Shr(mixed, set(met.grid.column));
+      met_0 = hn::Or(met_0, to_bit(in_grid, to));
+      met_1 = hn::Or(met_1, to_bit(in_grid, hn::Sub(to, set(32))));
       for (std::size_t w = 2; w < met.grid.words; ++w) {
         const Int here = hn::Sub(to, set(static_cast<std::int32_t>(32 * w)));
-        met.words[w][part] = hn::Or(met.words[w][part], to_bit(from_column, here));
+        met.words[w][part] = hn::Or(met.words[w][part], to_bit(in_grid, here));
       }
       to = hn::Add(to, to_next);
     }
     begins = hn::Or(begins, hn::And(cells, are));
     if constexpr (!centres) continue;
     const Span inside = span(at, level);
-    Int within = hn::IfThenElseZero(real, run(in_word(inside.from), in_word(inside.to)));
+    Int within = hn::IfThenElseZero(
+        real, run(in_word(hn::Max(inside.from, from_column)), in_word(hn::Min(inside.to, to_column))));
+    const auto in_rows = [&](Float from, Float to) HWY_ATTR {
+      const Mask are_in = hn::And(hn::Ge(level, from), hn::Le(level, to));
+      return hn::IfThenElseZero(hn::RebindMask(I(), are_in), within);
+    };
     if (shape.has_flat) {
-      within =
-          hn::IfThenElseZero(hn::RebindMask(I(), hn::And(hn::Ge(level, top), hn::Le(level, bottom))), within);
-      perhaps = hn::Or(perhaps, hn::And(within, seen));
-      perhaps_not = hn::Or(perhaps_not, hn::AndNot(are, within));
-      within = hn::IfThenElseZero(
-          hn::RebindMask(I(), hn::And(hn::Ge(level, from_row), hn::Le(level, to_row))), within);
+      const Int of_margin = in_rows(top, bottom);
+      perhaps = hn::Or(perhaps, hn::And(of_margin, seen));
+      perhaps_not = hn::Or(perhaps_not, hn::AndNot(are, of_margin));
     }
+    within = in_rows(from_row, to_row);
     have = hn::Or(have, hn::And(within, seen));
     have_not = hn::Or(have_not, hn::AndNot(are, within));
   }

@@ -24,11 +24,13 @@ struct SixteenShape {
   bool clear = false;
 
   /// A micro-triangle that is turned as the node is, (0, 0) (1, 0) (0, 1), or not, (1, 0) (0, 1) (1, 1), from
-  /// (0, 0): its box, grown by the margin; rows within, beside a flat edge.
+  /// (0, 0): its box, grown by the margin; its rows, those beside a flat edge left out, and its columns, where
+  /// centres can be within.
   /// Lines at row 0: `outside` by a margin and over a row, for cells; `at`, for centres.  With half a place
-  /// off them, or added, floor and the number after it are the nearest whole ones.
+  /// off them, or added, floor and the number after it are the nearest whole ones; so have first_column and
+  /// last_column.
   struct Micro {
-    float left, right, top, bottom, first_row, last_row;
+    float left, right, top, bottom, first_row, last_row, first_column, last_column;
     std::array<float, 3> outside, at;
   };
   std::array<Micro, 2> micro{};
@@ -75,8 +77,11 @@ struct SixteenShape {
                          double margin) noexcept {
     const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y}),
                  middle = std::max(std::min(p[0].y, p[1].y), std::min(std::max(p[0].y, p[1].y), p[2].y));
-    m.left = static_cast<float>(std::min({p[0].x, p[1].x, p[2].x}) - margin);
-    m.right = static_cast<float>(std::max({p[0].x, p[1].x, p[2].x}) + margin);
+    const double least = std::min({p[0].x, p[1].x, p[2].x}), most = std::max({p[0].x, p[1].x, p[2].x});
+    m.left = static_cast<float>(least - margin);
+    m.right = static_cast<float>(most + margin);
+    m.first_column = static_cast<float>(least + 0.5);
+    m.last_column = static_cast<float>(most + 0.5);
     m.top = static_cast<float>(low - margin);
     m.bottom = static_cast<float>(high + margin);
     const bool above = middle - low < high - middle;

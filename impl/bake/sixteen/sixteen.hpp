@@ -24,10 +24,11 @@
 //            2 delta (1 + |s|) along x, and 4 delta (1 + |s|) more than that.
 //   samples  g changes by at most R a texel along either axis, and its evaluation errs by less than 2^-19 R:
 //            beyond bound = R (2 delta + 2^-19) its marks are certain.
-//   centres  between the lines, each within 2 delta (1 + |s|) of its edge along x and so within 3 delta of
-//            it: g at a point of T differs by less than 6 R delta.  They count as seen where clear, the least
-//            that a texel is from its limit, is more than 8 R delta.  Those left out are within 3 delta of an
-//            edge, which speaks for them to within its bound.
+//   centres  between the lines, each off by less than 1.6 delta (1 + |s|) along x, and in T's rows and columns:
+//            within 1.6 delta of T along either axis, beside a flat edge twice that, so that g at a point of T
+//            differs by less than 6.4 R delta.  They count as seen where clear, the least that a texel is from
+//            its limit, is more than 8 R delta.  Those left out are within 3 delta of an edge, which speaks for
+//            them to within its bound.
 //   edges    What T bears it bears on an edge or at a centre within (impl/bake/exact/seen.hpp).  Along an
 //            edge, from the first corner on, a mark begins only in a mixed cell, since cells with a border in
 //            common share the texels that say what is on it.  So only mixed cells are asked: those within
