@@ -13,10 +13,8 @@ namespace mmverify::bench {
 /// The number itself.  Domain: finite x.
 inline spec::Rational exact_rational(double x) {
   int exponent = 0;
-  const spec::Integer significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
-  exponent -= 53;
-  const spec::Integer scale = spec::Integer(1) << std::abs(exponent);
-  return exponent < 0 ? spec::Rational(significand, scale) : spec::Rational(significand * scale);
+  const auto significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
+  return spec::scaled(significand, exponent - 53);
 }
 
 /// Calls algorithm(point) with the two doubles exact: in 128-bit fixed point where its 100 fraction bits hold

@@ -14,6 +14,11 @@ using Rational = boost::rational<Integer>;
 /// rounds.
 using Rational128 = boost::rational<boost::multiprecision::checked_int128_t>;
 
+/// m 2^e: every finite binary floating-point number is one.
+inline Rational scaled(const Integer& m, int e) {
+  return e >= 0 ? Rational(Integer(m << e)) : Rational(m, Integer(1) << -e);
+}
+
 /// floor(q) for 0 <= q < 2^32.  Boost keeps the denominator positive, so the quotient truncates downwards.
 inline std::uint32_t whole(const Rational& q) {
   return static_cast<std::uint32_t>(Integer(q.numerator() / q.denominator()));

@@ -18,6 +18,8 @@
 #include <cstdint>
 #include <span>
 
+#include "impl/common/bits.hpp"
+
 namespace mmverify::impl::index {
 
 /// A subdivision level n; N = 2^n micro-triangles to a side.  Every function here takes a greater level for
@@ -84,21 +86,8 @@ constexpr std::uint32_t xor_from_above(std::uint32_t x) noexcept {
 /// The low 16 bits of b0 on the even bits and of b1 on the odd; bits above them must be clear.  Both spread
 /// at once.
 constexpr std::uint32_t interleaved(std::uint32_t b0, std::uint32_t b1) noexcept {
-  std::uint64_t x = b0 | std::uint64_t{b1} << 32;
-  x = (x | x << 8) & 0x00ff00ff00ff00ff;
-  x = (x | x << 4) & 0x0f0f0f0f0f0f0f0f;
-  x = (x | x << 2) & 0x3333333333333333;
-  x = (x | x << 1) & 0x5555555555555555;
+  const std::uint64_t x = impl::detail::spread<32>(b0 | std::uint64_t{b1} << 32);
   return static_cast<std::uint32_t>(x | x >> 31);
-}
-
-/// Gathers the even bits into the low 16; ignores the odd ones.
-constexpr std::uint32_t gather(std::uint32_t x) noexcept {
-  x &= 0x55555555;
-  x = (x | x >> 1) & 0x33333333;
-  x = (x | x >> 2) & 0x0f0f0f0f;
-  x = (x | x >> 4) & 0x00ff00ff;
-  return (x | x >> 8) & 0x0000ffff;
 }
 
 }  // namespace detail
@@ -140,7 +129,8 @@ void from_barycentrics(std::span<const float> u, std::span<const float> v, Level
 constexpr Corners corners(std::uint32_t index, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const std::uint32_t low = (std::uint32_t{1} << n) - 1;
-  const std::uint32_t b0 = detail::gather(index) & low, b1 = detail::gather(index >> 1) & low;
+  const std::uint32_t b0 = impl::detail::gathered<32>(index) & low,
+                      b1 = impl::detail::gathered<32>(index >> 1) & low;
   const std::uint32_t t = b0 & b1, f = detail::xor_from_above(t), m = detail::xor_from_above(b0 & ~b1);
   const std::uint32_t inverted = m >> 1;
   const std::uint32_t iu = (b0 & inverted) | (~b0 & (b1 ^ f)), iv = inverted ^ t;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "impl/common/bits.hpp"
 #include "impl/index/index.hpp"
 
 namespace mmverify::impl::index {
@@ -21,16 +22,6 @@ constexpr Word wide_xor_from_above(Word x) noexcept {
   x = x ^ x >> 4;
   x = x ^ x >> 8;
   return x ^ x >> 16;
-}
-
-/// The low 32 bits, on the even bits of a word of 64.
-template <class Word>
-constexpr Word wide_spread(Word x) noexcept {
-  x = (x | x << 16) & Word{0x0000ffff0000ffff};
-  x = (x | x << 8) & Word{0x00ff00ff00ff00ff};
-  x = (x | x << 4) & Word{0x0f0f0f0f0f0f0f0f};
-  x = (x | x << 2) & Word{0x3333333333333333};
-  return (x | x << 1) & Word{0x5555555555555555};
 }
 
 /// A grid square below the diagonal, and its row: what `locate` finds, limited to the triangle.
@@ -57,7 +48,7 @@ constexpr Word wide_curve(const WideSquare<Word>& q) noexcept {
   const Word b0 = q.iu ^ q.row;
   const Word t = (q.iu ^ q.iv) & b0;
   const Word b1 = ((wide_xor_from_above(t) ^ q.iu) & ~b0) | t;
-  return wide_spread(b0) | wide_spread(b1) << 1;
+  return impl::detail::spread(b0) | impl::detail::spread(b1) << 1;
 }
 
 }  // namespace detail

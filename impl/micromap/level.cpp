@@ -60,9 +60,9 @@ void to_mode(std::span<const std::uint8_t> four_state, std::uint64_t count, Mode
   require_sizes(four_state, packed_bytes(count, Format::four_state), out,
                 packed_bytes(count, Format::two_state));
   each_word<8, 4>(four_state, 2 * count, out, count, [mode](std::uint64_t x) {
-    if (mode == Mode::T_O) return gather_bits(x);
-    if (mode == Mode::T_C) return gather_bits(x | x >> 1);
-    return gather_bits(~x | x >> 1);
+    if (mode == Mode::T_O) return gathered(x);
+    if (mode == Mode::T_C) return gathered(x | x >> 1);
+    return gathered(~x | x >> 1);
   });
 }
 
@@ -71,7 +71,7 @@ void from_mode(std::span<const std::uint8_t> one_bit, std::uint64_t count, Mode 
   require_sizes(one_bit, packed_bytes(count, Format::two_state), out,
                 packed_bytes(count, Format::four_state));
   each_word<4, 8>(one_bit, count, out, 2 * count, [mode](std::uint64_t x) {
-    const std::uint64_t wide = spread_bits(x);
+    const std::uint64_t wide = spread(x);
     if (mode == Mode::T_O) return wide;
     if (mode == Mode::T_C) return wide | wide << 1;
     return wide << 1 | (~wide & even_bits);

@@ -44,14 +44,14 @@ void force2(std::span<const std::uint8_t> four_state, std::uint64_t count,
   require(four_state.size() >= packed_bytes(count, Format::four_state), "micromap::force2: too few bytes");
   require(two_state.size() == packed_bytes(count, Format::two_state),
           "micromap::force2: out has not packed_bytes bytes");
-  each_word<8, 4>(four_state, 2 * count, two_state, count, gather_bits);
+  each_word<8, 4>(four_state, 2 * count, two_state, count, gathered<64, std::uint64_t>);
 }
 
 void widen(std::span<const std::uint8_t> two_state, std::uint64_t count, std::span<std::uint8_t> four_state) {
   require(two_state.size() >= packed_bytes(count, Format::two_state), "micromap::widen: too few bytes");
   require(four_state.size() == packed_bytes(count, Format::four_state),
           "micromap::widen: out has not packed_bytes bytes");
-  each_word<4, 8>(two_state, count, four_state, 2 * count, spread_bits);
+  each_word<4, 8>(two_state, count, four_state, 2 * count, spread<64, std::uint64_t>);
 }
 
 std::optional<State> uniform(std::span<const std::uint8_t> bytes, Format f, std::uint64_t count) {

@@ -9,6 +9,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "impl/common/bits.hpp"
+
 namespace mmverify::impl::micromap::detail {
 
 static_assert(std::endian::native == std::endian::little, "packed bytes are loaded as little-endian words");
@@ -20,24 +22,7 @@ constexpr std::uint64_t low(std::uint64_t bits) {
   return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
 }
 
-/// Bit i of 32 to bit 2i.
-constexpr std::uint64_t spread_bits(std::uint64_t x) {
-  x = (x | x << 16) & 0x0000ffff0000ffff;
-  x = (x | x << 8) & 0x00ff00ff00ff00ff;
-  x = (x | x << 4) & 0x0f0f0f0f0f0f0f0f;
-  x = (x | x << 2) & 0x3333333333333333;
-  return (x | x << 1) & even_bits;
-}
-
-/// Bit 2i to bit i of 32; odd bits are ignored.
-constexpr std::uint64_t gather_bits(std::uint64_t x) {
-  x &= even_bits;
-  x = (x | x >> 1) & 0x3333333333333333;
-  x = (x | x >> 2) & 0x0f0f0f0f0f0f0f0f;
-  x = (x | x >> 4) & 0x00ff00ff00ff00ff;
-  x = (x | x >> 8) & 0x0000ffff0000ffff;
-  return (x | x >> 16) & 0x00000000ffffffff;
-}
+using impl::detail::gathered, impl::detail::spread;
 
 /// Bit i of 16 to bit 4i.
 constexpr std::uint64_t bits_to_nibbles(std::uint64_t x) {

@@ -22,11 +22,6 @@ using proofs::wrong;
 /// The subject does not support the case.
 inline Finding unsupported() { return {.declined = true}; }
 
-inline const char* name_of(State s) {
-  constexpr const char* names[] = {"T", "O", "UT", "UO"};
-  return names[static_cast<std::size_t>(s)];
-}
-
 /// What a law ranges over.  `number` gives case k of the level; a family knows its case's number, and its
 /// check may ask for the truth by it.
 struct Cases {

@@ -39,8 +39,7 @@ Rational exact_texel(Texel texel, std::uint32_t stored) {
 Rational exact(double x) {
   int e = 0;
   const auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &e), 53));
-  const Integer two = Integer(1) << std::abs(e - 53);
-  return e >= 53 ? Rational(Integer(m) * two) : Rational(Integer(m), two);
+  return spec::scaled(m, e - 53);
 }
 
 std::optional<Cutoff> as_cutoff(const Rational& q) {

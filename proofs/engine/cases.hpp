@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "proofs/engine/bytes.hpp"
 #include "proofs/engine/law.hpp"
 
 namespace mmverify::proofs {
@@ -36,15 +37,6 @@ inline Replayed replayed(const Finding& found) {
   if (found.holds) return {true, "ok", "ok", {}};
   const Words words = found.words();
   return {false, words.expected, words.got, {}};
-}
-
-/// Order-dependent hash of bytes or states, for digests.
-/// Source: FNV-1a, 64 bits.
-template <class Bytes>
-std::uint64_t hash_of(const Bytes& bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325u;
-  for (const auto byte : bytes) hash = (hash ^ static_cast<std::uint8_t>(byte)) * 0x100000001B3u;
-  return hash;
 }
 
 /// Cases by number: how many at a level, the check of one, the text that names it, and the check of a text.

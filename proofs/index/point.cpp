@@ -15,12 +15,7 @@
 namespace mmverify::proofs::index {
 namespace {
 
-using spec::Integer;
-
-/// m 2^e as a rational.
-Rational scaled(const Integer& m, int e) {
-  return e >= 0 ? Rational(Integer(m << e)) : Rational(m, Integer(1) << -e);
-}
+using spec::Integer, spec::scaled;
 
 /// The exact value of any finite binary floating-point number.
 template <class F>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "proofs/engine/bytes.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/kinds.hpp"
 
@@ -13,13 +14,6 @@ namespace {
 std::string say(const Statement& s, const Found& found) {
   return fmt::format("statement {}: expected {}, the prover says {}{}", s.name, to_string(s.expected),
                      to_string(found.answer), found.detail.empty() ? "" : " (" + found.detail + ")");
-}
-
-/// Of the statement's very text, so that another text is another digest.
-std::uint64_t hash_of(const std::string& text) {
-  std::uint64_t h = 14695981039346656037u;  // FNV-1a, which is the same everywhere
-  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return h;
 }
 
 }  // namespace

@@ -22,10 +22,10 @@ tree::Map sampled(Level n, std::uint64_t seed, std::uint64_t k, Maps maps) {
 
 std::uint64_t two_state_maps(Level n) { return std::uint64_t{1} << spec::micromap::micro_triangles(n); }
 
-std::string hex(const Bytes& bytes) {
+std::string first_bytes(const Bytes& bytes) {
   constexpr std::size_t shown = 24;
   const auto first = std::span(bytes).first(std::min(bytes.size(), shown));
-  return fmt::format("{:02x}{}", fmt::join(first, " "), bytes.size() > shown ? " ..." : "");
+  return hex(first, " ") + (bytes.size() > shown ? " ..." : "");
 }
 
 /// What maps to maps a subject may have, as the domain of a law names it.
@@ -55,7 +55,7 @@ Finding same(const char* what, const Bytes& expected, const Bytes& got) {
     while (expected[k] == got[k]) ++k;
     return wrong(fmt::format("{} byte {} {:02x}", what, k, expected[k]), fmt::format("{:02x}", got[k]));
   }
-  return wrong(fmt::format("{} {}", what, hex(expected)), hex(got));
+  return wrong(fmt::format("{} {}", what, first_bytes(expected)), first_bytes(got));
 }
 
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {

@@ -10,6 +10,7 @@
 #include "proofs/kinds.hpp"
 #include "proofs/scene/exact_surface.hpp"
 #include "proofs/scene/law_groups.hpp"
+#include "spec/micromap/micromap.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
@@ -75,9 +76,12 @@ constexpr Claim forced{"bake.force2",
 
 std::string text(const Place& p) { return fmt::format("t{}:i{}", p.triangle, p.index); }
 
+const char* name_of_code(unsigned code) {
+  return spec::micromap::name_of(static_cast<spec::micromap::State>(code));
+}
+
 void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::uint64_t number,
            Tally& tally) {
-  constexpr const char* names[] = {"T", "O", "UT", "UO"};
   const unsigned code = code_of(of.data.baked.triangles[p.triangle], p.index);
   const State truly = of.exact->state(p.triangle, n, p.index);
   const bool leans =
@@ -88,8 +92,8 @@ void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::
   tally.mismatch(Kind::interior, {n, number, 0}, [&] {
     const std::string expected = truly == State::T ? "T" : truly == State::O ? "O" : "unknown";
     return Counterexample{
-        {n, number, 0}, n, text(p), {}, expected + " (" + of.exact->text(p.triangle, n, p.index) + ")",
-        names[code]};
+        {n, number, 0},    n, text(p), {}, expected + " (" + of.exact->text(p.triangle, n, p.index) + ")",
+        name_of_code(code)};
   });
 }
 
@@ -209,7 +213,6 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
         data.baked.triangles[triangle].level != n || index >= micromap::micro_triangles(n))
       throw BadCase(fmt::format("{}: no micro-triangle of level {} of this scene; write t17:i1234", at, n));
     const unsigned code = code_of(data.baked.triangles[triangle], index);
-    constexpr const char* names[] = {"T", "O", "UT", "UO"};
     const State truly = exact->state(triangle, n, index);
     const bool leans =
         claim.what == Claim::forced && truly == State::C && exact->rather_opaque(triangle, n, index);
@@ -219,7 +222,7 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
                                     : truly == State::O ? "O"
                                                         : "unknown") +
                         " (" + exact->text(triangle, n, index) + ")";
-    replayed.got = names[code];
+    replayed.got = name_of_code(code);
     return replayed;
   };
   return law;

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <bit>
 #include <map>
 #include <variant>
 
+#include "proofs/engine/bytes.hpp"
 #include "proofs/scene/law_parts.hpp"
 
 namespace mmverify::proofs::scene {
@@ -37,24 +36,6 @@ void add_formats(SceneLaws& all, const Data& data) {
   if (!two) all.left_out.push_back({"2-state", "no map is without unknowns and not uniform"});
   if (!four) all.left_out.push_back({"4-state", "no map has both an unknown and another state"});
 }
-
-/// FNV-1a over whatever is put in.
-class Hash {
- public:
-  template <class Number>
-  void number(Number x) {
-    const auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(Number)>>(x);
-    for (const std::uint8_t byte : bytes) value_ = (value_ ^ byte) * 0x100000001B3u;
-  }
-  template <class Numbers>
-  void numbers(const Numbers& all) {
-    for (const auto x : all) number(x);
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xCBF29CE484222325u;
-};
 
 /// Of everything that the laws look at.
 std::string fingerprint_of(const Data& data) {

@@ -66,7 +66,7 @@ Finding judged(const TreeSubject& s, Level n, const OneApart& apart) {
   if (s.has(Entry::point)) also(finds_points(*code, map, indices));
   if (s.has(Entry::stream)) {
     const Bytes expected = code_of(apart), got = code->bytes();
-    if (got != expected) also(wrong("bytes", hex(expected), hex(got).substr(0, 200)));
+    if (got != expected) also(wrong("bytes", hex(expected, " "), hex(got, " ").substr(0, 200)));
   }
   return found;
 }

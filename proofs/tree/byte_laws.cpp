@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
+#include "proofs/engine/bytes.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/kinds.hpp"
 #include "proofs/tree/altered.hpp"
@@ -29,20 +28,13 @@ Bytes string_number(std::uint64_t k) {
 }
 
 std::string text_of(Format f, const Bytes& bytes) {
-  return fmt::format("{}-state:{:02x}", f == Format::two_state ? 2 : 4, fmt::join(bytes, ""));
+  return fmt::format("{}-state:{}", f == Format::two_state ? 2 : 4, hex(bytes));
 }
 
 std::pair<Format, Bytes> string_from(const std::string& text) {
   const auto [format, digits] = format_and_rest(text);
-  if (digits.size() % 2 != 0 || digits.find_first_not_of("0123456789abcdef") != std::string_view::npos)
-    throw BadCase(fmt::format("'{:.60}': write 2-state: or 4-state: and bytes in hexadecimal", text));
-  Bytes bytes;
-  for (std::size_t k = 0; k < digits.size(); k += 2) {
-    unsigned byte = 0;
-    std::from_chars(digits.data() + k, digits.data() + k + 2, byte, 16);
-    bytes.push_back(static_cast<std::uint8_t>(byte));
-  }
-  return {format, bytes};
+  if (const auto bytes = bytes_from_hex(digits)) return {format, *bytes};
+  throw BadCase(fmt::format("'{:.60}': write 2-state: or 4-state: and bytes in hexadecimal", text));
 }
 
 /// The number after "k=".

@@ -178,14 +178,14 @@ Finding stream_is_specified(const TreeSubject& s, const Map& map) {
   if (got == expected) return {hash_of(got)};
   const auto [at, other] = std::mismatch(expected.begin(), expected.end(), got.begin(), got.end());
   const auto byte = at - expected.begin();
-  return wrong(fmt::format("bytes from {} on", byte), hex({at, expected.end()}).substr(0, 64),
-               hex({other, got.end()}).substr(0, 64));
+  return wrong(fmt::format("bytes from {} on", byte), hex({at, expected.end()}, " ").substr(0, 64),
+               hex({other, got.end()}, " ").substr(0, 64));
 }
 
 Finding sizes(const TreeSubject& s, const Map& map) {
   const Bytes bytes = s.encode(map)->bytes();
   const auto tree = spec::tree::from_bytes(bytes, map.format);
-  if (!tree) return wrong("bytes", "a tree and its values", hex(bytes).substr(0, 64));
+  if (!tree) return wrong("bytes", "a tree and its values", hex(bytes, " ").substr(0, 64));
   const std::uint64_t nodes = tree->tree.size(), leaves = tree->data.size(),
                       internal =
                           static_cast<std::uint64_t>(std::count(tree->tree.begin(), tree->tree.end(), true));
@@ -248,7 +248,7 @@ Finding bytes_are_canonical(const TreeSubject& s, Level n, Format f, std::span<c
   if (Finding same = same_map(map, code->decode()); !same.holds) return same;
   const Bytes again = s.encode(map)->bytes();
   if (!std::equal(again.begin(), again.end(), bytes.begin(), bytes.end()))
-    return wrong("encoded again", hex(bytes), hex(again));
+    return wrong("encoded again", hex(bytes, " "), hex(again, " "));
   return {hash_of(again)};
 }
 

@@ -128,6 +128,4 @@ Finding same_map(const Map& expected, const Bytes& got) {
   return wrong("padding bits", "0", "1");
 }
 
-std::string hex(std::span<const std::uint8_t> bytes) { return fmt::format("{:02x}", fmt::join(bytes, " ")); }
-
 }  // namespace mmverify::proofs::tree

@@ -46,7 +46,4 @@ Law on_samples(Law law, std::vector<Entry> entries, Check check);
 /// The first difference of two maps, as a finding; `answer` is a hash of the second.
 Finding same_map(const Map& expected, const Bytes& got);
 
-/// "05 01 90"
-std::string hex(std::span<const std::uint8_t> bytes);
-
 }  // namespace mmverify::proofs::tree

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 namespace mmverify::proofs::vq {
 
 std::string letters(std::span<const State> states) {
@@ -21,17 +19,11 @@ std::vector<State> states_from_letters(std::string_view text, std::size_t count)
   return states;
 }
 
-std::string hex(std::span<const std::uint8_t> bytes) { return fmt::format("{:02x}", fmt::join(bytes, "")); }
-
-std::vector<std::uint8_t> bytes_from_hex(const std::string& text, std::string_view name, std::size_t count) {
+std::vector<std::uint8_t> bytes_after(std::string_view name, const std::string& text, std::size_t count) {
   const std::size_t head = name.size() + 1;
-  if (text.size() != head + 2 * count || text.substr(0, name.size()) != name || text[name.size()] != ':' ||
-      text.find_first_not_of("0123456789abcdef", head) != std::string::npos)
-    throw BadCase(fmt::format("'{:.60}': write {}: and {} hexadecimal digits", text, name, 2 * count));
-  std::vector<std::uint8_t> bytes(count);
-  for (std::size_t k = 0; k < count; ++k)
-    std::from_chars(text.data() + head + 2 * k, text.data() + head + 2 * k + 2, bytes[k], 16);
-  return bytes;
+  if (text.size() == head + 2 * count && text.starts_with(name) && text[name.size()] == ':')
+    if (auto bytes = bytes_from_hex(std::string_view(text).substr(head))) return *bytes;
+  throw BadCase(fmt::format("'{:.60}': write {}: and {} hexadecimal digits", text, name, 2 * count));
 }
 
 }  // namespace mmverify::proofs::vq

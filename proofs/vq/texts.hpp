@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "proofs/engine/bytes.hpp"
 #include "proofs/vq/subject.hpp"
 
 namespace mmverify::proofs::vq {
@@ -15,10 +16,8 @@ namespace mmverify::proofs::vq {
 std::string letters(std::span<const State> states);
 std::vector<State> states_from_letters(std::string_view text, std::size_t count);
 
-/// Two digits a byte.
-std::string hex(std::span<const std::uint8_t> bytes);
-/// The bytes of "NAME:" and twice `count` digits.  Throws BadCase.
-std::vector<std::uint8_t> bytes_from_hex(const std::string& text, std::string_view name, std::size_t count);
+/// `count` bytes, of a text of "NAME:" and two digits each.  Throws BadCase.
+std::vector<std::uint8_t> bytes_after(std::string_view name, const std::string& text, std::size_t count);
 
 /// "map:" and two bits a region, T 0, C 1, O 2, region k in bits 2k and 2k+1, low bits first.
 template <class Format>
@@ -32,7 +31,7 @@ std::string text_of_map(const Map<Format>& map) {
 template <class Format>
 Map<Format> map_from_text(const std::string& text) {
   Map<Format> map;
-  const auto packed = bytes_from_hex(text, "map", map.size() / 4);
+  const auto packed = bytes_after("map", text, map.size() / 4);
   for (std::size_t k = 0; k < map.size(); ++k) {
     const unsigned state = packed[k / 4] >> 2 * (k % 4) & 3;
     if (state == 3) throw BadCase("'" + text.substr(0, 60) + "': a state is 0, 1 or 2");
@@ -50,7 +49,7 @@ std::string text_of_block(const BlockBytes<Format>& block) {
 template <class Format>
 BlockBytes<Format> block_from_text(const std::string& text) {
   BlockBytes<Format> block;
-  const auto bytes = bytes_from_hex(text, "block", block.size());
+  const auto bytes = bytes_after("block", text, block.size());
   std::copy(bytes.begin(), bytes.end(), block.begin());
   return block;
 }

@@ -31,6 +31,10 @@ enum class State : std::uint8_t {
 using States = std::vector<State>;
 
 constexpr std::uint8_t code(State s) { return static_cast<std::uint8_t>(s); }
+constexpr const char* name_of(State s) {
+  constexpr const char* names[] = {"T", "O", "UT", "UO"};
+  return names[code(s)];
+}
 
 /// UT or UO: the any-hit shader is asked.
 constexpr bool unknown(State s) { return s == State::UT || s == State::UO; }

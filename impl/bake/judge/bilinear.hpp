@@ -15,6 +15,7 @@
 #include "impl/bake/judge/inner_box.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
 #include "impl/bake/texture/properties.hpp"
+#include "impl/common/bits.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -149,7 +150,8 @@ class Bilinear {
                         decided = marks.lacks_below | marks.lacks_opaque | (unknowns & marks.leans),
                         left = ~decided & 0xffff;
     counts.leaves += marks.leaves;
-    std::uint32_t codes = spread(decided & (leaning | marks.lacks_below)) | spread(decided & unknowns) << 1;
+    std::uint32_t codes = impl::detail::spread<32>(decided & (leaning | marks.lacks_below)) |
+                          impl::detail::spread<32>(decided & unknowns) << 1;
     if (left == 0) return codes;
     const std::array<Triangle, 4> of = children(p);
     for (std::uint32_t c = 0; c < 4; ++c) {
@@ -161,14 +163,6 @@ class Bilinear {
           codes |= single(micro[k % 4], is_turned != (k % 4 == 1), index + k, counts) << (2 * k);
     }
     return codes;
-  }
-
-  /// Bit k to bit 2k.
-  static std::uint32_t spread(std::uint32_t x) noexcept {
-    x = (x | x << 8) & 0x00ff00ff;
-    x = (x | x << 4) & 0x0f0f0f0f;
-    x = (x | x << 2) & 0x33333333;
-    return (x | x << 1) & 0x55555555;
   }
 
   using Box = typename BilinearFilter<Texel>::Box;
