@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/mutant.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -49,7 +49,7 @@ Finding packs(const MicromapSubject& s, Level n, const OneApart& a) {
   States states(static_cast<std::size_t>(count), common(a));
   std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(a.node * run), run, odd(a));
   const Bytes map = bytes(n, a);
-  const States got = s.unpack(a.format, count, map);
+  const States got = s.functions.unpack(a.format, count, map);
   if (got != states) {
     const auto [expected, other] = std::mismatch(states.begin(), states.end(), got.begin(), got.end());
     if (expected == states.end())
@@ -57,27 +57,27 @@ Finding packs(const MicromapSubject& s, Level n, const OneApart& a) {
     return wrong(fmt::format("state {} {}", expected - states.begin(), code(*expected)),
                  other == got.end() ? "none" : fmt::format("{}", code(*other)));
   }
-  return same("packed", map, s.pack(a.format, states));
+  return same("packed", map, s.functions.pack(a.format, states));
 }
 
 Finding forces(const MicromapSubject& s, Level n, const OneApart& a) {
-  if (a.format == four) return same("force-2-state", bytes(n, forced(a)), s.force2(n, bytes(n, a)));
+  if (a.format == four) return same("force-2-state", bytes(n, forced(a)), s.functions.force2(n, bytes(n, a)));
   const Bytes wide = bytes(n, with(a, four, common(a), odd(a)));
-  return all(same("4-state", wide, s.widen(n, bytes(n, a))),
-             same("and back", bytes(n, a), s.force2(n, wide)));
+  return all(same("4-state", wide, s.functions.widen(n, bytes(n, a))),
+             same("and back", bytes(n, a), s.functions.force2(n, wide)));
 }
 
 Finding rises(const MicromapSubject& s, Level n, const OneApart& a) {
-  return same("children's states", bytes(n + 1, a), s.up(n, a.format, bytes(n, a)));
+  return same("children's states", bytes(n + 1, a), s.functions.up(n, a.format, bytes(n, a)));
 }
 
 Finding falls(const MicromapSubject& s, Level n, const OneApart& a) {
-  return same("parents' states", bytes(n - 1, below(n, a)), s.down(n, a.format, bytes(n, a)));
+  return same("parents' states", bytes(n - 1, below(n, a)), s.functions.down(n, a.format, bytes(n, a)));
 }
 
 // The rest is one of the unknown states: either.
 Finding goes_through(const MicromapSubject& s, Level n, const OneApart& a, Mode mode) {
-  const Bytes got = s.through(n, mode, bytes(n, a));
+  const Bytes got = s.functions.through(n, mode, bytes(n, a));
   const std::string what = fmt::format("through mode {}", static_cast<int>(mode));
   if (mode == Mode::T_O)
     return same(what.c_str(), bytes(n, with(a, four, slow::force2(common(a)), slow::force2(odd(a)))), got);
@@ -103,11 +103,11 @@ Finding judged(const MicromapSubject& s, Level n, const OneApart& a) {
     found = check(s, n, a);
     found.answer += 31 * so_far;
   };
-  also(s.has(Entry::pack), packs);
-  also(s.has(Entry::force2), forces);
-  also(s.has(Entry::up) && n < 12, rises);
-  also(s.has(Entry::down) && n > 0, falls);
-  also(s.has(Entry::modes) && a.format == four, goes_through_modes);
+  also(s.functions.has(Entry::pack), packs);
+  also(s.functions.has(Entry::force2), forces);
+  also(s.functions.has(Entry::up) && n < 12, rises);
+  also(s.functions.has(Entry::down) && n > 0, falls);
+  also(s.functions.has(Entry::modes) && a.format == four, goes_through_modes);
   return found;
 }
 

@@ -5,10 +5,10 @@
 #include <set>
 #include <tuple>
 
-#include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/arrays.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/mutant.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -43,7 +43,7 @@ States fetched(const Built& b, const Options& o, std::uint64_t t, std::uint64_t 
 
 Finding builds(const MicromapSubject& s, const BuildCase& c) {
   const Options& o = c.options;
-  const Built built = s.build(c.before, c.maps, o);
+  const Built built = s.functions.build(c.before, c.maps, o);
 
   // Clean first: then nothing below reads outside.
   Input in;
@@ -267,7 +267,7 @@ Law sampled_builds() {
 // ---------------------------------------------------------------------------------------------------------------------
 
 Finding validates(const MicromapSubject& s, const Input& in) {
-  const std::vector<Violation> expected = slow::validate(in), got = s.validate(in);
+  const std::vector<Violation> expected = slow::validate(in), got = s.functions.validate(in);
   if (got == expected) return {hash_of(expected), true, {}, {}};
   std::size_t k = 0;
   while (k < expected.size() && k < got.size() && expected[k] == got[k]) ++k;

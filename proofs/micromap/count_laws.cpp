@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "proofs/engine/random.hpp"
-#include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/mutant.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -50,13 +50,13 @@ Finding packs(const MicromapSubject& s, const Sequence& sequence) {
   const auto& [format, states] = sequence;
   const Bytes map = slow::pack(states, format), expected = codes(states);
   const unsigned used = static_cast<unsigned>(states.size() * bits(format) % 8);
-  Finding found = same("packed", map, s.pack(format, states));
+  Finding found = same("packed", map, s.functions.pack(format, states));
   for (const unsigned padding : {0x00u, 0xFFu, 0xAAu}) {
     if (!found.holds) break;
     if (used == 0 && padding != 0) break;
     Bytes given = map;
     if (used != 0) given.back() = static_cast<std::uint8_t>(given.back() | (padding << used & 0xFF));
-    found = all(found, same("states", expected, codes(s.unpack(format, states.size(), given))));
+    found = all(found, same("states", expected, codes(s.functions.unpack(format, states.size(), given))));
   }
   return found;
 }

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "proofs/engine/shape.hpp"
-#include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/mutant.hpp"
 #include "proofs/tree/maps.hpp"
 #include "spec/micromap/lossy.hpp"
 
@@ -25,7 +25,7 @@ MapCheck keeps(Pair rule) {
     Bytes first;
     Finding found;
     for (const Bytes& given : with_paddings(map)) {
-      const Bytes out = s.substitute(map.level, given);
+      const Bytes out = s.functions.substitute(map.level, given);
       if (out.size() != map.bytes.size())
         return wrong(fmt::format("{} bytes", map.bytes.size()), fmt::format("{}", out.size()));
       const States is = slow::unpack(out, four, count);
@@ -112,8 +112,8 @@ Finding judges(const MicromapSubject& s, const PackedMap& was, const PackedMap& 
   // Padding is no state: zero in both maps, then that of the first goes one way, that of the second the other.
   const std::vector<Bytes> before = with_paddings(was), after = with_paddings(is);
   for (std::size_t k = 0; k <= before.size(); ++k) {
-    const Kept got = k == 0 ? s.judge(was.level, was.bytes, is.bytes)
-                            : s.judge(was.level, before[k - 1], after[after.size() - k]);
+    const Kept got = k == 0 ? s.functions.judge(was.level, was.bytes, is.bytes)
+                            : s.functions.judge(was.level, before[k - 1], after[after.size() - k]);
     if (got != expected)
       return wrong(fmt::format("allowed, conservative, force2-stable {:03b}", number(expected)),
                    fmt::format("{:03b}", number(got)));

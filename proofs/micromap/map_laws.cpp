@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/mutant.hpp"
 #include "spec/micromap/lossy.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -55,30 +55,30 @@ Finding always(const char* what, const PackedMap& map, const Bytes& expected,
 Finding packs(const MicromapSubject& s, const PackedMap& map) {
   const States states = states_of(map);
   return all(always("states", map, codes(states),
-                    [&](const Bytes& b) { return codes(s.unpack(map.format, states.size(), b)); }),
-             same("packed", map.bytes, s.pack(map.format, states)));
+                    [&](const Bytes& b) { return codes(s.functions.unpack(map.format, states.size(), b)); }),
+             same("packed", map.bytes, s.functions.pack(map.format, states)));
 }
 
 Finding forces(const MicromapSubject& s, const PackedMap& map) {
   const States states = states_of(map);
   if (map.format == four)
     return always("force-2-state", map, slow::pack(slow::force2(states), two),
-                  [&](const Bytes& b) { return s.force2(map.level, b); });
+                  [&](const Bytes& b) { return s.functions.force2(map.level, b); });
   const Bytes wide = slow::pack(states, four);
-  return all(always("4-state", map, wide, [&](const Bytes& b) { return s.widen(map.level, b); }),
-             same("and back", map.bytes, s.force2(map.level, wide)));
+  return all(always("4-state", map, wide, [&](const Bytes& b) { return s.functions.widen(map.level, b); }),
+             same("and back", map.bytes, s.functions.force2(map.level, wide)));
 }
 
 Finding rises(const MicromapSubject& s, const PackedMap& map) {
   States expected;
   for (const State state : states_of(map)) expected.insert(expected.end(), 4, state);
   return always("children's states", map, slow::pack(expected, map.format),
-                [&](const Bytes& b) { return s.up(map.level, map.format, b); });
+                [&](const Bytes& b) { return s.functions.up(map.level, map.format, b); });
 }
 
 Finding rises_and_falls(const MicromapSubject& s, const PackedMap& map) {
   return always("down(up(map))", map, map.bytes, [&](const Bytes& b) {
-    return s.down(map.level + 1, map.format, s.up(map.level, map.format, b));
+    return s.functions.down(map.level + 1, map.format, s.functions.up(map.level, map.format, b));
   });
 }
 
@@ -105,7 +105,7 @@ Finding falls(const MicromapSubject& s, const PackedMap& map) {
   const States parents = parents_of(map.format, states_of(map));
   Finding found;
   for (const Bytes& bytes : with_paddings(map)) {
-    const Bytes down = s.down(map.level, map.format, bytes);
+    const Bytes down = s.functions.down(map.level, map.format, bytes);
     if (down.size() != slow::packed_bytes(parents.size(), map.format))
       return wrong("a map of the level below", fmt::format("{} bytes", down.size()));
     const States got = slow::unpack(down, map.format, parents.size());
@@ -125,9 +125,12 @@ Finding forces_and_falls(const MicromapSubject& s, const PackedMap& map) {
   const Bytes wide = map.format == four ? map.bytes : slow::pack(states, four),
               expected = slow::pack(slow::force2(parents_of(four, states)), two);
   return all(always("down of force-2-state", {map.level, four, wide}, expected,
-                    [&](const Bytes& b) { return s.down(map.level, two, s.force2(map.level, b)); }),
-             always("force-2-state of down", {map.level, four, wide}, expected,
-                    [&](const Bytes& b) { return s.force2(map.level - 1, s.down(map.level, four, b)); }));
+                    [&](const Bytes& b) {
+                      return s.functions.down(map.level, two, s.functions.force2(map.level, b));
+                    }),
+             always("force-2-state of down", {map.level, four, wide}, expected, [&](const Bytes& b) {
+               return s.functions.force2(map.level - 1, s.functions.down(map.level, four, b));
+             }));
 }
 
 // T/O forces.  T/C and O/C keep one state; the rest is unknown, and of one kind, as a bit tells no two apart.
@@ -135,7 +138,7 @@ Finding goes_through(const MicromapSubject& s, const PackedMap& map, const State
   const State kept = mode == Mode::T_C ? T : O;
   Finding found;
   for (const Bytes& given : with_paddings(map)) {
-    const Bytes bytes = s.through(map.level, mode, given);
+    const Bytes bytes = s.functions.through(map.level, mode, given);
     if (bytes.size() != map.bytes.size())
       return wrong(fmt::format("{} bytes through mode {}", map.bytes.size(), static_cast<int>(mode)),
                    fmt::format("{}", bytes.size()));
@@ -174,15 +177,15 @@ Finding everything(const MicromapSubject& s, const PackedMap& map) {
     found = check(s, map);
     found.answer += 31 * so_far;
   };
-  const bool up = s.has(Entry::up) && map.level < 12, down = s.has(Entry::down) && map.level > 0,
-             force = s.has(Entry::force2);
-  also(s.has(Entry::pack), packs);
+  const bool up = s.functions.has(Entry::up) && map.level < 12,
+             down = s.functions.has(Entry::down) && map.level > 0, force = s.functions.has(Entry::force2);
+  also(s.functions.has(Entry::pack), packs);
   also(force, forces);
   also(up, rises);
-  also(up && s.has(Entry::down), rises_and_falls);
+  also(up && s.functions.has(Entry::down), rises_and_falls);
   also(down, falls);
   also(down && force, forces_and_falls);
-  also(s.has(Entry::modes) && map.format == four, goes_through_modes);
+  also(s.functions.has(Entry::modes) && map.format == four, goes_through_modes);
   return found;
 }
 

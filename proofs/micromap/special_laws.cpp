@@ -3,9 +3,9 @@
 
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/mutant.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {
@@ -33,10 +33,10 @@ Meaning expected(std::uint32_t code, Encoding e) {
 }
 
 Finding means(const MicromapSubject& s, Encoding e, std::uint32_t code) {
-  const Meaning is = expected(code, e), got = s.meaning(code, e);
+  const Meaning is = expected(code, e), got = s.functions.meaning(code, e);
   if (got != is) return wrong(text(is), text(got));
   if (is.kind == Kind::special)
-    if (const std::uint32_t back = s.special_code(is.state, e); back != code)
+    if (const std::uint32_t back = s.functions.special_code(is.state, e); back != code)
       return wrong(fmt::format("code {} for {}", code, text(is)), fmt::format("{}", back));
   return {
       static_cast<std::uint64_t>(is.kind) << 40 | is.index | spec::micromap::code(is.state), true, {}, {}};

@@ -1,8 +1,10 @@
 // An implementation of topic micromap in the dock, and what it may be asked: bytes in, bytes out.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "proofs/engine/law.hpp"
@@ -60,31 +62,43 @@ struct Kept {
   friend bool operator==(const Kept&, const Kept&) = default;
 };
 
-/// Every call is const and may come from several threads at once.  Packed bytes are LSB first; a subject gets
-/// padding bits of any value and gives zeros.  Level and format are those of the input.
-class MicromapSubject : public Subject {
+/// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads
+/// at once.  Packed bytes are LSB first; a subject gets padding bits of any value and gives zeros.  Level and
+/// format are those of the input.
+struct Functions {
+  using Packed = std::span<const std::uint8_t>;
+  std::function<Bytes(Format, const States&)> pack = {};
+  std::function<States(Format, std::uint64_t count, Packed)> unpack = {};
+  std::function<Bytes(Level, Packed four_state)> force2 = {};
+  std::function<Bytes(Level, Packed two_state)> widen = {};
+  std::function<Bytes(Level, Format, Packed)> up = {}, down = {};
+  std::function<Bytes(Level, Mode, Packed four_state)> through = {};
+  std::function<std::uint32_t(State, Encoding)> special_code = {};
+  std::function<Meaning(std::uint32_t code, Encoding)> meaning = {};
+  std::function<Bytes(Level, Packed four_state)> substitute = {};
+  std::function<Kept(Level, Packed was, Packed is)> judge = {};
+  /// Appends to an array in which every map of `before` has a record of its own.
+  std::function<Built(std::span<const PackedMap> before, std::span<const PackedMap> maps, const Options&)>
+      build = {};
+  std::function<std::vector<Violation>(const Input&)> validate = {};
+
+  bool has(Entry e) const;
+};
+
+class MicromapSubject final : public Subject {
  public:
-  MicromapSubject(std::string name, std::string about)
-      : Subject("micromap", std::move(name), std::move(about)) {}
+  MicromapSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
+      : Subject("micromap", std::move(name), std::move(about)),
+        functions(std::move(functions)),
+        fingerprint_(std::move(fingerprint)) {}
   /// Maps have no points between theirs.
   bool exact() const override { return true; }
-  virtual bool has(Entry e) const = 0;
+  std::string fingerprint() const override { return fingerprint_; }
 
-  virtual Bytes pack(Format f, const States& states) const;
-  virtual States unpack(Format f, std::uint64_t count, std::span<const std::uint8_t> bytes) const;
-  virtual Bytes force2(Level n, std::span<const std::uint8_t> four_state) const;
-  virtual Bytes widen(Level n, std::span<const std::uint8_t> two_state) const;
-  virtual Bytes up(Level n, Format f, std::span<const std::uint8_t> bytes) const;
-  virtual Bytes down(Level n, Format f, std::span<const std::uint8_t> bytes) const;
-  virtual Bytes through(Level n, Mode mode, std::span<const std::uint8_t> four_state) const;
-  virtual std::uint32_t special_code(State s, Encoding e) const;
-  virtual Meaning meaning(std::uint32_t code, Encoding e) const;
-  virtual Bytes substitute(Level n, std::span<const std::uint8_t> four_state) const;
-  virtual Kept judge(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) const;
-  /// Appends to an array in which every map of `before` has a record of its own.
-  virtual Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps,
-                      const Options& options) const;
-  virtual std::vector<Violation> validate(const Input& in) const;
+  const Functions functions;
+
+ private:
+  std::string fingerprint_;
 };
 using MicromapSubjectPtr = std::shared_ptr<const MicromapSubject>;
 
@@ -92,6 +106,6 @@ using MicromapSubjectPtr = std::shared_ptr<const MicromapSubject>;
 const std::vector<MicromapSubjectPtr>& built_in_subjects();
 
 /// The built-in subject of that name.  Domain: there is one.
-MicromapSubjectPtr the(const std::string& name);
+MicromapSubjectPtr built_in(const std::string& name);
 
 }  // namespace mmverify::proofs::micromap

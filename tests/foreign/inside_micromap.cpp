@@ -38,20 +38,18 @@ enum class Wrong {
   i32_code_of_uo,
 };
 
-class Codes final : public MicromapSubject {
+class Codes {
  public:
-  explicit Codes(Wrong wrong)
-      : MicromapSubject("foreign-codes", "special indices as signed numbers"), wrong_(wrong) {}
-  bool has(Entry e) const override { return e == Entry::special; }
+  explicit Codes(Wrong wrong) : wrong_(wrong) {}
 
-  std::uint32_t special_code(State s, Encoding e) const override {
+  std::uint32_t special_code(State s, Encoding e) const {
     std::uint32_t number = static_cast<std::uint32_t>(s);
     if (wrong_ == Wrong::i32_code_of_uo && e == Encoding::i32 && number == 3) number = 2;
     if (wrong_ == Wrong::i16_keeps_32_bits && e == Encoding::i16) return ~number;
     return ~number & ones(e);
   }
 
-  Meaning meaning(std::uint32_t code, Encoding e) const override {
+  Meaning meaning(std::uint32_t code, Encoding e) const {
     // The code as a number below 0 where it is above the encoding's middle, or among the last of one without sign.
     std::uint32_t compared = code;
     if (wrong_ == Wrong::low_half_alone && e == Encoding::u32) compared |= 0xffff0000;
@@ -115,13 +113,11 @@ enum class Partial {
   first_byte_alone,
 };
 
-class Judges final : public MicromapSubject {
+class Judges {
  public:
-  explicit Judges(Partial wrong)
-      : MicromapSubject("foreign-judge", "a table of rules by state"), wrong_(wrong) {}
-  bool has(Entry e) const override { return e == Entry::judge; }
+  explicit Judges(Partial wrong) : wrong_(wrong) {}
 
-  Kept judge(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) const override {
+  Kept judge(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) const {
     // The states that each may become, a bit each: the rows of the table of docs/MICROMAP.md.
     unsigned allowed[] = {0b1101, 0b1110, 0b1100, 0b1100};
     unsigned conservative[] = {0b1101, 0b1110, 0b0100, 0b1000};
@@ -159,10 +155,24 @@ class Judges final : public MicromapSubject {
 };
 
 InsideFault code_row(const char* law, const char* name, const char* wrong, Wrong which) {
-  return {law, name, wrong, std::make_shared<Codes>(which), {0, 0}};
+  const Codes codes(which);
+  return {
+      law,
+      name,
+      wrong,
+      std::make_shared<const MicromapSubject>(
+          "foreign-codes", "special indices as signed numbers",
+          Functions{.special_code = [codes](State s, Encoding e) { return codes.special_code(s, e); },
+                    .meaning = [codes](std::uint32_t code, Encoding e) { return codes.meaning(code, e); }}),
+      {0, 0}};
 }
 InsideFault judge_row(const char* name, const char* wrong, Partial which, Levels levels) {
-  return {"lossy.judges", name, wrong, std::make_shared<Judges>(which), levels};
+  return {"lossy.judges", name, wrong,
+          std::make_shared<const MicromapSubject>(
+              "foreign-judge", "a table of rules by state",
+              Functions{.judge = [judges = Judges(which)](Level n, auto was,
+                                                          auto is) { return judges.judge(n, was, is); }}),
+          levels};
 }
 constexpr char small[] = "micromap.special_indices";
 constexpr char wide[] = "micromap.special_indices_32";

@@ -25,6 +25,6 @@ struct Change {
 };
 
 /// The built-in subject `base` but for the change.
-Mutant mutant(std::string name, const std::string& base, Levels levels, Change change);
+Mutant mutant(std::string name, const std::string& base, Levels levels, const Change& change);
 
 }  // namespace mmverify::proofs::micromap
