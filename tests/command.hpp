@@ -28,13 +28,12 @@ struct Outcome {
 /// A program under way.
 class Process {
  public:
-  /// stdout goes to out_file where one is given, else it is captured.
-  explicit Process(std::vector<std::string> arguments, const std::string& out_file = {})
-      : out_(out_file.empty() ? (captured_ / "out").string() : out_file) {
+  explicit Process(std::vector<std::string> arguments) {
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out_.c_str(), O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, (captured_ / "out").c_str(), O_WRONLY | O_CREAT,
+                                     0600);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, (captured_ / "err").c_str(), O_WRONLY | O_CREAT,
                                      0600);
     std::vector<char*> argv;
@@ -60,7 +59,7 @@ class Process {
     for (int tries = 0; tries < 60'000; ++tries) {
       siginfo_t state{};
       waitid(P_PID, static_cast<id_t>(pid_), &state, WEXITED | WNOHANG | WNOWAIT);
-      for (const std::filesystem::path& stream : {std::filesystem::path(out_), captured_ / "err"})
+      for (const std::filesystem::path& stream : {captured_ / "out", captured_ / "err"})
         if (text_of(stream).find(words) != std::string::npos) return true;
       if (state.si_pid != 0) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -72,13 +71,12 @@ class Process {
     int status = 0;
     waitpid(pid_, &status, 0);
     pid_ = -1;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            out_.starts_with("/dev/") ? std::string() : text_of(out_), text_of(captured_ / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(captured_ / "out"),
+            text_of(captured_ / "err")};
   }
 
  private:
   Folder captured_;
-  std::string out_;
   pid_t pid_ = -1;
 };
 
