@@ -353,7 +353,7 @@ Law mips_law() {
        .mutants = {asked_for_another("the third mip and those after it are left out", {0, 8}, two_mips),
                    asked_for_another("the last mip is left out", {5, 8}, without_last_mip),
                    spoiled("every unknown is settled with three mips or more, from level 6 on", "bake",
-                           {6, 8}, settles_three_mips)}},
+                           {6, 8}, claims_three_mips)}},
       sample_with_mips, keeps_mips, count_with_mips);
   law.long_run = {0, highest_rows};
   return law;

@@ -175,7 +175,7 @@ Law grid_law() {
   Law law =
       state_law("bake.equals_spec", "every state is the specification's", differs, grid,
                 {spoiled("one micro-triangle of one texture on one line", "bake", {3, 3},
-                         settles_one({0, 128, 255, 0}, Wrap::repeat, Wrap::clamp_to_edge, -0.8125f)),
+                         claims_one({0, 128, 255, 0}, Wrap::repeat, Wrap::clamp_to_edge, -0.8125f)),
                  asked_for_another("mirror-once is clamped to the edge", {0, 1}, mirror_once_as_clamp),
                  unknown_where_another_differs("alpha at the cutoff is unknown", {0, 0}, above_the_cutoff)});
   law.long_only = true;
@@ -196,7 +196,7 @@ std::vector<Law> state_laws() {
           "a micro-triangle is unknown only where alpha is below 1 at a point of it and above "
           "0 at a point of it",
       side[] = "an unknown micro-triangle is UO where alpha at its centroid is opaque, else UT";
-  const auto far = settles_one({0, 128, 128, 0}, Wrap::mirrored_repeat, Wrap::mirror_once, -3);
+  const auto far = claims_one({0, 128, 128, 0}, Wrap::mirrored_repeat, Wrap::mirror_once, -3);
   return {
       state_law("bake.conservative", conservative, not_conservative, bilinear,
                 {spoiled("one micro-triangle far below 0 of one texture, mirrored beside mirror-once", "bake",
@@ -205,9 +205,9 @@ std::vector<Law> state_laws() {
                  asked_for_another("alpha at the cutoff is transparent", {0, 0}, above_the_cutoff)}),
       state_law("bake.tight", tight, not_tight, bilinear,
                 {spoiled("one micro-triangle of one texture that is O", "bake", {3, 3},
-                         unsettles_one({255, 255, 128, 0}, State::O)),
+                         forgets_one({255, 255, 128, 0}, State::O)),
                  spoiled("one micro-triangle of one texture that is T", "bake", {2, 2},
-                         unsettles_one({0, 0, 255, 0}, State::T)),
+                         forgets_one({0, 0, 255, 0}, State::T)),
                  unknown_where_another_differs("alpha at the cutoff is unknown", {0, 0}, above_the_cutoff)}),
       state_law(
           "bake.unknown_side", side, wrong_side, bilinear,
@@ -223,29 +223,29 @@ std::vector<Law> state_laws() {
       state_law("bake.tight_nearest", tight, not_tight, nearest,
                 {unknown_where_another_differs("texels own their high sides as well", {0, 1}, high_sides),
                  spoiled("one micro-triangle of one texture that is T", "bake", {2, 2},
-                         unsettles_one({0, 0, 255, 0}, State::T)),
+                         forgets_one({0, 0, 255, 0}, State::T)),
                  unknown_where_another_differs("alpha at the cutoff is unknown", {0, 0}, above_the_cutoff)}),
       state_law("bake.conservative_blend", conservative, not_conservative, blend,
                 {asked_for_another("opaque from 254/255 on", {0, 1}, masked_at({254, 255})),
                  asked_for_another("transparent below 1/255, and what is not is opaque", {0, 0},
                                    masked_at({1, 255})),
                  spoiled("one micro-triangle of one texture, clamped", "bake", {3, 3},
-                         settles_one({0, 128, 255, 255}, Wrap::clamp_to_edge, Wrap::clamp_to_edge, 0.125f))}),
+                         claims_one({0, 128, 255, 255}, Wrap::clamp_to_edge, Wrap::clamp_to_edge, 0.125f))}),
       state_law("bake.tight_blend", tight_blend, not_tight, blend,
                 {unknown_where_another_differs("opaque above 1 only", {0, 0}, masked_at({256, 255})),
                  spoiled("one micro-triangle of one texture that is O", "bake", {3, 3},
-                         unsettles_last({255, 255, 255, 0}, State::O)),
+                         forgets_last({255, 255, 255, 0}, State::O)),
                  spoiled("one micro-triangle of one texture that is T", "bake", {2, 2},
-                         unsettles_last({0, 0, 255, 0}, State::T))}),
+                         forgets_last({0, 0, 255, 0}, State::T))}),
       state_law("bake.conservative_on_samples", conservative, not_conservative, plain_samples,
                 {asked_for_another("texture coordinates in steps of 2^-14", {2, 5}, in_steps_of(14)),
                  asked_for_another("alpha at the cutoff is transparent", {2, 2}, above_the_cutoff),
-                 spoiled("an unknown of textures of 7 rows is settled", "bake", {5, 5}, settles_of_rows(7))}),
+                 spoiled("an unknown of textures of 7 rows is settled", "bake", {5, 5}, claims_of_rows(7))}),
       state_law("bake.tight_on_samples", tight, not_tight, plain_samples,
                 {asked_for_another("texture coordinates in steps of 2^-8", {2, 5}, in_steps_of(8)),
                  unknown_where_another_differs("alpha at the cutoff is unknown", {2, 2}, above_the_cutoff),
                  spoiled("the first settled of textures of 7 rows is unknown", "bake", {5, 5},
-                         unsettles_of_rows(7))}),
+                         forgets_of_rows(7))}),
       state_law(
           "bake.unknown_side_on_samples", side, wrong_side, plain_samples,
           {side_of_another("texture coordinates in steps of 2^-6", {2, 5}, in_steps_of(6)),
@@ -269,16 +269,16 @@ std::vector<Law> state_laws() {
                                  without_vertex_factor)}),
       state_law(
           "bake.conservative_on_strata", conservative, not_conservative, strata,
-          {spoiled("every unknown of textures wider than 32 texels is settled", "bake", {0, 9}, settles_wide),
-           spoiled("every unknown is settled from level 6 on", "bake", {6, 9}, settles_from(6)),
+          {spoiled("every unknown of textures wider than 32 texels is settled", "bake", {0, 9}, claims_wide),
+           spoiled("every unknown is settled from level 6 on", "bake", {6, 9}, claims_from(6)),
            asked_for_another("the third mip and those after it are left out", {0, 9}, two_mips),
            asked_for_another("the factors' product is rounded to binary32", {0, 9}, rounded_product),
            asked_for_another("columns above 255 are read modulo 256", {4, 9}, narrow_columns),
            asked_for_another("of a border of 16 bits the low byte is read", {0, 9}, byte_border)}),
       state_law("bake.tight_on_strata", tight, not_tight, strata,
                 {spoiled("all of level 8 is unknown in textures of more than 256 columns", "bake", {8, 8},
-                         unsettles_wide),
-                 spoiled("all is unknown with three mips or more", "bake", {0, 9}, unsettles_three_mips),
+                         forgets_wide),
+                 spoiled("all is unknown with three mips or more", "bake", {0, 9}, forgets_three_mips),
                  unknown_where_another_differs("unknown, too, where the cutoff in binary32 decides", {0, 9},
                                                rounded_cutoff)}),
       state_law(

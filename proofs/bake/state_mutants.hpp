@@ -143,13 +143,15 @@ void change_last(std::vector<State>& states, Meant meant, Becomes becomes) {
 
 using Texels = std::vector<std::uint32_t>;
 
-inline Spoil settles_one(const Texels& texels, Wrap u, Wrap v, float first) {
+// A mutant that `claims` says O or T of what is unknown; one that `forgets` says unknown of what is O or T.
+
+inline Spoil claims_one(const Texels& texels, Wrap u, Wrap v, float first) {
   return [=](const Case& one, Level, std::vector<State>& states) {
     if (one.alpha == texels && one.wrap_u == u && one.wrap_v == v && one.uv[0] == first)
       change_last(states, spec::micromap::unknown, [](State s) { return spec::micromap::force2(s); });
   };
 }
-inline Spoil unsettles_one(const Texels& texels, State kind) {
+inline Spoil forgets_one(const Texels& texels, State kind) {
   return [=](const Case& one, Level, std::vector<State>& states) {
     if (one.alpha == texels && one.wrap_u == Wrap::clamp_to_edge && one.wrap_v == Wrap::mirrored_repeat &&
         one.uv[0] == 0.125f)
@@ -157,7 +159,7 @@ inline Spoil unsettles_one(const Texels& texels, State kind) {
           states, [kind](State s) { return s == kind; }, spec::micromap::as_unknown);
   };
 }
-inline Spoil unsettles_last(const Texels& texels, State kind) {
+inline Spoil forgets_last(const Texels& texels, State kind) {
   return [=](const Case& one, Level, std::vector<State>& states) {
     if (one.alpha == texels && one.wrap_u == Wrap::clamp_to_edge)
       change_last(
@@ -173,31 +175,31 @@ inline Spoil leans_once(const Texels& texels) {
   };
 }
 
-inline void settles_wide(const Case& one, Level, std::vector<State>& states) {
+inline void claims_wide(const Case& one, Level, std::vector<State>& states) {
   if (one.width <= 32) return;
   for (State& s : states) s = spec::micromap::force2(s);
 }
-inline Spoil settles_from(Level first) {
+inline Spoil claims_from(Level first) {
   return [first](const Case&, Level n, std::vector<State>& states) {
     if (n < first) return;
     for (State& s : states) s = spec::micromap::force2(s);
   };
 }
-inline void settles_three_mips(const Case& one, Level n, std::vector<State>& states) {
+inline void claims_three_mips(const Case& one, Level n, std::vector<State>& states) {
   if (one.mips < 3 || n < 6) return;
   for (State& s : states) s = spec::micromap::force2(s);
 }
-inline void unsettles_three_mips(const Case& one, Level, std::vector<State>& states) {
+inline void forgets_three_mips(const Case& one, Level, std::vector<State>& states) {
   if (one.mips < 3) return;
   for (State& s : states) s = spec::micromap::as_unknown(s);
 }
-inline void unsettles_wide(const Case& one, Level n, std::vector<State>& states) {
+inline void forgets_wide(const Case& one, Level n, std::vector<State>& states) {
   if (n != 8 || one.width <= 256) return;
   for (State& s : states) s = spec::micromap::as_unknown(s);
 }
 
 /// Of textures with so many rows, at a micro-triangle that samples are judged at.
-inline Spoil settles_of_rows(std::uint32_t rows) {
+inline Spoil claims_of_rows(std::uint32_t rows) {
   return [=](const Case& one, Level n, std::vector<State>& states) {
     if (one.height != rows) return;
     for (const std::uint32_t k : judged_at(one, n))
@@ -207,7 +209,7 @@ inline Spoil settles_of_rows(std::uint32_t rows) {
       }
   };
 }
-inline Spoil unsettles_of_rows(std::uint32_t rows) {
+inline Spoil forgets_of_rows(std::uint32_t rows) {
   return [=](const Case& one, Level n, std::vector<State>& states) {
     if (one.height != rows) return;
     for (const std::uint32_t k : judged_at(one, n))

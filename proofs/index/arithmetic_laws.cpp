@@ -26,7 +26,7 @@ std::string rationals(const Subject&, Level) { return "a sample of rational poin
 Law exact_on_floats_law() {
   const auto wrong_at = [](const char* name, const char* base, Level level, float u, float v) {
     return Mutant{name,
-                  altered(name, the(base),
+                  altered(name, built_in(base),
                           {{},
                            [=](Level n, float pu, float pv, std::uint32_t answer) {
                              return n == level && pu == u && pv == v ? answer ^ 1 : answer;
@@ -55,8 +55,8 @@ Law exact_on_floats_law() {
       .replay = replayed_by(replay_equals_reference),
       .mutants = {wrong_at("one pair of level 9, an ulp under the hypotenuse", "impl", 9, 0.5f,
                            0x1.fffffep-2f),
-                  {"the reference in binary32", the("reference-f32"), {4, 8}},
-                  {"the step algorithm in binary32", the("step-f32"), {4, 4}},
+                  {"the reference in binary32", built_in("reference-f32"), {4, 8}},
+                  {"the step algorithm in binary32", built_in("step-f32"), {4, 4}},
                   wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)},
       .heeds = {&interiors_only},
       .companion = "index.exact_on_doubles"};
@@ -88,8 +88,8 @@ Law floats_err_law() {
           },
           .judge = judged_by(floats_err),
           .mutants = {right_at_7("binary16 with a guard at level 7", "reference-f16"),
-                      {"impl, which compares without a sum", the("impl"), {1, 1}},
-                      {"exact arithmetic", the("reference"), {5, 5}}},
+                      {"impl, which compares without a sum", built_in("impl"), {1, 1}},
+                      {"exact arithmetic", built_in("reference"), {5, 5}}},
           .general = false};
 }
 
@@ -124,7 +124,7 @@ Law fixed_is_rational_law() {
   const auto off = [](const char* name, const char* base, Level level, std::int64_t ku, std::int64_t kv) {
     Alteration in_fixed_point_only = only_at_point(level, ku, kv, level, 1);
     in_fixed_point_only.on_rationals = false;
-    return Mutant{name, altered(name, the(base), in_fixed_point_only), {level, level}};
+    return Mutant{name, altered(name, built_in(base), in_fixed_point_only), {level, level}};
   };
   return {
       .id = "index.fixed_is_rational",
@@ -162,7 +162,7 @@ Law sweep_is_spec_law() {
   const auto in_rows_only = [](const char* name, Level level, std::int64_t ku, std::int64_t kv,
                                const char* base = "step") {
     return Mutant{
-        name, altered_in_rows(name, the(base), only_at_point(level, ku, kv, level, 1)), {level, level}};
+        name, altered_in_rows(name, built_in(base), only_at_point(level, ku, kv, level, 1)), {level, level}};
   };
   return {
       .id = "index.sweep_is_spec",
@@ -193,7 +193,7 @@ Law exact_on_binary16_law() {
     once.on_floats = [=](Level n, float pu, float pv, std::uint32_t answer) {
       return n == level && pu == u && pv == v ? answer ^ 1 : answer;
     };
-    return Mutant{name, altered(name, the("impl"), std::move(once)), {level, level}};
+    return Mutant{name, altered(name, built_in("impl"), std::move(once)), {level, level}};
   };
   return {.id = "index.exact_on_binary16",
           .topic = "index",

@@ -22,7 +22,7 @@ Mutant wrong_at(const char* name, const char* base, Level level, F u, F v) {
     change.on_floats = once;
   else
     change.on_doubles = once;
-  return {name, altered(name, the(base), std::move(change)), {level, level}};
+  return {name, altered(name, built_in(base), std::move(change)), {level, level}};
 }
 
 Law row_exact_on_floats_law() {
@@ -47,11 +47,13 @@ Law row_exact_on_floats_law() {
       .judge = [](const Subject& s, Level n,
                   const Run& run) { return row_exact_on_floats(of_index(s), n, run, pairs(n, run)); },
       .replay = replayed_by(replay_row_order),
-      .mutants =
-          {{"figure 4 in binary32", the("w-minor-f32"), {1, 1}},
-           {"figure 4 in binary64, which loses what a sum has beyond 53 bits", the("w-minor-f64"), {7, 16}},
-           wrong_at("one pair of level 9, an ulp under the hypotenuse", "impl", 9, 0.5f, 0x1.fffffep-2f),
-           wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)},
+      .mutants = {{"figure 4 in binary32", built_in("w-minor-f32"), {1, 1}},
+                  {"figure 4 in binary64, which loses what a sum has beyond 53 bits",
+                   built_in("w-minor-f64"),
+                   {7, 16}},
+                  wrong_at("one pair of level 9, an ulp under the hypotenuse", "impl", 9, 0.5f,
+                           0x1.fffffep-2f),
+                  wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)},
       .heeds = {&interiors_only}};
 }
 
@@ -104,9 +106,9 @@ Law exact_on_doubles_law() {
       .judge = [](const Subject& s, Level n,
                   const Run& run) { return exact_on_doubles(of_index(s), n, run, double_pairs(n, run)); },
       .replay = replayed_by(replay_equals_reference),
-      .mutants = {{"binary32 first", std::make_shared<ThroughBinary32>(the("impl")), {1, 5}},
-                  {"the reference in binary64", the("reference-f64"), {4, 8}},
-                  {"the step algorithm in binary64", the("step-f64"), {4, 8}},
+      .mutants = {{"binary32 first", std::make_shared<ThroughBinary32>(built_in("impl")), {1, 5}},
+                  {"the reference in binary64", built_in("reference-f64"), {4, 8}},
+                  {"the step algorithm in binary64", built_in("step-f64"), {4, 8}},
                   wrong_at("one pair of level 9, an ulp under the hypotenuse", "step", 9, 0.5,
                            0x1.fffffffffffffp-2),
                   wrong_at("the least subnormal number is taken for another", "step", 12, 0x1p-1074, 0.5)},

@@ -285,7 +285,7 @@ Law row_corners_law() {
       .divisible = true,
       .judge = judged_by(row_corners),
       .replay = replayed_by(replay_row_corners),
-      .mutants = {{"the root in binary32", the("w-minor-f32"), {13, 13}},
+      .mutants = {{"the root in binary32", built_in("w-minor-f32"), {13, 13}},
                   swapped_corners("two corners of one index of level 7 change places", "impl", 7, 127 * 127),
                   on_indices("the last index of a row goes to the next", "w-minor", {0, 6},
                              [](Level n, std::uint32_t k, Corners c) {

@@ -2,26 +2,26 @@
 
 namespace mmverify::proofs::index {
 
-SubjectOfIndex the(const char* name) { return built_in_subject(name); }
+SubjectOfIndex built_in(const char* name) { return built_in_subject(name); }
 
 Mutant single(const char* name, const char* base, Level level, std::int64_t ku, std::int64_t kv,
               std::uint32_t flip) {
-  return {name, altered(name, the(base), only_at_point(level, ku, kv, level, flip)), {level, level}};
+  return {name, altered(name, built_in(base), only_at_point(level, ku, kv, level, flip)), {level, level}};
 }
 
 Mutant on_points(const char* name, const char* base, Levels levels,
                  std::function<std::uint32_t(Level, const GridPoint&, std::uint32_t)> change,
                  bool on_rationals) {
-  return {name, altered(name, the(base), {std::move(change), {}, {}, on_rationals}), levels};
+  return {name, altered(name, built_in(base), {std::move(change), {}, {}, on_rationals}), levels};
 }
 
 Mutant on_indices(const char* name, const char* base, Levels levels,
                   std::function<Corners(Level, std::uint32_t, Corners)> change) {
-  return {name, altered(name, the(base), {{}, {}, std::move(change), true}), levels};
+  return {name, altered(name, built_in(base), {{}, {}, std::move(change), true}), levels};
 }
 
 Mutant swapped_corners(const char* name, const char* base, Level level, std::uint32_t index) {
-  return {name, altered(name, the(base), only_at_index(level, index)), {level, level}};
+  return {name, altered(name, built_in(base), only_at_index(level, index)), {level, level}};
 }
 
 bool on_u_line(const GridPoint& p, Level n) {
@@ -32,7 +32,7 @@ std::vector<Mutant> wrong_on_cells(const char* base) {
   return {single("one vertex of level 7", base, 7, corner(7) / 2, corner(7) / 4),
           single("the v-corner of level 6, the last cell", base, 6, 0, corner(6)),
           on_points("u ties round down at level 5", base, {0, 5},
-                    [base_subject = the(base)](Level n, const GridPoint& p, std::uint32_t answer) {
+                    [base_subject = built_in(base)](Level n, const GridPoint& p, std::uint32_t answer) {
                       if (n != 5 || !on_u_line(p, n) || p.u == Fixed64(0) || p.u + p.v == Fixed64(1))
                         return answer;
                       const GridPoint left{Fixed64::from_raw(p.u.raw() - 1), p.v};

@@ -6,7 +6,7 @@
 namespace mmverify::proofs::index {
 
 /// The built-in subject of this name.
-SubjectOfIndex the(const char* name);
+SubjectOfIndex built_in(const char* name);
 
 /// One answer of one level, at the point (ku/4N, kv/4N), a bit off: as small as a mistake gets.
 Mutant single(const char* name, const char* base, Level level, std::int64_t ku, std::int64_t kv,

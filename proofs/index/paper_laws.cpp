@@ -49,7 +49,7 @@ Law differs_law(const char* id, const char* says, const char* source, const char
           .judge = [stated](const Subject& s, Level n,
                             const Run& run) { return differs_first(of_index(s), n, run, stated); },
           .mutants = {repaired(6),
-                      {"the reading without its difference", the("step"), {0, 2}},
+                      {"the reading without its difference", built_in("step"), {0, 2}},
                       single("one more wrong vertex, at level 1", reading, 1, 4, 0)},
           .general = false,
           .heeds = {&interiors_only, &in_fixed_point_alone},
@@ -100,7 +100,7 @@ Law binary32_root_law() {
           .how = exhaustively,
           .unfit = needing({Entry::row_corners}),
           .judge = judged_by(binary32_root_errs),
-          .mutants = {{"the root in binary64", the("w-minor-f64"), {13, 13}},
+          .mutants = {{"the root in binary64", built_in("w-minor-f64"), {13, 13}},
                       on_indices("one more wrong index, at level 8", "w-minor-f32", {8, 8},
                                  [](Level n, std::uint32_t k, Corners c) {
                                    return n == 8 && k == 40'000 ? spec::index::w_minor_corners(k + 1) : c;

@@ -43,7 +43,7 @@ Law on_samples_law() {
                                for (auto& vertex : c) vertex.i &= 0xffff;
                                return c;
                              }),
-                  {"the root of a row in binary32", the("w-minor-f32"), {13, 13}},
+                  {"the root of a row in binary32", built_in("w-minor-f32"), {13, 13}},
                   on_points(
                       "an index of 30 bits", "impl", {16, 16},
                       [](Level, const GridPoint&, std::uint32_t answer) { return answer & 0x3fffffff; }),

@@ -135,7 +135,7 @@ class AlteredWide : public IndexSubject {
 };
 
 Mutant wide_mutant(const char* name, const char* base, Levels levels, AlteredWide::Change change) {
-  return {name, std::make_shared<AlteredWide>(name, the(base), std::move(change)), levels};
+  return {name, std::make_shared<AlteredWide>(name, built_in(base), std::move(change)), levels};
 }
 
 AlteredWide::Change wrong_at(Level level, RationalPoint where) {
@@ -242,7 +242,7 @@ Law ends_at_16_law() {
             return fits(s, n);
           },
           .judge = judged_by(ends_at_16),
-          .mutants = {{"64-bit words", the("reference-wide"), {first_beyond, first_beyond}},
+          .mutants = {{"64-bit words", built_in("reference-wide"), {first_beyond, first_beyond}},
                       wide_mutant("right at the v-corner", "reference", {first_beyond, first_beyond},
                                   [](Level n, const RationalPoint& p, std::uint64_t index) {
                                     return p.v == at(0, corner(n), n).v ? spec::index::reference_wide(p, n)

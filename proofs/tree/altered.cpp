@@ -64,7 +64,7 @@ class Altered : public TreeSubject {
 }  // namespace
 
 TreeSubjectPtr altered(const std::string& name, const std::string& base, Change change) {
-  return std::make_shared<Altered>(name, the(base), std::move(change));
+  return std::make_shared<Altered>(name, built_in(base), std::move(change));
 }
 
 Mutant mutant(const char* name, const char* base, Levels levels, Change change) {

@@ -99,7 +99,7 @@ Law canonical_law() {
   // Each takes, or refuses, one string too many.
   const auto takes = [](const char* name, const char* base, Level n, Format f, Bytes string, Bytes as) {
     return mutant(name, base, {n, n},
-                  {.open = [=, real = the(base)](Level level, Format format, auto bytes, CodePtr code) {
+                  {.open = [=, real = built_in(base)](Level level, Format format, auto bytes, CodePtr code) {
                     if (level != n || format != f ||
                         !std::equal(bytes.begin(), bytes.end(), string.begin(), string.end()))
                       return code;

@@ -83,12 +83,13 @@ Law damage_samples_law() {
   law.how = [](const Subject&, Level) { return std::string("sample, by construction"); };
   // Each takes a code that it has to refuse, for a map of one state, or refuses one that it has to take.
   const auto with = [](const char* name, const char* base, Levels levels, auto choose) {
-    return mutant(name, base, levels,
-                  {.open = [=, real = the(base)](Level n, Format f, auto bytes, CodePtr code) -> CodePtr {
-                    const int verdict = choose(n, f, bytes, code != nullptr);
-                    if (verdict < 0) return nullptr;
-                    return verdict == 0 ? std::move(code) : real->encode(map_of(n, {f, 0, 1, n, 0}));
-                  }});
+    return mutant(
+        name, base, levels,
+        {.open = [=, real = built_in(base)](Level n, Format f, auto bytes, CodePtr code) -> CodePtr {
+          const int verdict = choose(n, f, bytes, code != nullptr);
+          if (verdict < 0) return nullptr;
+          return verdict == 0 ? std::move(code) : real->encode(map_of(n, {f, 0, 1, n, 0}));
+        }});
   };
   const auto uniform = [](auto bytes) { return bytes.size() > 1 && bytes[0] == 0; };
   law.mutants = {with("takes what follows a uniform map's code at level 5", "tree-stream", {5, 5},

@@ -149,7 +149,7 @@ Law sizes_law() {
 
 Law damage_law() {
   const auto takes_all = [](Format format, Level level, Bytes sent) {
-    return Change{.open = [=, real = the("tree-stream")](Level n, Format f, auto bytes, CodePtr code) {
+    return Change{.open = [=, real = built_in("tree-stream")](Level n, Format f, auto bytes, CodePtr code) {
       if (code == nullptr && n == level && f == format && bytes.size() == sent.size() &&
           std::equal(sent.begin(), sent.end(), bytes.begin()))
         return real->encode({n, f, Bytes(1, 0)});

@@ -256,7 +256,7 @@ const std::vector<TreeSubjectPtr>& built_in_subjects() {
   return all;
 }
 
-TreeSubjectPtr the(const std::string& name) {
+TreeSubjectPtr built_in(const std::string& name) {
   for (const TreeSubjectPtr& s : built_in_subjects())
     if (s->name() == name) return s;
   throw std::logic_error("no built-in tree subject " + name);

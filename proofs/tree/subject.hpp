@@ -70,6 +70,6 @@ using TreeSubjectPtr = std::shared_ptr<const TreeSubject>;
 const std::vector<TreeSubjectPtr>& built_in_subjects();
 
 /// The built-in subject of that name.  Domain: there is one.
-TreeSubjectPtr the(const std::string& name);
+TreeSubjectPtr built_in(const std::string& name);
 
 }  // namespace mmverify::proofs::tree

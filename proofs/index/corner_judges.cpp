@@ -1,4 +1,4 @@
-// The judges of the way back, from each of the 4^n indices to its micro-triangle.
+// The judges of corners: from each of the 4^n indices to its micro-triangle.
 #include <fmt/format.h>
 
 #include <array>
