@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "impl/bake/triangles.hpp"
+#include "tests/bake_jobs.hpp"
 
 namespace {
 
-using namespace mmverify::impl::bake;
+using namespace mmverify::tests;
 
 template <class Make>
 std::string error_of(Make make) {
@@ -25,7 +25,7 @@ std::string error_of(Make make) {
 TEST(ImplBakeErrors, NameWhatIsWrong) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                   infinite = std::numeric_limits<float>::infinity();
-  const Job<float> fine{{{2, 2, {0, 1, 0, 1}}}, Mask{0.5f}, {}, family_triangles[0], 1};
+  const Job<float> fine{{{2, 2, {0, 1, 0, 1}}}, Mask{0.5f}, {}, {{{0, 0}, {1, 0}, {0, 1}}}, 1};
   const auto error = [&](auto change) {
     Job<float> job = fine;
     change(job);

@@ -16,9 +16,11 @@ namespace {
 
 namespace spec = mmverify::spec;
 using mmverify::impl::Binary16;
+using spec::Fixed64;
 using spec::Rational;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float nan_float = std::numeric_limits<float>::quiet_NaN();
 
 static_assert(spec::Number<Binary16>);
 

@@ -85,17 +85,6 @@ void expect_all_forms(const States& states, Level n, Format b) {
 // By hand
 // -----------------------------------------------------------------------------------------------------------
 
-// Level 2, four states, of the kind of the paper's figure 4:
-//   child 0  O O O O     one state: a leaf             0               1
-//   child 1  T T T O     mixed                         1 0 0 0 0       0 0 0 1
-//   child 2  UT UT UT UT a leaf                        0               2
-//   child 3  O UO UO UO  mixed                         1 0 0 0 0       1 3 3 3
-// The root before them is mixed: 1.  So the tree is 1 0 10000 0 10000, 13 nodes, and the states are
-// 1 0 0 0 1 2 1 3 3 3, of 10 leaves: 3 internal nodes, 4*3+1 and 3*3+1.
-// In bytes, the first in the lowest bits: the tree 00000101 00000001; the states, two bits each,
-// 00 00 00 01, 11 01 10 01, 11 11.
-const States by_hand{1, 1, 1, 1, 0, 0, 0, 1, 2, 2, 2, 2, 1, 3, 3, 3};
-
 TEST(ImplTree, WorkedExample) {
   const Bytes map = packed(by_hand, Format::four_state);
   EXPECT_EQ(map, (Bytes{0b01010101, 0b01000000, 0b10101010, 0b11111101}));

@@ -15,6 +15,17 @@ inline std::uint32_t width(impl::tree::Format b) { return static_cast<std::uint3
 
 inline std::uint64_t micro_triangles(impl::tree::Level n) { return std::uint64_t{1} << (2 * n); }
 
+/// Level 2, four states, of the kind of the paper's figure 4:
+///   child 0  O O O O     one state: a leaf             0               1
+///   child 1  T T T O     mixed                         1 0 0 0 0       0 0 0 1
+///   child 2  UT UT UT UT a leaf                        0               2
+///   child 3  O UO UO UO  mixed                         1 0 0 0 0       1 3 3 3
+/// The root before them is mixed: 1.  So the tree is 1 0 10000 0 10000, 13 nodes, and the states are
+/// 1 0 0 0 1 2 1 3 3 3, of 10 leaves: 3 internal nodes, 4*3+1 and 3*3+1.
+/// In bytes, the first in the lowest bits: the tree 00000101 00000001; the states, two bits each,
+/// 00 00 00 01, 11 01 10 01, 11 11.
+inline const States by_hand{1, 1, 1, 1, 0, 0, 0, 1, 2, 2, 2, 2, 1, 3, 3, 3};
+
 /// Packs states, the first in the lowest bits of the first byte.
 inline std::vector<std::uint8_t> packed(const States& states, impl::tree::Format b) {
   std::vector<std::uint8_t> map((states.size() * width(b) + 7) / 8);
