@@ -7,7 +7,7 @@
 namespace mmverify::proofs::bake {
 namespace {
 
-bool known(State s) { return s == State::O || s == State::T; }
+bool is_known(State s) { return s == State::O || s == State::T; }
 
 /// How far alpha is on the other side of what the state says; below 0 where it is not.
 Rational depth(const Case& one, const Offender& o) {
@@ -25,14 +25,14 @@ std::optional<Offender> worst(const Case& one, Level n, const std::vector<State>
   Rational most = 0;
   for (std::size_t k = 0; k < at.size(); ++k) {
     const State said = got[at[k]], is = truth[k];
-    if (said == is || (found && !known(said))) continue;
+    if (said == is || (found && !is_known(said))) continue;
     const Offender here{at[k], said, is, extremes(one, n, at[k])};
-    if (!known(said)) {
+    if (!is_known(said)) {
       found = here;
       continue;
     }
     const Rational d = depth(one, here);
-    if (found && known(found->said) && d <= most) continue;
+    if (found && is_known(found->said) && d <= most) continue;
     found = here;
     most = d;
   }

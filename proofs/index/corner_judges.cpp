@@ -42,7 +42,7 @@ Counterexample at_index_case(std::uint32_t index, Level n, std::string expected,
 using CornersFrom = std::function<void(std::span<const std::uint32_t>, std::span<Corners>)>;
 
 /// Calls judge(index, corners) for every index, corners taken from `ask` in batches.
-Tally on_indices(
+Tally on_each_index(
     Level n, const Run& run, const CornersFrom& ask,
     const std::function<void(std::span<const std::uint32_t>, std::span<const Corners>, Tally&)>& judge) {
   return sweep(run, triangle_count(n), indices_in_a_chunk, [&](Chunk chunk, Tally& tally) {
@@ -67,7 +67,7 @@ std::uint64_t fold(const Corners& c) {
 
 Tally compare_corners(Level n, const Run& run, const CornersFrom& ask,
                       const std::function<Corners(std::uint32_t)>& right) {
-  return on_indices(n, run, ask, [&](auto indices, auto corners, Tally& tally) {
+  return on_each_index(n, run, ask, [&](auto indices, auto corners, Tally& tally) {
     for (std::size_t t = 0; t < indices.size(); ++t) {
       const Corners want = right(indices[t]);
       tally.digest(indices[t], fold(corners[t]));
@@ -123,7 +123,7 @@ std::uint32_t parse_index(const std::string& at, Level n) {
 
 Tally inverse(const IndexSubject& s, Level n, const Run& run) {
   const CornersFrom ask = [&](auto indices, auto corners) { s.corners(n, indices, corners); };
-  return on_indices(n, run, ask, [&](auto indices, auto corners, Tally& tally) {
+  return on_each_index(n, run, ask, [&](auto indices, auto corners, Tally& tally) {
     std::array<GridPoint, indices_per_batch> points;
     std::array<std::optional<MicroTriangle>, indices_per_batch> triangles;
     std::array<std::uint32_t, indices_per_batch> back;
