@@ -39,7 +39,7 @@ Result judged(const char* law, const char* subject, Level level) {
 
 // A subject that is wrong about the third mip alone, or about 2-state maps' last bits.
 TEST(BakeLaws, MipsArePartedAndMapsPadded) {
-  Functions parts = the("bake")->functions;
+  Functions parts = built_in("bake")->functions;
   parts.bake = [real = parts.bake](const Case& one, Level n, Format format) {
     auto baked = real(one, n, format);
     if (baked && format == Format::two_state) baked->padded = n != 0;
@@ -412,7 +412,7 @@ TEST(BakeLaws, BakersThatSampleAreRefutedWithAPicture) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 BakeSubject declining(bool (*declined)(const Case&)) {
-  Functions parts = the("bake")->functions;
+  Functions parts = built_in("bake")->functions;
   parts.bake = [=, real = parts.bake](const Case& one, Level n, Format format) {
     return declined(one) ? std::nullopt : real(one, n, format);
   };

@@ -155,7 +155,7 @@ const std::vector<BakeSubjectPtr>& built_in_subjects() {
   return all;
 }
 
-BakeSubjectPtr the(const std::string& name) {
+BakeSubjectPtr built_in(const std::string& name) {
   for (const BakeSubjectPtr& s : built_in_subjects())
     if (s->name() == name) return s;
   throw std::logic_error("no subject of topic bake is called " + name);
@@ -163,7 +163,7 @@ BakeSubjectPtr the(const std::string& name) {
 
 Mutant mutant(const char* name, const std::string& base, Levels levels,
               const std::function<void(Functions&)>& change) {
-  Functions functions = the(base)->functions;
+  Functions functions = built_in(base)->functions;
   change(functions);
   return {name, std::make_shared<BakeSubject>(name, "broken on purpose", std::move(functions)), levels};
 }

@@ -50,7 +50,7 @@ using BakeSubjectPtr = std::shared_ptr<const BakeSubject>;
 const std::vector<BakeSubjectPtr>& built_in_subjects();
 
 /// The built-in subject of that name.  Domain: there is one.
-BakeSubjectPtr the(const std::string& name);
+BakeSubjectPtr built_in(const std::string& name);
 
 /// What a mutant does to the states of a map in 4-state.
 using Spoil = std::function<void(const Case&, Level, std::vector<State>&)>;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "proofs/micromap/altered.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/spoils.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -49,7 +49,7 @@ Finding packs(const MicromapSubject& s, Level n, const OneApart& a) {
   States states(static_cast<std::size_t>(count), common(a));
   std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(a.node * run), run, odd(a));
   const Bytes map = bytes(n, a);
-  const States got = s.unpack(a.format, count, map);
+  const States got = s.functions.unpack(a.format, count, map);
   if (got != states) {
     const auto [expected, other] = std::mismatch(states.begin(), states.end(), got.begin(), got.end());
     if (expected == states.end())
@@ -57,27 +57,27 @@ Finding packs(const MicromapSubject& s, Level n, const OneApart& a) {
     return wrong(fmt::format("state {} {}", expected - states.begin(), code(*expected)),
                  other == got.end() ? "none" : fmt::format("{}", code(*other)));
   }
-  return same("packed", map, s.pack(a.format, states));
+  return same("packed", map, s.functions.pack(a.format, states));
 }
 
 Finding forces(const MicromapSubject& s, Level n, const OneApart& a) {
-  if (a.format == four) return same("force-2-state", bytes(n, forced(a)), s.force2(n, bytes(n, a)));
+  if (a.format == four) return same("force-2-state", bytes(n, forced(a)), s.functions.force2(n, bytes(n, a)));
   const Bytes wide = bytes(n, with(a, four, common(a), odd(a)));
-  return all(same("4-state", wide, s.widen(n, bytes(n, a))),
-             same("and back", bytes(n, a), s.force2(n, wide)));
+  return all(same("4-state", wide, s.functions.widen(n, bytes(n, a))),
+             same("and back", bytes(n, a), s.functions.force2(n, wide)));
 }
 
 Finding rises(const MicromapSubject& s, Level n, const OneApart& a) {
-  return same("children's states", bytes(n + 1, a), s.up(n, a.format, bytes(n, a)));
+  return same("children's states", bytes(n + 1, a), s.functions.up(n, a.format, bytes(n, a)));
 }
 
 Finding falls(const MicromapSubject& s, Level n, const OneApart& a) {
-  return same("parents' states", bytes(n - 1, below(n, a)), s.down(n, a.format, bytes(n, a)));
+  return same("parents' states", bytes(n - 1, below(n, a)), s.functions.down(n, a.format, bytes(n, a)));
 }
 
 // The rest is one of the unknown states: either.
 Finding goes_through(const MicromapSubject& s, Level n, const OneApart& a, Mode mode) {
-  const Bytes got = s.through(n, mode, bytes(n, a));
+  const Bytes got = s.functions.through(n, mode, bytes(n, a));
   const std::string what = fmt::format("through mode {}", static_cast<int>(mode));
   if (mode == Mode::T_O)
     return same(what.c_str(), bytes(n, with(a, four, slow::force2(common(a)), slow::force2(odd(a)))), got);
@@ -103,11 +103,11 @@ Finding judged(const MicromapSubject& s, Level n, const OneApart& a) {
     found = check(s, n, a);
     found.answer += 31 * so_far;
   };
-  also(s.has(Entry::pack), packs);
-  also(s.has(Entry::force2), forces);
-  also(s.has(Entry::up) && n < 12, rises);
-  also(s.has(Entry::down) && n > 0, falls);
-  also(s.has(Entry::modes) && a.format == four, goes_through_modes);
+  also(bool{s.functions.pack}, packs);
+  also(bool{s.functions.force2}, forces);
+  also(s.functions.up && n < 12, rises);
+  also(s.functions.down && n > 0, falls);
+  also(s.functions.through && a.format == four, goes_through_modes);
   return found;
 }
 
@@ -159,20 +159,20 @@ Law every_one() {
                                 n, parts_of(s));
            },
        .mutants = {mutant("a UT among T before a border of 64 states is opaque", "micromap", {4, 4},
-                          {.force2 =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (is(n, in, 4, {four, 0, 2, 4, 127})) change(out, 15, 0x80);
-                               }}),
+                          spoils(&Functions::force2,
+                                 [](Level n, auto in, Bytes& out) {
+                                   if (is(n, in, 4, {four, 0, 2, 4, 127})) change(out, 15, 0x80);
+                                 })),
                    mutant("a lone UO among O at level 2 goes up as O", "micromap-spec", {2, 2},
-                          {.up =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (is(n, in, 2, {four, 1, 3, 2, 15})) out.back() = 0x55;
-                               }}),
+                          spoils(&Functions::up,
+                                 [](Level n, Format, auto in, Bytes& out) {
+                                   if (is(n, in, 2, {four, 1, 3, 2, 15})) out.back() = 0x55;
+                                 })),
                    mutant("a uniform UT of level 3 is UO through O/C in one place", "micromap", {3, 3},
-                          {.through =
-                               [](Level n, Mode m, auto in, Bytes& out) {
-                                 if (m == Mode::O_C && is(n, in, 3, {four, 2, 2, 0, 0})) change(out, 8, 1);
-                               }})}},
+                          spoils(&Functions::through,
+                                 [](Level n, Mode m, auto in, Bytes& out) {
+                                   if (m == Mode::O_C && is(n, in, 3, {four, 2, 2, 0, 0})) change(out, 8, 1);
+                                 }))}},
       {}, cases(tree::one_apart_count, tree::one_apart_number, 64)));
 }
 
@@ -196,23 +196,23 @@ Law chosen_ones() {
                     },
                 .how = [](const Subject&, Level) { return std::string("sample, against the closed form"); },
                 .mutants = {mutant("the last UO among O of level 7 is O", "micromap", {7, 7},
-                                   {.unpack =
-                                        [](Format, States& s) {
-                                          if (s.size() == 16384 && s.back() == UO && s.front() == O)
-                                            s.back() = O;
-                                        }}),
+                                   spoils(&Functions::unpack,
+                                          [](Format, std::uint64_t, auto, States& s) {
+                                            if (s.size() == 16384 && s.back() == UO && s.front() == O)
+                                              s.back() = O;
+                                          })),
                             mutant("a lone T in the middle of O is lost on the way down from level 8",
                                    "micromap", {8, 8},
-                                   {.down =
-                                        [](Level n, Format, auto in, Bytes& out) {
-                                          if (is(n, in, 8, {four, 1, 0, 8, 32767})) change(out, 2047, 0x80);
-                                        }}),
+                                   spoils(&Functions::down,
+                                          [](Level n, Format, auto in, Bytes& out) {
+                                            if (is(n, in, 8, {four, 1, 0, 8, 32767})) change(out, 2047, 0x80);
+                                          })),
                             mutant("states from 2^17 on are packed as T", "micromap", {9, 9},
-                                   {.pack =
-                                        [](Format f, const States&, Bytes& out) {
-                                          if (f == four && out.size() == 1 << 16)
-                                            std::fill(out.begin() + (1 << 15), out.end(), std::uint8_t{0});
-                                        }})}},
+                                   spoils(&Functions::pack,
+                                          [](Format f, const States&, Bytes& out) {
+                                            if (f == four && out.size() == 1 << 16)
+                                              std::fill(out.begin() + (1 << 15), out.end(), std::uint8_t{0});
+                                          }))}},
                {}, cases(tree::chosen_apart_count, tree::chosen_apart, 1)));
 }
 

@@ -133,7 +133,7 @@ void Handed::point() {
 }
 
 void hand_over(const BuildCase& c, Handed& h) {
-  const Built built = the("micromap-spec")->build(c.before, c.maps, c.options);
+  const Built built = built_in("micromap-spec")->functions.build(c.before, c.maps, c.options);
   h.records = built.records;
   h.data = built.data;
   h.indices = built.indices;

@@ -150,7 +150,7 @@ const std::vector<VqSubjectPtr>& built_in_subjects() {
   return all;
 }
 
-VqSubjectPtr the(const std::string& name) {
+VqSubjectPtr built_in(const std::string& name) {
   for (const VqSubjectPtr& s : built_in_subjects())
     if (s->name() == name) return s;
   throw std::logic_error("no subject of topic vq is called " + name);
@@ -158,7 +158,7 @@ VqSubjectPtr the(const std::string& name) {
 
 Mutant mutant(const char* name, const std::string& base, Levels levels,
               const std::function<void(Functions&)>& change) {
-  Functions functions = the(base)->functions;
+  Functions functions = built_in(base)->functions;
   change(functions);
   return {name, std::make_shared<VqSubject>(name, "broken on purpose", std::move(functions)), levels};
 }

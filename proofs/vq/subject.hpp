@@ -114,7 +114,7 @@ using VqSubjectPtr = std::shared_ptr<const VqSubject>;
 const std::vector<VqSubjectPtr>& built_in_subjects();
 
 /// The built-in subject of that name.  Domain: there is one.
-VqSubjectPtr the(const std::string& name);
+VqSubjectPtr built_in(const std::string& name);
 
 /// A subject with one thing broken on purpose.
 Mutant mutant(const char* name, const std::string& base, Levels levels,

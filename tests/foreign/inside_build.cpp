@@ -49,14 +49,12 @@ void put(Bytes& bytes, std::uint64_t value, unsigned count) {
   for (unsigned k = 0; k < count; ++k, value >>= 8) bytes.push_back(static_cast<std::uint8_t>(value));
 }
 
-class Builder final : public MicromapSubject {
+class Builder {
  public:
-  explicit Builder(Wrong wrong)
-      : MicromapSubject("foreign-builder", "shares by a dictionary"), wrong_(wrong) {}
-  bool has(Entry e) const override { return e == Entry::build; }
+  explicit Builder(Wrong wrong) : wrong_(wrong) {}
 
   Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps,
-              const Options& options) const override {
+              const Options& options) const {
     Built built;
     std::vector<Stored> stored;
     std::map<std::tuple<std::uint32_t, std::uint32_t, Bytes>, std::uint32_t> known;
@@ -176,11 +174,20 @@ class Builder final : public MicromapSubject {
   Wrong wrong_;
 };
 
+MicromapSubjectPtr building_subject(Wrong wrong) {
+  const Builder made(wrong);
+  Functions functions;
+  functions.build = [made](auto before, auto maps, const Options& options) {
+    return made.build(before, maps, options);
+  };
+  return std::make_shared<MicromapSubject>("foreign-builder", "shares by a dictionary", std::move(functions));
+}
+
 InsideFault pair_row(const char* name, const char* wrong, Wrong which, Levels levels) {
-  return {"micromap.build", name, wrong, std::make_shared<Builder>(which), levels};
+  return {"micromap.build", name, wrong, building_subject(which), levels};
 }
 InsideFault sample_row(const char* name, const char* wrong, Wrong which, Levels levels) {
-  return {"micromap.build_on_samples", name, wrong, std::make_shared<Builder>(which), levels};
+  return {"micromap.build_on_samples", name, wrong, building_subject(which), levels};
 }
 
 }  // namespace

@@ -38,20 +38,18 @@ enum class Wrong {
   i32_code_of_uo,
 };
 
-class Codes final : public MicromapSubject {
+class Codes {
  public:
-  explicit Codes(Wrong wrong)
-      : MicromapSubject("foreign-codes", "special indices as signed numbers"), wrong_(wrong) {}
-  bool has(Entry e) const override { return e == Entry::special; }
+  explicit Codes(Wrong wrong) : wrong_(wrong) {}
 
-  std::uint32_t special_code(State s, Encoding e) const override {
+  std::uint32_t special_code(State s, Encoding e) const {
     std::uint32_t number = static_cast<std::uint32_t>(s);
     if (wrong_ == Wrong::i32_code_of_uo && e == Encoding::i32 && number == 3) number = 2;
     if (wrong_ == Wrong::i16_keeps_32_bits && e == Encoding::i16) return ~number;
     return ~number & ones(e);
   }
 
-  Meaning meaning(std::uint32_t code, Encoding e) const override {
+  Meaning meaning(std::uint32_t code, Encoding e) const {
     // The code as a number below 0 where it is above the encoding's middle, or among the last of one without sign.
     std::uint32_t compared = code;
     if (wrong_ == Wrong::low_half_alone && e == Encoding::u32) compared |= 0xffff0000;
@@ -98,6 +96,15 @@ class Codes final : public MicromapSubject {
   Wrong wrong_;
 };
 
+MicromapSubjectPtr codes_subject(Wrong wrong) {
+  const Codes made(wrong);
+  Functions functions;
+  functions.special_code = [made](State s, Encoding e) { return made.special_code(s, e); };
+  functions.meaning = [made](std::uint32_t code, Encoding e) { return made.meaning(code, e); };
+  return std::make_shared<MicromapSubject>("foreign-codes", "special indices as signed numbers",
+                                           std::move(functions));
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Judges
 // ---------------------------------------------------------------------------------------------------------------------
@@ -115,13 +122,11 @@ enum class Partial {
   first_byte_alone,
 };
 
-class Judges final : public MicromapSubject {
+class Judges {
  public:
-  explicit Judges(Partial wrong)
-      : MicromapSubject("foreign-judge", "a table of rules by state"), wrong_(wrong) {}
-  bool has(Entry e) const override { return e == Entry::judge; }
+  explicit Judges(Partial wrong) : wrong_(wrong) {}
 
-  Kept judge(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) const override {
+  Kept judge(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) const {
     // The states that each may become, a bit each: the rows of the table of docs/MICROMAP.md.
     unsigned allowed[] = {0b1101, 0b1110, 0b1100, 0b1100};
     unsigned conservative[] = {0b1101, 0b1110, 0b0100, 0b1000};
@@ -158,11 +163,19 @@ class Judges final : public MicromapSubject {
   Partial wrong_;
 };
 
+MicromapSubjectPtr judging_subject(Partial wrong) {
+  const Judges made(wrong);
+  Functions functions;
+  functions.judge = [made](Level n, auto was, auto is) { return made.judge(n, was, is); };
+  return std::make_shared<MicromapSubject>("foreign-judge", "a table of rules by state",
+                                           std::move(functions));
+}
+
 InsideFault code_row(const char* law, const char* name, const char* wrong, Wrong which) {
-  return {law, name, wrong, std::make_shared<Codes>(which), {0, 0}};
+  return {law, name, wrong, codes_subject(which), {0, 0}};
 }
 InsideFault judge_row(const char* name, const char* wrong, Partial which, Levels levels) {
-  return {"lossy.judges", name, wrong, std::make_shared<Judges>(which), levels};
+  return {"lossy.judges", name, wrong, judging_subject(which), levels};
 }
 constexpr char small[] = "micromap.special_indices";
 constexpr char wide[] = "micromap.special_indices_32";

@@ -344,19 +344,15 @@ class Look {
   std::vector<Violation> out_;
 };
 
-class Validator final : public MicromapSubject {
- public:
-  explicit Validator(Wrong wrong)
-      : MicromapSubject("foreign-validator", "the table of rules, read anew"), wrong_(wrong) {}
-  bool has(Entry e) const override { return e == Entry::validate; }
-  std::vector<Violation> validate(const Input& in) const override { return Look(in, wrong_).all(); }
-
- private:
-  Wrong wrong_;
-};
+MicromapSubjectPtr validating_subject(Wrong wrong) {
+  Functions functions;
+  functions.validate = [wrong](const Input& in) { return Look(in, wrong).all(); };
+  return std::make_shared<MicromapSubject>("foreign-validator", "the table of rules, read anew",
+                                           std::move(functions));
+}
 
 InsideFault row(const char* name, const char* wrong, Wrong which) {
-  return {"micromap.validate", name, wrong, std::make_shared<Validator>(which), {0, 5}};
+  return {"micromap.validate", name, wrong, validating_subject(which), {0, 5}};
 }
 
 }  // namespace
