@@ -45,16 +45,19 @@ class IndexProbe : public index::IndexSubject {
   std::optional<index::Entry> without_;
 };
 
-class TreeProbe : public tree::TreeSubject {
- public:
-  explicit TreeProbe(std::optional<tree::Entry> without)
-      : TreeSubject("probe", "has entry points"), without_(without) {}
-  bool has(tree::Entry e) const override { return e != without_; }
-  tree::CodePtr encode(const tree::Map&) const override { return nullptr; }
-
- private:
-  std::optional<tree::Entry> without_;
-};
+SubjectPtr tree_probe(bool takes_points) {
+  using namespace tree;
+  Functions functions;
+  functions.encode = [](const Map&) { return Code{}; };
+  functions.decode = [](const Code&) { return Bytes{}; };
+  functions.lookup = [](const Code&, auto, auto) {};
+  if (takes_points) functions.point = [](const Code&, auto, auto, auto) {};
+  functions.bytes = functions.decode;
+  functions.open = [](Level, Format, auto) { return std::nullopt; };
+  functions.tree_bits_read = [](const Code&, std::uint64_t) { return 0; };
+  functions.writes_paper = functions.reads_paper = true;
+  return std::make_shared<TreeSubject>("probe", "has entry points", std::move(functions));
+}
 
 struct Probes {
   const char* entry;
@@ -74,8 +77,7 @@ std::vector<Probes> entries() {
           index_probes("index_f64", Arithmetic::binary64, index::Entry::index),
           index_probes("row_index_f32", Arithmetic::binary32, index::Entry::row_index),
           index_probes("the library's wide index", Arithmetic::binary32, index::Entry::wide_index),
-          {"tree_lookup_f32", std::make_shared<TreeProbe>(std::nullopt),
-           std::make_shared<TreeProbe>(tree::Entry::point)}};
+          {"tree_lookup_f32", tree_probe(true), tree_probe(false)}};
 }
 
 bool fits(const Law& law, const Subject& subject) {

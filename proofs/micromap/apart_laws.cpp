@@ -6,7 +6,7 @@
 
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/micromap/mutant.hpp"
+#include "proofs/spoils.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -103,11 +103,11 @@ Finding judged(const MicromapSubject& s, Level n, const OneApart& a) {
     found = check(s, n, a);
     found.answer += 31 * so_far;
   };
-  also(s.functions.has(Entry::pack), packs);
-  also(s.functions.has(Entry::force2), forces);
-  also(s.functions.has(Entry::up) && n < 12, rises);
-  also(s.functions.has(Entry::down) && n > 0, falls);
-  also(s.functions.has(Entry::modes) && a.format == four, goes_through_modes);
+  also(bool{s.functions.pack}, packs);
+  also(bool{s.functions.force2}, forces);
+  also(s.functions.up && n < 12, rises);
+  also(s.functions.down && n > 0, falls);
+  also(s.functions.through && a.format == four, goes_through_modes);
   return found;
 }
 
@@ -159,20 +159,20 @@ Law every_one() {
                                 n, parts_of(s));
            },
        .mutants = {mutant("a UT among T before a border of 64 states is opaque", "micromap", {4, 4},
-                          {.force2 =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (is(n, in, 4, {four, 0, 2, 4, 127})) change(out, 15, 0x80);
-                               }}),
+                          spoils(&Functions::force2,
+                                 [](Level n, auto in, Bytes& out) {
+                                   if (is(n, in, 4, {four, 0, 2, 4, 127})) change(out, 15, 0x80);
+                                 })),
                    mutant("a lone UO among O at level 2 goes up as O", "micromap-spec", {2, 2},
-                          {.up =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (is(n, in, 2, {four, 1, 3, 2, 15})) out.back() = 0x55;
-                               }}),
+                          spoils(&Functions::up,
+                                 [](Level n, Format, auto in, Bytes& out) {
+                                   if (is(n, in, 2, {four, 1, 3, 2, 15})) out.back() = 0x55;
+                                 })),
                    mutant("a uniform UT of level 3 is UO through O/C in one place", "micromap", {3, 3},
-                          {.through =
-                               [](Level n, Mode m, auto in, Bytes& out) {
-                                 if (m == Mode::O_C && is(n, in, 3, {four, 2, 2, 0, 0})) change(out, 8, 1);
-                               }})}},
+                          spoils(&Functions::through,
+                                 [](Level n, Mode m, auto in, Bytes& out) {
+                                   if (m == Mode::O_C && is(n, in, 3, {four, 2, 2, 0, 0})) change(out, 8, 1);
+                                 }))}},
       {}, cases(tree::one_apart_count, tree::one_apart_number, 64)));
 }
 
@@ -196,23 +196,23 @@ Law chosen_ones() {
                     },
                 .how = [](const Subject&, Level) { return std::string("sample, against the closed form"); },
                 .mutants = {mutant("the last UO among O of level 7 is O", "micromap", {7, 7},
-                                   {.unpack =
-                                        [](Format, States& s) {
-                                          if (s.size() == 16384 && s.back() == UO && s.front() == O)
-                                            s.back() = O;
-                                        }}),
+                                   spoils(&Functions::unpack,
+                                          [](Format, std::uint64_t, auto, States& s) {
+                                            if (s.size() == 16384 && s.back() == UO && s.front() == O)
+                                              s.back() = O;
+                                          })),
                             mutant("a lone T in the middle of O is lost on the way down from level 8",
                                    "micromap", {8, 8},
-                                   {.down =
-                                        [](Level n, Format, auto in, Bytes& out) {
-                                          if (is(n, in, 8, {four, 1, 0, 8, 32767})) change(out, 2047, 0x80);
-                                        }}),
+                                   spoils(&Functions::down,
+                                          [](Level n, Format, auto in, Bytes& out) {
+                                            if (is(n, in, 8, {four, 1, 0, 8, 32767})) change(out, 2047, 0x80);
+                                          })),
                             mutant("states from 2^17 on are packed as T", "micromap", {9, 9},
-                                   {.pack =
-                                        [](Format f, const States&, Bytes& out) {
-                                          if (f == four && out.size() == 1 << 16)
-                                            std::fill(out.begin() + (1 << 15), out.end(), std::uint8_t{0});
-                                        }})}},
+                                   spoils(&Functions::pack,
+                                          [](Format f, const States&, Bytes& out) {
+                                            if (f == four && out.size() == 1 << 16)
+                                              std::fill(out.begin() + (1 << 15), out.end(), std::uint8_t{0});
+                                          }))}},
                {}, cases(tree::chosen_apart_count, tree::chosen_apart, 1)));
 }
 

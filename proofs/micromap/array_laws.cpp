@@ -8,7 +8,7 @@
 #include "proofs/micromap/arrays.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/micromap/mutant.hpp"
+#include "proofs/spoils.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -125,6 +125,17 @@ bool are(std::span<const PackedMap> maps, Level n, std::initializer_list<std::ui
   return true;
 }
 
+/// A mutant's change: it takes other options than it got.
+template <class Choose>
+auto builds_otherwise(Choose choose) {
+  return [=](Functions& functions) {
+    functions.build = [choose, real = functions.build](auto before, auto maps, Options options) {
+      choose(maps, options);
+      return real(before, maps, options);
+    };
+  };
+}
+
 // Every ordered pair of maps of one small level, shared and with special indices.
 Law pairs() {
   const auto pair = [](Level n, std::uint64_t k) {
@@ -158,26 +169,25 @@ Law pairs() {
              return fmt::format("all ordered pairs of maps of level {}, both formats", n);
            },
        .mutants = {mutant("two maps that differ in one state share a record", "micromap", {1, 1},
-                          {.build =
-                               [](auto maps, const Options&, Built& b) {
-                                 if (are(maps, 1, {0xe4, 0xe5})) b.indices[1] = 0;
-                               }}),
+                          spoils(&Functions::build,
+                                 [](auto, auto maps, const Options&, Built& b) {
+                                   if (are(maps, 1, {0xe4, 0xe5})) b.indices[1] = 0;
+                                 })),
                    mutant("the geometry's counts are the array's", "micromap-spec", {1, 1},
-                          {.build =
-                               [](auto maps, const Options&, Built& b) {
-                                 if (are(maps, 1, {0x1b, 0x1b})) b.geometry_counts = b.array_counts;
-                               }}),
+                          spoils(&Functions::build,
+                                 [](auto, auto maps, const Options&, Built& b) {
+                                   if (are(maps, 1, {0x1b, 0x1b})) b.geometry_counts = b.array_counts;
+                                 })),
                    mutant("a uniform UO gets the index of UT", "micromap", {0, 0},
-                          {.build =
-                               [](auto maps, const Options&, Built& b) {
-                                 if (are(maps, 0, {0, 3})) b.indices[1] = 0xfd;
-                               }}),
+                          spoils(&Functions::build,
+                                 [](auto, auto maps, const Options&, Built& b) {
+                                   if (are(maps, 0, {0, 3})) b.indices[1] = 0xfd;
+                                 })),
                    mutant("equal maps are not shared", "micromap", {1, 1},
-                          {.build_input =
-                               [](auto maps, Options& o) {
-                                 if (are(maps, 1, {0x40, 0x40})) o.deduplicate = false;
-                               }})}},
-      {Entry::build},
+                          builds_otherwise([](auto maps, Options& o) {
+                            if (are(maps, 1, {0x40, 0x40})) o.deduplicate = false;
+                          }))}},
+      {entry::build},
       {[](Level n) -> std::uint64_t { return n > 1 ? 0 : tree::map_count(n) * tree::map_count(n); },
        [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) { return builds(s, pair(n, k)); },
        [=](Level n, std::uint64_t k, const Run&) { return at(pair(n, k)); },
@@ -212,44 +222,42 @@ Law sampled_builds() {
                  "up to 23 maps of levels 0..{} after up to 5, all encodings, options and base triangles", n);
            },
        .mutants = {mutant("a bit of the last byte of a map of level 5", "micromap", {5, 5},
-                          {.build =
-                               [](auto maps, const Options& o, Built& b) {
-                                 if (o.encoding == Encoding::i16 && !maps.empty() && maps.back().level == 5 &&
-                                     !b.data.empty())
-                                   drop_bit(b.data, b.data.size() - 1, 7);
-                               }}),
+                          spoils(&Functions::build,
+                                 [](auto, auto maps, const Options& o, Built& b) {
+                                   if (o.encoding == Encoding::i16 && !maps.empty() &&
+                                       maps.back().level == 5 && !b.data.empty())
+                                     drop_bit(b.data, b.data.size() - 1, 7);
+                                 })),
                    mutant("shares though not asked to", "micromap", {2, 4},
-                          {.build_input =
-                               [](auto maps, Options& o) {
-                                 if (maps.size() == 20) o.deduplicate = true;
-                               }}),
+                          builds_otherwise([](auto maps, Options& o) {
+                            if (maps.size() == 20) o.deduplicate = true;
+                          })),
                    mutant("counts a special index", "micromap-spec", {0, 3},
-                          {.build =
-                               [](auto maps, const Options& o, Built& b) {
-                                 if (maps.size() > 8 && o.special && o.encoding == Encoding::u32 &&
-                                     !b.geometry_counts.empty() && b.geometry_counts.size() < maps.size())
-                                   ++b.geometry_counts.front().count;
-                               }}),
+                          spoils(&Functions::build,
+                                 [](auto, auto maps, const Options& o, Built& b) {
+                                   if (maps.size() > 8 && o.special && o.encoding == Encoding::u32 &&
+                                       !b.geometry_counts.empty() && b.geometry_counts.size() < maps.size())
+                                     ++b.geometry_counts.front().count;
+                                 })),
                    mutant("adds the base triangle where it has to subtract it", "micromap", {0, 5},
-                          {.build =
-                               [](auto, const Options& o, Built& b) {
-                                 if (o.base_triangle == 2 && o.encoding == Encoding::i32)
-                                   for (std::size_t at = 0; at < b.indices.size(); at += 4)
-                                     if (b.indices[at + 3] == 0)
-                                       b.indices[at] = static_cast<std::uint8_t>(b.indices[at] + 2);
-                               }}),
+                          spoils(&Functions::build,
+                                 [](auto, auto, const Options& o, Built& b) {
+                                   if (o.base_triangle == 2 && o.encoding == Encoding::i32)
+                                     for (std::size_t at = 0; at < b.indices.size(); at += 4)
+                                       if (b.indices[at + 3] == 0)
+                                         b.indices[at] = static_cast<std::uint8_t>(b.indices[at] + 2);
+                                 })),
                    mutant("shares a record before the base triangle", "micromap-spec", {0, 5},
-                          {.build_input =
-                               [](auto, Options& o) {
-                                 if (o.deduplicate && o.base_triangle == 3) o.base_triangle = 0;
-                               }}),
+                          builds_otherwise([](auto, Options& o) {
+                            if (o.deduplicate && o.base_triangle == 3) o.base_triangle = 0;
+                          })),
                    mutant("an offset one too far at level 4", "micromap", {4, 4},
-                          {.build =
-                               [](auto maps, const Options&, Built& b) {
-                                 if (maps.size() == 12 && b.records.size() >= 8)
-                                   ++b.records[b.records.size() - 8];
-                               }})}},
-      {Entry::build},
+                          spoils(&Functions::build,
+                                 [](auto, auto maps, const Options&, Built& b) {
+                                   if (maps.size() == 12 && b.records.size() >= 8)
+                                     ++b.records[b.records.size() - 8];
+                                 }))}},
+      {entry::build},
       {[](Level n) -> std::uint64_t { return n <= 4 ? 400 : 100; },
        [](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
          return builds(s, sample_build(n, run.seed, k));
@@ -278,15 +286,15 @@ Finding validates(const MicromapSubject& s, const Input& in) {
 }
 
 // Drops, or changes, the first violation of a rule.
-Change misses(Rule rule, std::uint64_t at_least = 0) {
-  return {.validate = [=](const Input& in, std::vector<Violation>& found) {
+auto misses(Rule rule, std::uint64_t at_least = 0) {
+  return spoils(&Functions::validate, [=](const Input& in, std::vector<Violation>& found) {
     if (in.record_count < at_least) return;
     for (std::size_t k = 0; k < found.size(); ++k)
       if (found[k].rule == rule) {
         found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
         return;
       }
-  }};
+  });
 }
 
 Law validating() {
@@ -306,12 +314,12 @@ Law validating() {
                  "arrays of up to 28 maps of levels 0..{}, up to three things spoilt, all sets", n);
            },
        .mutants = {mutant("an index equal to the number of records is in range", "micromap", {0, 5},
-                          {.validate =
-                               [](const Input&, std::vector<Violation>& found) {
-                                 std::erase_if(found, [](const Violation& v) {
-                                   return v.rule == Rule::index_range && v.found == v.other;
-                                 });
-                               }}),
+                          spoils(&Functions::validate,
+                                 [](const Input&, std::vector<Violation>& found) {
+                                   std::erase_if(found, [](const Violation& v) {
+                                     return v.rule == Rule::index_range && v.found == v.other;
+                                   });
+                                 })),
                    mutant("overlap is missed in arrays of 8 records and more", "micromap", {3, 5},
                           misses(Rule::record_overlap, 8)),
                    mutant("a lossy build may have 2-state records", "micromap", {2, 4},
@@ -320,13 +328,13 @@ Law validating() {
                    mutant("the histograms' exchange is not seen at level 4", "micromap", {4, 5},
                           misses(Rule::counts_array_is_geometry)),
                    mutant("the last byte of a region may be missing at level 5", "micromap", {5, 5},
-                          {.validate =
-                               [](const Input&, std::vector<Violation>& found) {
-                                 std::erase_if(found, [](const Violation& v) {
-                                   return v.rule == Rule::record_region && v.found == v.other + 1;
-                                 });
-                               }})}},
-      {Entry::validate},
+                          spoils(&Functions::validate,
+                                 [](const Input&, std::vector<Violation>& found) {
+                                   std::erase_if(found, [](const Violation& v) {
+                                     return v.rule == Rule::record_region && v.found == v.other + 1;
+                                   });
+                                 }))}},
+      {entry::validate},
       {[](Level n) -> std::uint64_t { return n <= 4 ? 3000 : 1500; },
        [](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
          Handed handed;

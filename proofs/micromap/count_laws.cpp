@@ -4,7 +4,7 @@
 #include "proofs/engine/random.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/micromap/mutant.hpp"
+#include "proofs/spoils.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -121,21 +121,21 @@ std::vector<Law> count_laws() {
                               "all sequences of 1 to 12 states in 2-state, and of 1 to 6 in 4-state");
                         },
                     .mutants = {mutant("the fifth of five UT is lost", "micromap", {0, 0},
-                                       {.pack =
-                                            [](Format f, const States& s, Bytes& out) {
-                                              if (f == four && s == States(5, UT)) out.back() = 0;
-                                            }}),
+                                       spoils(&Functions::pack,
+                                              [](Format f, const States& s, Bytes& out) {
+                                                if (f == four && s == States(5, UT)) out.back() = 0;
+                                              })),
                                 mutant("a third O reads as T where there are three", "micromap-spec", {0, 0},
-                                       {.unpack =
-                                            [](Format f, States& s) {
-                                              if (f == two && s == States{T, T, O}) s.back() = T;
-                                            }}),
+                                       spoils(&Functions::unpack,
+                                              [](Format f, std::uint64_t, auto, States& s) {
+                                                if (f == two && s == States{T, T, O}) s.back() = T;
+                                              })),
                                 mutant("ones after eleven states", "micromap", {0, 0},
-                                       {.pack =
-                                            [](Format f, const States& s, Bytes& out) {
-                                              if (f == two && s == States(11, T)) out.back() |= 0x80;
-                                            }})}},
-                   {Entry::pack},
+                                       spoils(&Functions::pack,
+                                              [](Format f, const States& s, Bytes& out) {
+                                                if (f == two && s == States(11, T)) out.back() |= 0x80;
+                                              }))}},
+                   {entry::pack},
                    cases(two_state_sequences + four_state_sequences,
                          [](std::uint64_t k, const Run&) { return sequence_number(k); })),
           on_cases({.id = "micromap.packing_any_count_on_samples",
@@ -152,21 +152,21 @@ std::vector<Law> count_laws() {
                               "four sequences of each number of states from 1 to 300, both formats");
                         },
                     .mutants = {mutant("the last of 65 states is lost", "micromap", {0, 0},
-                                       {.unpack =
-                                            [](Format, States& s) {
-                                              if (s.size() == 65) s.back() = T;
-                                            }}),
+                                       spoils(&Functions::unpack,
+                                              [](Format, std::uint64_t, auto, States& s) {
+                                                if (s.size() == 65) s.back() = T;
+                                              })),
                                 mutant("state 32 of 33 is that before", "micromap-spec", {0, 0},
-                                       {.unpack =
-                                            [](Format f, States& s) {
-                                              if (f == four && s.size() == 33) s[32] = s[31];
-                                            }}),
+                                       spoils(&Functions::unpack,
+                                              [](Format f, std::uint64_t, auto, States& s) {
+                                                if (f == four && s.size() == 33) s[32] = s[31];
+                                              })),
                                 mutant("the last of 127 states is packed as T", "micromap", {0, 0},
-                                       {.pack =
-                                            [](Format f, const States& s, Bytes& out) {
-                                              if (f == two && s.size() == 127) out.back() &= 0xBF;
-                                            }})}},
-                   {Entry::pack}, cases(2 * kinds * longest, sample))};
+                                       spoils(&Functions::pack,
+                                              [](Format f, const States& s, Bytes& out) {
+                                                if (f == two && s.size() == 127) out.back() &= 0xBF;
+                                              }))}},
+                   {entry::pack}, cases(2 * kinds * longest, sample))};
 }
 
 }  // namespace mmverify::proofs::micromap

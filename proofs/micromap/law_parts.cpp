@@ -29,11 +29,11 @@ std::string first_bytes(const Bytes& bytes) {
 }
 
 /// What maps to maps a subject may have, as the domain of a law names it.
-constexpr std::pair<Entry, const char*> map_parts[] = {{Entry::pack, "packing"},
-                                                       {Entry::force2, "force-2-state"},
-                                                       {Entry::up, "up"},
-                                                       {Entry::down, "down"},
-                                                       {Entry::modes, "modes"}};
+constexpr std::pair<Entry, const char*> map_parts[] = {{entry::pack, "packing"},
+                                                       {entry::force2, "force-2-state"},
+                                                       {entry::up, "up"},
+                                                       {entry::down, "down"},
+                                                       {entry::modes, "modes"}};
 
 }  // namespace
 
@@ -66,7 +66,7 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
     const auto* s = dynamic_cast<const MicromapSubject*>(&subject);
     if (s == nullptr) return "not a subject of topic micromap";
     for (const Entry e : entries)
-      if (!s->functions.has(e)) return fmt::format("{} has no entry point {}", s->name(), name_of(e));
+      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
     if (n < levels.first) return fmt::format("it is about level {} and above", levels.first);
     if (exhaustive && n > levels.last)
       return fmt::format("all cases are run up to level {} only; samples go beyond", levels.last);
@@ -117,7 +117,7 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, Map
 std::string asked_of(const MicromapSubject& s) {
   std::vector<std::string> there;
   for (const auto& [entry, name] : map_parts)
-    if (s.functions.has(entry)) there.push_back(name);
+    if (entry.there(s.functions)) there.push_back(name);
   return there.size() == std::size(map_parts) ? "" : fmt::format(", of it {}", fmt::join(there, ", "));
 }
 
@@ -126,7 +126,7 @@ Law on_any_part(Law law) {
     if (auto why = fits(subject, n)) return why;
     const MicromapSubject& s = of_micromap(subject);
     for (const auto& [entry, name] : map_parts)
-      if (s.functions.has(entry)) return std::nullopt;
+      if (entry.there(s.functions)) return std::nullopt;
     return s.name() + " has no entry point pack, force2, up, down or modes";
   };
   return law;

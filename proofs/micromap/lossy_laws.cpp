@@ -4,7 +4,7 @@
 #include "proofs/engine/shape.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/micromap/mutant.hpp"
+#include "proofs/spoils.hpp"
 #include "proofs/tree/maps.hpp"
 #include "spec/micromap/lossy.hpp"
 
@@ -44,14 +44,14 @@ MapCheck keeps(Pair rule) {
 }
 
 // Replaces one state by another at a micro-triangle, where it has just that.
-Change instead(Level level, std::uint64_t at, State was, State now) {
-  return {.substitute = [=](Level n, Format, std::span<const std::uint8_t> in, Bytes& out) {
+auto instead(Level level, std::uint64_t at, State was, State now) {
+  return spoils(&Functions::substitute, [=](Level n, std::span<const std::uint8_t> in, Bytes& out) {
     if (n != level) return;
     const unsigned shift = static_cast<unsigned>(2 * at % 8);
     const std::size_t byte = static_cast<std::size_t>(2 * at / 8);
     if ((in[byte] >> shift & 3) != slow::code(was)) return;
     out[byte] = static_cast<std::uint8_t>((out[byte] & ~(3u << shift)) | unsigned{slow::code(now)} << shift);
-  }};
+  });
 }
 
 struct Rule {
@@ -78,7 +78,7 @@ void add(std::vector<Law>& laws, const Rule& rule) {
                               .fast_seconds = 1,
                               .mutants = {changed(0, 0, 0), changed(1, 1, 3), changed(2, 1, 2)},
                               .general = true},
-                             {Entry::substitute}, Maps::four_state, 0, keeps(rule.pair)));
+                             {entry::substitute}, Maps::four_state, 0, keeps(rule.pair)));
   laws.push_back(on_samples({.id = std::string(rule.id) + "_on_samples",
                              .topic = "micromap",
                              .says = rule.says,
@@ -88,7 +88,7 @@ void add(std::vector<Law>& laws, const Rule& rule) {
                              .long_run = {2, 12},
                              .fast_seconds = 1,
                              .mutants = {changed(0, 2, 9), changed(1, 5, 1023), changed(2, 6, 2048)}},
-                            {Entry::substitute}, Maps::four_state, keeps(rule.pair)));
+                            {entry::substitute}, Maps::four_state, keeps(rule.pair)));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -133,9 +133,9 @@ Law judge_law() {
     return std::pair(four_state_map(n, k / four_state_maps(n)), four_state_map(n, k % four_state_maps(n)));
   };
   const auto exactly = [](Level n, std::uint8_t was, std::uint8_t is, void (*change)(Kept&)) {
-    return Change{.judge = [=](Level level, auto a, auto b, Kept& kept) {
+    return spoils(&Functions::judge, [=](Level level, auto a, auto b, Kept& kept) {
       if (level == n && a[0] == was && b[0] == is) change(kept);
-    }};
+    });
   };
   return on_cases(
       {.id = "lossy.judges",
@@ -156,7 +156,7 @@ Law judge_law() {
                    mutant(
                        "takes UO for the last T as force2-stable", "micromap-spec", {1, 1},
                        exactly(1, 0b00'01'01'01, 0b11'01'01'01, [](Kept& k) { k.force2_stable = true; }))}},
-      {Entry::judge},
+      {entry::judge},
       {[](Level n) -> std::uint64_t { return n > 1 ? 0 : four_state_maps(n) * four_state_maps(n); },
        [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
          const auto [was, is] = pair(n, k);
@@ -219,9 +219,9 @@ Law judge_samples_law() {
     return maps_of(n, run.seed, substituted(n, k));
   };
   const auto last = [](Level level, State now, void (*change)(Kept&)) {
-    return Change{.judge = [=](Level n, auto was, auto is, Kept& kept) {
+    return spoils(&Functions::judge, [=](Level n, auto was, auto is, Kept& kept) {
       if (n == level && was.back() >> 6 != is.back() >> 6 && is.back() >> 6 == slow::code(now)) change(kept);
-    }};
+    });
   };
   return on_cases(
       {.id = "lossy.judges_on_samples",
@@ -246,7 +246,7 @@ Law judge_samples_law() {
                           last(4, UT, [](Kept& k) { k.conservative = false; })),
                    mutant("the last of level 2 may become UO", "micromap-spec", {2, 2},
                           last(2, UO, [](Kept& k) { k.force2_stable = true; }))}},
-      {Entry::judge},
+      {entry::judge},
       {[](Level) { return maps * substitutions; },
        [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
          const auto [was, is] = at(n, k, run);

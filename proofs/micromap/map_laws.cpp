@@ -5,7 +5,7 @@
 
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/micromap/mutant.hpp"
+#include "proofs/spoils.hpp"
 #include "spec/micromap/lossy.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -177,15 +177,15 @@ Finding everything(const MicromapSubject& s, const PackedMap& map) {
     found = check(s, map);
     found.answer += 31 * so_far;
   };
-  const bool up = s.functions.has(Entry::up) && map.level < 12,
-             down = s.functions.has(Entry::down) && map.level > 0, force = s.functions.has(Entry::force2);
-  also(s.functions.has(Entry::pack), packs);
+  const bool up = s.functions.up && map.level < 12, down = s.functions.down && map.level > 0,
+             force = bool{s.functions.force2};
+  also(bool{s.functions.pack}, packs);
   also(force, forces);
   also(up, rises);
-  also(up && s.functions.has(Entry::down), rises_and_falls);
+  also(up && s.functions.down, rises_and_falls);
   also(down, falls);
   also(down && force, forces_and_falls);
-  also(s.functions.has(Entry::modes) && map.format == four, goes_through_modes);
+  also(s.functions.through && map.format == four, goes_through_modes);
   return found;
 }
 
@@ -204,21 +204,21 @@ Law packing() {
        .subjects = both,
        .fast_seconds = 1,
        .mutants = {mutant("a padding bit of one map is kept", "micromap", {0, 0},
-                          {.pack =
-                               [](Format f, const States& s, Bytes& out) {
-                                 if (f == four && s == States{UO}) flip(out, 2);
-                               }}),
+                          spoils(&Functions::pack,
+                                 [](Format f, const States& s, Bytes& out) {
+                                   if (f == four && s == States{UO}) flip(out, 2);
+                                 })),
                    mutant("UT and UO change places in one map", "micromap", {1, 1},
-                          {.unpack =
-                               [](Format, States& s) {
-                                 if (s == States{T, O, UT, UO}) std::swap(s[2], s[3]);
-                               }}),
+                          spoils(&Functions::unpack,
+                                 [](Format, std::uint64_t, auto, States& s) {
+                                   if (s == States{T, O, UT, UO}) std::swap(s[2], s[3]);
+                                 })),
                    mutant("the last bit of one 2-state map of level 2 is lost", "micromap-spec", {2, 2},
-                          {.pack =
-                               [](Format f, const States& s, Bytes& out) {
-                                 if (f == two && s.size() == 16 && out == Bytes{0x01, 0x80}) out[1] = 0;
-                               }})}},
-      {Entry::pack}, Maps::both_formats, 0, packs);
+                          spoils(&Functions::pack,
+                                 [](Format f, const States& s, Bytes& out) {
+                                   if (f == two && s.size() == 16 && out == Bytes{0x01, 0x80}) out[1] = 0;
+                                 }))}},
+      {entry::pack}, Maps::both_formats, 0, packs);
 }
 
 Law force2() {
@@ -231,21 +231,21 @@ Law force2() {
        .subjects = both,
        .fast_seconds = 1,
        .mutants = {mutant("UT of one map is opaque", "micromap", {1, 1},
-                          {.force2 =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (is(n, in, 1, {0b11'10'01'00})) flip(out, 2);
-                               }}),
+                          spoils(&Functions::force2,
+                                 [](Level n, auto in, Bytes& out) {
+                                   if (is(n, in, 1, {0b11'10'01'00})) flip(out, 2);
+                                 })),
                    mutant("a padding bit of level 0 is read", "micromap", {0, 0},
-                          {.force2 =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (n == 0 && (in[0] & 3) == 3 && in[0] != 3) flip(out, 1);
-                               }}),
+                          spoils(&Functions::force2,
+                                 [](Level n, auto in, Bytes& out) {
+                                   if (n == 0 && (in[0] & 3) == 3 && in[0] != 3) flip(out, 1);
+                                 })),
                    mutant("one O of level 2 is widened to UO", "micromap-spec", {2, 2},
-                          {.widen =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (is(n, in, 2, {0x00, 0x80})) flip(out, 31);
-                               }})}},
-      {Entry::force2}, Maps::both_formats, 0, forces);
+                          spoils(&Functions::widen,
+                                 [](Level n, auto in, Bytes& out) {
+                                   if (is(n, in, 2, {0x00, 0x80})) flip(out, 31);
+                                 }))}},
+      {entry::force2}, Maps::both_formats, 0, forces);
 }
 
 Law up_law() {
@@ -257,26 +257,26 @@ Law up_law() {
        .subjects = both,
        .fast_seconds = 1,
        .mutants = {mutant("the last child of one map is T", "micromap", {2, 2},
-                          {.up =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (is(n, in, 2, {0xff, 0xff})) flip(out, 63);
-                               }}),
+                          spoils(&Functions::up,
+                                 [](Level n, Format, auto in, Bytes& out) {
+                                   if (is(n, in, 2, {0xff, 0xff})) flip(out, 63);
+                                 })),
                    mutant("a UO child is O", "micromap", {0, 0},
-                          {.up =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (f == four && n == 0 && (in[0] & 3) == 3) flip(out, 5);
-                               }}),
+                          spoils(&Functions::up,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (f == four && n == 0 && (in[0] & 3) == 3) flip(out, 5);
+                                 })),
                    mutant("padding of one map goes up with it", "micromap", {0, 0},
-                          {.up =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (f == two && n == 0 && in[0] == 0x05) flip(out, 4);
-                               }}),
+                          spoils(&Functions::up,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (f == two && n == 0 && in[0] == 0x05) flip(out, 4);
+                                 })),
                    mutant("padding is taken for a state", "micromap-spec", {0, 0},
-                          {.up =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (f == two && n == 0 && in[0] == 0xfe) flip(out, 3);
-                               }})}},
-      {Entry::up}, Maps::both_formats, 0, rises);
+                          spoils(&Functions::up,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (f == two && n == 0 && in[0] == 0xfe) flip(out, 3);
+                                 }))}},
+      {entry::up}, Maps::both_formats, 0, rises);
 }
 
 Law down_up() {
@@ -287,23 +287,23 @@ Law down_up() {
                       .subjects = both,
                       .fast_seconds = 1,
                       .mutants = {mutant("four UT become UO in one map", "micromap", {1, 1},
-                                         {.down =
-                                              [](Level n, Format f, auto in, Bytes& out) {
-                                                if (f == four && is(n, in, 2, {0x00, 0x55, 0xaa, 0xff}))
-                                                  flip(out, 4);
-                                              }}),
+                                         spoils(&Functions::down,
+                                                [](Level n, Format f, auto in, Bytes& out) {
+                                                  if (f == four && is(n, in, 2, {0x00, 0x55, 0xaa, 0xff}))
+                                                    flip(out, 4);
+                                                })),
                                   mutant("a padding bit after the way down", "micromap", {0, 0},
-                                         {.down =
-                                              [](Level n, Format f, auto in, Bytes& out) {
-                                                if (f == four && is(n, in, 1, {0xff})) flip(out, 7);
-                                              }}),
+                                         spoils(&Functions::down,
+                                                [](Level n, Format f, auto in, Bytes& out) {
+                                                  if (f == four && is(n, in, 1, {0xff})) flip(out, 7);
+                                                })),
                                   mutant("the last of 64 is lost", "micromap-spec", {2, 2},
-                                         {.down =
-                                              [](Level n, Format f, auto in, Bytes& out) {
-                                                if (f == two && n == 3 && in[7] == 0xf0 && in[0] == 0)
-                                                  flip(out, 15);
-                                              }})}},
-                     {Entry::up, Entry::down}, Maps::both_formats, 0, rises_and_falls);
+                                         spoils(&Functions::down,
+                                                [](Level n, Format f, auto in, Bytes& out) {
+                                                  if (f == two && n == 3 && in[7] == 0xf0 && in[0] == 0)
+                                                    flip(out, 15);
+                                                }))}},
+                     {entry::up, entry::down}, Maps::both_formats, 0, rises_and_falls);
 }
 
 Law down_law() {
@@ -316,21 +316,21 @@ Law down_law() {
        .subjects = both,
        .fast_seconds = 1,
        .mutants = {mutant("T, T, T, UT are T", "micromap", {1, 1},
-                          {.down =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (f == four && is(n, in, 1, {0b10'00'00'00})) out[0] = 0;
-                               }}),
+                          spoils(&Functions::down,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (f == four && is(n, in, 1, {0b10'00'00'00})) out[0] = 0;
+                                 })),
                    mutant("a tie of one map is transparent", "micromap", {1, 1},
-                          {.down =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (f == four && is(n, in, 1, {0b00'01'11'10})) out[0] = 2;
-                               }}),
+                          spoils(&Functions::down,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (f == four && is(n, in, 1, {0b00'01'11'10})) out[0] = 2;
+                                 })),
                    mutant("three O of the last four, 2-state, are T", "micromap-spec", {2, 2},
-                          {.down =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (f == two && is(n, in, 2, {0x00, 0xe0})) flip(out, 3);
-                               }})}},
-      {Entry::down}, Maps::both_formats, 1, falls);
+                          spoils(&Functions::down,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (f == two && is(n, in, 2, {0x00, 0xe0})) flip(out, 3);
+                                 }))}},
+      {entry::down}, Maps::both_formats, 1, falls);
 }
 
 Law down_force2() {
@@ -342,24 +342,24 @@ Law down_force2() {
        .subjects = both,
        .fast_seconds = 1,
        .mutants = {mutant("UO, UO, T, T lean to T", "micromap", {1, 1},
-                          {.down =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (f == four && is(n, in, 1, {0b00'00'11'11})) flip(out, 0);
-                               }}),
+                          spoils(&Functions::down,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (f == four && is(n, in, 1, {0b00'00'11'11})) flip(out, 0);
+                                 })),
                    mutant("a 2-state tie is T", "micromap", {2, 2},
-                          {.down =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (f == two && n == 2 && in[0] == 0x03 && in[1] == 0) out[0] = 0;
-                               }}),
+                          spoils(&Functions::down,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (f == two && n == 2 && in[0] == 0x03 && in[1] == 0) out[0] = 0;
+                                 })),
                    mutant("T, whatever the map, both ways", "micromap", {1, 1},
-                          {.force2 = [](Level, Format, auto,
-                                        Bytes& out) { std::fill(out.begin(), out.end(), 0); }}),
+                          spoils(&Functions::force2,
+                                 [](Level, auto, Bytes& out) { std::fill(out.begin(), out.end(), 0); })),
                    mutant("force-2-state of one lone UO is T", "micromap-spec", {1, 1},
-                          {.force2 =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (n == 0 && (in[0] & 3) == 3) out[0] = 0;
-                               }})}},
-      {Entry::down, Entry::force2}, Maps::both_formats, 1, forces_and_falls);
+                          spoils(&Functions::force2,
+                                 [](Level n, auto in, Bytes& out) {
+                                   if (n == 0 && (in[0] & 3) == 3) out[0] = 0;
+                                 }))}},
+      {entry::down, entry::force2}, Maps::both_formats, 1, forces_and_falls);
 }
 
 Law modes() {
@@ -371,36 +371,36 @@ Law modes() {
        .subjects = both,
        .fast_seconds = 1,
        .mutants = {mutant("UT passes as T in T/C", "micromap", {1, 1},
-                          {.through =
-                               [](Level n, Mode m, auto in, Bytes& out) {
-                                 if (m == Mode::T_C && is(n, in, 1, {0b10'11'01'00})) out[0] &= 0x3f;
-                               }}),
+                          spoils(&Functions::through,
+                                 [](Level n, Mode m, auto in, Bytes& out) {
+                                   if (m == Mode::T_C && is(n, in, 1, {0b10'11'01'00})) out[0] &= 0x3f;
+                                 })),
                    mutant("O is unknown in O/C", "micromap", {0, 0},
-                          {.through =
-                               [](Level n, Mode m, auto in, Bytes& out) {
-                                 if (n == 0 && m == Mode::O_C && (in[0] & 3) == 1) out[0] = 2;
-                               }}),
+                          spoils(&Functions::through,
+                                 [](Level n, Mode m, auto in, Bytes& out) {
+                                   if (n == 0 && m == Mode::O_C && (in[0] & 3) == 1) out[0] = 2;
+                                 })),
                    mutant("one map is left as it is in T/C", "micromap", {1, 1},
-                          {.through =
-                               [](Level n, Mode m, auto in, Bytes& out) {
-                                 if (m == Mode::T_C && is(n, in, 1, {0b01'01'00'01})) out.assign(1, in[0]);
-                               }}),
+                          spoils(&Functions::through,
+                                 [](Level n, Mode m, auto in, Bytes& out) {
+                                   if (m == Mode::T_C && is(n, in, 1, {0b01'01'00'01})) out.assign(1, in[0]);
+                                 })),
                    mutant("UT and UO of one map stay apart in O/C", "micromap", {1, 1},
-                          {.through =
-                               [](Level n, Mode m, auto in, Bytes& out) {
-                                 if (m == Mode::O_C && is(n, in, 1, {0b11'10'01'01})) out.assign(1, in[0]);
-                               }}),
+                          spoils(&Functions::through,
+                                 [](Level n, Mode m, auto in, Bytes& out) {
+                                   if (m == Mode::O_C && is(n, in, 1, {0b11'10'01'01})) out.assign(1, in[0]);
+                                 })),
                    mutant("the rest is the forced state in O/C", "micromap-spec", {0, 1},
-                          {.through =
-                               [](Level n, Mode m, auto in, Bytes& out) {
-                                 if (m == Mode::O_C && n == 0 && (in[0] & 3) != 1) out[0] = 0;
-                               }}),
+                          spoils(&Functions::through,
+                                 [](Level n, Mode m, auto in, Bytes& out) {
+                                   if (m == Mode::O_C && n == 0 && (in[0] & 3) != 1) out[0] = 0;
+                                 })),
                    mutant("padding becomes a state in O/C", "micromap-spec", {0, 0},
-                          {.through =
-                               [](Level n, Mode m, auto, Bytes& out) {
-                                 if (n == 0 && m == Mode::O_C) flip(out, 3);
-                               }})}},
-      {Entry::modes}, Maps::four_state, 0, goes_through_modes);
+                          spoils(&Functions::through,
+                                 [](Level n, Mode m, auto, Bytes& out) {
+                                   if (n == 0 && m == Mode::O_C) flip(out, 3);
+                                 }))}},
+      {entry::modes}, Maps::four_state, 0, goes_through_modes);
 }
 
 // The mutants show at level 5 and above, in one state of a sample.
@@ -415,25 +415,25 @@ Law samples() {
        .long_run = {2, 12},
        .fast_seconds = 3,
        .mutants = {mutant("the last state of level 5 is lost where it is UO", "micromap", {3, 6},
-                          {.unpack =
-                               [](Format, States& s) {
-                                 if (s.size() == 1024 && s.back() == UO) s.back() = O;
-                               }}),
+                          spoils(&Functions::unpack,
+                                 [](Format, std::uint64_t, auto, States& s) {
+                                   if (s.size() == 1024 && s.back() == UO) s.back() = O;
+                                 })),
                    mutant("word 7 of level 6 forces UT to opaque", "micromap", {6, 6},
-                          {.force2 =
-                               [](Level n, Format, auto in, Bytes& out) {
-                                 if (n == 6 && (in[56] & 3) == 2) flip(out, 7 * 32);
-                               }}),
+                          spoils(&Functions::force2,
+                                 [](Level n, auto in, Bytes& out) {
+                                   if (n == 6 && (in[56] & 3) == 2) flip(out, 7 * 32);
+                                 })),
                    mutant("a tie in the last byte of level 5 is transparent", "micromap", {5, 5},
-                          {.down =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (n == 5 && f == four && (in.back() & 0x55) == 0x14) flip(out, 510);
-                               }}),
+                          spoils(&Functions::down,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (n == 5 && f == four && (in.back() & 0x55) == 0x14) flip(out, 510);
+                                 })),
                    mutant("one child of level 4 is T", "micromap", {4, 4},
-                          {.up =
-                               [](Level n, Format f, auto in, Bytes& out) {
-                                 if (n == 4 && f == two && (in[31] & 0x80) != 0) out.back() &= 0x7f;
-                               }})}},
+                          spoils(&Functions::up,
+                                 [](Level n, Format f, auto in, Bytes& out) {
+                                   if (n == 4 && f == two && (in[31] & 0x80) != 0) out.back() &= 0x7f;
+                                 }))}},
       {}, Maps::both_formats, everything);
 }
 

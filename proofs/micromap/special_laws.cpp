@@ -5,7 +5,7 @@
 #include "proofs/engine/shape.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/micromap/mutant.hpp"
+#include "proofs/spoils.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {
@@ -86,10 +86,10 @@ Code wide_code(std::uint64_t k, std::uint64_t seed) {
   return {e, static_cast<std::uint32_t>(Random(seed, 0, k).next())};
 }
 
-Change one_code(Encoding encoding, std::uint32_t code, Meaning now) {
-  return {.meaning = [=](std::uint32_t c, Encoding e, Meaning& m) {
+auto one_code(Encoding encoding, std::uint32_t code, Meaning now) {
+  return spoils(&Functions::meaning, [=](std::uint32_t c, Encoding e, Meaning& m) {
     if (c == code && e == encoding) m = now;
-  }};
+  });
 }
 
 constexpr char source[] =
@@ -116,11 +116,11 @@ Law small() {
                    mutant("-32768 is an index", "micromap-spec", {0, 0},
                           one_code(Encoding::i16, 0x8000, {Kind::index, 0x8000})),
                    mutant("UT and UO change codes in 16 bits with a sign", "micromap", {0, 0},
-                          {.special_code =
-                               [](State s, Encoding e, std::uint32_t& code) {
-                                 if (e == Encoding::i16 && (s == UT || s == UO)) code ^= 1;
-                               }})}},
-      {Entry::special},
+                          spoils(&Functions::special_code,
+                                 [](State s, Encoding e, std::uint32_t& code) {
+                                   if (e == Encoding::i16 && (s == UT || s == UO)) code ^= 1;
+                                 }))}},
+      {entry::special},
       {[](Level) { return small_codes; },
        [](const MicromapSubject& s, Level, std::uint64_t k, const Run&) {
          return means(s, small_code(k).encoding, small_code(k).code);
@@ -153,11 +153,11 @@ Law wide() {
                    mutant("2^31 - 1 means nothing", "micromap-spec", {0, 0},
                           one_code(Encoding::i32, 0x7fffffff, {Kind::unknown})),
                    mutant("UO is -5", "micromap", {0, 0},
-                          {.special_code =
-                               [](State s, Encoding e, std::uint32_t& code) {
-                                 if (e == Encoding::i32 && s == UO) --code;
-                               }})}},
-      {Entry::special},
+                          spoils(&Functions::special_code,
+                                 [](State s, Encoding e, std::uint32_t& code) {
+                                   if (e == Encoding::i32 && s == UO) --code;
+                                 }))}},
+      {entry::special},
       {[](Level) { return wide_codes; },
        [](const MicromapSubject& s, Level, std::uint64_t k, const Run& run) {
          const Code c = wide_code(k, run.seed);

@@ -1,5 +1,7 @@
 #include "proofs/micromap/subject.hpp"
 
+#include <stdexcept>
+
 #include "impl/micromap/array.hpp"
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/validate.hpp"
@@ -17,41 +19,41 @@ using slow::packed_bytes;
 // The specification
 // ---------------------------------------------------------------------------------------------------------------------
 
-States four_states(Level n, std::span<const std::uint8_t> bytes) {
+States states(Level n, std::span<const std::uint8_t> bytes) {
   return slow::unpack(bytes, Format::four_state, micro_triangles(n));
 }
 
 Functions specified() {
-  Functions own;
-  own.pack = [](Format f, const States& states) { return slow::pack(states, f); };
-  own.unpack = [](Format f, std::uint64_t count, std::span<const std::uint8_t> bytes) {
-    return slow::unpack(bytes, f, count);
+  Functions f;
+  f.pack = [](Format format, const States& all) { return slow::pack(all, format); };
+  f.unpack = [](Format format, std::uint64_t count, std::span<const std::uint8_t> bytes) {
+    return slow::unpack(bytes, format, count);
   };
-  own.force2 = [](Level n, std::span<const std::uint8_t> bytes) {
-    return slow::pack(slow::force2(four_states(n, bytes)), Format::two_state);
+  f.force2 = [](Level n, std::span<const std::uint8_t> bytes) {
+    return slow::pack(slow::force2(states(n, bytes)), Format::two_state);
   };
-  own.widen = [](Level n, std::span<const std::uint8_t> bytes) {
+  f.widen = [](Level n, std::span<const std::uint8_t> bytes) {
     return slow::pack(slow::unpack(bytes, Format::two_state, micro_triangles(n)), Format::four_state);
   };
-  own.up = [](Level n, Format f, std::span<const std::uint8_t> bytes) {
-    return slow::pack(slow::up(slow::unpack(bytes, f, micro_triangles(n))), f);
+  f.up = [](Level n, Format format, std::span<const std::uint8_t> bytes) {
+    return slow::pack(slow::up(slow::unpack(bytes, format, micro_triangles(n))), format);
   };
-  own.down = [](Level n, Format f, std::span<const std::uint8_t> bytes) {
-    const States s = slow::unpack(bytes, f, micro_triangles(n));
-    return slow::pack(f == Format::two_state ? slow::down_two_state(s) : slow::down(s), f);
+  f.down = [](Level n, Format format, std::span<const std::uint8_t> bytes) {
+    const States s = slow::unpack(bytes, format, micro_triangles(n));
+    return slow::pack(format == Format::two_state ? slow::down_two_state(s) : slow::down(s), format);
   };
-  own.through = [](Level n, Mode mode, std::span<const std::uint8_t> bytes) {
-    return slow::pack(slow::through(four_states(n, bytes), mode), Format::four_state);
+  f.through = [](Level n, Mode mode, std::span<const std::uint8_t> bytes) {
+    return slow::pack(slow::through(states(n, bytes), mode), Format::four_state);
   };
-  own.special_code = slow::special_code;
-  own.meaning = slow::meaning;
-  own.judge = [](Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) -> Kept {
-    const States a = four_states(n, was), b = four_states(n, is);
+  f.special_code = slow::special_code;
+  f.meaning = slow::meaning;
+  f.judge = [](Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) -> Kept {
+    const States a = states(n, was), b = states(n, is);
     return {slow::everywhere(a, b, slow::allowed), slow::everywhere(a, b, slow::conservative),
             slow::everywhere(a, b, slow::force2_stable)};
   };
-  own.build = [](std::span<const PackedMap> before, std::span<const PackedMap> maps,
-                 const Options& options) -> Built {
+  f.build = [](std::span<const PackedMap> before, std::span<const PackedMap> maps,
+               const Options& options) -> Built {
     const auto unpacked = [](std::span<const PackedMap> some) {
       std::vector<slow::Map> out;
       for (const PackedMap& m : some)
@@ -64,8 +66,8 @@ Functions specified() {
     return {slow::record_buffer(array.records), array.data, g.indices,
             slow::usage_counts(slow::array_histogram(array.records)), g.counts};
   };
-  own.validate = slow::validate;
-  return own;
+  f.validate = slow::validate;
+  return f;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -88,61 +90,61 @@ std::vector<UsageCount> to_slow(std::span<const fast::UsageCount> counts) {
 
 Bytes room(std::uint64_t count, Format f) { return Bytes(static_cast<std::size_t>(packed_bytes(count, f))); }
 
-Functions fast_functions() {
-  Functions own;
-  own.pack = [](Format f, const States& states) {
-    Bytes out = room(states.size(), f);
-    fast::pack({reinterpret_cast<const fast::State*>(states.data()), states.size()}, to_fast(f), out);
+Functions library() {
+  Functions f;
+  f.pack = [](Format format, const States& all) {
+    Bytes out = room(all.size(), format);
+    fast::pack({reinterpret_cast<const fast::State*>(all.data()), all.size()}, to_fast(format), out);
     return out;
   };
-  own.unpack = [](Format f, std::uint64_t count, std::span<const std::uint8_t> bytes) {
-    States states(static_cast<std::size_t>(count));
-    fast::unpack(bytes, to_fast(f), {reinterpret_cast<fast::State*>(states.data()), states.size()});
-    return states;
+  f.unpack = [](Format format, std::uint64_t count, std::span<const std::uint8_t> bytes) {
+    States all(static_cast<std::size_t>(count));
+    fast::unpack(bytes, to_fast(format), {reinterpret_cast<fast::State*>(all.data()), all.size()});
+    return all;
   };
-  own.force2 = [](Level n, std::span<const std::uint8_t> bytes) {
+  f.force2 = [](Level n, std::span<const std::uint8_t> bytes) {
     Bytes out = room(micro_triangles(n), Format::two_state);
     fast::force2(bytes, micro_triangles(n), out);
     return out;
   };
-  own.widen = [](Level n, std::span<const std::uint8_t> bytes) {
+  f.widen = [](Level n, std::span<const std::uint8_t> bytes) {
     Bytes out = room(micro_triangles(n), Format::four_state);
     fast::widen(bytes, micro_triangles(n), out);
     return out;
   };
-  own.up = [](Level n, Format f, std::span<const std::uint8_t> bytes) {
-    Bytes out = room(micro_triangles(n + 1), f);
-    fast::up(bytes, to_fast(f), micro_triangles(n), out);
+  f.up = [](Level n, Format format, std::span<const std::uint8_t> bytes) {
+    Bytes out = room(micro_triangles(n + 1), format);
+    fast::up(bytes, to_fast(format), micro_triangles(n), out);
     return out;
   };
-  own.down = [](Level n, Format f, std::span<const std::uint8_t> bytes) {
-    Bytes out = room(micro_triangles(n - 1), f);
-    fast::down(bytes, to_fast(f), micro_triangles(n - 1), out);
+  f.down = [](Level n, Format format, std::span<const std::uint8_t> bytes) {
+    Bytes out = room(micro_triangles(n - 1), format);
+    fast::down(bytes, to_fast(format), micro_triangles(n - 1), out);
     return out;
   };
-  own.through = [](Level n, Mode mode, std::span<const std::uint8_t> bytes) {
+  f.through = [](Level n, Mode mode, std::span<const std::uint8_t> bytes) {
     Bytes bits = room(micro_triangles(n), Format::two_state),
           out = room(micro_triangles(n), Format::four_state);
     fast::to_mode(bytes, micro_triangles(n), static_cast<fast::Mode>(mode), bits);
     fast::from_mode(bits, micro_triangles(n), static_cast<fast::Mode>(mode), out);
     return out;
   };
-  own.special_code = [](State s, Encoding e) {
+  f.special_code = [](State s, Encoding e) {
     return fast::special_code(static_cast<fast::State>(s), static_cast<fast::Encoding>(e));
   };
-  own.meaning = [](std::uint32_t code, Encoding e) -> Meaning {
+  f.meaning = [](std::uint32_t code, Encoding e) -> Meaning {
     const auto encoding = static_cast<fast::Encoding>(e);
     if (const auto state = fast::special_state(code, encoding))
       return {Meaning::Kind::special, 0, static_cast<State>(*state)};
     return fast::is_index(code, encoding) ? Meaning{Meaning::Kind::index, code}
                                           : Meaning{Meaning::Kind::unknown};
   };
-  own.judge = [](Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) -> Kept {
+  f.judge = [](Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) -> Kept {
     const fast::Substitutions found = fast::substitutions(was, is, micro_triangles(n));
     return {found.allowed(), found.conservative(), found.force2_stable()};
   };
-  own.build = [](std::span<const PackedMap> before, std::span<const PackedMap> maps,
-                 const Options& options) -> Built {
+  f.build = [](std::span<const PackedMap> before, std::span<const PackedMap> maps,
+               const Options& options) -> Built {
     const auto views = [](std::span<const PackedMap> some) {
       std::vector<fast::PackedMap> out;
       for (const PackedMap& m : some) out.push_back({m.level, to_fast(m.format), m.bytes});
@@ -156,7 +158,7 @@ Functions fast_functions() {
     return {fast::record_buffer(array.records), array.data, g.indices,
             to_slow(fast::usage_counts(array.records)), to_slow(g.counts)};
   };
-  own.validate = [](const Input& in) {
+  f.validate = [](const Input& in) {
     fast::Input to;
     to.sets = in.sets;
     to.limits = {in.limits.two_state_level, in.limits.four_state_level, in.limits.lossy_four_state_level,
@@ -184,7 +186,7 @@ Functions fast_functions() {
           {static_cast<slow::Rule>(v.rule), static_cast<slow::Place>(v.place), v.where, v.found, v.other});
     return out;
   };
-  return own;
+  return f;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -194,14 +196,16 @@ Functions fast_functions() {
 using Merge = void (*)(std::span<State> siblings);
 
 Functions lossy(Merge merge) {
-  return {.substitute = [merge](Level n, std::span<const std::uint8_t> bytes) {
-    States states = four_states(n, bytes);
-    for (std::size_t k = 0; k + 4 <= states.size(); k += 4) {
-      const std::span<State> siblings = std::span(states).subspan(k, 4);
+  Functions f;
+  f.substitute = [merge](Level n, std::span<const std::uint8_t> bytes) {
+    States all = states(n, bytes);
+    for (std::size_t k = 0; k + 4 <= all.size(); k += 4) {
+      const std::span<State> siblings = std::span(all).subspan(k, 4);
       if (!slow::uniform(siblings)) merge(siblings);
     }
-    return slow::pack(states, Format::four_state);
-  }};
+    return slow::pack(all, Format::four_state);
+  };
+  return f;
 }
 
 // Each state becomes the unknown one of its own side.
@@ -222,33 +226,11 @@ void majority_for_all(std::span<State> siblings) {
   for (State& s : siblings) s = one;
 }
 
-}  // namespace
-
-bool Functions::has(Entry e) const {
-  switch (e) {
-    case Entry::pack:
-      return pack && unpack;
-    case Entry::force2:
-      return force2 && widen;
-    case Entry::up:
-      return bool(up);
-    case Entry::down:
-      return bool(down);
-    case Entry::modes:
-      return bool(through);
-    case Entry::special:
-      return special_code && meaning;
-    case Entry::substitute:
-      return bool(substitute);
-    case Entry::judge:
-      return bool(judge);
-    case Entry::build:
-      return bool(build);
-    case Entry::validate:
-      return bool(validate);
-  }
-  return false;
+MicromapSubjectPtr subject(const char* name, const char* about, Functions functions) {
+  return std::make_shared<MicromapSubject>(name, about, std::move(functions));
 }
+
+}  // namespace
 
 const std::vector<MicromapSubjectPtr>& built_in_subjects() {
   const auto subject = [](const char* name, const char* about, Functions functions) {
@@ -256,7 +238,7 @@ const std::vector<MicromapSubjectPtr>& built_in_subjects() {
   };
   static const std::vector<MicromapSubjectPtr> all{
       subject("micromap-spec", "the specification, state by state", specified()),
-      subject("micromap", "impl/micromap: many states to a word", fast_functions()),
+      subject("micromap", "impl/micromap: many states to a word", library()),
       subject("lossy-stable", "siblings that differ become unknown, each on its own side",
               lossy(own_unknown)),
       subject("lossy-conservative", "known siblings that differ become their majority's unknown",
@@ -270,6 +252,13 @@ MicromapSubjectPtr built_in(const std::string& name) {
   for (const MicromapSubjectPtr& s : built_in_subjects())
     if (s->name() == name) return s;
   throw std::logic_error("no built-in subject of topic micromap named " + name);
+}
+
+Mutant mutant(const std::string& name, const std::string& base, Levels levels,
+              const std::function<void(Functions&)>& change) {
+  Functions functions = built_in(base)->functions;
+  change(functions);
+  return {name, std::make_shared<MicromapSubject>(name, "broken on purpose", std::move(functions)), levels};
 }
 
 }  // namespace mmverify::proofs::micromap

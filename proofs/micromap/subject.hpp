@@ -1,4 +1,4 @@
-// An implementation of topic micromap in the dock, and what it may be asked: bytes in, bytes out.
+// An implementation of topic micromap in the dock, and what it may be asked: bytes in, bytes out, a function each.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
-#include "proofs/entries.hpp"
 #include "spec/micromap/level.hpp"
 #include "spec/micromap/validate.hpp"
 
@@ -25,23 +24,6 @@ using spec::micromap::State;
 using spec::micromap::States;
 using spec::micromap::UsageCount;
 using spec::micromap::Violation;
-
-/// What a subject may be asked.
-/// pack: states to bytes and back; force2: 4-state to 2-state and back; up, down: one level; modes: through a
-/// 1-bit mode and back; special: special indices; substitute: what a lossy codec makes of a map; judge: what a
-/// substitution keeps; build: arrays; validate: violations.
-#define MMVERIFY_MICROMAP_ENTRIES(ROW) \
-  ROW(pack, "pack")                    \
-  ROW(force2, "force2")                \
-  ROW(up, "up")                        \
-  ROW(down, "down")                    \
-  ROW(modes, "modes")                  \
-  ROW(special, "special")              \
-  ROW(substitute, "substitute")        \
-  ROW(judge, "judge")                  \
-  ROW(build, "build")                  \
-  ROW(validate, "validate")
-MMVERIFY_ENTRIES(MMVERIFY_MICROMAP_ENTRIES)
 
 /// A map, packed: 4^n states of the format.
 struct PackedMap {
@@ -66,24 +48,45 @@ struct Kept {
 /// at once.  Packed bytes are LSB first; a subject gets padding bits of any value and gives zeros.  Level and
 /// format are those of the input.
 struct Functions {
-  using Packed = std::span<const std::uint8_t>;
-  std::function<Bytes(Format, const States&)> pack = {};
-  std::function<States(Format, std::uint64_t count, Packed)> unpack = {};
-  std::function<Bytes(Level, Packed four_state)> force2 = {};
-  std::function<Bytes(Level, Packed two_state)> widen = {};
-  std::function<Bytes(Level, Format, Packed)> up = {}, down = {};
-  std::function<Bytes(Level, Mode, Packed four_state)> through = {};
-  std::function<std::uint32_t(State, Encoding)> special_code = {};
-  std::function<Meaning(std::uint32_t code, Encoding)> meaning = {};
-  std::function<Bytes(Level, Packed four_state)> substitute = {};
-  std::function<Kept(Level, Packed was, Packed is)> judge = {};
+  std::function<Bytes(Format f, const States& states)> pack = {};
+  std::function<States(Format f, std::uint64_t count, std::span<const std::uint8_t> bytes)> unpack = {};
+  std::function<Bytes(Level n, std::span<const std::uint8_t> four_state)> force2 = {};
+  std::function<Bytes(Level n, std::span<const std::uint8_t> two_state)> widen = {};
+  /// One level.
+  std::function<Bytes(Level n, Format f, std::span<const std::uint8_t> bytes)> up = {}, down = {};
+  /// Through a 1-bit mode and back.
+  std::function<Bytes(Level n, Mode mode, std::span<const std::uint8_t> four_state)> through = {};
+  std::function<std::uint32_t(State s, Encoding e)> special_code = {};
+  std::function<Meaning(std::uint32_t code, Encoding e)> meaning = {};
+  /// What a lossy codec makes of a map.
+  std::function<Bytes(Level n, std::span<const std::uint8_t> four_state)> substitute = {};
+  /// What a substitution keeps.
+  std::function<Kept(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is)> judge =
+      {};
   /// Appends to an array in which every map of `before` has a record of its own.
-  std::function<Built(std::span<const PackedMap> before, std::span<const PackedMap> maps, const Options&)>
+  std::function<Built(std::span<const PackedMap> before, std::span<const PackedMap> maps,
+                      const Options& options)>
       build = {};
-  std::function<std::vector<Violation>(const Input&)> validate = {};
-
-  bool has(Entry e) const;
+  std::function<std::vector<Violation>(const Input& in)> validate = {};
 };
+
+/// What a law may need of a subject, as messages call it.
+struct Entry {
+  const char* name;
+  bool (*there)(const Functions&);
+};
+namespace entry {
+inline constexpr Entry pack{"pack", [](const Functions& f) { return f.pack && f.unpack; }};
+inline constexpr Entry force2{"force2", [](const Functions& f) { return f.force2 && f.widen; }};
+inline constexpr Entry up{"up", [](const Functions& f) { return bool{f.up}; }};
+inline constexpr Entry down{"down", [](const Functions& f) { return bool{f.down}; }};
+inline constexpr Entry modes{"modes", [](const Functions& f) { return bool{f.through}; }};
+inline constexpr Entry special{"special", [](const Functions& f) { return f.special_code && f.meaning; }};
+inline constexpr Entry substitute{"substitute", [](const Functions& f) { return bool{f.substitute}; }};
+inline constexpr Entry judge{"judge", [](const Functions& f) { return bool{f.judge}; }};
+inline constexpr Entry build{"build", [](const Functions& f) { return bool{f.build}; }};
+inline constexpr Entry validate{"validate", [](const Functions& f) { return bool{f.validate}; }};
+}  // namespace entry
 
 class MicromapSubject final : public Subject {
  public:
@@ -107,5 +110,9 @@ const std::vector<MicromapSubjectPtr>& built_in_subjects();
 
 /// The built-in subject of that name.  Domain: there is one.
 MicromapSubjectPtr built_in(const std::string& name);
+
+/// A subject with one thing broken on purpose.
+Mutant mutant(const std::string& name, const std::string& base, Levels levels,
+              const std::function<void(Functions&)>& change);
 
 }  // namespace mmverify::proofs::micromap

@@ -2,9 +2,9 @@
 // every level without the specification's encoder.
 #include <fmt/format.h>
 
-#include "proofs/tree/altered.hpp"
 #include "proofs/tree/checks.hpp"
 #include "proofs/tree/high_laws.hpp"
+#include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
@@ -23,9 +23,10 @@ std::vector<std::uint32_t> telling_indices(Level n, const OneApart& apart) {
   return indices;
 }
 
-Finding finds(const Code& code, const Map& map, const std::vector<std::uint32_t>& indices) {
+Finding finds(const Functions& subject, const Code& code, const Map& map,
+              const std::vector<std::uint32_t>& indices) {
   Bytes states(indices.size(), 0xFF);
-  code.lookup(indices, states);
+  subject.lookup(code, indices, states);
   for (std::size_t k = 0; k < indices.size(); ++k)
     if (const std::uint8_t expected = state_at(map, indices[k]); states[k] != expected)
       return wrong(fmt::format("state {}", indices[k]), fmt::format("{}", expected),
@@ -34,7 +35,8 @@ Finding finds(const Code& code, const Map& map, const std::vector<std::uint32_t>
 }
 
 /// At a point inside each micro-triangle: half of one corner and a quarter of either other, which floats hold.
-Finding finds_points(const Code& code, const Map& map, const std::vector<std::uint32_t>& indices) {
+Finding finds_points(const Functions& subject, const Code& code, const Map& map,
+                     const std::vector<std::uint32_t>& indices) {
   std::vector<float> u, v;
   const float quarter = 0.25f / static_cast<float>(spec::side(map.level));
   for (const std::uint32_t k : indices) {
@@ -43,7 +45,7 @@ Finding finds_points(const Code& code, const Map& map, const std::vector<std::ui
     v.push_back(static_cast<float>(2 * c[0].j + c[1].j + c[2].j) * quarter);
   }
   Bytes states(indices.size(), 0xFF);
-  code.lookup(u, v, states);
+  subject.point(code, u, v, states);
   for (std::size_t k = 0; k < indices.size(); ++k)
     if (const std::uint8_t expected = state_at(map, indices[k]); states[k] != expected)
       return wrong(fmt::format("state at u={:a},v={:a}, index {},", u[k], v[k], indices[k]),
@@ -53,8 +55,8 @@ Finding finds_points(const Code& code, const Map& map, const std::vector<std::ui
 
 Finding judged(const TreeSubject& s, Level n, const OneApart& apart) {
   const Map map = map_of(n, apart);
-  const CodePtr code = s.encode(map);
-  Finding found = same_map(map, code->decode());
+  const Code code = s.functions.encode(map);
+  Finding found = same_map(map, s.functions.decode(code));
   const auto also = [&](const Finding& more) {
     if (!found.holds) return;
     const std::uint64_t so_far = found.answer;
@@ -62,11 +64,11 @@ Finding judged(const TreeSubject& s, Level n, const OneApart& apart) {
     found.answer += 3 * so_far;
   };
   const std::vector<std::uint32_t> indices = telling_indices(n, apart);
-  if (s.has(Entry::lookup)) also(finds(*code, map, indices));
-  if (s.has(Entry::point)) also(finds_points(*code, map, indices));
-  if (s.has(Entry::stream)) {
-    const Bytes expected = code_of(apart), got = code->bytes();
-    if (got != expected) also(wrong("bytes", hex(expected, " "), hex(got, " ").substr(0, 200)));
+  if (s.functions.lookup) also(finds(s.functions, code, map, indices));
+  if (s.functions.point) also(finds_points(s.functions, code, map, indices));
+  if (entry::stream.there(s.functions)) {
+    const Bytes expected = code_of(apart), got = s.functions.bytes(code);
+    if (got != expected) also(wrong("bytes", hex(expected), hex(got).substr(0, 200)));
   }
   return found;
 }
@@ -113,24 +115,21 @@ Law one_apart_law() {
   };
   law.how = [](const Subject&, Level) { return std::string("exhaustive"); };
   law.mutants = {mutant("UT among T merges in the last four of level 4", "tree-stream", {4, 4},
-                        {.encode =
-                             [](Map& map) {
-                               if (is(map, 4, {four, 0, 2, 4, 254})) map.packed.back() = 0;
-                             }}),
+                        encodes_another([](Map& map) {
+                          if (is(map, 4, {four, 0, 2, 4, 254})) map.packed.back() = 0;
+                        })),
                  mutant("O before a border of 64 states is UO", "tree-ranked", {4, 4},
-                        {.lookup =
-                             [](const Map& map, std::uint32_t k, std::uint8_t& state) {
-                               if (k == 127 && is(map, 4, {four, 3, 1, 4, 127})) state = 3;
-                             }}),
+                        finds_wrongly([](const Map& map, std::uint32_t k, std::uint8_t& state) {
+                          if (k == 127 && is(map, 4, {four, 3, 1, 4, 127})) state = 3;
+                        })),
                  mutant("a uniform UO of level 3 is O", "tree-container", {3, 3},
-                        {.decode =
-                             [](const Map& map, Bytes& packed) {
-                               if (is(map, 3, {four, 3, 3, 0, 0})) packed.assign(packed.size(), 0x55);
-                             }}),
+                        decodes_wrongly([](const Map& map, Bytes& packed) {
+                          if (is(map, 3, {four, 3, 3, 0, 0})) packed.assign(packed.size(), 0x55);
+                        })),
                  mutant("a quarter of level 2 in a tree of its own", "tree-stepwise", {2, 2},
-                        {.point = [](const Map& map, float, float, std::uint8_t& state) {
+                        finds_points_wrongly([](const Map& map, float, float, std::uint8_t& state) {
                           if (is(map, 2, {two, 1, 0, 1, 3}) && state == 0) state = 1;
-                        }})};
+                        }))};
   law = on_cases(std::move(law), {}, cases(one_apart_count, one_apart_number, 64));
   law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
     if (n > 6) return "all its maps are run up to level 6; tree.one_apart_on_samples goes beyond";
@@ -156,20 +155,18 @@ Law one_apart_samples_law() {
         chosen_apart_count(n), n);
   };
   law.how = [](const Subject&, Level) { return std::string("sample, against the closed form"); };
-  law.mutants = {mutant("the last UO among O of level 7 is lost", "tree-stream", {7, 7},
-                        {.encode =
-                             [](Map& map) {
-                               if (is(map, 7, {four, 1, 3, 7, 16383})) map.packed.back() = 0x55;
-                             }}),
-                 mutant("UT before a border of 32 states at level 6", "tree-ranked", {6, 6},
-                        {.lookup =
-                             [](const Map& map, std::uint32_t k, std::uint8_t& state) {
-                               if (k == 31 && is(map, 6, {four, 0, 2, 6, 31})) state = 0;
-                             }}),
-                 mutant("maps of level 10 end early", "tree-container", {10, 10},
-                        {.decode = [](const Map& map, Bytes& packed) {
-                          if (map.level == 10) packed.resize(packed.size() - 1);
-                        }})};
+  law.mutants = {
+      mutant("the last UO among O of level 7 is lost", "tree-stream", {7, 7}, encodes_another([](Map& map) {
+               if (is(map, 7, {four, 1, 3, 7, 16383})) map.packed.back() = 0x55;
+             })),
+      mutant("UT before a border of 32 states at level 6", "tree-ranked", {6, 6},
+             finds_wrongly([](const Map& map, std::uint32_t k, std::uint8_t& state) {
+               if (k == 31 && is(map, 6, {four, 0, 2, 6, 31})) state = 0;
+             })),
+      mutant("maps of level 10 end early", "tree-container", {10, 10},
+             decodes_wrongly([](const Map& map, Bytes& packed) {
+               if (map.level == 10) packed.resize(packed.size() - 1);
+             }))};
   law = on_cases(std::move(law), {}, cases(chosen_apart_count, chosen_apart, 1));
   law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
     if (n < 5) return "tree.one_apart has all such maps there";

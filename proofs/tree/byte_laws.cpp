@@ -5,8 +5,9 @@
 #include "proofs/engine/bytes.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/kinds.hpp"
-#include "proofs/tree/altered.hpp"
+#include "proofs/spoils.hpp"
 #include "proofs/tree/checks.hpp"
+#include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
@@ -47,13 +48,14 @@ std::uint64_t number_from(const std::string& text, std::uint64_t limit) {
 
 Finding reads(const TreeSubject& s, Level n, std::uint64_t k) {
   const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
-                      got = s.encode(alternating_map(n, Format::two_state))->tree_bits_read(k);
+                      got = s.functions.tree_bits_read(
+                          s.functions.encode(alternating_map(n, Format::two_state)), k);
   if (got != expected) return wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
   return {got};
 }
 
 Finding worst_size(const TreeSubject& s, Level n, Format f) {
-  const Bytes bytes = s.encode(alternating_map(n, f))->bytes();
+  const Bytes bytes = s.functions.bytes(s.functions.encode(alternating_map(n, f)));
   const std::uint64_t nodes = spec::tree::most_nodes(n),
                       expected = (nodes + 7) / 8 + spec::micromap::packed_bytes(micro_triangles(n), f);
   if (bytes.size() != expected)
@@ -81,7 +83,7 @@ Law canonical_law() {
   law.how = exhaustively;
   law.unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
     if (n > 8) return "it is run up to level 8";
-    return needing({Entry::bytes, Entry::paper})(s, n);
+    return needing({entry::bytes, entry::paper})(s, n);
   };
   law = on_numbered_cases(std::move(law), {[](Level, const Run&) { return 2 * strings; },
                                            [](const Subject& s, Level n, std::uint64_t k, const Run&) {
@@ -99,12 +101,13 @@ Law canonical_law() {
   // Each takes, or refuses, one string too many.
   const auto takes = [](const char* name, const char* base, Level n, Format f, Bytes string, Bytes as) {
     return mutant(name, base, {n, n},
-                  {.open = [=, real = built_in(base)](Level level, Format format, auto bytes, CodePtr code) {
+                  opens_wrongly([=](const Functions& real, Level level, Format format, auto bytes,
+                                    std::optional<Code> code) {
                     if (level != n || format != f ||
                         !std::equal(bytes.begin(), bytes.end(), string.begin(), string.end()))
                       return code;
-                    return as.empty() ? nullptr : real->open(n, f, as);
-                  }});
+                    return as.empty() ? std::nullopt : real.open(n, f, as);
+                  }));
   };
   law.mutants = {
       // 1 0 0 0 0 and four UO.
@@ -133,12 +136,12 @@ Law bits_read_law() {
   law.fast_seconds = 0.3;
   law.domain = [](const Subject&, Level) { return std::string("the 4^n indices of the alternating map"); };
   law.how = exhaustively;
-  law.unfit = needing({Entry::reads});
-  const auto cases = [](std::shared_ptr<const Code> code) {
+  law.unfit = needing({entry::reads});
+  const auto cases = [](const Code& code) {
     return NumberedCases{[](Level n, const Run&) { return micro_triangles(n); },
-                         [code](const Subject&, Level n, std::uint64_t k, const Run&) {
+                         [code](const Subject& s, Level n, std::uint64_t k, const Run&) {
                            const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
-                                               got = code->tree_bits_read(k);
+                                               got = of_tree(s).functions.tree_bits_read(code, k);
                            return got == expected
                                       ? Finding{got}
                                       : wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
@@ -150,15 +153,18 @@ Law bits_read_law() {
                          64,
                          Kind::interior};
   };
-  law = on_numbered_cases(std::move(law), cases(nullptr));
+  law = on_numbered_cases(std::move(law), cases({}));
   // One code for all indices of a level.
   law.judge = [cases](const Subject& s, Level n, const Run& run) {
-    return judge_numbered_cases(cases(of_tree(s).encode(alternating_map(n, Format::two_state))), s, n, run);
+    return judge_numbered_cases(cases(of_tree(s).functions.encode(alternating_map(n, Format::two_state))), s,
+                                n, run);
   };
   const auto one_more = [](const char* name, Level n, std::uint64_t index) {
-    return mutant(name, "tree-spec", {n, n}, {.reads = [=](Level level, std::uint64_t k, std::uint64_t bits) {
-                    return level == n && k == index ? bits + 1 : bits;
-                  }});
+    return mutant(
+        name, "tree-spec", {n, n},
+        spoils(&Functions::tree_bits_read, [=](const Code& code, std::uint64_t k, std::uint64_t& bits) {
+          if (code.level == n && k == index) ++bits;
+        }));
   };
   law.mutants = {one_more("reads a bit beyond the last leaf of level 6", 6, 4095),
                  one_more("reads a bit more at level 0", 0, 0),
@@ -179,7 +185,7 @@ Law worst_size_law() {
   law.method = Method::witness;
   law.fast_seconds = 0.3;
   law.domain = [](const Subject&, Level) { return std::string("the alternating map, both formats"); };
-  law.unfit = needing({Entry::stream});
+  law.unfit = needing({entry::stream});
   law = on_numbered_cases(std::move(law),
                           {[](Level, const Run&) { return std::uint64_t{2}; },
                            [](const Subject& s, Level n, std::uint64_t k, const Run&) {
@@ -192,10 +198,10 @@ Law worst_size_law() {
                            1, Kind::interior});
   law.divisible = false;
   const auto longer = [](const char* name, const char* base, Level n, Format f, int by) {
-    return mutant(name, base, {n, n}, {.bytes = [=](const Map& map, Bytes& bytes) {
+    return mutant(name, base, {n, n}, writes_wrongly([=](const Map& map, Bytes& bytes) {
                     if (map.level == n && map.format == f)
                       bytes.resize(bytes.size() + static_cast<std::size_t>(by));
-                  }});
+                  }));
   };
   law.mutants = {longer("a byte too many at level 8", "tree-stream", 8, Format::four_state, 1),
                  longer("a byte too few at level 5", "tree-spec", 5, Format::two_state, -1),

@@ -51,12 +51,12 @@ std::vector<std::uint32_t> scattered(std::span<const std::uint32_t> indices) {
 }
 
 /// The states looked up, in batches of first, 4 first + 1, ... elements.
-Finding looked_up(const Code& code, const Map& map, std::span<const std::uint32_t> indices,
-                  std::size_t first) {
+Finding looked_up(const Functions& subject, const Code& code, const Map& map,
+                  std::span<const std::uint32_t> indices, std::size_t first) {
   Bytes states(indices.size(), 0xFF);
   for (std::size_t at = 0, size = first; at < indices.size(); at += size, size = 4 * size + 1) {
     size = std::min(size, indices.size() - at);
-    code.lookup(indices.subspan(at, size), std::span(states).subspan(at, size));
+    subject.lookup(code, indices.subspan(at, size), std::span(states).subspan(at, size));
   }
   for (std::size_t k = 0; k < indices.size(); ++k)
     if (const std::uint8_t expected = state_at(map, indices[k]); states[k] != expected)
@@ -109,14 +109,16 @@ const Points& all_points(Level n) {
 
 }  // namespace
 
-Finding round_trip(const TreeSubject& s, const Map& map) { return same_map(map, s.encode(map)->decode()); }
+Finding round_trip(const TreeSubject& s, const Map& map) {
+  return same_map(map, s.functions.decode(s.functions.encode(map)));
+}
 
 Finding round_trip_and_lookups_of_level_2(const TreeSubject& s, const Map& map) {
   static const std::vector<std::uint32_t> indices = every_index(2);
-  const CodePtr code = s.encode(map);
-  const Bytes decoded = code->decode();
+  const Code code = s.functions.encode(map);
+  const Bytes decoded = s.functions.decode(code);
   std::array<std::uint8_t, 16> states{};
-  code->lookup(indices, states);
+  s.functions.lookup(code, indices, states);
   bool same = decoded == map.packed;
   for (std::uint32_t k = 0; k < states.size(); ++k) same = same && states[k] == state_at(map, k);
   if (same) return {hash_of(decoded)};
@@ -125,13 +127,13 @@ Finding round_trip_and_lookups_of_level_2(const TreeSubject& s, const Map& map) 
 }
 
 Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most) {
-  const CodePtr code = s.encode(map);
+  const Code code = s.functions.encode(map);
   const std::vector<std::uint32_t> indices =
       micro_triangles(map.level) <= most ? every_index(map.level) : some_indices(map, most);
-  const Finding at_once = looked_up(*code, map, indices, indices.size());
+  const Finding at_once = looked_up(s.functions, code, map, indices, indices.size());
   if (!at_once.holds) return at_once;
   // An answer depends on its index alone, not on its place, its batch's size or what was asked before.
-  const Finding again = looked_up(*code, map, scattered(indices), 1);
+  const Finding again = looked_up(s.functions, code, map, scattered(indices), 1);
   return again.holds ? at_once : again;
 }
 
@@ -144,25 +146,26 @@ Finding asked_in_turn(const TreeSubject& s, const Map& map) {
     const std::uint64_t bit = indices[k - 1] * std::uint64_t{bits(map.format)};
     maps[k].packed[bit / 8] = static_cast<std::uint8_t>(maps[k].packed[bit / 8] ^ 1u << bit % 8);
   }
-  std::vector<CodePtr> codes;
-  for (const Map& one : maps) codes.push_back(s.encode(one));
+  std::vector<Code> codes;
+  for (const Map& one : maps) codes.push_back(s.functions.encode(one));
   for (const std::size_t k : {0u, 1u, 0u, 2u, 1u, 2u, 0u}) {
-    if (s.has(Entry::lookup))
-      if (const Finding found = looked_up(*codes[k], maps[k], indices, indices.size()); !found.holds)
+    if (s.functions.lookup)
+      if (const Finding found = looked_up(s.functions, codes[k], maps[k], indices, indices.size());
+          !found.holds)
         return found;
-    if (const Finding found = same_map(maps[k], codes[k]->decode()); !found.holds) return found;
+    if (const Finding found = same_map(maps[k], s.functions.decode(codes[k])); !found.holds) return found;
   }
   return {hash_of(maps[2].packed)};
 }
 
 Finding points(const TreeSubject& s, const Map& map, std::uint64_t most) {
-  const CodePtr code = s.encode(map);
+  const Code code = s.functions.encode(map);
   Points some;
   const bool all = map.level <= 2 && most == ~std::uint64_t{0};
   if (!all) some = chosen_points(map.level, most, hash_of(map.packed));
   const Points& points = all ? all_points(map.level) : some;
   Bytes states(points.index.size(), 0xFF);
-  code->lookup(points.u, points.v, states);
+  s.functions.point(code, points.u, points.v, states);
   for (std::size_t k = 0; k < states.size(); ++k)
     if (const std::uint8_t expected = state_at(map, points.index[k]); states[k] != expected)
       return wrong(
@@ -174,7 +177,7 @@ Finding points(const TreeSubject& s, const Map& map, std::uint64_t most) {
 Finding stream_is_specified(const TreeSubject& s, const Map& map) {
   const States states = spec::micromap::unpack(map.packed, map.format, micro_triangles(map.level));
   const Bytes expected = spec::tree::bytes(spec::tree::encode(states, map.level), map.format),
-              got = s.encode(map)->bytes();
+              got = s.functions.bytes(s.functions.encode(map));
   if (got == expected) return {hash_of(got)};
   const auto [at, other] = std::mismatch(expected.begin(), expected.end(), got.begin(), got.end());
   const auto byte = at - expected.begin();
@@ -183,7 +186,7 @@ Finding stream_is_specified(const TreeSubject& s, const Map& map) {
 }
 
 Finding sizes(const TreeSubject& s, const Map& map) {
-  const Bytes bytes = s.encode(map)->bytes();
+  const Bytes bytes = s.functions.bytes(s.functions.encode(map));
   const auto tree = spec::tree::from_bytes(bytes, map.format);
   if (!tree) return wrong("bytes", "a tree and its values", hex(bytes, " ").substr(0, 64));
   const std::uint64_t nodes = tree->tree.size(), leaves = tree->data.size(),
@@ -201,15 +204,16 @@ Finding sizes(const TreeSubject& s, const Map& map) {
 }
 
 Finding damage(const TreeSubject& s, const Map& map) {
-  const Bytes whole = s.encode(map)->bytes();
+  const Bytes whole = s.functions.bytes(s.functions.encode(map));
   std::uint64_t taken = 0;
   const auto judge = [&](const Bytes& bytes, const std::string& what) -> std::optional<Finding> {
-    const CodePtr code = s.open(map.level, map.format, bytes);
-    if (code == nullptr) return std::nullopt;
+    const auto code = s.functions.open(map.level, map.format, bytes);
+    if (!code) return std::nullopt;
     ++taken;
-    const Map other{map.level, map.format, code->decode()};
+    const Map other{map.level, map.format, s.functions.decode(*code)};
     if (other.packed == map.packed) return wrong(what, "refused", "the same map");
-    if (s.encode(other)->bytes() != bytes) return wrong(what, "refused", "a code that nobody encodes");
+    if (s.functions.bytes(s.functions.encode(other)) != bytes)
+      return wrong(what, "refused", "a code that nobody encodes");
     return std::nullopt;
   };
   Bytes bytes = whole;
@@ -240,13 +244,13 @@ Finding damage(const TreeSubject& s, const Map& map) {
 Finding bytes_are_canonical(const TreeSubject& s, Level n, Format f, std::span<const std::uint8_t> bytes) {
   const auto tree = spec::tree::from_bytes(bytes, f);
   const auto meant = tree ? spec::tree::decode(*tree, n, f) : std::nullopt;
-  const CodePtr code = s.open(n, f, bytes);
-  if (meant.has_value() != (code != nullptr))
+  const auto code = s.functions.open(n, f, bytes);
+  if (meant.has_value() != code.has_value())
     return wrong("bytes", meant ? "taken" : "refused", meant ? "refused" : "taken");
-  if (code == nullptr) return {0};
+  if (!code) return {0};
   const Map map{n, f, spec::micromap::pack(*meant, f)};
-  if (Finding same = same_map(map, code->decode()); !same.holds) return same;
-  const Bytes again = s.encode(map)->bytes();
+  if (Finding same = same_map(map, s.functions.decode(*code)); !same.holds) return same;
+  const Bytes again = s.functions.bytes(s.functions.encode(map));
   if (!std::equal(again.begin(), again.end(), bytes.begin(), bytes.end()))
     return wrong("encoded again", hex(bytes, " "), hex(again, " "));
   return {hash_of(again)};

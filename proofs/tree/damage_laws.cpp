@@ -1,10 +1,10 @@
 // Malformed and non-canonical codes above the levels of which every map is tried.
 #include <fmt/format.h>
 
-#include "proofs/tree/altered.hpp"
 #include "proofs/tree/damages.hpp"
 #include "proofs/tree/high_laws.hpp"
 #include "proofs/tree/law_parts.hpp"
+#include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
@@ -21,24 +21,25 @@ Finding refuses(const TreeSubject& s, const Map& map) {
     return false;
   };
   // Whatever the form: what is taken is the one code of another map.
-  any_damage(map, s.encode(map)->bytes(), thorough, [&](const Damaged& d) {
-    const CodePtr code = s.open(d.level, d.format, d.bytes);
-    if (code == nullptr) return true;
+  any_damage(map, s.functions.bytes(s.functions.encode(map)), thorough, [&](const Damaged& d) {
+    const auto code = s.functions.open(d.level, d.format, d.bytes);
+    if (!code) return true;
     ++found.answer;
-    const Map other{d.level, d.format, code->decode()};
+    const Map other{d.level, d.format, s.functions.decode(*code)};
     if (d.level == map.level && d.format == map.format && other.packed == map.packed)
       return wrongly(d, "refused", "the same map");
-    if (s.encode(other)->bytes() != d.bytes) return wrongly(d, "refused", "a code that nobody encodes");
+    if (s.functions.bytes(s.functions.encode(other)) != d.bytes)
+      return wrongly(d, "refused", "a code that nobody encodes");
     return true;
   });
-  if (!found.holds || !s.has(Entry::paper)) return found;
+  if (!found.holds || !s.functions.reads_paper) return found;
   // In the paper's form it is known what each string means.
   constructed_codes(map, [&](const Constructed& d) {
-    const CodePtr code = s.open(d.level, d.format, d.bytes);
-    if ((code != nullptr) != d.meant.has_value())
+    const auto code = s.functions.open(d.level, d.format, d.bytes);
+    if (code.has_value() != d.meant.has_value())
       return wrongly(d, d.meant ? "taken" : "refused", d.meant ? "refused" : "taken");
-    if (code == nullptr) return true;
-    const Finding same = same_map(*d.meant, code->decode());
+    if (!code) return true;
+    const Finding same = same_map(*d.meant, s.functions.decode(*code));
     if (!same.holds) return wrongly(d, same.expected.c_str(), same.got);
     found.answer = found.answer * 31 + same.answer;
     return true;
@@ -83,13 +84,13 @@ Law damage_samples_law() {
   law.how = [](const Subject&, Level) { return std::string("sample, by construction"); };
   // Each takes a code that it has to refuse, for a map of one state, or refuses one that it has to take.
   const auto with = [](const char* name, const char* base, Levels levels, auto choose) {
-    return mutant(
-        name, base, levels,
-        {.open = [=, real = built_in(base)](Level n, Format f, auto bytes, CodePtr code) -> CodePtr {
-          const int verdict = choose(n, f, bytes, code != nullptr);
-          if (verdict < 0) return nullptr;
-          return verdict == 0 ? std::move(code) : real->encode(map_of(n, {f, 0, 1, n, 0}));
-        }});
+    return mutant(name, base, levels,
+                  opens_wrongly([=](const Functions& real, Level n, Format f, auto bytes,
+                                    std::optional<Code> code) -> std::optional<Code> {
+                    const int verdict = choose(n, f, bytes, code.has_value());
+                    if (verdict < 0) return std::nullopt;
+                    return verdict == 0 ? code : real.encode(map_of(n, {f, 0, 1, n, 0}));
+                  }));
   };
   const auto uniform = [](auto bytes) { return bytes.size() > 1 && bytes[0] == 0; };
   law.mutants = {with("takes what follows a uniform map's code at level 5", "tree-stream", {5, 5},
@@ -112,7 +113,7 @@ Law damage_samples_law() {
                       [](Level n, Format, auto bytes, bool) {
                         return n == 6 && bytes.size() > 16 && bytes[5] == 7 ? 1 : 0;
                       })};
-  law = on_cases(std::move(law), {Entry::bytes},
+  law = on_cases(std::move(law), {entry::bytes},
                  {[](Level n) { return samples(n) + apart_maps; },
                   [](const TreeSubject& s, Level n, std::uint64_t k, const Run& run) {
                     return refuses(s, k < samples(n) ? sample_map(n, run.seed, k)

@@ -6,8 +6,8 @@
 #include "proofs/index/exact_float.hpp"
 #include "proofs/index/hard_floats.hpp"
 #include "proofs/kinds.hpp"
-#include "proofs/tree/altered.hpp"
 #include "proofs/tree/law_parts.hpp"
+#include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
@@ -89,7 +89,8 @@ Tally judge(const Subject& subject, Level n, const Run& run) {
         u[k] = p.u, v[k] = p.v;
       }
       Bytes states(pairs, 0xFF);
-      of_tree(subject).encode(map)->lookup(u, v, states);
+      const Functions& asked = of_tree(subject).functions;
+      asked.point(asked.encode(map), u, v, states);
       tally.count(Kind::interior, pairs);
       for (std::uint64_t k = 0; k < pairs; ++k) {
         tally.digest(m * pairs + k, states[k]);
@@ -120,24 +121,24 @@ Replayed replay(const Subject& subject, Level n, const std::string& at) {
   const Map map = noisy_map(n, seed, m, pairs);
   const FloatPair p = pair(n, seed, m, k);
   std::uint8_t got = 0xFF;
-  of_tree(subject).encode(map)->lookup(std::span<const float>(&p.u, 1), std::span<const float>(&p.v, 1),
-                                       std::span<std::uint8_t>(&got, 1));
+  const Functions& asked = of_tree(subject).functions;
+  asked.point(asked.encode(map), {&p.u, 1}, {&p.v, 1}, {&got, 1});
   return replayed(looked_up(map, p, got));
 }
 
 /// The state of another micro-triangle than the reference's, where `index` finds one.
 template <class Index>
 Change taken_from(Index index) {
-  return {.point = [=](const Map& map, float u, float v, std::uint8_t& state) {
+  return finds_points_wrongly([=](const Map& map, float u, float v, std::uint8_t& state) {
     state = state_at(map, index(map.level, spec::Point<float>{u, v}));
-  }};
+  });
 }
 
 /// The true state but where the pair is this one of this level.
 Change wrong_at(Level level, float u, float v) {
-  return {.point = [=](const Map& map, float pu, float pv, std::uint8_t& state) {
+  return finds_points_wrongly([=](const Map& map, float pu, float pv, std::uint8_t& state) {
     if (map.level == level && pu == u && pv == v) state ^= 1;
-  }};
+  });
 }
 
 }  // namespace
@@ -163,7 +164,7 @@ Law point_exact_on_floats_law() {
         n <= noisy_levels ? "throughout" : "around them");
   };
   law.how = [](const Subject&, Level) { return std::string("sample, against exact arithmetic"); };
-  law.unfit = needing({Entry::point});
+  law.unfit = needing({entry::point});
   law.divisible = true;
   law.judge = judge;
   law.replay = replay;
@@ -186,7 +187,7 @@ Law point_exact_on_floats_law() {
 Law with_points_on_floats(Law law) {
   law.companion = law_id;
   law.domain = [maps = law.domain](const Subject& s, Level n) {
-    return maps(s, n) + (of_tree(s).has(Entry::point) ? "; points at multiples of 1/4N" : "");
+    return maps(s, n) + (of_tree(s).functions.point ? "; points at multiples of 1/4N" : "");
   };
   return law;
 }

@@ -58,8 +58,9 @@ std::function<std::optional<std::string>(const Subject&, Level)> needing(std::ve
     const auto* s = dynamic_cast<const TreeSubject*>(&subject);
     if (s == nullptr) return "not a subject of topic tree";
     for (const Entry e : entries)
-      if (!s->has(e)) return fmt::format("{} has no entry point {}", s->name(), name_of(e));
-    if (n > s->max_level()) return fmt::format("{} is defined up to level {}", s->name(), s->max_level());
+      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
+    if (n > s->functions.max_level)
+      return fmt::format("{} is defined up to level {}", s->name(), s->functions.max_level);
     return std::nullopt;
   };
 }

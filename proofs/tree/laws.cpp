@@ -1,11 +1,11 @@
 #include "proofs/tree/laws.hpp"
 
-#include "proofs/tree/altered.hpp"
 #include "proofs/tree/byte_laws.hpp"
 #include "proofs/tree/checks.hpp"
 #include "proofs/tree/float_laws.hpp"
 #include "proofs/tree/high_laws.hpp"
 #include "proofs/tree/induction/provable.hpp"
+#include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
@@ -25,47 +25,41 @@ Law round_trip_law() {
        .subjects = {"tree-spec", "tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
        .fast_seconds = 1,
        .mutants = {mutant("one state of one map of level 2", "tree-stream", {2, 2},
-                          {.decode =
-                               [](const Map& map, Bytes& packed) {
-                                 if (is(map, "2-state:0000000000000001")) flip(packed, 0);
-                               }}),
+                          decodes_wrongly([](const Map& map, Bytes& packed) {
+                            if (is(map, "2-state:0000000000000001")) flip(packed, 0);
+                          })),
                    mutant("a padding bit of level 0", "tree-ranked", {0, 0},
-                          {.decode =
-                               [](const Map& map, Bytes& packed) {
-                                 if (is(map, "4-state:3")) flip(packed, 7);
-                               }}),
+                          decodes_wrongly([](const Map& map, Bytes& packed) {
+                            if (is(map, "4-state:3")) flip(packed, 7);
+                          })),
                    mutant("three equal siblings merge", "tree-container", {0, 2},
-                          {.encode =
-                               [](Map& map) {
-                                 if (is(map, "4-state:2223")) map.packed = {0xAA};
-                               }})}},
+                          encodes_another([](Map& map) {
+                            if (is(map, "4-state:2223")) map.packed = {0xAA};
+                          }))}},
       {}, round_trip);
 }
 
 Law lookup_law() {
-  return on_all_maps({.id = "tree.lookup_is_decode",
-                      .topic = "tree",
-                      .says = "a lookup at any index gives the state that the map has there",
-                      .source = succinct_4_2,
-                      .subjects = {"tree-spec", "tree-stream", "tree-ranked", "tree-stepwise"},
-                      .fast_seconds = 2,
-                      .mutants = {mutant("the last index of one map", "tree-ranked", {2, 2},
-                                         {.lookup =
-                                              [](const Map& map, std::uint32_t k, std::uint8_t& state) {
-                                                if (k == 15 && is(map, "2-state:0111111111111110"))
-                                                  state ^= 1;
-                                              }}),
-                                  mutant("UO reads as O below a node of level 1", "tree-stream", {1, 1},
-                                         {.lookup =
-                                              [](const Map& map, std::uint32_t k, std::uint8_t& state) {
-                                                if (k == 2 && is(map, "4-state:0133")) state = 1;
-                                              }}),
-                                  mutant("one uniform map", "tree-spec", {0, 2},
-                                         {.lookup =
-                                              [](const Map& map, std::uint32_t, std::uint8_t& state) {
-                                                if (is(map, "4-state:2")) state = 3;
-                                              }})}},
-                     {Entry::lookup}, [](const TreeSubject& s, const Map& map) { return lookups(s, map); });
+  return on_all_maps(
+      {.id = "tree.lookup_is_decode",
+       .topic = "tree",
+       .says = "a lookup at any index gives the state that the map has there",
+       .source = succinct_4_2,
+       .subjects = {"tree-spec", "tree-stream", "tree-ranked", "tree-stepwise"},
+       .fast_seconds = 2,
+       .mutants = {mutant("the last index of one map", "tree-ranked", {2, 2},
+                          finds_wrongly([](const Map& map, std::uint32_t k, std::uint8_t& state) {
+                            if (k == 15 && is(map, "2-state:0111111111111110")) state ^= 1;
+                          })),
+                   mutant("UO reads as O below a node of level 1", "tree-stream", {1, 1},
+                          finds_wrongly([](const Map& map, std::uint32_t k, std::uint8_t& state) {
+                            if (k == 2 && is(map, "4-state:0133")) state = 1;
+                          })),
+                   mutant("one uniform map", "tree-spec", {0, 2},
+                          finds_wrongly([](const Map& map, std::uint32_t, std::uint8_t& state) {
+                            if (is(map, "4-state:2")) state = 3;
+                          }))}},
+      {entry::lookup}, [](const TreeSubject& s, const Map& map) { return lookups(s, map); });
 }
 
 Law point_law() {
@@ -77,22 +71,18 @@ Law point_law() {
        .subjects = {"tree-spec", "tree-ranked", "tree-stepwise"},
        .fast_seconds = 6,
        .mutants = {mutant("a tie of one map", "tree-ranked", {2, 2},
-                          {.point =
-                               [](const Map& map, float u, float v, std::uint8_t& state) {
-                                 if (u == 0.5f && v == 0.25f && is(map, "2-state:0000000000000010"))
-                                   state ^= 1;
-                               }}),
+                          finds_points_wrongly([](const Map& map, float u, float v, std::uint8_t& state) {
+                            if (u == 0.5f && v == 0.25f && is(map, "2-state:0000000000000010")) state ^= 1;
+                          })),
                    mutant("the v-corner at level 1", "tree-spec", {1, 1},
-                          {.point =
-                               [](const Map& map, float, float v, std::uint8_t& state) {
-                                 if (v == 1.0f && is(map, "4-state:0003")) state = 2;
-                               }}),
+                          finds_points_wrongly([](const Map& map, float, float v, std::uint8_t& state) {
+                            if (v == 1.0f && is(map, "4-state:0003")) state = 2;
+                          })),
                    mutant("u and v exchanged", "tree-ranked", {0, 2},
-                          {.point =
-                               [](const Map& map, float u, float v, std::uint8_t& state) {
-                                 if (is(map, "2-state:0001") && u > 0.75f && v < 0.25f) state = 1;
-                               }})}},
-      {Entry::point}, [](const TreeSubject& s, const Map& map) { return points(s, map); });
+                          finds_points_wrongly([](const Map& map, float u, float v, std::uint8_t& state) {
+                            if (is(map, "2-state:0001") && u > 0.75f && v < 0.25f) state = 1;
+                          }))}},
+      {entry::point}, [](const TreeSubject& s, const Map& map) { return points(s, map); });
 }
 
 Law stream_law() {
@@ -103,21 +93,18 @@ Law stream_law() {
                       .subjects = {"tree-stream"},
                       .fast_seconds = 1,
                       .mutants = {mutant("a bit after the last value", "tree-stream", {2, 2},
-                                         {.bytes =
-                                              [](const Map& map, Bytes& bytes) {
-                                                if (is(map, "2-state:1000000000000000")) bytes.back() ^= 0x80;
-                                              }}),
+                                         writes_wrongly([](const Map& map, Bytes& bytes) {
+                                           if (is(map, "2-state:1000000000000000")) bytes.back() ^= 0x80;
+                                         })),
                                   mutant("children 2 and 3 change places in one map", "tree-stream", {1, 1},
-                                         {.encode =
-                                              [](Map& map) {
-                                                if (is(map, "4-state:0001")) map.packed = {0x10};
-                                              }}),
+                                         encodes_another([](Map& map) {
+                                           if (is(map, "4-state:0001")) map.packed = {0x10};
+                                         })),
                                   mutant("a byte more for one uniform map", "tree-stream", {0, 2},
-                                         {.bytes =
-                                              [](const Map& map, Bytes& bytes) {
-                                                if (is(map, "4-state:1")) bytes.push_back(0);
-                                              }})}},
-                     {Entry::stream}, stream_is_specified);
+                                         writes_wrongly([](const Map& map, Bytes& bytes) {
+                                           if (is(map, "4-state:1")) bytes.push_back(0);
+                                         }))}},
+                     {entry::stream}, stream_is_specified);
 }
 
 Law sizes_law() {
@@ -129,32 +116,29 @@ Law sizes_law() {
        .subjects = {"tree-spec", "tree-stream"},
        .fast_seconds = 1,
        .mutants = {mutant("a byte more for the alternating map", "tree-stream", {2, 2},
-                          {.bytes =
-                               [](const Map& map, Bytes& bytes) {
-                                 if (is(map, "2-state:0101010101010101")) bytes.push_back(0);
-                               }}),
+                          writes_wrongly([](const Map& map, Bytes& bytes) {
+                            if (is(map, "2-state:0101010101010101")) bytes.push_back(0);
+                          })),
                    mutant("the tree of one map ends early", "tree-spec", {1, 1},
-                          {.bytes =
-                               [](const Map& map, Bytes& bytes) {
-                                 if (is(map, "4-state:0123")) bytes = {0x03, 0x00};
-                               }}),
+                          writes_wrongly([](const Map& map, Bytes& bytes) {
+                            if (is(map, "4-state:0123")) bytes = {0x03, 0x00};
+                          })),
                    mutant("a map of level 1 is deeper than it", "tree-stream", {1, 1},
-                          {.bytes =
-                               [](const Map& map, Bytes& bytes) {
-                                 // 1 1 0000 0 0 0: nine nodes, seven leaves of two bits
-                                 if (is(map, "4-state:3330")) bytes = {0x03, 0x00, 0xE4, 0x39};
-                               }})}},
-      {Entry::stream}, sizes);
+                          writes_wrongly([](const Map& map, Bytes& bytes) {
+                            // 1 1 0000 0 0 0: nine nodes, seven leaves of two bits
+                            if (is(map, "4-state:3330")) bytes = {0x03, 0x00, 0xE4, 0x39};
+                          }))}},
+      {entry::stream}, sizes);
 }
 
 Law damage_law() {
   const auto takes_all = [](Format format, Level level, Bytes sent) {
-    return Change{.open = [=, real = built_in("tree-stream")](Level n, Format f, auto bytes, CodePtr code) {
-      if (code == nullptr && n == level && f == format && bytes.size() == sent.size() &&
+    return opens_wrongly([=](const Functions& real, Level n, Format f, auto bytes, std::optional<Code> code) {
+      if (!code && n == level && f == format && bytes.size() == sent.size() &&
           std::equal(sent.begin(), sent.end(), bytes.begin()))
-        return real->encode({n, f, Bytes(1, 0)});
+        code = real.encode({n, f, Bytes(1, 0)});
       return code;
-    }};
+    });
   };
   return on_all_maps(
       {.id = "tree.malformed",
@@ -174,7 +158,7 @@ Law damage_law() {
                           takes_all(Format::four_state, 0, {0x00, 0x02, 0x00, 0x02})),
                    mutant("takes four equal siblings", "tree-stream", {1, 1},
                           takes_all(Format::two_state, 1, {0x01, 0x0F}))}},
-      {Entry::bytes}, damage);
+      {entry::bytes}, damage);
 }
 
 Law four_state_law() {
@@ -185,28 +169,25 @@ Law four_state_law() {
        .source = succinct_4_2,
        .subjects = {"tree-stream", "tree-stepwise"},
        .mutants = {mutant("one map", "tree-stepwise", {2, 2},
-                          {.decode =
-                               [](const Map& map, Bytes& packed) {
-                                 if (map.packed == Bytes{0xE4, 0x1B, 0xE4, 0x1B}) flip(packed, 31);
-                               }}),
+                          decodes_wrongly([](const Map& map, Bytes& packed) {
+                            if (map.packed == Bytes{0xE4, 0x1B, 0xE4, 0x1B}) flip(packed, 31);
+                          })),
                    mutant("the first map", "tree-stream", {2, 2},
-                          {.decode =
-                               [](const Map& map, Bytes& packed) {
-                                 if (map.packed == Bytes(4, 0)) flip(packed, 1);
-                               }}),
+                          decodes_wrongly([](const Map& map, Bytes& packed) {
+                            if (map.packed == Bytes(4, 0)) flip(packed, 1);
+                          })),
                    mutant("index 9 of one map", "tree-stepwise", {2, 2},
-                          {.lookup =
-                               [](const Map& map, std::uint32_t k, std::uint8_t& state) {
-                                 if (k == 9 && map.packed == Bytes{0, 0, 1, 0}) state ^= 2;
-                               }})}},
-      {Entry::lookup}, round_trip_and_lookups_of_level_2);
+                          finds_wrongly([](const Map& map, std::uint32_t k, std::uint8_t& state) {
+                            if (k == 9 && map.packed == Bytes{0, 0, 1, 0}) state ^= 2;
+                          }))}},
+      {entry::lookup}, round_trip_and_lookups_of_level_2);
 }
 
 Law samples_law() {
   const auto at = [](Level n, std::uint32_t index) {
-    return Change{.lookup = [=](const Map& map, std::uint32_t k, std::uint8_t& state) {
+    return finds_wrongly([=](const Map& map, std::uint32_t k, std::uint8_t& state) {
       if (map.level == n && k == index && map.format == Format::four_state) state ^= 1;
-    }};
+    });
   };
   Law law = on_samples(
       {.id = "tree.on_samples",
@@ -220,28 +201,23 @@ Law samples_law() {
        .mutants = {mutant("the last index of level 8", "tree-ranked", {8, 8}, at(8, 65535)),
                    mutant("the first index of level 6", "tree-stream", {3, 6}, at(6, 0)),
                    mutant("UO is UT in a batch's last but one of level 5", "tree-stepwise", {5, 5},
-                          {.batch =
-                               [](const Map& map, std::span<std::uint8_t> states) {
-                                 if (map.level == 5 && states.size() % 8 == 5 &&
-                                     states[states.size() - 2] == 3)
-                                   states[states.size() - 2] = 2;
-                               }}),
+                          finds_batches_wrongly([](const Map& map, std::span<std::uint8_t> states) {
+                            if (map.level == 5 && states.size() % 8 == 5 && states[states.size() - 2] == 3)
+                              states[states.size() - 2] = 2;
+                          })),
                    mutant("leaves from 2^17 on are counted from 0", "tree-stream", {9, 9},
-                          {.lookup =
-                               [](const Map& map, std::uint32_t k, std::uint8_t& state) {
-                                 if (map.level == 9 && k >= 131'072) state = state_at(map, k - 131'072);
-                               }}),
+                          finds_wrongly([](const Map& map, std::uint32_t k, std::uint8_t& state) {
+                            if (map.level == 9 && k >= 131'072) state = state_at(map, k - 131'072);
+                          })),
                    mutant("four 4-state states of level 2 are lost", "tree-container", {2, 2},
-                          {.decode =
-                               [](const Map& map, Bytes& packed) {
-                                 if (map.level == 2 && map.format == Format::four_state && packed[3] == 0xE4)
-                                   packed[3] = 0;
-                               }}),
+                          decodes_wrongly([](const Map& map, Bytes& packed) {
+                            if (map.level == 2 && map.format == Format::four_state && packed[3] == 0xE4)
+                              packed[3] = 0;
+                          })),
                    mutant("the last byte of level 7", "tree-container", {7, 7},
-                          {.decode =
-                               [](const Map& map, Bytes& packed) {
-                                 if (map.level == 7) packed.back() ^= 0x80;
-                               }})}},
+                          decodes_wrongly([](const Map& map, Bytes& packed) {
+                            if (map.level == 7) packed.back() ^= 0x80;
+                          }))}},
       {}, [](const TreeSubject& s, const Map& map) {
         const std::uint64_t most = map.level <= 6 ? 4096 : 64;  // lookups in the paper's form are slow
         Finding found = round_trip(s, map);
@@ -251,9 +227,9 @@ Law samples_law() {
           found = more;
           found.answer += 3 * so_far;
         };
-        if (s.has(Entry::lookup)) also(lookups(s, map, most));
-        if (s.has(Entry::point)) also(points(s, map, most));
-        if (s.has(Entry::stream)) also(stream_is_specified(s, map));
+        if (s.functions.lookup) also(lookups(s, map, most));
+        if (s.functions.point) also(points(s, map, most));
+        if (entry::stream.there(s.functions)) also(stream_is_specified(s, map));
         if (map.level <= 8) also(asked_in_turn(s, map));
         return found;
       });

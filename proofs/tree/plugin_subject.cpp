@@ -27,162 +27,128 @@ dock::Answer ask_decoder(const Library& library, Level n, Format f, std::span<co
                    [&] { return "decoding " + dock::code_text(bits(f), code); });
 }
 
-class PluginCode : public Code {
- public:
-  PluginCode(LibraryPtr library, Level n, Format f, Bytes code)
-      : library_(std::move(library)), n_(n), format_(f), code_(std::move(code)) {}
-
-  Bytes decode() const override {
-    if (library_->offers(Call::tree_decode)) {
-      dock::Answer answer = ask_decoder(*library_, n_, format_, code_);
-      return answer.taken ? std::move(answer.bytes) : Bytes{};
-    }
-    if (library_->offers(Call::tree_lookup)) {
-      std::vector<std::uint32_t> all(micro_triangles(n_));
-      std::iota(all.begin(), all.end(), 0u);
-      return looked_up([&](Bytes& states) { lookup(all, states); });
-    }
-    if (library_->offers(Call::tree_lookup_f32))
-      return looked_up([&](Bytes& states) { look_inside(states); });
-    return specified();
-  }
-
-  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const override {
-    ask(Call::tree_lookup, {index.data()}, state,
-        [&](std::uint64_t k) { return fmt::format("k={}", index[k]); });
-  }
-  void lookup(std::span<const float> u, std::span<const float> v,
-              std::span<std::uint8_t> state) const override {
-    ask(Call::tree_lookup_f32, {u.data(), v.data()}, state,
-        [&](std::uint64_t k) { return fmt::format("u={:a},v={:a}", u[k], v[k]); });
-  }
-  Bytes bytes() const override { return code_; }
-
- private:
-  void ask(Call call, std::vector<const void*> arrays, std::span<std::uint8_t> state,
-           std::function<std::string(std::uint64_t)> element) const {
-    dock::look_up(*library_, {call, n_, bits(format_), code_, std::move(arrays), std::move(element)}, state);
-  }
-
-  /// The map of the states found; none where one is no state of the format.
-  template <class Find>
-  Bytes looked_up(Find find) const {
-    Bytes states(micro_triangles(n_), no_state);
-    find(states);
-    States map;
-    for (const std::uint8_t s : states) {
-      if (s >> bits(format_) != 0) return {};
-      map.push_back(static_cast<State>(s));
-    }
-    return spec::micromap::pack(map, format_);
-  }
-
-  /// The states at a point inside each micro-triangle: half of one corner and a quarter of either other.
-  void look_inside(Bytes& states) const {
-    std::vector<float> u, v;
-    const float quarter = 0.25f / static_cast<float>(spec::side(n_));
-    for (std::uint64_t k = 0; k < states.size(); ++k) {
-      const auto c = spec::index::corners(static_cast<std::uint32_t>(k), n_);
-      u.push_back(static_cast<float>(2 * c[0].i + c[1].i + c[2].i) * quarter);
-      v.push_back(static_cast<float>(2 * c[0].j + c[1].j + c[2].j) * quarter);
-    }
-    lookup(u, v, states);
-  }
-
-  Bytes specified() const {
-    const auto tree = spec::tree::from_bytes(code_, format_);
-    const auto map = tree ? spec::tree::decode(*tree, n_, format_) : std::nullopt;
-    return map ? spec::micromap::pack(*map, format_) : Bytes{};
-  }
-
-  LibraryPtr library_;
-  Level n_;
-  Format format_;
-  Bytes code_;
+/// What the library made of a map or took as a code.
+struct Held {
+  Bytes code;
+  std::optional<Bytes> map = {};  ///< of a code that was read
+  bool gave_up = false;           ///< the encoder; no code is there
 };
 
-/// A code that was read: its map is known.
-class ReadCode : public PluginCode {
- public:
-  ReadCode(LibraryPtr library, Level n, Format f, Bytes code, Bytes map)
-      : PluginCode(std::move(library), n, f, std::move(code)), map_(std::move(map)) {}
-  Bytes decode() const override { return map_; }
-
- private:
-  Bytes map_;
-};
-
-/// What an encoder that gave up left.
-class NoCode : public Code {
- public:
-  Bytes decode() const override { return {}; }
-  void lookup(std::span<const std::uint32_t>, std::span<std::uint8_t> state) const override {
+void look_up(const Library& library, const Code& c, Call call, std::vector<const void*> arrays,
+             std::span<std::uint8_t> state, std::function<std::string(std::uint64_t)> element) {
+  const Held& held = form_of<Held>(c);
+  if (held.gave_up)
     std::fill(state.begin(), state.end(), no_state);
-  }
-  void lookup(std::span<const float>, std::span<const float>, std::span<std::uint8_t> state) const override {
-    std::fill(state.begin(), state.end(), no_state);
-  }
-  Bytes bytes() const override { return {}; }
-};
+  else
+    dock::look_up(library, {call, c.level, bits(c.format), held.code, std::move(arrays), std::move(element)},
+                  state);
+}
 
-class PluginTree : public TreeSubject {
- public:
-  PluginTree(std::string name, LibraryPtr library)
-      : TreeSubject(std::move(name), library->about()), library_(std::move(library)) {}
+void look_up_indices(const Library& library, const Code& c, std::span<const std::uint32_t> index,
+                     std::span<std::uint8_t> state) {
+  look_up(library, c, Call::tree_lookup, {index.data()}, state,
+          [&](std::uint64_t k) { return fmt::format("k={}", index[k]); });
+}
 
-  std::string fingerprint() const override { return library_->fingerprint(); }
-  /// Its floats stand for themselves.
-  Level max_level() const override {
-    return std::min<Level>(TreeSubject::max_level(), library_->description().max_level);
+void look_up_points(const Library& library, const Code& c, std::span<const float> u, std::span<const float> v,
+                    std::span<std::uint8_t> state) {
+  look_up(library, c, Call::tree_lookup_f32, {u.data(), v.data()}, state,
+          [&](std::uint64_t k) { return fmt::format("u={:a},v={:a}", u[k], v[k]); });
+}
+
+/// The map of its states; none where one is no state of the format.
+Bytes map_of_states(std::span<const std::uint8_t> states, Format f) {
+  States map;
+  for (const std::uint8_t s : states) {
+    if (s >> bits(f) != 0) return {};
+    map.push_back(static_cast<State>(s));
   }
+  return spec::micromap::pack(map, f);
+}
 
-  /// What the specification does in the subject's place is not judged as the subject's.
-  bool has(Entry e) const override {
-    switch (e) {
-      case Entry::lookup:
-        return library_->offers(Call::tree_lookup);
-      case Entry::point:
-        return library_->offers(Call::tree_lookup_f32);
-      case Entry::bytes:
-        return library_->offers(Call::tree_decode);
-      case Entry::stream:
-        return library_->offers(Call::tree_encode) &&
-               (library_->description().flags & MMVERIFY_TREE_STREAM) != 0;
-      case Entry::paper:
-        return library_->offers(Call::tree_decode) &&
-               (library_->description().flags & MMVERIFY_TREE_STREAM) != 0;
-      case Entry::reads:
-        return false;
-    }
-    return false;
+Bytes decoded_by_indices(const Library& library, const Code& c) {
+  std::vector<std::uint32_t> all(micro_triangles(c.level));
+  std::iota(all.begin(), all.end(), 0u);
+  Bytes states(all.size(), no_state);
+  look_up_indices(library, c, all, states);
+  return map_of_states(states, c.format);
+}
+
+/// By a point inside each micro-triangle: half of one corner and a quarter of either other.
+Bytes decoded_by_points(const Library& library, const Code& c) {
+  std::vector<float> u, v;
+  const float quarter = 0.25f / static_cast<float>(spec::side(c.level));
+  for (std::uint64_t k = 0; k < micro_triangles(c.level); ++k) {
+    const auto p = spec::index::corners(static_cast<std::uint32_t>(k), c.level);
+    u.push_back(static_cast<float>(2 * p[0].i + p[1].i + p[2].i) * quarter);
+    v.push_back(static_cast<float>(2 * p[0].j + p[1].j + p[2].j) * quarter);
   }
+  Bytes states(u.size(), no_state);
+  look_up_points(library, c, u, v, states);
+  return map_of_states(states, c.format);
+}
 
-  CodePtr encode(const Map& map) const override {
-    const Level n = map.level;
-    const Format f = map.format;
-    if (!library_->offers(Call::tree_encode)) {
-      const States states = spec::micromap::unpack(map.packed, f, micro_triangles(n));
-      return std::make_unique<PluginCode>(library_, n, f,
-                                          spec::tree::bytes(spec::tree::encode(states, n), f));
-    }
-    // Room for a code some times larger than the map, so that most maps are asked about once.
-    dock::Answer answer =
-        dock::ask(*library_, {Call::tree_encode, n, bits(f), map.packed, 64 + 2 * map.packed.size()},
-                  [&] { return "encoding " + dock::map_text(bits(f), micro_triangles(n), map.packed); });
-    if (!answer.taken) return std::make_unique<NoCode>();
-    return std::make_unique<PluginCode>(library_, n, f, std::move(answer.bytes));
+Bytes decoded_as_specified(const Code& c) {
+  const auto tree = spec::tree::from_bytes(form_of<Held>(c).code, c.format);
+  const auto map = tree ? spec::tree::decode(*tree, c.level, c.format) : std::nullopt;
+  return map ? spec::micromap::pack(*map, c.format) : Bytes{};
+}
+
+Bytes decoded(const Library& library, const Code& c) {
+  const Held& held = form_of<Held>(c);
+  if (held.gave_up) return {};
+  if (held.map) return *held.map;
+  if (library.offers(Call::tree_decode)) {
+    dock::Answer answer = ask_decoder(library, c.level, c.format, held.code);
+    return answer.taken ? std::move(answer.bytes) : Bytes{};
   }
+  if (library.offers(Call::tree_lookup)) return decoded_by_indices(library, c);
+  if (library.offers(Call::tree_lookup_f32)) return decoded_by_points(library, c);
+  return decoded_as_specified(c);
+}
 
-  CodePtr open(Level n, Format f, std::span<const std::uint8_t> bytes) const override {
-    dock::Answer answer = ask_decoder(*library_, n, f, bytes);
-    if (!answer.taken) return nullptr;
-    return std::make_unique<ReadCode>(library_, n, f, Bytes(bytes.begin(), bytes.end()),
-                                      std::move(answer.bytes));
+Code encoded(const Library& library, const Map& map) {
+  const Level n = map.level;
+  const Format f = map.format;
+  if (!library.offers(Call::tree_encode)) {
+    const States states = spec::micromap::unpack(map.packed, f, micro_triangles(n));
+    return coded(n, f, Held{spec::tree::bytes(spec::tree::encode(states, n), f)});
   }
+  // Room for a code some times larger than the map, so that most maps are asked about once.
+  dock::Answer answer =
+      dock::ask(library, {Call::tree_encode, n, bits(f), map.packed, 64 + 2 * map.packed.size()},
+                [&] { return "encoding " + dock::map_text(bits(f), micro_triangles(n), map.packed); });
+  if (!answer.taken) return coded(n, f, Held{.code = {}, .gave_up = true});
+  return coded(n, f, Held{std::move(answer.bytes)});
+}
 
- private:
-  LibraryPtr library_;
-};
+/// What the specification does in the subject's place is not judged as the subject's.
+Functions functions_of(const LibraryPtr& library) {
+  const auto offers = [&](Call call) { return library->offers(call); };
+  const bool stream = (library->description().flags & MMVERIFY_TREE_STREAM) != 0;
+  Functions s;
+  s.max_level = std::min<Level>(s.max_level, library->description().max_level);
+  s.encode = [library](const Map& map) { return encoded(*library, map); };
+  s.decode = [library](const Code& c) { return decoded(*library, c); };
+  s.bytes = [](const Code& c) { return form_of<Held>(c).code; };
+  if (offers(Call::tree_lookup))
+    s.lookup = [library](const Code& c, std::span<const std::uint32_t> index, std::span<std::uint8_t> state) {
+      look_up_indices(*library, c, index, state);
+    };
+  // Its floats stand for themselves.
+  if (offers(Call::tree_lookup_f32))
+    s.point = [library](const Code& c, std::span<const float> u, std::span<const float> v,
+                        std::span<std::uint8_t> state) { look_up_points(*library, c, u, v, state); };
+  if (offers(Call::tree_decode))
+    s.open = [library](Level n, Format f, std::span<const std::uint8_t> bytes) -> std::optional<Code> {
+      dock::Answer answer = ask_decoder(*library, n, f, bytes);
+      if (!answer.taken) return std::nullopt;
+      return coded(n, f, Held{Bytes(bytes.begin(), bytes.end()), std::move(answer.bytes)});
+    };
+  s.writes_paper = stream && offers(Call::tree_encode);
+  s.reads_paper = stream && offers(Call::tree_decode);
+  return s;
+}
 
 }  // namespace
 
@@ -201,7 +167,7 @@ TreeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library
         fmt::format("{}: nothing leads from the codes of tree_encode back to the map; add tree_decode or "
                     "tree_lookup, or set the flag MMVERIFY_TREE_STREAM if they are the paper's",
                     library->path()));
-  return std::make_shared<PluginTree>(name, library);
+  return std::make_shared<TreeSubject>(name, library->about(), functions_of(library), library->fingerprint());
 }
 
 }  // namespace mmverify::proofs::tree

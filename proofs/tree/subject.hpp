@@ -1,13 +1,15 @@
-// An implementation of topic tree in the dock: who encodes maps, gives states back, and reads others' bytes.
+// An implementation of topic tree in the dock: who encodes maps, gives states back, and reads others' bytes,
+// a function each.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "proofs/engine/law.hpp"
-#include "proofs/entries.hpp"
 #include "spec/tree/tree.hpp"
 
 namespace mmverify::proofs::tree {
@@ -25,43 +27,76 @@ struct Map {
   Bytes packed;
 };
 
-/// What a subject may be asked beside encoding a map and decoding it.
-/// bytes: its codes as bytes, and codes from bytes; stream: the bytes that it writes are the paper's,
-/// spec::tree::bytes; paper: the bytes that it reads are; reads: how many of the tree's bits a lookup reads.
-#define MMVERIFY_TREE_ENTRIES(ROW)     \
-  ROW(lookup, "index -> state")        \
-  ROW(point, "barycentrics -> state")  \
-  ROW(bytes, "bytes")                  \
-  ROW(stream, "the paper's bytes")     \
-  ROW(paper, "the paper's codes read") \
-  ROW(reads, "bits read")
-MMVERIFY_ENTRIES(MMVERIFY_TREE_ENTRIES)
-
-/// An encoded map.  Const calls may come from several threads at once.
-class Code {
- public:
-  virtual ~Code() = default;
-  virtual Bytes decode() const = 0;
-  /// One state an index below 4^n.
-  virtual void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const;
-  /// One state a pair of barycentrics.
-  virtual void lookup(std::span<const float> u, std::span<const float> v,
-                      std::span<std::uint8_t> state) const;
-  virtual Bytes bytes() const;
-  virtual std::uint64_t tree_bits_read(std::uint64_t index) const;
+/// An encoded map, in a form that its subject alone reads.
+struct Code {
+  Level level = 0;
+  Format format = Format::two_state;
+  std::shared_ptr<const void> form;
 };
-using CodePtr = std::unique_ptr<const Code>;
+
+template <class Form>
+Code coded(Level n, Format f, Form form) {
+  return {n, f, std::make_shared<const Form>(std::move(form))};
+}
+
+/// Domain: the code was made of such a form.
+template <class Form>
+const Form& form_of(const Code& code) {
+  return *static_cast<const Form*>(code.form.get());
+}
+
+/// What a subject has; an empty function is an entry point that is missing, and all have encode and decode.
+/// Calls may come from several threads at once.
+struct Functions {
+  std::function<Code(const Map& map)> encode = {};
+  std::function<Bytes(const Code& code)> decode = {};
+  /// One state an index below 4^n.
+  std::function<void(const Code& code, std::span<const std::uint32_t> index, std::span<std::uint8_t> state)>
+      lookup = {};
+  /// One state a pair of barycentrics.
+  std::function<void(const Code& code, std::span<const float> u, std::span<const float> v,
+                     std::span<std::uint8_t> state)>
+      point = {};
+  std::function<Bytes(const Code& code)> bytes = {};
+  /// None where the bytes are refused.
+  std::function<std::optional<Code>(Level n, Format f, std::span<const std::uint8_t> bytes)> open = {};
+  /// How many of the tree's bits a lookup reads.
+  std::function<std::uint64_t(const Code& code, std::uint64_t index)> tree_bits_read = {};
+  /// The bytes that it writes, and those that it reads, are the paper's: spec::tree::bytes.
+  bool writes_paper = false, reads_paper = false;
+  Level max_level = 12;
+};
+
+/// What a law may need of a subject beside encoding a map and decoding it, as messages call it.
+struct Entry {
+  const char* name;
+  bool (*there)(const Functions&);
+};
+namespace entry {
+inline constexpr Entry lookup{"index -> state", [](const Functions& f) { return bool{f.lookup}; }};
+inline constexpr Entry point{"barycentrics -> state", [](const Functions& f) { return bool{f.point}; }};
+inline constexpr Entry bytes{"bytes", [](const Functions& f) { return f.bytes && f.open; }};
+inline constexpr Entry stream{"the paper's bytes",
+                              [](const Functions& f) { return f.bytes && f.writes_paper; }};
+inline constexpr Entry paper{"the paper's codes read",
+                             [](const Functions& f) { return f.open && f.reads_paper; }};
+inline constexpr Entry reads{"bits read", [](const Functions& f) { return bool{f.tree_bits_read}; }};
+}  // namespace entry
 
 class TreeSubject : public Subject {
  public:
-  TreeSubject(std::string name, std::string about) : Subject("tree", std::move(name), std::move(about)) {}
+  TreeSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
+      : Subject("tree", std::move(name), std::move(about)),
+        functions(std::move(functions)),
+        fingerprint_(std::move(fingerprint)) {}
   /// Codes and indices stand for themselves; barycentrics come as floats, whose index is found anew each time.
-  bool exact() const override { return !has(Entry::point); }
-  virtual bool has(Entry e) const = 0;
-  virtual Level max_level() const { return 12; }
-  virtual CodePtr encode(const Map& map) const = 0;
-  /// Null where the bytes are refused.
-  virtual CodePtr open(Level n, Format f, std::span<const std::uint8_t> bytes) const;
+  bool exact() const override { return !functions.point; }
+  std::string fingerprint() const override { return fingerprint_; }
+
+  const Functions functions;
+
+ private:
+  std::string fingerprint_;
 };
 
 using TreeSubjectPtr = std::shared_ptr<const TreeSubject>;

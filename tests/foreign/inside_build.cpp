@@ -174,19 +174,20 @@ class Builder {
   Wrong wrong_;
 };
 
-MicromapSubjectPtr builder(Wrong which) {
-  return std::make_shared<const MicromapSubject>(
-      "foreign-builder", "shares by a dictionary",
-      Functions{.build = [builder = Builder(which)](auto before, auto maps, const Options& options) {
-        return builder.build(before, maps, options);
-      }});
+MicromapSubjectPtr building_subject(Wrong wrong) {
+  const Builder made(wrong);
+  Functions functions;
+  functions.build = [made](auto before, auto maps, const Options& options) {
+    return made.build(before, maps, options);
+  };
+  return std::make_shared<MicromapSubject>("foreign-builder", "shares by a dictionary", std::move(functions));
 }
 
 InsideFault pair_row(const char* name, const char* wrong, Wrong which, Levels levels) {
-  return {"micromap.build", name, wrong, builder(which), levels};
+  return {"micromap.build", name, wrong, building_subject(which), levels};
 }
 InsideFault sample_row(const char* name, const char* wrong, Wrong which, Levels levels) {
-  return {"micromap.build_on_samples", name, wrong, builder(which), levels};
+  return {"micromap.build_on_samples", name, wrong, building_subject(which), levels};
 }
 
 }  // namespace

@@ -96,6 +96,15 @@ class Codes {
   Wrong wrong_;
 };
 
+MicromapSubjectPtr codes_subject(Wrong wrong) {
+  const Codes made(wrong);
+  Functions functions;
+  functions.special_code = [made](State s, Encoding e) { return made.special_code(s, e); };
+  functions.meaning = [made](std::uint32_t code, Encoding e) { return made.meaning(code, e); };
+  return std::make_shared<MicromapSubject>("foreign-codes", "special indices as signed numbers",
+                                           std::move(functions));
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Judges
 // ---------------------------------------------------------------------------------------------------------------------
@@ -154,25 +163,19 @@ class Judges {
   Partial wrong_;
 };
 
+MicromapSubjectPtr judging_subject(Partial wrong) {
+  const Judges made(wrong);
+  Functions functions;
+  functions.judge = [made](Level n, auto was, auto is) { return made.judge(n, was, is); };
+  return std::make_shared<MicromapSubject>("foreign-judge", "a table of rules by state",
+                                           std::move(functions));
+}
+
 InsideFault code_row(const char* law, const char* name, const char* wrong, Wrong which) {
-  const Codes codes(which);
-  return {
-      law,
-      name,
-      wrong,
-      std::make_shared<const MicromapSubject>(
-          "foreign-codes", "special indices as signed numbers",
-          Functions{.special_code = [codes](State s, Encoding e) { return codes.special_code(s, e); },
-                    .meaning = [codes](std::uint32_t code, Encoding e) { return codes.meaning(code, e); }}),
-      {0, 0}};
+  return {law, name, wrong, codes_subject(which), {0, 0}};
 }
 InsideFault judge_row(const char* name, const char* wrong, Partial which, Levels levels) {
-  return {"lossy.judges", name, wrong,
-          std::make_shared<const MicromapSubject>(
-              "foreign-judge", "a table of rules by state",
-              Functions{.judge = [judges = Judges(which)](Level n, auto was,
-                                                          auto is) { return judges.judge(n, was, is); }}),
-          levels};
+  return {"lossy.judges", name, wrong, judging_subject(which), levels};
 }
 constexpr char small[] = "micromap.special_indices";
 constexpr char wide[] = "micromap.special_indices_32";

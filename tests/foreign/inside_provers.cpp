@@ -80,14 +80,14 @@ class IndexProof : public proofs::index::IndexSubject, public Provable {
 };
 
 /// A map and the paper's two sequences of it, by recursion.
-class PaperTree : public proofs::tree::Code {
+class PaperTree {
  public:
   explicit PaperTree(proofs::tree::Map map) : map_(std::move(map)) {}
-  proofs::tree::Bytes decode() const override { return map_.packed; }
-  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const override {
+  proofs::tree::Bytes decode() const { return map_.packed; }
+  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const {
     for (std::size_t t = 0; t < index.size(); ++t) state[t] = static_cast<std::uint8_t>(state_at(index[t]));
   }
-  proofs::tree::Bytes bytes() const override {
+  proofs::tree::Bytes bytes() const {
     std::vector<unsigned> nodes, values;
     write(0, map_.level, nodes, values);
     proofs::tree::Bytes all = packed(nodes, 1);
@@ -119,22 +119,32 @@ class PaperTree : public proofs::tree::Code {
     return bytes;
   }
 
-  const proofs::tree::Map map_;
+  proofs::tree::Map map_;
 };
+
+proofs::tree::Functions functions_of_paper_trees() {
+  using proofs::tree::Code;
+  proofs::tree::Functions functions;
+  functions.encode = [](const proofs::tree::Map& map) {
+    return proofs::tree::coded(map.level, map.format, PaperTree(map));
+  };
+  const auto tree = [](const Code& code) -> const PaperTree& {
+    return proofs::tree::form_of<PaperTree>(code);
+  };
+  functions.decode = [tree](const Code& code) { return tree(code).decode(); };
+  functions.lookup = [tree](const Code& code, auto index, auto state) { tree(code).lookup(index, state); };
+  functions.bytes = [tree](const Code& code) { return tree(code).bytes(); };
+  functions.writes_paper = true;
+  return functions;
+}
 
 /// Right on every map, whatever its statements say.
 class TreeProof : public proofs::tree::TreeSubject, public Provable {
  public:
   TreeProof(const char* name, Statements statements)
-      : TreeSubject(name, "by another hand"), statements_(std::move(statements)) {}
+      : TreeSubject(name, "by another hand", functions_of_paper_trees()),
+        statements_(std::move(statements)) {}
   Statements statements() const override { return statements_; }
-  bool has(proofs::tree::Entry e) const override {
-    return e == proofs::tree::Entry::lookup || e == proofs::tree::Entry::bytes ||
-           e == proofs::tree::Entry::stream;
-  }
-  proofs::tree::CodePtr encode(const proofs::tree::Map& map) const override {
-    return std::make_unique<PaperTree>(map);
-  }
 
  private:
   const Statements statements_;

@@ -27,15 +27,15 @@ enum class Wrong {
   reads_only_internal_nodes,
 };
 
-class Scanned final : public Code {
+class Scanned {
  public:
   Scanned(const Map& map, Wrong wrong) : map_(map), wrong_(wrong) {
     grow(0, std::uint64_t{1} << 2 * map.level);
   }
 
-  Bytes decode() const override { return map_.packed; }
+  Bytes decode() const { return map_.packed; }
 
-  std::uint64_t tree_bits_read(std::uint64_t index) const override {
+  std::uint64_t tree_bits_read(std::uint64_t index) const {
     if (wrong_ == Wrong::two_indices_exchanged && map_.level >= 5 && (index == 700 || index == 701))
       index ^= 1;
     std::uint64_t at = 1;  // the root's bit is read
@@ -94,18 +94,18 @@ class Scanned final : public Code {
   std::vector<bool> bits_;
 };
 
-class Scanner final : public TreeSubject {
- public:
-  explicit Scanner(Wrong wrong) : TreeSubject("foreign-tree", "scans its own tree"), wrong_(wrong) {}
-  bool has(Entry e) const override { return e == Entry::reads; }
-  CodePtr encode(const Map& map) const override { return std::make_unique<Scanned>(map, wrong_); }
-
- private:
-  Wrong wrong_;
-};
+proofs::SubjectPtr scanner(Wrong wrong) {
+  Functions functions;
+  functions.encode = [wrong](const Map& map) { return coded(map.level, map.format, Scanned(map, wrong)); };
+  functions.decode = [](const Code& code) { return form_of<Scanned>(code).decode(); };
+  functions.tree_bits_read = [](const Code& code, std::uint64_t index) {
+    return form_of<Scanned>(code).tree_bits_read(index);
+  };
+  return std::make_shared<TreeSubject>("foreign-tree", "scans its own tree", std::move(functions));
+}
 
 InsideFault row(const char* name, const char* wrong, Wrong which, proofs::Levels levels) {
-  return {"paper.tree_bits_read", name, wrong, std::make_shared<Scanner>(which), levels};
+  return {"paper.tree_bits_read", name, wrong, scanner(which), levels};
 }
 
 }  // namespace

@@ -344,14 +344,15 @@ class Look {
   std::vector<Violation> out_;
 };
 
+MicromapSubjectPtr validating_subject(Wrong wrong) {
+  Functions functions;
+  functions.validate = [wrong](const Input& in) { return Look(in, wrong).all(); };
+  return std::make_shared<MicromapSubject>("foreign-validator", "the table of rules, read anew",
+                                           std::move(functions));
+}
+
 InsideFault row(const char* name, const char* wrong, Wrong which) {
-  return {"micromap.validate",
-          name,
-          wrong,
-          std::make_shared<const MicromapSubject>(
-              "foreign-validator", "the table of rules, read anew",
-              Functions{.validate = [which](const Input& in) { return Look(in, which).all(); }}),
-          {0, 5}};
+  return {"micromap.validate", name, wrong, validating_subject(which), {0, 5}};
 }
 
 }  // namespace

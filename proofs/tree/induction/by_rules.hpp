@@ -23,61 +23,61 @@ struct Read {
   Tree tree;
 };
 
+/// The state that Algorithm 3 finds, or no state.
 template <class Rules>
-class CodeByRules : public Code {
- public:
-  CodeByRules(spec::tree::Succinct s, Level n, Format f) : s_(std::move(s)), n_(n), format_(f) {}
-  Bytes decode() const override {
+std::uint8_t state_by_rules(const spec::tree::Succinct& s, Level n, std::uint32_t index) {
+  constexpr std::uint8_t nothing = 0xFF;
+  Level depth = 0;
+  const auto next_child = [&] {
+    if (depth == n) throw std::out_of_range("no digit left");
+    return std::uint64_t{index >> 2 * (n - ++depth) & 3};
+  };
+  try {
+    const Read<Rules> read{{s.tree}};
+    Cursor<std::uint64_t> at{0, 0};
+    while (Rules::lookup_turn(read, at, next_child)) continue;
+    return spec::micromap::code(s.data.at(at.d));
+  } catch (const std::out_of_range&) {
+    return nothing;
+  }
+}
+
+template <class Rules>
+spec::tree::Succinct encoded_by_rules(const Map& map) {
+  const Level n = map.level;
+  const States states = spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
+  spec::tree::PerfectTree perfect{n, std::vector<std::vector<std::optional<State>>>(n + 1)};
+  perfect.node[n].assign(states.begin(), states.end());
+  for (Level level = n; level-- > 0;)
+    for (std::size_t k = 0; k < spec::micromap::micro_triangles(level); ++k)
+      perfect.node[level].push_back(Rules::merged(&perfect.node[level + 1][4 * k]));
+  spec::tree::Succinct s;
+  std::vector<spec::tree::Node> stack{{&perfect, 0, 0}};
+  while (Rules::succinct_turn(stack, s)) continue;
+  return s;
+}
+
+/// Maps encoded, and states found, by the turns; the codes' bytes are the paper's.
+template <class Rules>
+Functions functions_by_rules() {
+  using spec::tree::Succinct;
+  Functions functions;
+  functions.encode = [](const Map& map) {
+    return coded(map.level, map.format, encoded_by_rules<Rules>(map));
+  };
+  functions.decode = [](const Code& c) {
     States states;
-    for (std::uint32_t k = 0; k < spec::micromap::micro_triangles(n_); ++k)
-      states.push_back(static_cast<State>(at(k)));
-    return spec::micromap::pack(states, format_);
-  }
-  void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const override {
-    for (std::size_t k = 0; k < index.size(); ++k) state[k] = at(index[k]);
-  }
-  Bytes bytes() const override { return spec::tree::bytes(s_, format_); }
-
- private:
-  static constexpr std::uint8_t nothing = 0xFF;
-  std::uint8_t at(std::uint32_t index) const {
-    Level depth = 0;
-    const auto next_child = [&] {
-      if (depth == n_) throw std::out_of_range("no digit left");
-      return std::uint64_t{index >> 2 * (n_ - ++depth) & 3};
-    };
-    try {
-      const Read<Rules> read{{s_.tree}};
-      Cursor<std::uint64_t> at{0, 0};
-      while (Rules::lookup_turn(read, at, next_child)) continue;
-      return spec::micromap::code(s_.data.at(at.d));
-    } catch (const std::out_of_range&) {
-      return nothing;
-    }
-  }
-  spec::tree::Succinct s_;
-  Level n_;
-  Format format_;
-};
-
-template <class Rules>
-class SubjectByRules : public TreeSubject {
- public:
-  using TreeSubject::TreeSubject;
-  bool has(Entry e) const override { return e == Entry::lookup || e == Entry::bytes || e == Entry::stream; }
-  CodePtr encode(const Map& map) const override {
-    const Level n = map.level;
-    const States states = spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
-    spec::tree::PerfectTree perfect{n, std::vector<std::vector<std::optional<State>>>(n + 1)};
-    perfect.node[n].assign(states.begin(), states.end());
-    for (Level level = n; level-- > 0;)
-      for (std::size_t k = 0; k < spec::micromap::micro_triangles(level); ++k)
-        perfect.node[level].push_back(Rules::merged(&perfect.node[level + 1][4 * k]));
-    spec::tree::Succinct s;
-    std::vector<spec::tree::Node> stack{{&perfect, 0, 0}};
-    while (Rules::succinct_turn(stack, s)) continue;
-    return std::make_unique<CodeByRules<Rules>>(std::move(s), n, map.format);
-  }
-};
+    for (std::uint32_t k = 0; k < spec::micromap::micro_triangles(c.level); ++k)
+      states.push_back(static_cast<State>(state_by_rules<Rules>(form_of<Succinct>(c), c.level, k)));
+    return spec::micromap::pack(states, c.format);
+  };
+  functions.lookup = [](const Code& c, std::span<const std::uint32_t> index, std::span<std::uint8_t> state) {
+    for (std::size_t k = 0; k < index.size(); ++k)
+      state[k] = state_by_rules<Rules>(form_of<Succinct>(c), c.level, index[k]);
+  };
+  functions.bytes = [](const Code& c) { return spec::tree::bytes(form_of<Succinct>(c), c.format); };
+  functions.writes_paper = true;
+  return functions;
+}
 
 }  // namespace mmverify::proofs::tree::induction

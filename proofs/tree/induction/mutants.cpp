@@ -7,9 +7,10 @@ namespace {
 
 /// Altered rules, run on maps and in the statements where they take the right ones' place.
 template <class Rules>
-class Wrong : public SubjectByRules<Rules>, public Provable {
+class Wrong : public TreeSubject, public Provable {
  public:
-  explicit Wrong(const std::string& name) : SubjectByRules<Rules>(name, "broken on purpose") {}
+  explicit Wrong(const std::string& name)
+      : TreeSubject(name, "broken on purpose", functions_by_rules<Rules>()) {}
   std::vector<Statement> statements() const override { return all_levels_statements<Rules>(); }
 };
 
@@ -94,7 +95,8 @@ std::vector<Mutant> mutants_of_all_levels() {
 }
 
 TreeSubjectPtr specified_by_turns() {
-  return std::make_shared<SubjectByRules<Specified>>("tree-spec-by-turns", "the specification's turns");
+  return std::make_shared<TreeSubject>("tree-spec-by-turns", "the specification's turns",
+                                       functions_by_rules<Specified>());
 }
 
 }  // namespace mmverify::proofs::tree::induction

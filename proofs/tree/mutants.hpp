@@ -1,0 +1,28 @@
+// Tree subjects that are broken on purpose.
+#pragma once
+
+#include <functional>
+
+#include "proofs/tree/subject.hpp"
+
+namespace mmverify::proofs::tree {
+
+/// A built-in subject with one thing broken on purpose.
+using Change = std::function<void(Functions&)>;
+Mutant mutant(const char* name, const char* base, Levels levels, const Change& change);
+
+// One function's answers, changed; `map` is the one that the code is of.
+Change encodes_another(std::function<void(Map& map)> spoil);
+Change decodes_wrongly(std::function<void(const Map& map, Bytes& decoded)> spoil);
+Change finds_wrongly(std::function<void(const Map& map, std::uint32_t index, std::uint8_t& state)> spoil);
+/// All the states of one call of lookup.
+Change finds_batches_wrongly(std::function<void(const Map& map, std::span<std::uint8_t> states)> spoil);
+Change finds_points_wrongly(std::function<void(const Map& map, float u, float v, std::uint8_t& state)> spoil);
+Change writes_wrongly(std::function<void(const Map& map, Bytes& bytes)> spoil);
+/// `real` is the unbroken subject, and `code` what it makes of the bytes.
+Change opens_wrongly(
+    std::function<std::optional<Code>(const Functions& real, Level n, Format f,
+                                      std::span<const std::uint8_t> bytes, std::optional<Code> code)>
+        instead);
+
+}  // namespace mmverify::proofs::tree
