@@ -12,11 +12,11 @@ namespace {
 
 /// An altered formula, on points and with the statements in which it takes the right one's place.
 template <class Formula>
-class Wrong : public ExactSubject<Formula>, public Provable {
+class Wrong : public IndexSubject, public Provable {
  public:
   using Statements = std::vector<Statement> (*)();
   Wrong(const std::string& name, Statements statements)
-      : ExactSubject<Formula>(name, "broken on purpose"), statements_(statements) {}
+      : IndexSubject(name, "broken on purpose", exactly<Formula>()), statements_(statements) {}
   std::vector<Statement> statements() const override { return statements_(); }
 
  private:
@@ -131,14 +131,17 @@ struct LosesBit10 : Implemented {
 }  // namespace
 
 std::vector<Mutant> mutants_of_all_levels(Level search) {
-  return {
-      {"the middle triangle's coordinates in Appendix A's order", the("step-appendix-middle"), {0, search}},
-      {"the R test's exception on u, as Appendix A's prose has it", the("step-appendix-ties"), {0, search}},
-      {"Appendix A's coordinates under L, R and T", the("step-appendix-names"), {0, search}},
-      in_all_levels<HypotenuseNotApart>("the hypotenuse is not handled apart", search),
-      in_all_levels<LowersIwAboveOneOnly>("iw is lowered where uf+vf > 1, not at 1", search),
-      in_all_levels<WithoutT>("b1 without t", search),
-      in_all_levels<PrefixOfOneBit>("the prefix XOR is of a bit by itself", search)};
+  return {{"the middle triangle's coordinates in Appendix A's order",
+           built_in("step-appendix-middle"),
+           {0, search}},
+          {"the R test's exception on u, as Appendix A's prose has it",
+           built_in("step-appendix-ties"),
+           {0, search}},
+          {"Appendix A's coordinates under L, R and T", built_in("step-appendix-names"), {0, search}},
+          in_all_levels<HypotenuseNotApart>("the hypotenuse is not handled apart", search),
+          in_all_levels<LowersIwAboveOneOnly>("iw is lowered where uf+vf > 1, not at 1", search),
+          in_all_levels<WithoutT>("b1 without t", search),
+          in_all_levels<PrefixOfOneBit>("the prefix XOR is of a bit by itself", search)};
 }
 
 std::vector<Mutant> mutants_of_impl_wide(Level search) {
