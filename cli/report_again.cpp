@@ -30,7 +30,7 @@ using index::Order;
 Order order_of(const Law& law, const index::IndexSubject& subject) {
   const bool rows =
       law.id == "index.row_order" || law.id == "index.row_corners" || law.id.starts_with("paper.w_minor");
-  return rows || !subject.has(index::Entry::index) ? Order::rows : Order::curve;
+  return rows || !subject.functions.index ? Order::rows : Order::curve;
 }
 
 /// The subjects of topic index, each asked once in each order.
@@ -44,10 +44,10 @@ class Asked {
       list_.push_back({{"subject", subject.name()},
                        {"order", order == Order::curve ? "curve" : "rows"},
                        {"levels", Json::array()}});
-      for (Level n = 0; n <= std::min(all_levels_to, subject.max_level()); ++n)
+      for (Level n = 0; n <= std::min(all_levels_to, subject.functions.max_level); ++n)
         list_[number]["levels"].push_back(asked(subject, order, n, index::whole_level(n)));
     }
-    if (level > all_levels_to && level <= std::min(highest_asked, subject.max_level()))
+    if (level > all_levels_to && level <= std::min(highest_asked, subject.functions.max_level))
       if (const auto window = around(at, level); window && further_.insert({number, level}).second) {
         Json one = asked(subject, order, level, *window);
         one["window"] = {window->ku0, window->ku1, window->kv0, window->kv1};
@@ -138,7 +138,7 @@ void ask(const Json& result, Asked& asked, std::size_t& pictures, Json& one) {
   }
   if (const auto* index = dynamic_cast<const index::IndexSubject*>(subject.get())) {
     const Order order = order_of(*law, *index);
-    if (index->has(order == Order::curve ? index::Entry::index : index::Entry::row_index))
+    if (order == Order::curve ? index->functions.index != nullptr : index->functions.row_index != nullptr)
       one["asked"] = asked.add(*index, order, level, at);
   } else if (const auto* bake = dynamic_cast<const bake::BakeSubject*>(subject.get())) {
     if (Json states = states_of(*bake, at, level); !states.is_null()) one["states"] = states;

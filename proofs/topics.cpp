@@ -33,7 +33,7 @@ std::vector<PluginSubject> one(const dock::LibraryPtr& library, const char* topi
 std::vector<PluginSubject> by_arithmetic(const dock::LibraryPtr& library, bool) {
   std::vector<PluginSubject> found;
   for (const auto& s : index::plugin_subjects(library))
-    found.push_back({s->arithmetic() == index::Arithmetic::binary64 ? "f64" : "f32", s});
+    found.push_back({s->functions.arithmetic == index::Arithmetic::binary64 ? "f64" : "f32", s});
   return found;
 }
 

@@ -33,17 +33,21 @@ TEST(FloatLaws, TheHeadersEntryPointsForPointsAreThese) {
               testing::ElementsAre("index_f32", "index_f64", "row_index_f32", "tree_lookup_f32"));
 }
 
-/// A float subject that has every entry point, or all but one.
-class IndexProbe : public index::IndexSubject {
- public:
-  IndexProbe(index::Arithmetic arithmetic, std::optional<index::Entry> without)
-      : IndexSubject("probe", "has entry points", arithmetic, 16), without_(without) {}
-  bool has(index::Entry e) const override { return e != without_; }
-  Level max_wide_level() const override { return 30; }
-
- private:
-  std::optional<index::Entry> without_;
-};
+/// A float subject that has every entry point, but for what is taken away.
+SubjectPtr index_probe(index::Arithmetic arithmetic, void (*take_away)(index::Functions&) = nullptr) {
+  using namespace index;
+  Functions f;
+  f.arithmetic = arithmetic;
+  f.index = f.row_index = [](Level, Batch, auto) {};
+  f.index_floats = f.row_index_floats = [](Level, FloatBatch, auto) {};
+  f.index_at = f.row_index_at = [](Level, const RationalPoint&) { return 0u; };
+  f.corners = f.row_corners = [](Level, auto, auto) {};
+  f.max_wide_level = 30;
+  f.wide_index = [](Level, const Row&, auto) {};
+  f.wide_index_at = [](Level, const RationalPoint&) { return std::uint64_t{0}; };
+  if (take_away != nullptr) take_away(f);
+  return std::make_shared<IndexSubject>("probe", "has entry points", std::move(f));
+}
 
 SubjectPtr tree_probe(bool takes_points) {
   using namespace tree;
@@ -64,19 +68,20 @@ struct Probes {
   SubjectPtr all, without;
 };
 
-template <class Entry>
-Probes index_probes(const char* entry, index::Arithmetic arithmetic, Entry e) {
-  return {entry, std::make_shared<IndexProbe>(arithmetic, std::nullopt),
-          std::make_shared<IndexProbe>(arithmetic, e)};
+Probes index_probes(const char* entry, index::Arithmetic arithmetic, void (*take_away)(index::Functions&)) {
+  return {entry, index_probe(arithmetic), index_probe(arithmetic, take_away)};
 }
 
 /// A line for each entry point of the header that takes floats, and for the library's own.
 std::vector<Probes> entries() {
   using index::Arithmetic;
-  return {index_probes("index_f32", Arithmetic::binary32, index::Entry::index),
-          index_probes("index_f64", Arithmetic::binary64, index::Entry::index),
-          index_probes("row_index_f32", Arithmetic::binary32, index::Entry::row_index),
-          index_probes("the library's wide index", Arithmetic::binary32, index::Entry::wide_index),
+  const auto index = [](index::Functions& f) { f.index = {}, f.index_at = {}; };
+  const auto row_index = [](index::Functions& f) { f.row_index = {}; };
+  const auto wide_index = [](index::Functions& f) { f.wide_index = {}; };
+  return {index_probes("index_f32", Arithmetic::binary32, index),
+          index_probes("index_f64", Arithmetic::binary64, index),
+          index_probes("row_index_f32", Arithmetic::binary32, row_index),
+          index_probes("the library's wide index", Arithmetic::binary32, wide_index),
           {"tree_lookup_f32", tree_probe(true), tree_probe(false)}};
 }
 
@@ -120,7 +125,7 @@ TEST(FloatLaws, DoublesAreAskedOfThoseWhoTakeThem) {
   const auto ids = [](index::Arithmetic arithmetic) {
     Request request;
     request.laws = {find_law("index.nested")};
-    request.subjects = {std::make_shared<IndexProbe>(arithmetic, std::nullopt)};
+    request.subjects = {index_probe(arithmetic)};
     std::vector<std::string> all;
     for (const Job& job : plan(request)) all.push_back(job.law->id);
     return all;
@@ -162,9 +167,9 @@ TEST(FloatLaws, ATreeThatIsAskedAtPointsIsNotProvedOnFloats) {
 TEST(FloatLaws, TheCaseThatShowedIt) {
   const index::RationalPoint p{index::rational(16777215.0f / 33554432.0f),
                                index::rational(1.0f / 67108864.0f)};
-  EXPECT_EQ(index::built_in_subject("w-minor")->row_index(1, p), 0u);
-  EXPECT_EQ(index::built_in_subject("impl")->row_index(1, p), 0u);
-  EXPECT_EQ(index::built_in_subject("w-minor-f32")->row_index(1, p), 2u);
+  EXPECT_EQ(index::built_in("w-minor")->functions.row_index_at(1, p), 0u);
+  EXPECT_EQ(index::built_in("impl")->functions.row_index_at(1, p), 0u);
+  EXPECT_EQ(index::built_in("w-minor-f32")->functions.row_index_at(1, p), 2u);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(Readings, CountsAndCounterexamplesAreTheSameForOneThreadAndTwo) {
 constexpr std::uint64_t first_samples = 14'000;
 
 std::uint64_t wrong_on_floats(const char* name, Level n, std::uint64_t samples) {
-  const Tally tally = index::exact_on_floats(*index::built_in_subject(name), n, Asked{}, samples);
+  const Tally tally = index::exact_on_floats(*index::built_in(name), n, Asked{}, samples);
   EXPECT_EQ(tally.cases(), samples);
   std::uint64_t wrong = 0;
   for (const Count& c : tally.by_kind()) wrong += c.mismatches;
@@ -88,7 +88,7 @@ TEST(ExactSubjects, AreRightOnTheSameFloats) {
 // A sample meets the same pair more than once; a list of counterexamples that says one of them three times is
 // short of two.
 TEST(Samples, CounterexamplesAreDifferentCases) {
-  const auto subject = index::built_in_subject("step-f32");
+  const auto subject = index::built_in("step-f32");
   const Tally tally = index::exact_on_floats(*subject, 5, keeping(6), 200'000);
   std::set<std::string> cases;
   for (const Counterexample& c : tally.found()) cases.insert(c.at);
@@ -97,25 +97,20 @@ TEST(Samples, CounterexamplesAreDifferentCases) {
 }
 
 /// Gives every point index 0, and presses Ctrl-C after a while.
-class Zero : public index::IndexSubject {
- public:
-  explicit Zero(int calls_until_interrupt)
-      : IndexSubject("zero", "for a test", index::Arithmetic::exact, 16), calls_(calls_until_interrupt) {}
-  using IndexSubject::index;
-  bool has(index::Entry e) const override { return e == index::Entry::index; }
-  void index(Level, index::Batch, std::span<std::uint32_t> out) const override {
-    if (--calls_ == 0) std::raise(SIGINT);
+SubjectPtr zero(int calls_until_interrupt) {
+  index::Functions functions;
+  const auto calls = std::make_shared<std::atomic<int>>(calls_until_interrupt);
+  functions.index = [calls](Level, index::Batch, std::span<std::uint32_t> out) {
+    if (--*calls == 0) std::raise(SIGINT);
     std::fill(out.begin(), out.end(), 0);
-  }
-  std::uint32_t index(Level, const index::RationalPoint&) const override { return 0; }
-
- private:
-  mutable std::atomic<int> calls_;
-};
+  };
+  functions.index_at = [](Level, const index::RationalPoint&) { return 0u; };
+  return std::make_shared<index::IndexSubject>("zero", "for a test", std::move(functions));
+}
 
 // A refutation without an input that shows it is worth nothing.
 TEST(Bijective, AnInterruptedRefutationStillNamesItsCase) {
-  const Report report = run_alone(*find_law("index.bijective"), std::make_shared<Zero>(300), 9, 2);
+  const Report report = run_alone(*find_law("index.bijective"), zero(300), 9, 2);
   ASSERT_EQ(report.results.size(), 1u);
   const Result& r = report.results.front();
   EXPECT_TRUE(report.interrupted);
@@ -126,7 +121,7 @@ TEST(Bijective, AnInterruptedRefutationStillNamesItsCase) {
 
 TEST(Bijective, NamesTheFirstTriangleWhoseIndexWasTaken) {
   const InterruptGuard forgets_the_test_before;
-  const Result r = run_level(*find_law("index.bijective"), Zero(0), 1, Asked{});
+  const Result r = run_level(*find_law("index.bijective"), *zero(0), 1, Asked{});
   ASSERT_EQ(r.verdict, Verdict::refuted);
   EXPECT_EQ(r.mismatches(), 3u);  // four triangles, one index
   // By strips from v = 0, upright before inverted: (1/8, 1/8) has 0 first, (5/8, 1/8) comes second.

@@ -19,21 +19,16 @@ std::uint64_t rational_points(Level, const Run& run) { return run.tier == Tier::
 
 std::string floats(const Subject& s, Level) {
   return fmt::format("a sample of binary32 pairs near what breaks index functions{}",
-                     of_index(s).arithmetic() == Arithmetic::binary16 ? ", rounded to binary16" : "");
+                     of_index(s).functions.arithmetic == Arithmetic::binary16 ? ", rounded to binary16" : "");
 }
 std::string rationals(const Subject&, Level) { return "a sample of rational points inside cells"; }
 
 Law exact_on_floats_law() {
   const auto wrong_at = [](const char* name, const char* base, Level level, float u, float v) {
-    return Mutant{name,
-                  altered(name, built_in(base),
-                          {{},
-                           [=](Level n, float pu, float pv, std::uint32_t answer) {
-                             return n == level && pu == u && pv == v ? answer ^ 1 : answer;
-                           },
-                           {},
-                           true}),
-                  {level, level}};
+    return mutant(name, base, {level, level},
+                  on_floats([=](Level n, float pu, float pv, std::uint32_t answer) {
+                    return n == level && pu == u && pv == v ? answer ^ 1 : answer;
+                  }));
   };
   return {
       .id = "index.exact_on_floats",
@@ -48,7 +43,7 @@ Law exact_on_floats_law() {
       .cases = hard_pairs,
       .domain = floats,
       .how = by_sample,
-      .unfit = needing({Entry::index}),
+      .unfit = needing({entry::index}),
       .divisible = true,
       .judge = [](const Subject& s, Level n,
                   const Run& run) { return exact_on_floats(of_index(s), n, run, hard_pairs(n, run)); },
@@ -64,9 +59,9 @@ Law exact_on_floats_law() {
 
 Law floats_err_law() {
   const auto right_at_7 = [](const char* name, const char* base) {
-    return on_points(name, base, {7, 7}, [](Level n, const GridPoint& p, std::uint32_t answer) {
-      return n == 7 ? spec::index::reference(p, n) : answer;
-    });
+    return mutant(name, base, {7, 7}, on_points([](Level n, const GridPoint& p, std::uint32_t answer) {
+                    return n == 7 ? spec::index::reference(p, n) : answer;
+                  }));
   };
   return {.id = "index.rounded_arithmetic_errs",
           .topic = "index",
@@ -82,7 +77,7 @@ Law floats_err_law() {
           .cases = [](Level, const Run&) -> std::uint64_t { return 1; },
           .domain = [](const Subject&, Level) { return std::string("two points"); },
           .how = by_witness,
-          .unfit = [fits = needing({Entry::index})](const Subject& s, Level n) -> std::optional<std::string> {
+          .unfit = [fits = needing({entry::index})](const Subject& s, Level n) -> std::optional<std::string> {
             if (n < 1 || n > 10) return "the two points are stated for levels 1 to 10";
             return fits(s, n);
           },
@@ -107,24 +102,22 @@ Law cells_decide_law() {
       .cases = rational_points,
       .domain = rationals,
       .how = by_sample,
-      .unfit = needing_exact({Entry::index}),
+      .unfit = needing_exact({entry::index}),
       .divisible = true,
       .judge = [](const Subject& s, Level n,
                   const Run& run) { return cells_decide(of_index(s), n, run, rational_points(n, run)); },
       .mutants = {single("one interior representative of level 4", "reference", 4, 1, corner(4) - 3),
                   single("one edge's representative of level 5", "step", 5, 4 * 3 + 2, 4 * 5),
-                  on_points("representatives of level 9 only", "step", {9, 9},
-                            [](Level n, const GridPoint&, std::uint32_t answer) {
-                              return n == 9 ? answer ^ 1 : answer;
-                            })},
+                  mutant("representatives of level 9 only", "step", {9, 9},
+                         on_points([](Level n, const GridPoint&, std::uint32_t answer) {
+                           return n == 9 ? answer ^ 1 : answer;
+                         }))},
       .heeds = {&interiors_only}};
 }
 
 Law fixed_is_rational_law() {
   const auto off = [](const char* name, const char* base, Level level, std::int64_t ku, std::int64_t kv) {
-    Alteration in_fixed_point_only = only_at_point(level, ku, kv, level, 1);
-    in_fixed_point_only.on_rationals = false;
-    return Mutant{name, altered(name, built_in(base), in_fixed_point_only), {level, level}};
+    return mutant(name, base, {level, level}, on_points(only_at_point(level, ku, kv, level, 1), false));
   };
   return {
       .id = "index.fixed_is_rational",
@@ -139,30 +132,30 @@ Law fixed_is_rational_law() {
       .cases = all_cells,
       .domain = points,
       .how = in_fixed_point,
-      .unfit = needing_exact({Entry::index}),
+      .unfit = needing_exact({entry::index}),
       .divisible = true,
       .judge = judged_by(fixed_is_rational),
       .mutants = {off("one vertex of level 6", "step", 6, corner(6) / 4, corner(6) / 2),
                   off("one interior point of level 5", "reference", 5, 4 * 7 + 3, 4 * 9 + 3),
-                  on_points(
-                      "a fraction bit is lost from level 4 on", "reference", {0, 5},
-                      [](Level n, const GridPoint& p, std::uint32_t answer) {
-                        if (n < 4) return answer;
-                        const auto even = [n](const Fixed64& q) {
-                          const std::int64_t lost = std::int64_t{1} << (Fixed64::fraction_bits - n - 1);
-                          return Fixed64::from_raw(q.raw() & ~lost);
-                        };
-                        return spec::index::reference(GridPoint{even(p.u), even(p.v)}, n);
-                      },
-                      false)},
+                  mutant("a fraction bit is lost from level 4 on", "reference", {0, 5},
+                         on_points(
+                             [](Level n, const GridPoint& p, std::uint32_t answer) {
+                               if (n < 4) return answer;
+                               const auto even = [n](const Fixed64& q) {
+                                 const std::int64_t lost = std::int64_t{1}
+                                                           << (Fixed64::fraction_bits - n - 1);
+                                 return Fixed64::from_raw(q.raw() & ~lost);
+                               };
+                               return spec::index::reference(GridPoint{even(p.u), even(p.v)}, n);
+                             },
+                             false))},
       .heeds = {&interiors_only}};
 }
 
 Law sweep_is_spec_law() {
   const auto in_rows_only = [](const char* name, Level level, std::int64_t ku, std::int64_t kv,
                                const char* base = "step") {
-    return Mutant{
-        name, altered_in_rows(name, built_in(base), only_at_point(level, ku, kv, level, 1)), {level, level}};
+    return mutant(name, base, {level, level}, in_rows(only_at_point(level, ku, kv, level, 1)));
   };
   return {
       .id = "index.sweep_is_spec",
@@ -177,7 +170,7 @@ Law sweep_is_spec_law() {
       .cases = all_cells,
       .domain = points,
       .how = in_fixed_point,
-      .unfit = needing_exact({Entry::index}),
+      .unfit = needing_exact({entry::index}),
       .divisible = true,
       .judge = judged_by(sweep_is_spec),
       .mutants = {in_rows_only("one vertex of level 7", 7, corner(7) / 2, corner(7) / 4),
@@ -189,11 +182,10 @@ Law sweep_is_spec_law() {
 
 Law exact_on_binary16_law() {
   const auto wrong_at = [](const char* name, Level level, float u, float v) {
-    Alteration once;
-    once.on_floats = [=](Level n, float pu, float pv, std::uint32_t answer) {
-      return n == level && pu == u && pv == v ? answer ^ 1 : answer;
-    };
-    return Mutant{name, altered(name, built_in("impl"), std::move(once)), {level, level}};
+    return mutant(name, "impl", {level, level},
+                  on_floats([=](Level n, float pu, float pv, std::uint32_t answer) {
+                    return n == level && pu == u && pv == v ? answer ^ 1 : answer;
+                  }));
   };
   return {.id = "index.exact_on_binary16",
           .topic = "index",
@@ -209,7 +201,7 @@ Law exact_on_binary16_law() {
                 return std::string("every pair of non-negative binary16 numbers of the triangle");
               },
           .how = in_fixed_point,
-          .unfit = needing({Entry::index}),
+          .unfit = needing({entry::index}),
           .divisible = true,
           .judge = judged_by(exact_on_binary16),
           .replay = replayed_by(replay_equals_reference),

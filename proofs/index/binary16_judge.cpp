@@ -61,7 +61,7 @@ Tally exact_on_binary16(const IndexSubject& s, Level n, const Run& run) {
         points[t] = {fixed(u[t]), fixed(v[t])};
       }
       reference_batch(n, points, want);
-      s.index(n, FloatBatch{u, v}, got);
+      s.functions.index_floats(n, FloatBatch{u, v}, got);
       std::array<std::uint64_t, kinds> of_kind{};
       for (std::uint32_t t = 0; t < count; ++t) {
         const Kind kind = kind_at(points[t], n);

@@ -1,5 +1,7 @@
 #include "proofs/index/built_in.hpp"
 
+#include <stdexcept>
+
 #include "proofs/index/algorithms.hpp"
 #include "proofs/index/exact_subject.hpp"
 #include "proofs/index/reference_sweep.hpp"
@@ -17,70 +19,53 @@ using Printed = StepAlgorithm<Reading::printed>;
 constexpr Level binary16_levels = 15;
 
 /// Algorithm 4 as printed; whole rows go through step_row.
-class StepSubject : public ExactSubject<Printed> {
- public:
-  using ExactSubject<Printed>::ExactSubject;
-  using ExactSubject<Printed>::index;
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+Functions step() {
+  Functions f = exactly<Printed>();
+  f.index = [one_by_one = f.index](Level n, Batch batch, std::span<std::uint32_t> out) {
     if (batch.row && !batch.points.empty())
       step_row(n, batch.points.front(), batch.points.back(), out);
     else
-      ExactSubject<Printed>::index(n, batch, out);
-  }
-  void index_rows(Level n, Level grid, std::span<const Row> rows,
-                  std::span<std::uint32_t> out) const override {
+      one_by_one(n, batch, out);
+  };
+  f.index_rows = [](Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out) {
     for (const Row& row : rows) {
       step_row(n, representative(row, 0, grid), representative(row, row.count - 1, grid),
                out.first(row.count));
       out = out.subspan(row.count);
     }
-  }
-};
-
-/// The Vulkan formula; rows go through reference_rows.
-class ReferenceSubject : public ExactSubject<ReferenceAlgorithm> {
- public:
-  using ExactSubject<ReferenceAlgorithm>::ExactSubject;
-  void index_rows(Level n, Level grid, std::span<const Row> rows,
-                  std::span<std::uint32_t> out) const override {
-    reference_rows(n, grid, rows, out);
-  }
-};
-
-class GivenAnswer : public IndexSubject {
- public:
-  explicit GivenAnswer(std::uint32_t answer)
-      : IndexSubject("the answer given", "one answer", Arithmetic::exact, 16), answer_(answer) {}
-  bool has(Entry e) const override { return e == Entry::index; }
-  std::uint32_t index(Level, const RationalPoint&) const override { return answer_; }
-
- private:
-  std::uint32_t answer_;
-};
-
-template <class S, class... Args>
-std::shared_ptr<const IndexSubject> make(Args&&... args) {
-  return std::make_shared<S>(std::forward<Args>(args)...);
+  };
+  return f;
 }
 
-std::vector<std::shared_ptr<const IndexSubject>> make_all() {
-  std::vector<std::shared_ptr<const IndexSubject>> all{
-      make<ReferenceSubject>("reference", "the Vulkan bit formula, 32-bit words, exact"),
-      make<ExactSubject<WideAlgorithm>>("reference-wide", "the same formula, 64-bit words, exact"),
-      make<StepSubject>("step", "Algorithm 4 as printed, exact"),
-      make<ExactSubject<StepAlgorithm<Reading::appendix_middle>>>(
-          "step-appendix-middle", "Algorithm 4, the middle triangle's coordinates in Appendix A's order"),
-      make<ExactSubject<StepAlgorithm<Reading::appendix_ties>>>(
-          "step-appendix-ties", "Algorithm 4, the R test's exception on u as Appendix A's prose has it"),
-      make<ExactSubject<StepAlgorithm<Reading::appendix_names>>>(
-          "step-appendix-names", "Algorithm 4, the coordinates that Appendix A gives under L, R and T"),
-      make<RoundedSubject<ReferenceAlgorithm, Binary16>>("reference-f16", "the Vulkan formula in binary16",
-                                                         binary16_levels),
-      make<RoundedSubject<ReferenceAlgorithm, float>>("reference-f32", "the Vulkan formula in binary32"),
-      make<RoundedSubject<ReferenceAlgorithm, double>>("reference-f64", "the Vulkan formula in binary64"),
-      make<RoundedSubject<Printed, Binary16>>("step-f16", "Algorithm 4 in binary16", binary16_levels),
-      make<RoundedSubject<Printed, float>>("step-f32", "Algorithm 4 in binary32"),
-      make<RoundedSubject<Printed, double>>("step-f64", "Algorithm 4 in binary64"),
+/// The Vulkan formula; rows go through reference_rows.
+Functions reference() {
+  Functions f = exactly<ReferenceAlgorithm>();
+  f.index_rows = reference_rows;
+  return f;
+}
+
+IndexSubjectPtr subject(const char* name, const char* about, Functions functions) {
+  return std::make_shared<IndexSubject>(name, about, std::move(functions));
+}
+
+std::vector<IndexSubjectPtr> make_all() {
+  std::vector<IndexSubjectPtr> all{
+      subject("reference", "the Vulkan bit formula, 32-bit words, exact", reference()),
+      subject("reference-wide", "the same formula, 64-bit words, exact", exactly<WideAlgorithm>()),
+      subject("step", "Algorithm 4 as printed, exact", step()),
+      subject("step-appendix-middle", "Algorithm 4, the middle triangle's coordinates in Appendix A's order",
+              exactly<StepAlgorithm<Reading::appendix_middle>>()),
+      subject("step-appendix-ties", "Algorithm 4, the R test's exception on u as Appendix A's prose has it",
+              exactly<StepAlgorithm<Reading::appendix_ties>>()),
+      subject("step-appendix-names", "Algorithm 4, the coordinates that Appendix A gives under L, R and T",
+              exactly<StepAlgorithm<Reading::appendix_names>>()),
+      subject("reference-f16", "the Vulkan formula in binary16",
+              roundedly<ReferenceAlgorithm, Binary16>(binary16_levels)),
+      subject("reference-f32", "the Vulkan formula in binary32", roundedly<ReferenceAlgorithm, float>()),
+      subject("reference-f64", "the Vulkan formula in binary64", roundedly<ReferenceAlgorithm, double>()),
+      subject("step-f16", "Algorithm 4 in binary16", roundedly<Printed, Binary16>(binary16_levels)),
+      subject("step-f32", "Algorithm 4 in binary32", roundedly<Printed, float>()),
+      subject("step-f64", "Algorithm 4 in binary64", roundedly<Printed, double>()),
       impl_subject(),
   };
   for (auto& rows : row_subjects()) all.push_back(rows);
@@ -89,19 +74,21 @@ std::vector<std::shared_ptr<const IndexSubject>> make_all() {
 
 }  // namespace
 
-std::shared_ptr<const IndexSubject> given_answer(std::uint32_t answer) {
-  return std::make_shared<GivenAnswer>(answer);
+IndexSubjectPtr given_answer(std::uint32_t answer) {
+  Functions f;
+  f.index_at = [answer](Level, const RationalPoint&) { return answer; };
+  return subject("the answer given", "one answer", std::move(f));
 }
 
-const std::vector<std::shared_ptr<const IndexSubject>>& built_in_subjects() {
+const std::vector<IndexSubjectPtr>& built_in_subjects() {
   static const auto all = make_all();
   return all;
 }
 
-std::shared_ptr<const IndexSubject> built_in_subject(const std::string& name) {
+IndexSubjectPtr built_in(const std::string& name) {
   for (const auto& s : built_in_subjects())
     if (s->name() == name) return s;
-  return nullptr;
+  throw std::logic_error("no built-in subject of topic index named " + name);
 }
 
 }  // namespace mmverify::proofs::index

@@ -8,10 +8,10 @@
 
 namespace mmverify::proofs::index {
 
-std::shared_ptr<const IndexSubject> impl_subject();
-std::vector<std::shared_ptr<const IndexSubject>> row_subjects();
+IndexSubjectPtr impl_subject();
+std::vector<IndexSubjectPtr> row_subjects();
 
 /// Gives one answer to everything: what a program on a pipe said, judged and drawn again.
-std::shared_ptr<const IndexSubject> given_answer(std::uint32_t answer);
+IndexSubjectPtr given_answer(std::uint32_t answer);
 
 }  // namespace mmverify::proofs::index

@@ -20,15 +20,15 @@ Answers one_by_one(At at) {
 
 /// The subject's answers of level n on the cells of `grid`.
 Answers asked(const IndexSubject& s, Level n, Level grid) {
-  return {[&s, n](Batch batch, std::span<std::uint32_t> out) { s.index(n, batch, out); },
+  return {[&s, n](Batch batch, std::span<std::uint32_t> out) { s.functions.index(n, batch, out); },
           [&s, n, grid](std::span<const Row> rows, std::span<std::uint32_t> out) {
-            s.index_rows(n, grid, rows, out);
+            s.functions.index_rows(n, grid, rows, out);
           }};
 }
 Answers asked(const IndexSubject& s, Level n) { return asked(s, n, n); }
 
 Answers asked_in_rationals(const IndexSubject& s, Level n) {
-  return one_by_one([&s, n](const GridPoint& p) { return s.index(n, rational(p)); });
+  return one_by_one([&s, n](const GridPoint& p) { return s.functions.index_at(n, rational(p)); });
 }
 
 /// The micro-triangle that a point of a grid line belongs to: on its +u, +v side; on the hypotenuse, which
@@ -51,10 +51,10 @@ Replayed compared(Level n, const RationalPoint& p, std::uint32_t want, std::uint
 }  // namespace
 
 RationalPoint received_point(const IndexSubject& s, const std::string& at) {
-  const RationalPoint p = parse_point(at), q = s.receive(p);
+  const RationalPoint p = parse_point(at), q = s.functions.receive_at(p);
   if (p.u != q.u || p.v != q.v)
     throw BadCase(fmt::format("'{}' is not a pair of {} numbers, which {} takes", at,
-                              to_string(s.arithmetic()), s.name()));
+                              to_string(s.functions.arithmetic), s.name()));
   return p;
 }
 
@@ -72,13 +72,13 @@ Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
 
 Replayed replay_equals_reference(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
-  return compared(n, p, spec::index::reference(p, n), s.index(n, p));
+  return compared(n, p, spec::index::reference(p, n), s.functions.index_at(n, p));
 }
 
 Tally in_range(const IndexSubject& s, Level n, const Run& run) {
   const auto last = static_cast<std::uint32_t>(triangle_count(n) - 1);
   const Answers kept = [&](Batch batch, std::span<std::uint32_t> out) {
-    s.index(n, batch, out);
+    s.functions.index(n, batch, out);
     for (std::uint32_t& index : out) index = std::min(index, last);
   };
   return compare_on_cells(s, n, run, kept, asked(s, n),
@@ -87,14 +87,14 @@ Tally in_range(const IndexSubject& s, Level n, const Run& run) {
 
 Replayed replay_in_range(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
-  const std::uint32_t got = s.index(n, p);
+  const std::uint32_t got = s.functions.index_at(n, p);
   return {got < triangle_count(n), fmt::format("below 4^{}", n), fmt::format("{}", got),
           picture(n, p, spec::index::reference(p, n), got, Order::curve)};
 }
 
 Tally nested(const IndexSubject& s, Level n, const Run& run) {
   const Answers quarter = [&s, n](Batch batch, std::span<std::uint32_t> out) {
-    s.index(n + 1, batch, out);
+    s.functions.index(n + 1, batch, out);
     for (std::uint32_t& index : out) index /= 4;
   };
   return compare_on_cells(s, n + 1, run, asked(s, n, n + 1), quarter);
@@ -102,42 +102,43 @@ Tally nested(const IndexSubject& s, Level n, const Run& run) {
 
 Replayed replay_nested(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
-  return compared(n, p, s.index(n, p), s.index(n + 1, p) / 4);
+  return compared(n, p, s.functions.index_at(n, p), s.functions.index_at(n + 1, p) / 4);
 }
 
 Tally rounding(const IndexSubject& s, Level n, const Run& run) {
   const Answers inside = [&s, n](Batch batch, std::span<std::uint32_t> out) {
     std::vector<GridPoint> points;
     for (const GridPoint& p : batch.points) points.push_back(representative(rounded_away_from_w(p, n), n));
-    s.index(n, {points, false}, out);
+    s.functions.index(n, {points, false}, out);
   };
   return compare_on_cells(s, n, run, inside, asked(s, n));
 }
 
 Replayed replay_rounding(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
-  const std::uint32_t want = s.index(n, rational(representative(rounded_away_from_w(p, n), n)));
-  return compared(n, p, want, s.index(n, p));
+  const std::uint32_t want = s.functions.index_at(n, rational(representative(rounded_away_from_w(p, n), n)));
+  return compared(n, p, want, s.functions.index_at(n, p));
 }
 
 Tally fixed_is_rational(const IndexSubject& s, Level n, const Run& run) {
   const Answers alone = [&s, n](Batch batch, std::span<std::uint32_t> out) {
-    s.index(n, {batch.points, false}, out);
+    s.functions.index(n, {batch.points, false}, out);
   };
   return compare_on_cells(s, n, run, asked_in_rationals(s, n), alone);
 }
 
 Tally sweep_is_spec(const IndexSubject& s, Level n, const Run& run) {
   const Answers alone = [&s, n](Batch batch, std::span<std::uint32_t> out) {
-    s.index(n, {batch.points, false}, out);
+    s.functions.index(n, {batch.points, false}, out);
   };
   return compare_on_cells(s, n, run, alone, asked(s, n));
 }
 
 Tally row_order(const IndexSubject& s, Level n, const Run& run) {
   const Answers figure_4 = one_by_one([n](const GridPoint& p) { return spec::index::w_minor(p, n); });
-  return compare_on_cells(s, n, run, figure_4,
-                          [&s, n](Batch batch, std::span<std::uint32_t> out) { s.row_index(n, batch, out); });
+  return compare_on_cells(s, n, run, figure_4, [&s, n](Batch batch, std::span<std::uint32_t> out) {
+    s.functions.row_index(n, batch, out);
+  });
 }
 
 namespace {
@@ -166,25 +167,26 @@ bool holds(const Corners& c, const spec::Point<Q>& p, Level n) {
 
 Replayed replay_row_order(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
-  return compared(n, p, spec::index::w_minor(p, n), s.row_index(n, p), Order::rows);
+  return compared(n, p, spec::index::w_minor(p, n), s.functions.row_index_at(n, p), Order::rows);
 }
 
 Tally row_holds_point(const IndexSubject& s, Level n, const Run& run) {
   // The answer is compared with itself where its micro-triangle holds the point, and with no index where not.
   const Answers held = [&s, n](Batch batch, std::span<std::uint32_t> out) {
-    s.row_index(n, batch, out);
+    s.functions.row_index(n, batch, out);
     for (std::size_t t = 0; t < out.size(); ++t)
       if (out[t] >= triangle_count(n) || !holds(spec::index::w_minor_corners(out[t]), batch.points[t], n))
         out[t] = ~out[t];
   };
   return compare_on_cells(
-      s, n, run, held, [&s, n](Batch batch, std::span<std::uint32_t> out) { s.row_index(n, batch, out); },
+      s, n, run, held,
+      [&s, n](Batch batch, std::span<std::uint32_t> out) { s.functions.row_index(n, batch, out); },
       [](std::uint32_t) { return std::string("a micro-triangle that holds the point"); });
 }
 
 Replayed replay_row_holds_point(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
-  const std::uint32_t got = s.row_index(n, p);
+  const std::uint32_t got = s.functions.row_index_at(n, p);
   return {got < triangle_count(n) && holds(spec::index::w_minor_corners(got), p, n),
           "a micro-triangle that holds the point", fmt::format("{}", got),
           picture(n, p, spec::index::w_minor(p, n), got, Order::rows)};

@@ -92,13 +92,13 @@ std::string carried_back(const std::optional<MicroTriangle>& m, std::uint32_t in
 
 Corners corners_at(const IndexSubject& s, Level n, std::uint32_t index) {
   Corners c;
-  s.corners(n, {&index, 1}, {&c, 1});
+  s.functions.corners(n, {&index, 1}, {&c, 1});
   return c;
 }
 
 Corners row_corners_at(const IndexSubject& s, Level n, std::uint32_t index) {
   Corners c;
-  s.row_corners(n, {&index, 1}, {&c, 1});
+  s.functions.row_corners(n, {&index, 1}, {&c, 1});
   return c;
 }
 
@@ -122,8 +122,8 @@ std::uint32_t parse_index(const std::string& at, Level n) {
 }
 
 Tally inverse(const IndexSubject& s, Level n, const Run& run) {
-  const CornersFrom ask = [&](auto indices, auto corners) { s.corners(n, indices, corners); };
-  return on_each_index(n, run, ask, [&](auto indices, auto corners, Tally& tally) {
+  const CornersFrom ask = [&](auto indices, auto corners) { s.functions.corners(n, indices, corners); };
+  return on_indices(n, run, ask, [&](auto indices, auto corners, Tally& tally) {
     std::array<GridPoint, indices_per_batch> points;
     std::array<std::optional<MicroTriangle>, indices_per_batch> triangles;
     std::array<std::uint32_t, indices_per_batch> back;
@@ -131,8 +131,8 @@ Tally inverse(const IndexSubject& s, Level n, const Run& run) {
       triangles[t] = triangle_of(corners[t], n);
       points[t] = representative(triangles[t].value_or(MicroTriangle{0, 0, false}), n);
     }
-    s.receive(std::span<GridPoint>(points.data(), indices.size()));
-    s.index(n, {{points.data(), indices.size()}, false}, {back.data(), indices.size()});
+    s.functions.receive(std::span<GridPoint>(points.data(), indices.size()));
+    s.functions.index(n, {{points.data(), indices.size()}, false}, {back.data(), indices.size()});
     for (std::size_t t = 0; t < indices.size(); ++t) {
       tally.digest(indices[t], back[t]);
       if (!triangles[t] || back[t] != indices[t])
@@ -149,14 +149,14 @@ Replayed replay_inverse(const IndexSubject& s, Level n, const std::string& at) {
   const Corners c = corners_at(s, n, index);
   const auto m = triangle_of(c, n);
   const RationalPoint p = rational(representative(m.value_or(MicroTriangle{0, 0, false}), n));
-  const std::uint32_t back = s.index(n, s.receive(p));
+  const std::uint32_t back = s.functions.index_at(n, s.functions.receive_at(p));
   return {m && back == index, fmt::format("{}", index), carried_back(m, back, c),
           picture(n, p, index, back, Order::curve)};
 }
 
 Tally corners_in_order(const IndexSubject& s, Level n, const Run& run) {
   return compare_corners(
-      n, run, [&](auto indices, auto corners) { s.corners(n, indices, corners); },
+      n, run, [&](auto indices, auto corners) { s.functions.corners(n, indices, corners); },
       [n](std::uint32_t index) { return spec::index::corners(index, n); });
 }
 
@@ -168,7 +168,7 @@ Replayed replay_corners_in_order(const IndexSubject& s, Level n, const std::stri
 
 Tally row_corners(const IndexSubject& s, Level n, const Run& run) {
   return compare_corners(
-      n, run, [&](auto indices, auto corners) { s.row_corners(n, indices, corners); },
+      n, run, [&](auto indices, auto corners) { s.functions.row_corners(n, indices, corners); },
       spec::index::w_minor_corners);
 }
 

@@ -161,7 +161,7 @@ std::vector<std::string> diagnose(const IndexSubject& s, const Levels& levels) {
   const Level first_wrong = levels.last;
   // A few levels further, an order that goes wrong on the way shows where it does; higher costs more and says
   // no more.
-  const Level n = std::max(first_wrong, std::min<Level>({first_wrong + 3, 7, s.max_level()}));
+  const Level n = std::max(first_wrong, std::min<Level>({first_wrong + 3, 7, s.functions.max_level}));
   std::vector<std::string> lines;
   if (levels.first == first_wrong)
     lines.push_back(fmt::format("wrong at level {}, the lowest that was run", first_wrong));
@@ -188,8 +188,8 @@ std::vector<std::string> diagnose(const IndexSubject& s, const Levels& levels) {
     const std::string order = name_order(n, [&](const MicroTriangle& m) {
       std::uint32_t answer = 0;
       GridPoint p = representative(m, n);
-      s.receive(std::span<GridPoint>(&p, 1));
-      s.index(n, Batch{{&p, 1}, false}, {&answer, 1});
+      s.functions.receive(std::span<GridPoint>(&p, 1));
+      s.functions.index(n, Batch{{&p, 1}, false}, {&answer, 1});
       return answer;
     });
     if (!order.empty()) lines.push_back(fmt::format("its order at level {}: {}", n, order));

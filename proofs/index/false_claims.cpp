@@ -79,7 +79,7 @@ Tally differs_first(const IndexSubject& s, Level n, const Run& run, const std::v
 }
 
 Tally floats_err(const IndexSubject& s, Level n, const Run& run) {
-  const int p = precision(s.arithmetic());
+  const int p = precision(s.functions.arithmetic);
   const auto power = [](int e) { return Rational(spec::Integer(1), spec::Integer(1) << e); };
   const Rational one(spec::Integer(1)), N(spec::Integer(side(n)));
   const std::array points{RationalPoint{(one - power(p)) / N, power(p + 1) / N},
@@ -88,9 +88,9 @@ Tally floats_err(const IndexSubject& s, Level n, const Run& run) {
   tally.count(Kind::interior, 1);
   std::uint64_t wrong = 0, number = 0;
   for (const RationalPoint& point : points) {
-    const std::uint32_t got = s.index(n, s.receive(point));
+    const std::uint32_t got = s.functions.index_at(n, s.functions.receive_at(point));
     tally.digest(number++, got);
-    wrong += got != spec::index::reference(s.receive(point), n) ? 1 : 0;
+    wrong += got != spec::index::reference(s.functions.receive_at(point), n) ? 1 : 0;
   }
   if (wrong == 0)
     tally.mismatch(Kind::interior, {}, [&] {

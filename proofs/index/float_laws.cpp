@@ -17,12 +17,12 @@ Mutant wrong_at(const char* name, const char* base, Level level, F u, F v) {
   const auto once = [=](Level n, F pu, F pv, std::uint32_t answer) {
     return n == level && pu == u && pv == v ? answer ^ 1 : answer;
   };
-  Alteration change;
+  Change change;
   if constexpr (sizeof(F) == sizeof(float))
-    change.on_floats = once;
+    change = on_floats(once);
   else
-    change.on_doubles = once;
-  return {name, altered(name, built_in(base), std::move(change)), {level, level}};
+    change = on_doubles(once);
+  return mutant(name, base, {level, level}, change);
 }
 
 Law row_exact_on_floats_law() {
@@ -42,7 +42,7 @@ Law row_exact_on_floats_law() {
       .domain = [](const Subject&,
                    Level) { return std::string("a sample of binary32 pairs near what breaks row order"); },
       .how = by_sample,
-      .unfit = needing({Entry::row_index}),
+      .unfit = needing({entry::row_index}),
       .divisible = true,
       .judge = [](const Subject& s, Level n,
                   const Run& run) { return row_exact_on_floats(of_index(s), n, run, pairs(n, run)); },
@@ -58,25 +58,20 @@ Law row_exact_on_floats_law() {
 }
 
 /// Binary64 numbers become binary32 ones first, and those have the right index.
-class ThroughBinary32 : public IndexSubject {
- public:
-  explicit ThroughBinary32(SubjectOfIndex base)
-      : IndexSubject("through binary32", "broken on purpose", Arithmetic::binary64, 16),
-        base_(std::move(base)) {}
-  bool has(Entry e) const override { return e == Entry::index; }
-  std::uint32_t index(Level n, const RationalPoint& p) const override {
+IndexSubjectPtr through_binary32() {
+  Functions f;
+  f.arithmetic = Arithmetic::binary64;
+  f.index_at = [floats = built_in("impl")->functions.index_floats](Level n, const RationalPoint& p) {
     const auto u = static_cast<float>(nearest(p.u)), v = static_cast<float>(nearest(p.v));
     std::uint32_t answer = 0;
-    base_->index(n, FloatBatch{{&u, 1}, {&v, 1}}, {&answer, 1});
+    floats(n, FloatBatch{{&u, 1}, {&v, 1}}, {&answer, 1});
     return answer;
-  }
-
- private:
-  SubjectOfIndex base_;
-};
+  };
+  return std::make_shared<IndexSubject>("through binary32", "broken on purpose", std::move(f));
+}
 
 Unfit needing_doubles() {
-  return [fits = needing({Entry::index})](const Subject& subject, Level n) -> std::optional<std::string> {
+  return [fits = needing({entry::index})](const Subject& subject, Level n) -> std::optional<std::string> {
     if (const auto why = fits(subject, n)) return why;
     const IndexSubject& s = of_index(subject);
     if (s.takes_doubles()) return std::nullopt;
@@ -106,7 +101,7 @@ Law exact_on_doubles_law() {
       .judge = [](const Subject& s, Level n,
                   const Run& run) { return exact_on_doubles(of_index(s), n, run, double_pairs(n, run)); },
       .replay = replayed_by(replay_equals_reference),
-      .mutants = {{"binary32 first", std::make_shared<ThroughBinary32>(built_in("impl")), {1, 5}},
+      .mutants = {{"binary32 first", through_binary32(), {1, 5}},
                   {"the reference in binary64", built_in("reference-f64"), {4, 8}},
                   {"the step algorithm in binary64", built_in("step-f64"), {4, 8}},
                   wrong_at("one pair of level 9, an ulp under the hypotenuse", "step", 9, 0.5,

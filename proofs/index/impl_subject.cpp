@@ -40,69 +40,71 @@ void to_corners(std::span<const std::uint32_t> indices, std::span<Corners> out, 
   }
 }
 
-class ImplSubject : public IndexSubject {
- public:
-  ImplSubject()
-      : IndexSubject("impl", "this project's library, batched", Arithmetic::binary32, fast::max_level) {}
+/// A batch of one point over and over: a replay goes through the same vector code as the sweep.
+template <class Batched>
+std::uint32_t repeated(const RationalPoint& p, Batched batched) {
+  constexpr std::size_t vectors = 64;
+  std::array<float, vectors> u, v;
+  std::array<std::uint32_t, vectors> out;
+  u.fill(static_cast<float>(nearest(p.u)));
+  v.fill(static_cast<float>(nearest(p.v)));
+  batched(std::span<const float>(u), std::span<const float>(v), std::span<std::uint32_t>(out));
+  return out.front();
+}
 
-  bool has(Entry) const override { return true; }
+Functions library_functions() {
+  Functions f;
+  f.arithmetic = Arithmetic::binary32;
+  f.max_level = fast::max_level;
+  f.receive_at = [](const RationalPoint& p) -> RationalPoint {
+    return {rounded<float>(p.u), rounded<float>(p.v)};
+  };
 
-  RationalPoint receive(const RationalPoint& p) const override { return {rounded(p.u), rounded(p.v)}; }
-
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+  f.index = [](Level n, Batch batch, std::span<std::uint32_t> out) {
     on_floats(batch, out, [n](auto u, auto v, auto to) { fast::from_barycentrics(u, v, n, to); });
-  }
-  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+  };
+  f.index_floats = [](Level n, FloatBatch batch, std::span<std::uint32_t> out) {
     fast::from_barycentrics(batch.u, batch.v, n, out);
-  }
-  std::uint32_t index(Level n, const RationalPoint& p) const override {
-    return at_point(p, [n](auto u, auto v, auto to) { fast::from_barycentrics(u, v, n, to); });
-  }
-  Level max_wide_level() const override { return 21; }  // whose representatives have 24 bits
-  void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const override {
+  };
+  f.index_at = [](Level n, const RationalPoint& p) {
+    return repeated(p, [n](auto u, auto v, auto to) { fast::from_barycentrics(u, v, n, to); });
+  };
+  f.corners = [](Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) {
+    to_corners(indices, out, [n](auto k, const auto& to) { fast::corners(k, n, to); });
+  };
+
+  f.row_index = [](Level n, Batch batch, std::span<std::uint32_t> out) {
+    on_floats(batch, out, [n](auto u, auto v, auto to) { fast::w_minor(u, v, n, to); });
+  };
+  f.row_index_floats = [](Level n, FloatBatch batch, std::span<std::uint32_t> out) {
+    fast::w_minor(batch.u, batch.v, n, out);
+  };
+  f.row_index_at = [](Level n, const RationalPoint& p) {
+    return repeated(p, [n](auto u, auto v, auto to) { fast::w_minor(u, v, n, to); });
+  };
+  f.row_corners = [](Level, std::span<const std::uint32_t> indices, std::span<Corners> out) {
+    to_corners(indices, out, [](auto k, const auto& to) { fast::w_minor_corners(k, to); });
+  };
+
+  f.max_wide_level = 21;  // whose representatives have 24 bits
+  f.wide_index = [](Level n, const Row& row, std::span<std::uint64_t> out) {
     const float scale = 1.0f / static_cast<float>(std::uint32_t{4} << n),
                 v = static_cast<float>(row.kv) * scale;
     auto k = static_cast<std::int32_t>(row.ku);
     for (std::uint64_t t = 0; t < row.count; ++t, k += static_cast<std::int32_t>(row.stride))
       out[t] = fast::from_barycentrics_wide(static_cast<float>(k) * scale, v, n);
-  }
-  std::uint64_t wide_index(Level n, const RationalPoint& p) const override {
+  };
+  f.wide_index_at = [](Level n, const RationalPoint& p) {
     return fast::from_barycentrics_wide(static_cast<float>(nearest(p.u)), static_cast<float>(nearest(p.v)),
                                         n);
-  }
-  void corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
-    to_corners(indices, out, [n](auto k, const auto& to) { fast::corners(k, n, to); });
-  }
-  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
-    on_floats(batch, out, [n](auto u, auto v, auto to) { fast::w_minor(u, v, n, to); });
-  }
-  void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
-    fast::w_minor(batch.u, batch.v, n, out);
-  }
-  std::uint32_t row_index(Level n, const RationalPoint& p) const override {
-    return at_point(p, [n](auto u, auto v, auto to) { fast::w_minor(u, v, n, to); });
-  }
-  void row_corners(Level, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
-    to_corners(indices, out, [](auto k, const auto& to) { fast::w_minor_corners(k, to); });
-  }
-
- private:
-  /// A batch of one point over and over: a replay goes through the same vector code as the sweep.
-  template <class Batched>
-  static std::uint32_t at_point(const RationalPoint& p, Batched batched) {
-    constexpr std::size_t vectors = 64;
-    std::array<float, vectors> u, v;
-    std::array<std::uint32_t, vectors> out;
-    u.fill(static_cast<float>(nearest(p.u)));
-    v.fill(static_cast<float>(nearest(p.v)));
-    batched(std::span<const float>(u), std::span<const float>(v), std::span<std::uint32_t>(out));
-    return out.front();
-  }
-  static Rational rounded(const Rational& q) { return rational(static_cast<float>(nearest(q))); }
-};
+  };
+  return f;
+}
 
 }  // namespace
 
-std::shared_ptr<const IndexSubject> impl_subject() { return std::make_shared<ImplSubject>(); }
+IndexSubjectPtr impl_subject() {
+  return std::make_shared<IndexSubject>("impl", "this project's library, batched", library_functions());
+}
 
 }  // namespace mmverify::proofs::index

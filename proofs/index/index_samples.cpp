@@ -96,7 +96,7 @@ class Bench {
     std::vector<GridPoint> points;
     for (const std::uint32_t index : indices_)
       for (const GridPoint& p : cells_of(corners_of(index), n)) points.push_back(p);
-    s.receive(points);
+    s.functions.receive(points);
     std::vector<std::uint32_t> got(points.size());
     ask(points, got);
     for (std::size_t t = 0; t < points.size(); ++t) {
@@ -127,33 +127,33 @@ std::vector<Finding> everything(const IndexSubject& s, Level n, Indices indices)
   Bench bench(indices);
   const auto on_curve = [n](std::uint32_t k) { return spec::index::corners(k, n); };
   const auto in_rows = [](std::uint32_t k) { return spec::index::w_minor_corners(k); };
-  if (s.has(Entry::index))
+  if (s.functions.index)
     bench.points(
         "index", s, n, on_curve,
         [&](const auto& points, auto& got) {
-          s.index(n, Batch{points, false}, got);
+          s.functions.index(n, Batch{points, false}, got);
         },
         [n](const GridPoint& p) { return spec::index::reference(p, n); });
-  if (s.has(Entry::corners))
+  if (s.functions.corners)
     bench.corners(
-        "corners", [&](auto& got) { s.corners(n, indices, got); }, on_curve, false);
-  if (s.has(Entry::row_index))
+        "corners", [&](auto& got) { s.functions.corners(n, indices, got); }, on_curve, false);
+  if (s.functions.row_index)
     bench.points(
         "row-order index", s, n, in_rows,
         [&](const auto& points, auto& got) {
-          s.row_index(n, Batch{points, false}, got);
+          s.functions.row_index(n, Batch{points, false}, got);
         },
         [n](const GridPoint& p) { return spec::index::w_minor(p, n); });
-  if (s.has(Entry::row_corners))
+  if (s.functions.row_corners)
     bench.corners(
-        "row-order corners", [&](auto& got) { s.row_corners(n, indices, got); }, in_rows, true);
+        "row-order corners", [&](auto& got) { s.functions.row_corners(n, indices, got); }, in_rows, true);
   return bench.found();
 }
 
 std::vector<Finding> corners_alone(const IndexSubject& s, Level n, Indices indices) {
   Bench bench(indices);
   bench.corners(
-      "corners", [&](auto& got) { s.corners(n, indices, got); },
+      "corners", [&](auto& got) { s.functions.corners(n, indices, got); },
       [n](std::uint32_t k) { return spec::index::corners(k, n); }, true);
   return bench.found();
 }

@@ -24,9 +24,9 @@ std::uint64_t all_triangles(Level n, const Run&) { return triangle_count(n); }
 std::string points(const Subject& subject, Level n) {
   const IndexSubject& s = of_index(subject);
   if (s.exact()) return "every rational point of the triangle, by its 3N^2+3N+1 cells";
-  const bool representable = s.arithmetic() != Arithmetic::binary16 || n + 2 <= 11;
+  const bool representable = s.functions.arithmetic != Arithmetic::binary16 || n + 2 <= 11;
   return fmt::format("the 3N^2+3N+1 representatives, {} {} numbers", representable ? "as" : "rounded to",
-                     to_string(s.arithmetic()));
+                     to_string(s.functions.arithmetic));
 }
 std::string next_points(const Subject& s, Level n) { return points(s, n + 1) + " of level n+1"; }
 std::string triangles(const Subject& subject, Level) {
@@ -50,9 +50,9 @@ Unfit needing(std::vector<Entry> entries, Level above) {
     const auto* s = dynamic_cast<const IndexSubject*>(&subject);
     if (s == nullptr) return "not a subject of topic index";
     for (const Entry e : entries)
-      if (!s->has(e)) return fmt::format("{} has no entry point {}", s->name(), name_of(e));
-    if (n + above > s->max_level())
-      return fmt::format("{} is defined up to level {}", s->name(), s->max_level());
+      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
+    if (const Level last = s->functions.max_level; n + above > last)
+      return fmt::format("{} is defined up to level {}", s->name(), last);
     return std::nullopt;
   };
 }

@@ -24,7 +24,7 @@ Law equals_reference_law() {
           .cases = all_cells,
           .domain = points,
           .how = in_rationals_then_fixed_point,
-          .unfit = needing({Entry::index}),
+          .unfit = needing({entry::index}),
           .divisible = true,
           .judge = judged_by(equals_reference),
           .replay = replayed_by(replay_equals_reference),
@@ -48,17 +48,17 @@ Law in_range_law() {
           .cases = all_cells,
           .domain = points,
           .how = in_fixed_point,
-          .unfit = needing({Entry::index}),
+          .unfit = needing({entry::index}),
           .divisible = true,
           .judge = judged_by(in_range),
           .replay = replayed_by(replay_in_range),
           .mutants = {single("one vertex of level 7 leaves the range", "reference", 7, corner(7) / 2,
                              corner(7) / 4, 1u << 14),
                       single("the v-corner of level 5 is 4^5", "step", 5, 0, corner(5), 1u << 10),
-                      on_points("the hypotenuse of level 6 has a row of its own", "reference", {0, 6},
-                                [](Level n, const GridPoint& p, std::uint32_t answer) {
-                                  return n == 6 && p.u + p.v == Fixed64(1) ? answer + (1u << 12) : answer;
-                                })},
+                      mutant("the hypotenuse of level 6 has a row of its own", "reference", {0, 6},
+                             on_points([](Level n, const GridPoint& p, std::uint32_t answer) {
+                               return n == 6 && p.u + p.v == Fixed64(1) ? answer + (1u << 12) : answer;
+                             }))},
           .heeds = {&interiors_only},
           .companion = "index.exact_on_floats"};
 }
@@ -76,17 +76,17 @@ Law bijective_law() {
           .cases = all_triangles,
           .domain = triangles,
           .how = in_fixed_point,
-          .unfit = needing({Entry::index}),
+          .unfit = needing({entry::index}),
           .judge = judged_by(bijective),
           .replay = replayed_by(replay_bijective),
           .mutants = {single("one micro-triangle of level 7 takes its sibling's index", "reference", 7,
                              4 * 20 + 1, 4 * 30 + 1),
                       single("the last micro-triangle of level 5 leaves the range", "step", 5, 1,
                              corner(5) - 3, 1u << 10),
-                      on_points("child 3 is taken for child 2 at level 6", "reference", {0, 6},
-                                [](Level n, const GridPoint&, std::uint32_t answer) {
-                                  return n == 6 && answer % 4 == 3 ? answer - 1 : answer;
-                                })},
+                      mutant("child 3 is taken for child 2 at level 6", "reference", {0, 6},
+                             on_points([](Level n, const GridPoint&, std::uint32_t answer) {
+                               return n == 6 && answer % 4 == 3 ? answer - 1 : answer;
+                             }))},
           .companion = "index.exact_on_floats"};
 }
 
@@ -103,7 +103,7 @@ Law nested_law() {
           .cases = next_cells,
           .domain = next_points,
           .how = in_fixed_point,
-          .unfit = needing({Entry::index}, 1),
+          .unfit = needing({entry::index}, 1),
           .divisible = true,
           .judge = judged_by(nested),
           .replay = replayed_by(replay_nested),
@@ -111,10 +111,10 @@ Law nested_law() {
                              corner(7) / 4, 4),
                       single("one edge of level 6 falls into the next parent", "reference", 6,
                              corner(6) / 4 + 2, corner(6) / 4, 4),
-                      on_points("order of the first digit changes from level 6 on", "reference", {0, 7},
-                                [](Level n, const GridPoint&, std::uint32_t answer) {
-                                  return n >= 6 ? answer ^ (2u << (2 * n - 2)) : answer;
-                                })},
+                      mutant("order of the first digit changes from level 6 on", "reference", {0, 7},
+                             on_points([](Level n, const GridPoint&, std::uint32_t answer) {
+                               return n >= 6 ? answer ^ (2u << (2 * n - 2)) : answer;
+                             }))},
           .heeds = {&interiors_only},
           .companion = "index.exact_on_floats"};
 }
@@ -135,23 +135,23 @@ Law contiguous_law() {
       .cases = all_triangles,
       .domain = triangles,
       .how = in_fixed_point,
-      .unfit = needing({Entry::index}),
+      .unfit = needing({entry::index}),
       .divisible = true,
       .judge = judged_by(contiguous),
       .replay = replayed_by(replay_contiguous),
-      .mutants = {on_points("two neighbours of level 7 change places", "reference", {7, 7},
-                            [](Level n, const GridPoint&, std::uint32_t answer) {
-                              return n == 7 && (answer == 8000 || answer == 8001) ? answer ^ 1 : answer;
-                            }),
+      .mutants = {mutant("two neighbours of level 7 change places", "reference", {7, 7},
+                         on_points([](Level n, const GridPoint&, std::uint32_t answer) {
+                           return n == 7 && (answer == 8000 || answer == 8001) ? answer ^ 1 : answer;
+                         })),
                   single("one micro-triangle of level 6 is one ahead", "step", 6, 4 * 11 + 3, 4 * 13 + 3, 1),
-                  on_points("children 0 and 2 change places below level 4", "reference", {0, 6},
-                            [](Level n, const GridPoint&, std::uint32_t answer) {
-                              return n > 4 && answer % 2 == 0 ? answer ^ 2 : answer;
-                            }),
-                  on_points("every micro-triangle of level 5 is the last", "step", {0, 5},
-                            [](Level n, const GridPoint&, std::uint32_t answer) {
-                              return n == 5 ? (1u << 10) - 1 : answer;
-                            })},
+                  mutant("children 0 and 2 change places below level 4", "reference", {0, 6},
+                         on_points([](Level n, const GridPoint&, std::uint32_t answer) {
+                           return n > 4 && answer % 2 == 0 ? answer ^ 2 : answer;
+                         })),
+                  mutant("every micro-triangle of level 5 is the last", "step", {0, 5},
+                         on_points([](Level n, const GridPoint&, std::uint32_t answer) {
+                           return n == 5 ? (1u << 10) - 1 : answer;
+                         }))},
       .companion = "index.exact_on_floats"};
 }
 
@@ -168,51 +168,50 @@ Law inverse_law() {
           .cases = all_triangles,
           .domain = indices,
           .how = exhaustively,
-          .unfit = needing({Entry::index, Entry::corners}),
+          .unfit = needing({entry::index, entry::corners}),
           .divisible = true,
           .judge = judged_by(inverse),
           .replay = replayed_by(replay_inverse),
-          .mutants = {on_indices("one corner of one index of level 7 is off", "impl", {7, 7},
-                                 [](Level n, std::uint32_t k, Corners c) {
-                                   if (n == 7 && k == 9999) ++c[1].i;
-                                   return c;
-                                 }),
-                      on_indices("the last index of level 5 gets the corners of the one before", "reference",
-                                 {0, 5},
-                                 [](Level n, std::uint32_t k, Corners c) {
-                                   return n == 5 && k == 1023 ? spec::index::corners(1022, 5) : c;
-                                 }),
-                      on_points("the index of one micro-triangle of level 6 is off", "step", {6, 6},
-                                [](Level n, const GridPoint&, std::uint32_t answer) {
-                                  return n == 6 && answer == 1234 ? answer + 1 : answer;
-                                })},
+          .mutants = {mutant("one corner of one index of level 7 is off", "impl", {7, 7},
+                             on_indices([](Level n, std::uint32_t k, Corners c) {
+                               if (n == 7 && k == 9999) ++c[1].i;
+                               return c;
+                             })),
+                      mutant("the last index of level 5 gets the corners of the one before", "reference",
+                             {0, 5}, on_indices([](Level n, std::uint32_t k, Corners c) {
+                               return n == 5 && k == 1023 ? spec::index::corners(1022, 5) : c;
+                             })),
+                      mutant("the index of one micro-triangle of level 6 is off", "step", {6, 6},
+                             on_points([](Level n, const GridPoint&, std::uint32_t answer) {
+                               return n == 6 && answer == 1234 ? answer + 1 : answer;
+                             }))},
           .companion = "index.exact_on_floats"};
 }
 
 Law corners_law() {
-  return {
-      .id = "index.corners",
-      .topic = "index",
-      .says = "the corners of an index are those of the specification, in the order of children 0, 2, 3",
-      .source = succinct_4_3,
-      .method = Method::exhaustive,
-      .subjects = {"impl"},
-      .fast = {0, 10},
-      .long_run = {0, 16},
-      .fast_seconds = 0.5,
-      .cases = all_triangles,
-      .domain = indices,
-      .how = exhaustively,
-      .unfit = needing({Entry::corners}),
-      .divisible = true,
-      .judge = judged_by(corners_in_order),
-      .replay = replayed_by(replay_corners_in_order),
-      .mutants = {swapped_corners("two corners of one index of level 7 change places", "impl", 7, 7777),
-                  swapped_corners("two corners of the last index of level 6 change places", "impl", 6, 4095),
-                  on_indices("u and v change places", "impl", {0, 3}, [](Level, std::uint32_t, Corners c) {
-                    for (auto& vertex : c) std::swap(vertex.i, vertex.j);
-                    return c;
-                  })}};
+  return {.id = "index.corners",
+          .topic = "index",
+          .says = "the corners of an index are those of the specification, in the order of children 0, 2, 3",
+          .source = succinct_4_3,
+          .method = Method::exhaustive,
+          .subjects = {"impl"},
+          .fast = {0, 10},
+          .long_run = {0, 16},
+          .fast_seconds = 0.5,
+          .cases = all_triangles,
+          .domain = indices,
+          .how = exhaustively,
+          .unfit = needing({entry::corners}),
+          .divisible = true,
+          .judge = judged_by(corners_in_order),
+          .replay = replayed_by(replay_corners_in_order),
+          .mutants = {
+              swapped_corners("two corners of one index of level 7 change places", "impl", 7, 7777),
+              swapped_corners("two corners of the last index of level 6 change places", "impl", 6, 4095),
+              mutant("u and v change places", "impl", {0, 3}, on_indices([](Level, std::uint32_t, Corners c) {
+                       for (auto& vertex : c) std::swap(vertex.i, vertex.j);
+                       return c;
+                     }))}};
 }
 
 Law rounding_law() {
@@ -231,7 +230,7 @@ Law rounding_law() {
           .cases = all_cells,
           .domain = points,
           .how = in_fixed_point,
-          .unfit = needing({Entry::index}),
+          .unfit = needing({entry::index}),
           .divisible = true,
           .judge = judged_by(rounding),
           .replay = replayed_by(replay_rounding),
@@ -253,16 +252,16 @@ Law row_order_law() {
           .cases = all_cells,
           .domain = points,
           .how = in_fixed_point,
-          .unfit = needing({Entry::row_index}),
+          .unfit = needing({entry::row_index}),
           .divisible = true,
           .judge = judged_by(row_order),
           .replay = replayed_by(replay_row_order),
           .mutants = {single("one vertex of level 7", "impl", 7, corner(7) / 2, corner(7) / 4),
                       single("the u-corner of level 5", "impl", 5, corner(5), 0, 2),
-                      on_points("the hypotenuse of level 6 falls into the next column", "impl", {0, 6},
-                                [](Level n, const GridPoint& p, std::uint32_t answer) {
-                                  return n == 6 && p.u + p.v == Fixed64(1) ? answer ^ 1 : answer;
-                                })},
+                      mutant("the hypotenuse of level 6 falls into the next column", "impl", {0, 6},
+                             on_points([](Level n, const GridPoint& p, std::uint32_t answer) {
+                               return n == 6 && p.u + p.v == Fixed64(1) ? answer ^ 1 : answer;
+                             }))},
           .heeds = {&interiors_only},
           .companion = "index.row_exact_on_floats"};
 }
@@ -281,16 +280,16 @@ Law row_corners_law() {
       .cases = all_triangles,
       .domain = indices,
       .how = exhaustively,
-      .unfit = needing({Entry::row_corners}),
+      .unfit = needing({entry::row_corners}),
       .divisible = true,
       .judge = judged_by(row_corners),
       .replay = replayed_by(replay_row_corners),
       .mutants = {{"the root in binary32", built_in("w-minor-f32"), {13, 13}},
                   swapped_corners("two corners of one index of level 7 change places", "impl", 7, 127 * 127),
-                  on_indices("the last index of a row goes to the next", "w-minor", {0, 6},
-                             [](Level n, std::uint32_t k, Corners c) {
-                               return n == 6 && k == 50 * 50 - 1 ? spec::index::w_minor_corners(k + 1) : c;
-                             })}};
+                  mutant("the last index of a row goes to the next", "w-minor", {0, 6},
+                         on_indices([](Level n, std::uint32_t k, Corners c) {
+                           return n == 6 && k == 50 * 50 - 1 ? spec::index::w_minor_corners(k + 1) : c;
+                         }))}};
 }
 
 }  // namespace

@@ -44,16 +44,16 @@ class Comparison {
         got_(got),
         say_expected_(say_expected),
         tally_(tally),
-        as_they_are_(subject.arithmetic() != Arithmetic::binary16) {}
+        as_they_are_(subject.functions.arithmetic != Arithmetic::binary16) {}
 
   void add(const Row& whole_row) {
     for (std::uint64_t from = 0; from < whole_row.count;) {
-      const std::uint64_t room = std::min<std::uint64_t>(subject_.batch() - cells_, IndexSubject::row_batch);
+      const std::uint64_t room = std::min<std::uint64_t>(subject_.functions.batch - cells_, row_batch);
       const Row row = Cells::cut(whole_row, from, std::min(room, whole_row.count - from));
       rows_.push_back(row);
       cells_ += row.count;
       from += row.count;
-      if (subject_.batch() == IndexSubject::row_batch || cells_ == subject_.batch()) judge();
+      if (subject_.functions.batch == row_batch || cells_ == subject_.functions.batch) judge();
     }
   }
 
@@ -87,7 +87,7 @@ class Comparison {
     points_.clear();
     for (const Row& row : rows)
       for (std::uint64_t t = 0; t < row.count; ++t) points_.push_back(representative(row, t, grid_));
-    subject_.receive(points_);
+    subject_.functions.receive(points_);
     // A rounding subject may have received points that are no longer evenly spaced.
     return {points_, rows.size() == 1 && as_they_are_};
   }
@@ -101,7 +101,7 @@ class Comparison {
     for (std::uint64_t t = 0; t < row.count; ++t) {
       if (want_[t] == have[t]) continue;
       GridPoint p = representative(row, t, grid_);
-      subject_.receive({&p, 1});
+      subject_.functions.receive({&p, 1});
       tally_.mismatch(row.kind(t), simplicity(p),
                       [&] { return at_point(p, grid_, say_expected_(want_[t]), say_number(have[t])); });
     }
@@ -124,7 +124,7 @@ class Comparison {
 Tally compare_on_cells(const IndexSubject& subject, Level grid, const Run& run, const Answers& expected,
                        const Answers& got, const Say& say_expected) {
   const Cells cells(grid);
-  const std::uint64_t chunk_size = std::max<std::uint64_t>(cells_per_chunk, subject.batch());
+  const std::uint64_t chunk_size = std::max<std::uint64_t>(cells_per_chunk, subject.functions.batch);
   return sweep(run, cells.size(), chunk_size, [&](Chunk chunk, Tally& tally) {
     Comparison comparison(subject, grid, expected, got, say_expected, tally);
     cells.rows(chunk.begin, chunk.end, [&](const Row& row) {

@@ -27,11 +27,11 @@ Law differs_law(const char* id, const char* says, const char* source, const char
   const auto repaired = [&](Level level) {
     const Difference& last = stated.back();
     const GridPoint where{coordinate(last.ku, last.from_level), coordinate(last.kv, last.from_level)};
-    return on_points("right at its simplest wrong point of level 6", reading, {level, level},
-                     [=](Level n, const GridPoint& p, std::uint32_t answer) {
-                       return n == level && p.u == where.u && p.v == where.v ? spec::index::reference(p, n)
-                                                                             : answer;
-                     });
+    return mutant("right at its simplest wrong point of level 6", reading, {level, level},
+                  on_points([=](Level n, const GridPoint& p, std::uint32_t answer) {
+                    return n == level && p.u == where.u && p.v == where.v ? spec::index::reference(p, n)
+                                                                          : answer;
+                  }));
   };
   return {.id = id,
           .topic = "index",
@@ -45,7 +45,7 @@ Law differs_law(const char* id, const char* says, const char* source, const char
           .cases = all_cells,
           .domain = points,
           .how = in_rationals_then_fixed_point,
-          .unfit = needing({Entry::index}),
+          .unfit = needing({entry::index}),
           .judge = [stated](const Subject& s, Level n,
                             const Run& run) { return differs_first(of_index(s), n, run, stated); },
           .mutants = {repaired(6),
@@ -69,17 +69,17 @@ Law row_holds_point_law() {
           .cases = all_cells,
           .domain = points,
           .how = in_fixed_point,
-          .unfit = needing({Entry::row_index}),
+          .unfit = needing({entry::row_index}),
           .divisible = true,
           .judge = judged_by(row_holds_point),
           .replay = replayed_by(replay_row_holds_point),
           .mutants = {single("one point inside a micro-triangle of level 7", "w-minor", 7, 4 * 20 + 1,
                              4 * 30 + 1),
                       single("the w-corner of level 5 is in row 1", "w-minor", 5, 0, 0),
-                      on_points("column and diagonal round apart on u lines of level 6", "w-minor", {0, 6},
-                                [](Level n, const GridPoint& p, std::uint32_t answer) {
-                                  return n == 6 && on_u_line(p, n) ? answer + 1 : answer;
-                                })},
+                      mutant("column and diagonal round apart on u lines of level 6", "w-minor", {0, 6},
+                             on_points([](Level n, const GridPoint& p, std::uint32_t answer) {
+                               return n == 6 && on_u_line(p, n) ? answer + 1 : answer;
+                             }))},
           .heeds = {&interiors_only},
           .companion = "index.row_exact_on_floats"};
 }
@@ -98,17 +98,17 @@ Law binary32_root_law() {
           .cases = all_triangles,
           .domain = indices,
           .how = exhaustively,
-          .unfit = needing({Entry::row_corners}),
+          .unfit = needing({entry::row_corners}),
           .judge = judged_by(binary32_root_errs),
           .mutants = {{"the root in binary64", built_in("w-minor-f64"), {13, 13}},
-                      on_indices("one more wrong index, at level 8", "w-minor-f32", {8, 8},
-                                 [](Level n, std::uint32_t k, Corners c) {
-                                   return n == 8 && k == 40'000 ? spec::index::w_minor_corners(k + 1) : c;
-                                 }),
-                      on_indices("right at the first wrong index", "w-minor-f32", {13, 13},
-                                 [](Level, std::uint32_t k, Corners c) {
-                                   return k == first_wrong ? spec::index::w_minor_corners(k) : c;
-                                 })},
+                      mutant("one more wrong index, at level 8", "w-minor-f32", {8, 8},
+                             on_indices([](Level n, std::uint32_t k, Corners c) {
+                               return n == 8 && k == 40'000 ? spec::index::w_minor_corners(k + 1) : c;
+                             })),
+                      mutant("right at the first wrong index", "w-minor-f32", {13, 13},
+                             on_indices([](Level, std::uint32_t k, Corners c) {
+                               return k == first_wrong ? spec::index::w_minor_corners(k) : c;
+                             }))},
           .general = false};
 }
 

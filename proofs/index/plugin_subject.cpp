@@ -25,48 +25,17 @@ void put(const Worker& worker, Call call, std::size_t array, std::uint64_t count
 
 std::string point_text(double u, double v) { return fmt::format("u={:a},v={:a}", u, v); }
 
-class PluginSubject : public IndexSubject {
+/// Puts questions to a library, whole batches at a time.
+class Questions {
  public:
-  PluginSubject(std::string name, LibraryPtr library, Arithmetic arithmetic)
-      : IndexSubject(std::move(name), library->about(), arithmetic, library->description().max_level),
-        library_(std::move(library)) {}
+  explicit Questions(LibraryPtr library) : library_(std::move(library)) {}
 
-  std::string fingerprint() const override { return library_->fingerprint(); }
-
-  bool has(Entry e) const override {
-    switch (e) {
-      case Entry::index:
-        return offers(point_call());
-      case Entry::corners:
-        return offers(Call::corners);
-      case Entry::row_index:
-        return offers(Call::row_index_f32) && arithmetic() == Arithmetic::binary32;
-      case Entry::row_corners:
-        return offers(Call::row_corners);
-      case Entry::wide_index:
-        return false;
-    }
-    return false;
-  }
-
-  std::size_t batch() const override { return dock::capacity; }
-
-  RationalPoint receive(const RationalPoint& p) const override {
-    if (arithmetic() == Arithmetic::binary64) return {rational(nearest(p.u)), rational(nearest(p.v))};
-    return {rational(static_cast<float>(nearest(p.u))), rational(static_cast<float>(nearest(p.v)))};
-  }
-
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
-    ask_points(point_call(), n, batch, out);
-  }
-  void index_rows(Level n, Level grid, std::span<const Row> rows,
-                  std::span<std::uint32_t> out) const override {
+  void rows(Call call, Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out) const {
     std::vector<Row> command;
     std::size_t count = 0;
     const auto run = [&] {
       ask(
-          n, point_call(), count, [&](Worker& w, Call call) { place_rows(w, call, count, grid, command); },
-          out.data());
+          n, call, count, [&](Worker& w, Call c) { place_rows(w, c, count, grid, command); }, out.data());
       out = out.subspan(count);
       command.clear();
       count = 0;
@@ -81,35 +50,51 @@ class PluginSubject : public IndexSubject {
       }
     if (count != 0) run();
   }
-  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
-    ask_points(Call::row_index_f32, n, batch, out);
+
+  void points(Call call, Level n, Batch batch, std::span<std::uint32_t> out) const {
+    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+      const GridPoint* p = batch.points.data() + from;
+      constexpr double scale = 1.0 / (1 << Fixed64::fraction_bits);
+      const auto at = [p](std::size_t t) {
+        return std::pair{static_cast<double>(p[t].u.raw()) * scale,
+                         static_cast<double>(p[t].v.raw()) * scale};
+      };
+      ask(
+          n, call, count, [&](Worker& w, Call c) { place_points(w, c, count, at); }, out.data() + from);
+    });
   }
-  void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
-    ask_pairs(Call::row_index_f32, n, batch, out);
+
+  /// Pairs of floats or doubles; a call that takes floats rounds doubles.
+  template <class Pairs>
+  void pairs(Call call, Level n, const Pairs& batch, std::span<std::uint32_t> out) const {
+    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+      const auto at = [u = batch.u.data() + from, v = batch.v.data() + from](std::size_t t) {
+        return std::pair{double{u[t]}, double{v[t]}};
+      };
+      ask(
+          n, call, count, [&](Worker& w, Call c) { place_points(w, c, count, at); }, out.data() + from);
+    });
   }
-  std::uint32_t row_index(Level n, const RationalPoint& p) const override {
-    return ask_point(Call::row_index_f32, n, p);
+
+  std::uint32_t point(Call call, Level n, const RationalPoint& p) const {
+    std::uint32_t answer = 0;
+    const std::pair at{nearest(p.u), nearest(p.v)};
+    ask(
+        n, call, 1, [&](Worker& w, Call c) { place_points(w, c, 1, [&at](std::size_t) { return at; }); },
+        &answer);
+    return answer;
   }
-  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
-    ask_pairs(point_call(), n, batch, out);
-  }
-  void index(Level n, DoubleBatch batch, std::span<std::uint32_t> out) const override {
-    ask_pairs(point_call(), n, batch, out);
-  }
-  std::uint32_t index(Level n, const RationalPoint& p) const override {
-    return ask_point(point_call(), n, p);
-  }
-  void corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
-    ask_corners(Call::corners, n, indices, out);
-  }
-  void row_corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
-    ask_corners(Call::row_corners, n, indices, out);
+
+  void corners(Call call, Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const {
+    static_assert(sizeof(Corners) == dock::entry_point(Call::corners).answer_bytes);
+    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
+      ask(
+          n, call, count, [&](Worker& w, Call c) { put(w, c, 0, count, indices.data() + from); },
+          out.data() + from);
+    });
   }
 
  private:
-  bool offers(Call call) const { return library_->offers(call); }
-  Call point_call() const { return arithmetic() == Arithmetic::binary64 ? Call::index_f64 : Call::index_f32; }
-
   template <class Piece>
   static void in_pieces(std::size_t size, Piece piece) {
     for (std::size_t from = 0; from < size; from += dock::capacity)
@@ -167,49 +152,6 @@ class PluginSubject : public IndexSubject {
       fill(float{});
   }
 
-  void ask_points(Call call, Level n, Batch batch, std::span<std::uint32_t> out) const {
-    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
-      const GridPoint* p = batch.points.data() + from;
-      constexpr double scale = 1.0 / (1 << Fixed64::fraction_bits);
-      const auto at = [p](std::size_t t) {
-        return std::pair{static_cast<double>(p[t].u.raw()) * scale,
-                         static_cast<double>(p[t].v.raw()) * scale};
-      };
-      ask(
-          n, call, count, [&](Worker& w, Call c) { place_points(w, c, count, at); }, out.data() + from);
-    });
-  }
-
-  /// Pairs of floats or doubles; a call that takes floats rounds doubles.
-  template <class Pairs>
-  void ask_pairs(Call call, Level n, const Pairs& batch, std::span<std::uint32_t> out) const {
-    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
-      const auto at = [u = batch.u.data() + from, v = batch.v.data() + from](std::size_t t) {
-        return std::pair{double{u[t]}, double{v[t]}};
-      };
-      ask(
-          n, call, count, [&](Worker& w, Call c) { place_points(w, c, count, at); }, out.data() + from);
-    });
-  }
-
-  std::uint32_t ask_point(Call call, Level n, const RationalPoint& p) const {
-    std::uint32_t answer = 0;
-    const std::pair at{nearest(p.u), nearest(p.v)};
-    ask(
-        n, call, 1, [&](Worker& w, Call c) { place_points(w, c, 1, [&at](std::size_t) { return at; }); },
-        &answer);
-    return answer;
-  }
-
-  void ask_corners(Call call, Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const {
-    static_assert(sizeof(Corners) == dock::entry_point(Call::corners).answer_bytes);
-    in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
-      ask(
-          n, call, count, [&](Worker& w, Call c) { put(w, c, 0, count, indices.data() + from); },
-          out.data() + from);
-    });
-  }
-
   /// Runs one command; `place` writes the inputs, the answers go to `out`.
   template <class Place, class Number>
   void ask(Level n, Call call, std::size_t count, Place place, Number* out) const {
@@ -257,18 +199,61 @@ class PluginSubject : public IndexSubject {
   LibraryPtr library_;
 };
 
+Functions functions_of(const LibraryPtr& library, Arithmetic arithmetic) {
+  const auto offers = [&](Call call) { return library->offers(call); };
+  const bool doubles = arithmetic == Arithmetic::binary64;
+  const Call call = doubles ? Call::index_f64 : Call::index_f32;
+  const Questions ask(library);
+  Functions f;
+  f.arithmetic = arithmetic;
+  f.max_level = library->description().max_level;
+  f.batch = dock::capacity;
+  f.receive_at = [doubles](const RationalPoint& p) -> RationalPoint {
+    if (doubles) return {rational(nearest(p.u)), rational(nearest(p.v))};
+    return {rational(static_cast<float>(nearest(p.u))), rational(static_cast<float>(nearest(p.v)))};
+  };
+  if (offers(call)) {
+    f.index = [ask, call](Level n, Batch batch, auto out) { ask.points(call, n, batch, out); };
+    f.index_rows = [ask, call](Level n, Level grid, auto rows, auto out) {
+      ask.rows(call, n, grid, rows, out);
+    };
+    f.index_floats = [ask, call](Level n, FloatBatch batch, auto out) { ask.pairs(call, n, batch, out); };
+    f.index_doubles = [ask, call](Level n, DoubleBatch batch, auto out) { ask.pairs(call, n, batch, out); };
+    f.index_at = [ask, call](Level n, const RationalPoint& p) { return ask.point(call, n, p); };
+  }
+  if (offers(Call::corners))
+    f.corners = [ask](Level n, auto indices, auto out) { ask.corners(Call::corners, n, indices, out); };
+  if (offers(Call::row_index_f32) && arithmetic == Arithmetic::binary32) {
+    f.row_index = [ask](Level n, Batch batch, auto out) { ask.points(Call::row_index_f32, n, batch, out); };
+    f.row_index_floats = [ask](Level n, FloatBatch batch, auto out) {
+      ask.pairs(Call::row_index_f32, n, batch, out);
+    };
+    f.row_index_at = [ask](Level n, const RationalPoint& p) { return ask.point(Call::row_index_f32, n, p); };
+  }
+  if (offers(Call::row_corners))
+    f.row_corners = [ask](Level n, auto indices, auto out) {
+      ask.corners(Call::row_corners, n, indices, out);
+    };
+  return f;
+}
+
+IndexSubjectPtr subject(const std::string& name, const LibraryPtr& library, Arithmetic arithmetic) {
+  return std::make_shared<IndexSubject>(name, library->about(), functions_of(library, arithmetic),
+                                        library->fingerprint());
+}
+
 }  // namespace
 
-std::vector<std::shared_ptr<const IndexSubject>> plugin_subjects(const LibraryPtr& library) {
+std::vector<IndexSubjectPtr> plugin_subjects(const LibraryPtr& library) {
   const auto offers = [&](Call call) { return library->offers(call); };
-  std::vector<std::shared_ptr<const IndexSubject>> subjects;
+  std::vector<IndexSubjectPtr> subjects;
   // A library without any index still has corners or rows to judge.
   const bool others = offers(Call::corners) || offers(Call::row_index_f32) || offers(Call::row_corners);
   if (offers(Call::index_f32) || (others && !offers(Call::index_f64)))
-    subjects.push_back(std::make_shared<PluginSubject>(library->path(), library, Arithmetic::binary32));
+    subjects.push_back(subject(library->path(), library, Arithmetic::binary32));
   if (offers(Call::index_f64))
-    subjects.push_back(std::make_shared<PluginSubject>(
-        subjects.empty() ? library->path() : library->path() + ":f64", library, Arithmetic::binary64));
+    subjects.push_back(subject(subjects.empty() ? library->path() : library->path() + ":f64", library,
+                               Arithmetic::binary64));
   return subjects;
 }
 

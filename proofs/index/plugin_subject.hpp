@@ -12,6 +12,6 @@ namespace mmverify::proofs::index {
 /// The subjects that a library offers, none where it has no entry point of this topic: one that takes
 /// binary32 numbers, named as the file, and where it has an entry point for binary64 another, named FILE:f64.
 /// Each runs in worker processes; what goes wrong there comes out of the calls as SubjectBroken.
-std::vector<std::shared_ptr<const IndexSubject>> plugin_subjects(const dock::LibraryPtr& library);
+std::vector<IndexSubjectPtr> plugin_subjects(const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::index

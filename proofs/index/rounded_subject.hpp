@@ -1,4 +1,4 @@
-// A specification algorithm in rounded arithmetic, as a subject: the same text, another number type.
+// A specification algorithm in rounded arithmetic, as a subject has it: the same text, another number type.
 #pragma once
 
 #include <cmath>
@@ -33,57 +33,54 @@ inline double as_double(const Fixed64& q) {
   return std::ldexp(static_cast<double>(q.raw()), -static_cast<int>(Fixed64::fraction_bits));
 }
 
+template <class F>
+Fixed64 rounded(const Fixed64& q) {
+  const auto x = static_cast<double>(static_cast<float>(Rounding<F>::from(as_double(q))));
+  return Fixed64::from_raw(
+      static_cast<std::int64_t>(std::ldexp(x, static_cast<int>(Fixed64::fraction_bits))));
+}
+
+template <class F>
+Rational rounded(const Rational& q) {
+  if constexpr (std::is_same_v<F, double>)
+    return rational(nearest(q));
+  else
+    return rational(static_cast<float>(Rounding<F>::from(nearest(q))));
+}
+
 template <class Algorithm, class F>
-class RoundedSubject : public IndexSubject {
- public:
-  RoundedSubject(std::string name, std::string about, Level max_level = 16)
-      : IndexSubject(std::move(name), std::move(about), Rounding<F>::arithmetic, max_level) {}
-
-  bool has(Entry e) const override { return e == Entry::index; }
-
-  void receive(std::span<GridPoint> points) const override {
-    if constexpr (std::is_same_v<F, impl::Binary16>)
-      for (GridPoint& p : points) p = {rounded(p.u), rounded(p.v)};
-  }
-  void receive(std::span<float> u, std::span<float> v) const override {
-    if constexpr (std::is_same_v<F, impl::Binary16>)
+Functions roundedly(Level max_level = 16) {
+  constexpr auto at = [](Level n, double u, double v) -> std::uint32_t {
+    return Algorithm::at(spec::Point<F>{Rounding<F>::from(u), Rounding<F>::from(v)}, n);
+  };
+  Functions f;
+  f.arithmetic = Rounding<F>::arithmetic;
+  f.max_level = max_level;
+  if constexpr (std::is_same_v<F, impl::Binary16>) {
+    f.receive = [](std::span<GridPoint> points) {
+      for (GridPoint& p : points) p = {rounded<F>(p.u), rounded<F>(p.v)};
+    };
+    f.receive_floats = [](std::span<float> u, std::span<float> v) {
       for (std::size_t t = 0; t < u.size(); ++t) {
         u[t] = static_cast<float>(impl::Binary16(u[t]));
         v[t] = static_cast<float>(impl::Binary16(v[t]));
       }
+    };
   }
-  RationalPoint receive(const RationalPoint& p) const override { return {rounded(p.u), rounded(p.v)}; }
-
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+  f.receive_at = [](const RationalPoint& p) -> RationalPoint { return {rounded<F>(p.u), rounded<F>(p.v)}; };
+  f.index = [at](Level n, Batch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = at(n, as_double(batch.points[t].u), as_double(batch.points[t].v));
-  }
-  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+  };
+  f.index_floats = [at](Level n, FloatBatch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = at(n, static_cast<double>(batch.u[t]), static_cast<double>(batch.v[t]));
-  }
-  void index(Level n, DoubleBatch batch, std::span<std::uint32_t> out) const override {
+  };
+  f.index_doubles = [at](Level n, DoubleBatch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, batch.u[t], batch.v[t]);
-  }
-  std::uint32_t index(Level n, const RationalPoint& p) const override {
-    return at(n, nearest(p.u), nearest(p.v));
-  }
-
- private:
-  static std::uint32_t at(Level n, double u, double v) {
-    return Algorithm::at(spec::Point<F>{Rounding<F>::from(u), Rounding<F>::from(v)}, n);
-  }
-  static Fixed64 rounded(const Fixed64& q) {
-    const auto x = static_cast<double>(static_cast<float>(Rounding<F>::from(as_double(q))));
-    return Fixed64::from_raw(
-        static_cast<std::int64_t>(std::ldexp(x, static_cast<int>(Fixed64::fraction_bits))));
-  }
-  static Rational rounded(const Rational& q) {
-    if constexpr (std::is_same_v<F, double>)
-      return rational(nearest(q));
-    else
-      return rational(static_cast<float>(Rounding<F>::from(nearest(q))));
-  }
-};
+  };
+  f.index_at = [at](Level n, const RationalPoint& p) { return at(n, nearest(p.u), nearest(p.v)); };
+  return f;
+}
 
 }  // namespace mmverify::proofs::index

@@ -17,64 +17,54 @@ Corners corners_by_root(std::uint32_t index, Root root) {
   return {at(row, col / 2), at(row + 1, col / 2 + 1), at(row, col / 2 + 1)};
 }
 
-class ExactRows : public IndexSubject {
- public:
-  ExactRows()
-      : IndexSubject("w-minor", "row order, Color and Attribute Micromaps figure 4, exact", Arithmetic::exact,
-                     16) {}
-  bool has(Entry e) const override { return e == Entry::row_index || e == Entry::row_corners; }
-  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+Functions exact_rows() {
+  Functions f;
+  f.row_index = [](Level n, Batch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = spec::index::w_minor(batch.points[t], n);
-  }
-  void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+  };
+  f.row_index_floats = [](Level n, FloatBatch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = on_exact(batch.u[t], batch.v[t], [n](const auto& p) { return spec::index::w_minor(p, n); });
-  }
-  std::uint32_t row_index(Level n, const RationalPoint& p) const override {
-    return spec::index::w_minor(p, n);
-  }
-  void row_corners(Level, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
+  };
+  f.row_index_at = [](Level n, const RationalPoint& p) { return spec::index::w_minor(p, n); };
+  f.row_corners = [](Level, std::span<const std::uint32_t> indices, std::span<Corners> out) {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = spec::index::w_minor_corners(indices[t]);
-  }
-};
+  };
+  return f;
+}
 
 template <class F>
-class RoundedRows : public IndexSubject {
- public:
-  explicit RoundedRows(std::string name)
-      : IndexSubject(std::move(name),
-                     "row order, figure 4 and its square root in " + to_string(Rounding<F>::arithmetic),
-                     Rounding<F>::arithmetic, 16) {}
-  bool has(Entry e) const override { return e == Entry::row_index || e == Entry::row_corners; }
-  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+IndexSubjectPtr rounded_rows(const char* name) {
+  constexpr auto at = [](Level n, double u, double v) -> std::uint32_t {
+    return spec::index::w_minor(spec::Point<F>{Rounding<F>::from(u), Rounding<F>::from(v)}, n);
+  };
+  Functions f;
+  f.arithmetic = Rounding<F>::arithmetic;
+  f.row_index = [at](Level n, Batch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = at(n, as_double(batch.points[t].u), as_double(batch.points[t].v));
-  }
-  void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+  };
+  f.row_index_floats = [at](Level n, FloatBatch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = at(n, static_cast<double>(batch.u[t]), static_cast<double>(batch.v[t]));
-  }
-  std::uint32_t row_index(Level n, const RationalPoint& p) const override {
-    return at(n, nearest(p.u), nearest(p.v));
-  }
-  void row_corners(Level, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
+  };
+  f.row_index_at = [at](Level n, const RationalPoint& p) { return at(n, nearest(p.u), nearest(p.v)); };
+  f.row_corners = [](Level, std::span<const std::uint32_t> indices, std::span<Corners> out) {
     const auto root = [](std::uint32_t k) {
       return static_cast<std::uint32_t>(std::sqrt(static_cast<F>(k)));
     };
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = corners_by_root(indices[t], root);
-  }
-
- private:
-  static std::uint32_t at(Level n, double u, double v) {
-    return spec::index::w_minor(spec::Point<F>{Rounding<F>::from(u), Rounding<F>::from(v)}, n);
-  }
-};
+  };
+  return std::make_shared<IndexSubject>(
+      name, "row order, figure 4 and its square root in " + to_string(f.arithmetic), f);
+}
 
 }  // namespace
 
-std::vector<std::shared_ptr<const IndexSubject>> row_subjects() {
-  return {std::make_shared<ExactRows>(), std::make_shared<RoundedRows<float>>("w-minor-f32"),
-          std::make_shared<RoundedRows<double>>("w-minor-f64")};
+std::vector<IndexSubjectPtr> row_subjects() {
+  return {std::make_shared<IndexSubject>(
+              "w-minor", "row order, Color and Attribute Micromaps figure 4, exact", exact_rows()),
+          rounded_rows<float>("w-minor-f32"), rounded_rows<double>("w-minor-f64")};
 }
 
 }  // namespace mmverify::proofs::index

@@ -122,23 +122,23 @@ constexpr auto by_figure_4 = [](const auto& p, Level n) { return spec::index::w_
 
 Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
   const auto ask = [&](std::span<float> u, std::span<float> v, std::span<std::uint32_t> got) {
-    s.receive(u, v);
-    s.index(n, FloatBatch{u, v}, got);
+    s.functions.receive_floats(u, v);
+    s.functions.index_floats(n, FloatBatch{u, v}, got);
   };
   return exact_on_pairs<float>(n, run, samples, hard_floats, ask, by_reference);
 }
 
 Tally exact_on_doubles(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
   const auto ask = [&](std::span<double> u, std::span<double> v, std::span<std::uint32_t> got) {
-    s.index(n, DoubleBatch{u, v}, got);
+    s.functions.index_doubles(n, DoubleBatch{u, v}, got);
   };
   return exact_on_pairs<double>(n, run, samples, hard_doubles, ask, by_reference);
 }
 
 Tally row_exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
   const auto ask = [&](std::span<float> u, std::span<float> v, std::span<std::uint32_t> got) {
-    s.receive(u, v);
-    s.row_index(n, FloatBatch{u, v}, got);
+    s.functions.receive_floats(u, v);
+    s.functions.row_index_floats(n, FloatBatch{u, v}, got);
   };
   return exact_on_pairs<float>(n, run, samples, hard_rows, ask, by_figure_4);
 }
@@ -149,7 +149,8 @@ Tally cells_decide(const IndexSubject& s, Level n, const Run& run, std::uint64_t
       Random random(run.seed, n, sample);
       InCell in = random_in_cell(n, random);
       while (has(run.options, interiors_only) && in.kind != Kind::interior) in = random_in_cell(n, random);
-      const std::uint32_t want = s.index(n, in.representative), got = s.index(n, in.anywhere);
+      const std::uint32_t want = s.functions.index_at(n, in.representative),
+                          got = s.functions.index_at(n, in.anywhere);
       tally.count(in.kind, 1);
       tally.digest(sample, got);
       if (want != got)

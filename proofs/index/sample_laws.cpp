@@ -30,29 +30,29 @@ Law on_samples_law() {
       .domain = sampled_indices,
       .how = by_sample,
       .unfit = [](const Subject& subject, Level n) -> std::optional<std::string> {
-        for (const Entry e : {Entry::index, Entry::corners, Entry::row_index, Entry::row_corners})
+        for (const Entry e : {entry::index, entry::corners, entry::row_index, entry::row_corners})
           if (!needing({e})(subject, n)) return std::nullopt;
-        return needing({Entry::index})(subject, n);
+        return needing({entry::index})(subject, n);
       },
       .divisible = true,
       .judge = [](const Subject& s, Level n,
                   const Run& run) { return on_samples(of_index(s), n, run, samples(n, run)); },
       .replay = replayed_by(replay_on_samples),
-      .mutants = {on_indices("corners in words of 16 bits", "impl", {16, 16},
-                             [](Level, std::uint32_t, Corners c) {
-                               for (auto& vertex : c) vertex.i &= 0xffff;
-                               return c;
-                             }),
+      .mutants = {mutant("corners in words of 16 bits", "impl", {16, 16},
+                         on_indices([](Level, std::uint32_t, Corners c) {
+                           for (auto& vertex : c) vertex.i &= 0xffff;
+                           return c;
+                         })),
                   {"the root of a row in binary32", built_in("w-minor-f32"), {13, 13}},
-                  on_points(
-                      "an index of 30 bits", "impl", {16, 16},
-                      [](Level, const GridPoint&, std::uint32_t answer) { return answer & 0x3fffffff; }),
-                  on_points(
-                      "lines u = i/N belong to their -u side from level 12 on", "reference", {11, 12},
-                      [](Level n, const GridPoint& p, std::uint32_t answer) {
-                        if (n < 12 || !on_u_line(p, n) || p.u == Fixed64(0)) return answer;
-                        return spec::index::reference(GridPoint{Fixed64::from_raw(p.u.raw() - 1), p.v}, n);
-                      })}};
+                  mutant("an index of 30 bits", "impl", {16, 16},
+                         on_points([](Level, const GridPoint&, std::uint32_t answer) {
+                           return answer & 0x3fffffff;
+                         })),
+                  mutant("lines u = i/N belong to their -u side from level 12 on", "reference", {11, 12},
+                         on_points([](Level n, const GridPoint& p, std::uint32_t answer) {
+                           if (n < 12 || !on_u_line(p, n) || p.u == Fixed64(0)) return answer;
+                           return spec::index::reference(GridPoint{Fixed64::from_raw(p.u.raw() - 1), p.v}, n);
+                         }))}};
 }
 
 Law corners_on_samples_law() {
@@ -70,22 +70,22 @@ Law corners_on_samples_law() {
           .cases = samples,
           .domain = sampled_indices_alone,
           .how = by_sample,
-          .unfit = needing({Entry::corners}),
+          .unfit = needing({entry::corners}),
           .divisible = true,
           .judge = [](const Subject& s, Level n,
                       const Run& run) { return corners_on_samples(of_index(s), n, run, samples(n, run)); },
           .replay = replayed_by(replay_corners_on_samples),
-          .mutants = {on_indices("two corners change places from level 12 on", "impl", {11, 12},
-                                 [](Level n, std::uint32_t, Corners c) {
-                                   if (n >= 12) std::swap(c[0], c[1]);
-                                   return c;
-                                 }),
+          .mutants = {mutant("two corners change places from level 12 on", "impl", {11, 12},
+                             on_indices([](Level n, std::uint32_t, Corners c) {
+                               if (n >= 12) std::swap(c[0], c[1]);
+                               return c;
+                             })),
                       swapped_corners("two corners of the last index of level 16 change places", "impl", 16,
                                       0xffffffff),
-                      on_indices("the last digit of level 14 is not looked at", "impl", {14, 14},
-                                 [](Level n, std::uint32_t k, Corners c) {
-                                   return n == 14 ? spec::index::corners(k & ~3u, n) : c;
-                                 })}};
+                      mutant("the last digit of level 14 is not looked at", "impl", {14, 14},
+                             on_indices([](Level n, std::uint32_t k, Corners c) {
+                               return n == 14 ? spec::index::corners(k & ~3u, n) : c;
+                             }))}};
 }
 
 }  // namespace

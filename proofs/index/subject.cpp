@@ -1,15 +1,38 @@
 #include "proofs/index/subject.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-#include <vector>
+#include <utility>
 
 namespace mmverify::proofs::index {
 namespace {
-[[noreturn]] void absent(const IndexSubject& s, const char* entry) {
-  throw std::logic_error(fmt::format("{} has no entry point {}", s.name(), entry));
+
+/// With what stands in for empty functions.
+Functions completed(Functions f) {
+  if (!f.receive) f.receive = [](std::span<GridPoint>) {};
+  if (!f.receive_floats) f.receive_floats = [](std::span<float>, std::span<float>) {};
+  if (!f.receive_at) f.receive_at = [](const RationalPoint& p) { return p; };
+  if (!f.index && f.index_at)
+    f.index = [at = f.index_at](Level n, Batch batch, std::span<std::uint32_t> out) {
+      for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, rational(batch.points[t]));
+    };
+  if (!f.index_doubles && f.index_at)
+    f.index_doubles = [at = f.index_at](Level n, DoubleBatch batch, std::span<std::uint32_t> out) {
+      for (std::size_t t = 0; t < out.size(); ++t)
+        out[t] = at(n, {rational(batch.u[t]), rational(batch.v[t])});
+    };
+  if (!f.index_rows && f.index)
+    f.index_rows = [index = f.index](Level n, Level grid, std::span<const Row> rows,
+                                     std::span<std::uint32_t> out) {
+      std::vector<GridPoint> points;
+      for (const Row& row : rows) {
+        points.resize(row.count);
+        for (std::uint64_t t = 0; t < row.count; ++t) points[t] = representative(row, t, grid);
+        index(n, {points, true}, out.first(row.count));
+        out = out.subspan(row.count);
+      }
+    };
+  return f;
 }
+
 }  // namespace
 
 std::string to_string(Arithmetic a) {
@@ -26,37 +49,9 @@ std::string to_string(Arithmetic a) {
   return "?";
 }
 
-void IndexSubject::index(Level, Batch, std::span<std::uint32_t>) const { absent(*this, "index"); }
-void IndexSubject::index(Level, FloatBatch, std::span<std::uint32_t>) const { absent(*this, "index"); }
-void IndexSubject::index_rows(Level n, Level grid, std::span<const Row> rows,
-                              std::span<std::uint32_t> out) const {
-  std::vector<GridPoint> points;
-  for (const Row& row : rows) {
-    points.resize(row.count);
-    for (std::uint64_t t = 0; t < row.count; ++t) points[t] = representative(row, t, grid);
-    index(n, {points, true}, out.first(row.count));
-    out = out.subspan(row.count);
-  }
-}
-void IndexSubject::index(Level n, DoubleBatch batch, std::span<std::uint32_t> out) const {
-  for (std::size_t t = 0; t < out.size(); ++t)
-    out[t] = index(n, RationalPoint{rational(batch.u[t]), rational(batch.v[t])});
-}
-std::uint32_t IndexSubject::index(Level, const RationalPoint&) const { absent(*this, "index"); }
-void IndexSubject::corners(Level, std::span<const std::uint32_t>, std::span<Corners>) const {
-  absent(*this, "corners");
-}
-void IndexSubject::row_index(Level, Batch, std::span<std::uint32_t>) const { absent(*this, "row_index"); }
-void IndexSubject::row_index(Level, FloatBatch, std::span<std::uint32_t>) const {
-  absent(*this, "row_index");
-}
-std::uint32_t IndexSubject::row_index(Level, const RationalPoint&) const { absent(*this, "row_index"); }
-void IndexSubject::row_corners(Level, std::span<const std::uint32_t>, std::span<Corners>) const {
-  absent(*this, "row_corners");
-}
-void IndexSubject::wide_index(Level, const Row&, std::span<std::uint64_t>) const {
-  absent(*this, "wide index");
-}
-std::uint64_t IndexSubject::wide_index(Level, const RationalPoint&) const { absent(*this, "wide index"); }
+IndexSubject::IndexSubject(std::string name, std::string about, Functions functions, std::string fingerprint)
+    : Subject("index", std::move(name), std::move(about)),
+      functions(completed(std::move(functions))),
+      fingerprint_(std::move(fingerprint)) {}
 
 }  // namespace mmverify::proofs::index

@@ -1,11 +1,14 @@
-// An implementation of topic index in the dock, and what it may be asked.
+// An implementation of topic index in the dock, and what it may be asked, a function each.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <functional>
+#include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "proofs/engine/law.hpp"
-#include "proofs/entries.hpp"
 #include "proofs/index/cells.hpp"
 #include "proofs/index/point.hpp"
 
@@ -17,15 +20,6 @@ using spec::index::Corners;
 enum class Arithmetic { exact, binary16, binary32, binary64 };
 
 std::string to_string(Arithmetic a);
-
-/// Entry points that a subject may have.
-#define MMVERIFY_INDEX_ENTRIES(ROW)           \
-  ROW(index, "barycentrics -> index")         \
-  ROW(corners, "index -> corners")            \
-  ROW(row_index, "barycentrics -> row order") \
-  ROW(row_corners, "row order -> corners")    \
-  ROW(wide_index, "barycentrics -> 64-bit index")
-MMVERIFY_ENTRIES(MMVERIFY_INDEX_ENTRIES)
 
 /// Points on one level's grid.  `row`: equally spaced in u, all with the same v.
 struct Batch {
@@ -43,63 +37,87 @@ struct DoubleBatch {
   std::span<const double> u, v;
 };
 
-/// Every call is const and may come from several threads at once.  Answers go to `out`, as long as the input.
-class IndexSubject : public Subject {
- public:
-  IndexSubject(std::string name, std::string about, Arithmetic arithmetic, Level max_level)
-      : Subject("index", std::move(name), std::move(about)), arithmetic_(arithmetic), max_level_(max_level) {}
+/// A row is cut at so many points.
+inline constexpr std::size_t row_batch = 4096;
 
-  Arithmetic arithmetic() const { return arithmetic_; }
-  bool exact() const override { return arithmetic_ == Arithmetic::exact; }
-  /// Whether binary64 numbers reach it as they are.
-  bool takes_doubles() const { return exact() || arithmetic_ == Arithmetic::binary64; }
-  Level max_level() const { return max_level_; }
-
-  virtual bool has(Entry e) const = 0;
-
+/// What a subject has; an empty function is an entry point that is missing, unless it says what stands in for it.
+/// Calls may come from several threads at once.  Answers go to `out`, as long as the input.
+struct Functions {
+  Arithmetic arithmetic = Arithmetic::exact;
+  Level max_level = 16;
   /// Points that it likes to be asked at once: one row, cut at row_batch, or more, gathered from many rows.
-  virtual std::size_t batch() const { return row_batch; }
-  static constexpr std::size_t row_batch = 4096;
+  std::size_t batch = row_batch;
 
-  /// Points as the subject's arithmetic receives them: rounded to its numbers, once.
-  virtual void receive(std::span<GridPoint>) const {}
-  virtual void receive(std::span<float> /*u*/, std::span<float> /*v*/) const {}
-  virtual RationalPoint receive(const RationalPoint& p) const { return p; }
+  // Points as the subject's arithmetic receives them: rounded to its numbers, once.  Empty: as they are.
+  std::function<void(std::span<GridPoint>)> receive = {};
+  std::function<void(std::span<float> u, std::span<float> v)> receive_floats = {};
+  std::function<RationalPoint(const RationalPoint& p)> receive_at = {};
 
-  /// Barycentrics -> index.
-  virtual void index(Level n, Batch batch, std::span<std::uint32_t> out) const;
-  virtual void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const;
-  /// Domain: takes_doubles().  Here each pair by itself, as a point.
-  virtual void index(Level n, DoubleBatch batch, std::span<std::uint32_t> out) const;
-  /// The representatives of rows of `grid`, one row after the other.  Domain: receive() leaves them alone.
-  virtual void index_rows(Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out) const;
+  /// Barycentrics -> index.  Empty: by index_at, point by point.
+  std::function<void(Level n, Batch batch, std::span<std::uint32_t> out)> index = {};
+  std::function<void(Level n, FloatBatch batch, std::span<std::uint32_t> out)> index_floats = {};
+  /// Domain: takes_doubles().  Empty: by index_at.
+  std::function<void(Level n, DoubleBatch batch, std::span<std::uint32_t> out)> index_doubles = {};
+  /// The representatives of rows of `grid`, one row after the other.  Domain: receive leaves them alone.  Empty:
+  /// by index, row by row.
+  std::function<void(Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out)>
+      index_rows = {};
   /// One point; an exact subject takes any rational, another one a point it can receive.
-  virtual std::uint32_t index(Level n, const RationalPoint& p) const;
+  std::function<std::uint32_t(Level n, const RationalPoint& p)> index_at = {};
 
   /// Index -> corners.
-  virtual void corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const;
+  std::function<void(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out)> corners = {};
 
-  /// The same two in row order.
-  virtual void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const;
-  virtual void row_index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const;
-  virtual std::uint32_t row_index(Level n, const RationalPoint& p) const;
-  virtual void row_corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const;
+  // The same two in row order.
+  std::function<void(Level n, Batch batch, std::span<std::uint32_t> out)> row_index = {};
+  std::function<void(Level n, FloatBatch batch, std::span<std::uint32_t> out)> row_index_floats = {};
+  std::function<std::uint32_t(Level n, const RationalPoint& p)> row_index_at = {};
+  std::function<void(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out)> row_corners =
+      {};
 
   /// Barycentrics -> index in 64-bit words, for levels beyond 16: on the representatives of a row of level n,
   /// and on one point that the subject can receive.
-  virtual Level max_wide_level() const { return 0; }
-  virtual void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const;
-  virtual std::uint64_t wide_index(Level n, const RationalPoint& p) const;
-
- private:
-  Arithmetic arithmetic_;
-  Level max_level_;
+  Level max_wide_level = 0;
+  std::function<void(Level n, const Row& row, std::span<std::uint64_t> out)> wide_index = {};
+  std::function<std::uint64_t(Level n, const RationalPoint& p)> wide_index_at = {};
 };
 
-/// The built-in subjects: name, what it is, its arithmetic.
-const std::vector<std::shared_ptr<const IndexSubject>>& built_in_subjects();
+/// What a law may need of a subject, as messages call it.
+struct Entry {
+  const char* name;
+  bool (*there)(const Functions&);
+};
+namespace entry {
+inline constexpr Entry index{"barycentrics -> index", [](const Functions& f) { return bool{f.index}; }};
+inline constexpr Entry corners{"index -> corners", [](const Functions& f) { return bool{f.corners}; }};
+inline constexpr Entry row_index{"barycentrics -> row order",
+                                 [](const Functions& f) { return bool{f.row_index}; }};
+inline constexpr Entry row_corners{"row order -> corners",
+                                   [](const Functions& f) { return bool{f.row_corners}; }};
+inline constexpr Entry wide_index{"barycentrics -> 64-bit index",
+                                  [](const Functions& f) { return f.wide_index && f.wide_index_at; }};
+}  // namespace entry
 
-/// Null where there is no built-in subject of this name.
-std::shared_ptr<const IndexSubject> built_in_subject(const std::string& name);
+class IndexSubject : public Subject {
+ public:
+  IndexSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {});
+
+  bool exact() const override { return functions.arithmetic == Arithmetic::exact; }
+  std::string fingerprint() const override { return fingerprint_; }
+  /// Whether binary64 numbers reach it as they are.
+  bool takes_doubles() const { return exact() || functions.arithmetic == Arithmetic::binary64; }
+
+  const Functions functions;  ///< with what stands in for empty ones
+
+ private:
+  std::string fingerprint_;
+};
+using IndexSubjectPtr = std::shared_ptr<const IndexSubject>;
+
+/// The built-in subjects: name, what it is, its arithmetic.
+const std::vector<IndexSubjectPtr>& built_in_subjects();
+
+/// The built-in subject of that name.  Domain: there is one.
+IndexSubjectPtr built_in(const std::string& name);
 
 }  // namespace mmverify::proofs::index

@@ -40,9 +40,9 @@ Strip ask_strip(const IndexSubject& s, Level n, std::uint32_t j) {
     for (std::uint32_t i = 0; i < count; ++i)
       points.push_back(representative(MicroTriangle{i, j, upside_down}, n));
     if (points.empty()) continue;
-    s.receive(points);
+    s.functions.receive(points);
     answers[upside_down].resize(points.size());
-    s.index(n, {points, s.arithmetic() != Arithmetic::binary16}, answers[upside_down]);
+    s.functions.index(n, {points, s.functions.arithmetic != Arithmetic::binary16}, answers[upside_down]);
   }
   return answers;
 }
@@ -141,7 +141,7 @@ MicroTriangle triangle_at(Level n, const std::string& at) {
 }
 
 std::uint32_t index_of(const IndexSubject& s, Level n, const MicroTriangle& m) {
-  return s.index(n, s.receive(rational(representative(m, n))));
+  return s.functions.index_at(n, s.functions.receive_at(rational(representative(m, n))));
 }
 
 /// The digit that changes at the highest place, going from an index to the next, steps from 2 to 3: the two

@@ -15,6 +15,7 @@
 #include "proofs/index/picture.hpp"
 #include "proofs/index/reference_sweep.hpp"
 #include "proofs/kinds.hpp"
+#include "proofs/spoils.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -32,7 +33,7 @@ Tally wide_equals_reference(const IndexSubject& s, Level n, const Run& run) {
       if (has(run.options, interiors_only) && row.even != Kind::interior) return;
       const std::span<std::uint64_t> w(want.data(), row.count), g(got.data(), row.count);
       reference_wide_row(n, row, w);
-      s.wide_index(n, row, g);
+      s.functions.wide_index(n, row, g);
       for (const Kind kind : {Kind::vertex, Kind::edge, Kind::interior})
         if (kind == row.even || kind == row.odd) tally.count(kind, row.count_of(kind));
       const Agreement agreement = agreement_of<std::uint64_t>(row.first, w, g);
@@ -49,7 +50,7 @@ Tally wide_equals_reference(const IndexSubject& s, Level n, const Run& run) {
 
 Replayed replay_wide(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
-  const std::uint64_t want = spec::index::reference_wide(p, n), got = s.wide_index(n, p);
+  const std::uint64_t want = spec::index::reference_wide(p, n), got = s.functions.wide_index_at(n, p);
   // Beyond level 16 the picture is of the ancestors there: indices nest.
   const Level drawn = std::min(n, first_beyond - 1);
   const auto ancestor = [&](std::uint64_t index) {
@@ -72,7 +73,7 @@ Tally wide_exact_on_floats(const IndexSubject& s, Level n, const Run& run) {
     for (std::uint64_t sample = chunk.begin; sample < chunk.end; ++sample) {
       const FloatPair pair = hard_floats(n, run.seed, sample);
       const RationalPoint p{rational(pair.u), rational(pair.v)};
-      const std::uint64_t want = exact_wide(pair.u, pair.v, n), got = s.wide_index(n, p);
+      const std::uint64_t want = exact_wide(pair.u, pair.v, n), got = s.functions.wide_index_at(n, p);
       tally.count(Kind::interior, 1);
       tally.digest(sample, got);
       if (want != got)
@@ -99,7 +100,8 @@ Tally ends_at_16(const IndexSubject& s, Level n, const Run& run) {
   std::uint64_t case_number = 0;
   for (const auto& [point, bits] : beyond) {
     const RationalPoint p = rational(point);
-    const std::uint64_t want = spec::index::reference_wide(p, n) & bits, got = s.wide_index(n, p) & bits;
+    const std::uint64_t want = spec::index::reference_wide(p, n) & bits,
+                        got = s.functions.wide_index_at(n, p) & bits;
     tally.count(kind_of(p, n), 1);
     tally.digest(case_number++, got);
     if (got == want)
@@ -109,36 +111,24 @@ Tally ends_at_16(const IndexSubject& s, Level n, const Run& run) {
   return tally;
 }
 
-/// A subject whose wide answers are changed, all or some.
-class AlteredWide : public IndexSubject {
- public:
-  using Change = std::function<std::uint64_t(Level, const RationalPoint&, std::uint64_t)>;
-  AlteredWide(const char* name, SubjectOfIndex base, Change change)
-      : IndexSubject(name, "broken on purpose", base->arithmetic(), base->max_level()),
-        base_(std::move(base)),
-        change_(std::move(change)) {}
-  bool has(Entry e) const override { return e == Entry::wide_index; }
-  Level max_wide_level() const override { return 30; }
-  RationalPoint receive(const RationalPoint& p) const override { return base_->receive(p); }
-  void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const override {
-    base_->wide_index(n, row, out);
-    for (std::uint64_t t = 0; t < row.count; ++t)
-      out[t] = change_(n, rational(representative(row, t, n)), out[t]);
-  }
-  std::uint64_t wide_index(Level n, const RationalPoint& p) const override {
-    return change_(n, p, base_->wide_index(n, p));
-  }
+/// (level, point, true answer) -> answer.
+using WideChange = std::function<std::uint64_t(Level, const RationalPoint&, std::uint64_t)>;
 
- private:
-  SubjectOfIndex base_;
-  Change change_;
-};
-
-Mutant wide_mutant(const char* name, const char* base, Levels levels, AlteredWide::Change change) {
-  return {name, std::make_shared<AlteredWide>(name, built_in(base), std::move(change)), levels};
+/// A built-in subject whose answers in 64-bit words are changed.
+Mutant wide_mutant(const char* name, const char* base, Levels levels, const WideChange& change) {
+  return mutant(name, base, levels, [&](Functions& f) {
+    f.max_wide_level = 30;
+    spoils(&Functions::wide_index, [change](Level n, const Row& row, std::span<std::uint64_t> out) {
+      for (std::uint64_t t = 0; t < row.count; ++t)
+        out[t] = change(n, rational(representative(row, t, n)), out[t]);
+    })(f);
+    spoils(&Functions::wide_index_at, [change](Level n, const RationalPoint& p, std::uint64_t& answer) {
+      answer = change(n, p, answer);
+    })(f);
+  });
 }
 
-AlteredWide::Change wrong_at(Level level, RationalPoint where) {
+WideChange wrong_at(Level level, RationalPoint where) {
   return [=](Level n, const RationalPoint& p, std::uint64_t index) {
     return n == level && p.u == where.u && p.v == where.v ? index ^ 1 : index;
   };
@@ -152,8 +142,9 @@ RationalPoint at(std::int64_t ku, std::int64_t kv, Level n) {
 Unfit needing_wide(Level last) {
   return [last](const Subject& subject, Level n) -> std::optional<std::string> {
     const auto* s = dynamic_cast<const IndexSubject*>(&subject);
-    if (s == nullptr || !s->has(Entry::wide_index)) return subject.name() + " has no index in 64-bit words";
-    const Level highest = last == 0 ? s->max_wide_level() : last;
+    if (s == nullptr || !entry::wide_index.there(s->functions))
+      return subject.name() + " has no index in 64-bit words";
+    const Level highest = last == 0 ? s->functions.max_wide_level : last;
     if (n <= highest) return std::nullopt;
     return fmt::format("{}'s domain ends at level {}", s->name(), highest);
   };

@@ -9,17 +9,16 @@ WrongCells wrong_cells(const IndexSubject& subject, Level n, Order order, const 
   std::vector<GridPoint> points;
   std::vector<std::uint32_t> got;
   Cells(n).rows(0, cell_count(n), [&](const Row& whole_row) {
-    for (std::uint64_t from = 0; from < whole_row.count; from += IndexSubject::row_batch) {
-      const Row row = Cells::cut(whole_row, from,
-                                 std::min<std::uint64_t>(IndexSubject::row_batch, whole_row.count - from));
+    for (std::uint64_t from = 0; from < whole_row.count; from += row_batch) {
+      const Row row = Cells::cut(whole_row, from, std::min<std::uint64_t>(row_batch, whole_row.count - from));
       points.clear();
       for (std::uint64_t t = 0; t < row.count; ++t) points.push_back(representative(row, t, n));
-      subject.receive(points);
+      subject.functions.receive(points);
       got.resize(points.size());
       if (order == Order::curve)
-        subject.index(n, {points}, got);
+        subject.functions.index(n, {points}, got);
       else
-        subject.row_index(n, {points}, got);
+        subject.functions.row_index(n, {points}, got);
       for (std::uint64_t t = 0; t < row.count; ++t) {
         const std::uint32_t expected =
             order == Order::curve ? spec::index::reference(points[t], n) : spec::index::w_minor(points[t], n);

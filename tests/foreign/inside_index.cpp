@@ -14,38 +14,31 @@ namespace {
 using namespace proofs::index;
 using proofs::Levels;
 
-class Hand : public IndexSubject {
+class Hand {
  public:
-  Hand(const char* name, std::set<Entry> entries, Fault fault, Arithmetic arithmetic, Level max_level)
-      : IndexSubject(name, "by another hand", arithmetic, max_level),
-        fault(fault),
-        entries_(std::move(entries)) {}
-  bool has(Entry e) const override { return entries_.contains(e); }
+  Hand(Fault fault, Arithmetic arithmetic, Level max_level)
+      : fault(fault), arithmetic(arithmetic), max_level(max_level) {}
 
- protected:
   const Fault fault;
-
- private:
-  const std::set<Entry> entries_;
+  const Arithmetic arithmetic;
+  const Level max_level;
 };
 
 /// Barycentrics to index in exact numbers, by Algorithm 4 or by Vulkan's formula.
 class Exact : public Hand {
  public:
-  Exact(const char* name, Reading reading, bool formula, Fault fault, Level max_level = 16)
-      : Hand(name, {Entry::index}, fault, Arithmetic::exact, max_level),
-        reading_(reading),
-        formula_(formula) {}
+  Exact(Reading reading, bool formula, Fault fault, Level max_level = 16)
+      : Hand(fault, Arithmetic::exact, max_level), reading_(reading), formula_(formula) {}
 
   /// The formula likes many rows at once.
-  std::size_t batch() const override { return formula_ ? std::size_t{1} << 16 : row_batch; }
+  std::size_t batch() const { return formula_ ? std::size_t{1} << 16 : row_batch; }
 
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const {
     if (batch.row) return along(n, batch.points, out);
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(whole_numbers(batch.points[t]), n);
   }
 
-  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const {
     for (std::size_t t = 0; t < out.size(); ++t) {
       const double u = std::ldexp(batch.u[t], 30), v = std::ldexp(batch.v[t], 30);
       if (u == std::floor(u) && v == std::floor(v))
@@ -59,8 +52,7 @@ class Exact : public Hand {
     }
   }
 
-  void index_rows(Level n, Level grid, std::span<const Row> rows,
-                  std::span<std::uint32_t> out) const override {
+  void index_rows(Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out) const {
     std::vector<GridPoint> points;
     for (const Row& row : rows) {
       points.clear();
@@ -75,7 +67,7 @@ class Exact : public Hand {
     }
   }
 
-  std::uint32_t index(Level n, const RationalPoint& p) const override {
+  std::uint32_t index(Level n, const RationalPoint& p) const {
     Bary<Integer> b = whole_numbers(p);
     if ((fault == Fault::through_binary64_at_16 && n == 16) || fault == Fault::rationals_cut_to_8_bits) {
       const int bits = n == 16 ? 53 : 8;
@@ -116,17 +108,16 @@ class Exact : public Hand {
 /// Vulkan's formula in 64-bit words.
 class Wide : public Hand {
  public:
-  Wide(const char* name, Fault fault)
-      : Hand(name, {Entry::index, Entry::wide_index}, fault, Arithmetic::exact, 16) {}
-  Level max_wide_level() const override { return 30; }
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+  explicit Wide(Fault fault) : Hand(fault, Arithmetic::exact, 16) {}
+  static constexpr Level max_wide_level = 30;
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = static_cast<std::uint32_t>(vulkan(whole_numbers(batch.points[t]), n, fault));
   }
-  std::uint32_t index(Level n, const RationalPoint& p) const override {
+  std::uint32_t index(Level n, const RationalPoint& p) const {
     return static_cast<std::uint32_t>(wide_index(n, p));
   }
-  void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const override {
+  void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const {
     const std::int64_t one = std::int64_t{4} << n;
     for (std::uint64_t t = 0; t < row.count; ++t) {
       std::int64_t ku = row.ku + static_cast<std::int64_t>(t) * row.stride;
@@ -135,7 +126,7 @@ class Wide : public Hand {
       out[t] = vulkan(Bary<std::int64_t>{ku, row.kv, one}, n, fault);
     }
   }
-  std::uint64_t wide_index(Level n, const RationalPoint& p) const override {
+  std::uint64_t wide_index(Level n, const RationalPoint& p) const {
     return vulkan(whole_numbers(p), n, fault);
   }
 };
@@ -143,17 +134,16 @@ class Wide : public Hand {
 /// Vulkan's formula as its 32-bit words run it, whatever the level.
 class In32Bits : public Hand {
  public:
-  In32Bits(const char* name, Fault fault)
-      : Hand(name, {Entry::index, Entry::wide_index}, fault, Arithmetic::exact, 17) {}
-  Level max_wide_level() const override { return 17; }
-  std::uint64_t wide_index(Level n, const RationalPoint& p) const override { return index(n, p); }
-  void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const override {
+  explicit In32Bits(Fault fault) : Hand(fault, Arithmetic::exact, 17) {}
+  static constexpr Level max_wide_level = 17;
+  std::uint64_t wide_index(Level n, const RationalPoint& p) const { return index(n, p); }
+  void wide_index(Level n, const Row& row, std::span<std::uint64_t> out) const {
     for (std::uint64_t t = 0; t < row.count; ++t) out[t] = at(whole_numbers(representative(row, t, n)), n);
   }
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(whole_numbers(batch.points[t]), n);
   }
-  std::uint32_t index(Level n, const RationalPoint& p) const override { return at(whole_numbers(p), n); }
+  std::uint32_t index(Level n, const RationalPoint& p) const { return at(whole_numbers(p), n); }
 
  private:
   template <class Int>
@@ -187,20 +177,17 @@ class In32Bits : public Hand {
 template <class Carrier>
 class Rounded : public Hand {
  public:
-  Rounded(const char* name, Arithmetic arithmetic, bool formula, Fault fault)
-      : Hand(name, {Entry::index}, fault, arithmetic, arithmetic == Arithmetic::binary16 ? 15 : 16),
-        formula_(formula) {}
+  Rounded(Arithmetic arithmetic, bool formula, Fault fault)
+      : Hand(fault, arithmetic, arithmetic == Arithmetic::binary16 ? 15 : 16), formula_(formula) {}
 
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = at(n, carried(batch.points[t].u.raw(), 30), carried(batch.points[t].v.raw(), 30));
   }
-  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, batch.u[t], batch.v[t]);
   }
-  std::uint32_t index(Level n, const RationalPoint& p) const override {
-    return at(n, carried(p.u), carried(p.v));
-  }
+  std::uint32_t index(Level n, const RationalPoint& p) const { return at(n, carried(p.u), carried(p.v)); }
 
  private:
   static Carrier carried(std::int64_t raw, int bits) { return std::ldexp(static_cast<Carrier>(raw), -bits); }
@@ -211,7 +198,7 @@ class Rounded : public Hand {
   /// To the nearest number of the format, ties to even.
   Carrier rounded(Level n, Carrier x) const {
     if (fault == Fault::computes_wider || (fault == Fault::wider_from_level_7 && n >= 7)) return x;
-    switch (arithmetic()) {
+    switch (arithmetic) {
       case Arithmetic::binary16: {
         int exponent = 0;
         std::frexp(x, &exponent);
@@ -276,16 +263,16 @@ class Rounded : public Hand {
 /// binary16 pairs, as binary32 numbers: Vulkan's formula with what may go wrong in it.
 class HalfPairs : public Hand {
  public:
-  HalfPairs(const char* name, Fault fault) : Hand(name, {Entry::index}, fault, Arithmetic::binary32, 16) {}
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+  explicit HalfPairs(Fault fault) : Hand(fault, Arithmetic::binary32, 16) {}
+  void index(Level n, Batch batch, std::span<std::uint32_t> out) const {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = at(n, static_cast<float>(batch.points[t].u.raw()) * 0x1p-30f,
                   static_cast<float>(batch.points[t].v.raw()) * 0x1p-30f);
   }
-  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const override {
+  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, batch.u[t], batch.v[t]);
   }
-  std::uint32_t index(Level n, const RationalPoint& p) const override {
+  std::uint32_t index(Level n, const RationalPoint& p) const {
     return at(
         n, static_cast<float>(static_cast<double>(p.u.numerator()) / static_cast<double>(p.u.denominator())),
         static_cast<float>(static_cast<double>(p.v.numerator()) / static_cast<double>(p.v.denominator())));
@@ -315,15 +302,14 @@ class HalfPairs : public Hand {
 /// Figure 4: rows from the w-corner.
 class RowOrder : public Hand {
  public:
-  RowOrder(const char* name, Fault fault)
-      : Hand(name, {Entry::row_index, Entry::row_corners}, fault, Arithmetic::exact, 16) {}
+  explicit RowOrder(Fault fault) : Hand(fault, Arithmetic::exact, 16) {}
 
-  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const override {
+  void row_index(Level n, Batch batch, std::span<std::uint32_t> out) const {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = at(n, batch.points[t].u.raw(), batch.points[t].v.raw());
   }
 
-  void row_corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const override {
+  void row_corners(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) const {
     const std::uint64_t last_float_square = 4097;
     for (std::size_t t = 0; t < out.size(); ++t) {
       const std::uint32_t index = indices[t];
@@ -357,10 +343,39 @@ class RowOrder : public Hand {
   }
 };
 
+/// What the hand has.
+template <class Of>
+Functions functions_of(const Of& hand) {
+  Functions f;
+  f.arithmetic = hand.arithmetic;
+  f.max_level = hand.max_level;
+  std::span<std::uint32_t> to;
+  if constexpr (requires { hand.batch(); }) f.batch = hand.batch();
+  if constexpr (requires { hand.index(Level{}, Batch{}, to); })
+    f.index = [hand](Level n, Batch batch, auto out) { hand.index(n, batch, out); };
+  if constexpr (requires { hand.index(Level{}, FloatBatch{}, to); })
+    f.index_floats = [hand](Level n, FloatBatch batch, auto out) { hand.index(n, batch, out); };
+  if constexpr (requires { hand.index_rows(Level{}, Level{}, std::span<const Row>{}, to); })
+    f.index_rows = [hand](Level n, Level grid, auto rows, auto out) { hand.index_rows(n, grid, rows, out); };
+  if constexpr (requires(const RationalPoint& p) { hand.index(Level{}, p); })
+    f.index_at = [hand](Level n, const RationalPoint& p) { return hand.index(n, p); };
+  if constexpr (requires { hand.row_index(Level{}, Batch{}, to); })
+    f.row_index = [hand](Level n, Batch batch, auto out) { hand.row_index(n, batch, out); };
+  if constexpr (requires { hand.row_corners(Level{}, to, std::span<Corners>{}); })
+    f.row_corners = [hand](Level n, auto indices, auto out) { hand.row_corners(n, indices, out); };
+  if constexpr (requires { Of::max_wide_level; }) {
+    f.max_wide_level = Of::max_wide_level;
+    f.wide_index = [hand](Level n, const Row& row, auto out) { hand.wide_index(n, row, out); };
+    f.wide_index_at = [hand](Level n, const RationalPoint& p) { return hand.wide_index(n, p); };
+  }
+  return f;
+}
+
 template <class Of, class... Arguments>
 InsideFault fault(const char* law, const char* name, const char* wrong, Levels levels,
                   Arguments... arguments) {
-  return {law, name, wrong, std::make_shared<Of>(name, arguments...), levels};
+  return {law, name, wrong,
+          std::make_shared<IndexSubject>(name, "by another hand", functions_of(Of(arguments...))), levels};
 }
 
 }  // namespace

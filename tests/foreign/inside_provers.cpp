@@ -48,32 +48,34 @@ Statements altered(const std::string& folder, const std::string& name, const std
   throw std::logic_error("no statement " + name + " with " + before);
 }
 
+/// Vulkan's formula, right on every point.
+proofs::index::Functions functions_of_the_curve() {
+  using proofs::index::RationalPoint;
+  proofs::index::Functions functions;
+  functions.index = [](Level n, proofs::index::Batch batch, std::span<std::uint32_t> out) {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = static_cast<std::uint32_t>(vulkan(whole_numbers(batch.points[t]), n, Fault::none));
+  };
+  functions.index_at = [](Level n, const RationalPoint& p) {
+    return static_cast<std::uint32_t>(vulkan(whole_numbers(p), n, Fault::none));
+  };
+  functions.max_wide_level = 30;
+  functions.wide_index = [](Level n, const proofs::index::Row& row, std::span<std::uint64_t> out) {
+    for (std::uint64_t t = 0; t < row.count; ++t)
+      out[t] = vulkan(whole_numbers(representative(row, t, n)), n, Fault::none);
+  };
+  functions.wide_index_at = [](Level n, const RationalPoint& p) {
+    return vulkan(whole_numbers(p), n, Fault::none);
+  };
+  return functions;
+}
+
 /// Right on every point, whatever its statements say.
 class IndexProof : public proofs::index::IndexSubject, public Provable {
  public:
   IndexProof(const char* name, Statements statements)
-      : IndexSubject(name, "by another hand", proofs::index::Arithmetic::exact, 16),
-        statements_(std::move(statements)) {}
+      : IndexSubject(name, "by another hand", functions_of_the_curve()), statements_(std::move(statements)) {}
   Statements statements() const override { return statements_; }
-
-  bool has(proofs::index::Entry e) const override {
-    return e == proofs::index::Entry::index || e == proofs::index::Entry::wide_index;
-  }
-  void index(Level n, proofs::index::Batch batch, std::span<std::uint32_t> out) const override {
-    for (std::size_t t = 0; t < out.size(); ++t)
-      out[t] = static_cast<std::uint32_t>(vulkan(whole_numbers(batch.points[t]), n, Fault::none));
-  }
-  std::uint32_t index(Level n, const proofs::index::RationalPoint& p) const override {
-    return static_cast<std::uint32_t>(wide_index(n, p));
-  }
-  Level max_wide_level() const override { return 30; }
-  void wide_index(Level n, const proofs::index::Row& row, std::span<std::uint64_t> out) const override {
-    for (std::uint64_t t = 0; t < row.count; ++t)
-      out[t] = vulkan(whole_numbers(representative(row, t, n)), n, Fault::none);
-  }
-  std::uint64_t wide_index(Level n, const proofs::index::RationalPoint& p) const override {
-    return vulkan(whole_numbers(p), n, Fault::none);
-  }
 
  private:
   const Statements statements_;

@@ -12,11 +12,11 @@ namespace {
 
 /// An altered formula, on points and with the statements in which it takes the right one's place.
 template <class Formula>
-class Wrong : public ExactSubject<Formula>, public Provable {
+class Wrong : public IndexSubject, public Provable {
  public:
   using Statements = std::vector<Statement> (*)();
   Wrong(const std::string& name, Statements statements)
-      : ExactSubject<Formula>(name, "broken on purpose"), statements_(statements) {}
+      : IndexSubject(name, "broken on purpose", exactly<Formula>()), statements_(statements) {}
   std::vector<Statement> statements() const override { return statements_(); }
 
  private:
