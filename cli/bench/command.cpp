@@ -3,20 +3,23 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "bench/bake/bench.hpp"
+#include "bench/scene/tables.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/plot.hpp"
-#include "cli/bench/scene.hpp"
 #include "cli/bench/subject.hpp"
 #include "cli/bench/sweep.hpp"
+#include "cli/bench/tables.hpp"
 #include "cli/bench/topics.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
 #include "proofs/engine/interrupt.hpp"
+#include "scene/read/bad_scene.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -26,14 +29,16 @@ void stop_if_asked() {
   if (proofs::interrupted()) throw proofs::Interrupted();
 }
 
-/// One of the benches that print a table of their own and give JSON back.
+/// One of the benches that are no topic's: its figures are not drawn.
 template <class Bench>
 int run_table(const BenchOptions& options, Bench bench) {
   if (!options.plot.empty()) throw UsageError("--plot: these figures are not drawn");
   std::optional<OutputFile> file;
   if (!options.json.empty() && options.json != "-") file.emplace(options.json);
-  const std::string json = bench(options.json == "-" ? stderr : stdout);
+  const bench::Result result = bench();
   stop_if_asked();
+  const std::string json = result_json(result);
+  print_result(options.json == "-" ? stderr : stdout, result);
   if (file) file->commit(json);
   if (options.json == "-") fmt::print("{}", json);
   return ExitCode::complete;
@@ -53,21 +58,45 @@ int run_subject_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {10, 10});
   if (levels.first != levels.last) throw UsageError(fmt::format("--levels {}: one level", options.levels));
   return run_table(options,
-                   [&](std::FILE* out) { return bench_subject(options.subject, levels.first, out); });
+                   [&] { return bench::subject_tables(subject_figures(options.subject, levels.first)); });
+}
+
+/// Told what begins: says so, unless quiet.
+std::function<void(const std::string&)> progress_of(const char* bench, const BenchOptions& options) {
+  return [bench, quiet = options.quiet](const std::string& what) {
+    stop_if_asked();
+    if (!quiet) fmt::print(stderr, "bench {}: {}\n", bench, what);
+  };
+}
+
+bench::Result scene_result(const BenchOptions& options, const proofs::Levels& levels) {
+  constexpr std::size_t rounds = 5;
+  bench::SceneBakeOptions bake{options.scene, levels.first, levels.last};
+  bake.rounds = rounds;
+  bake.progress = progress_of("scene", options);
+  bake.stop = stop_if_asked;
+  try {
+    const bench::SceneBakeFigures figures = bench::scene_bake_figures(bake);
+    if (figures.triangles == 0) throw UsageError(options.scene + ": nothing to bake");
+    return bench::scene_bake_tables(figures, bake);
+  } catch (const mmverify::scene::BadScene& error) {
+    throw EnvironmentError(error.what());
+  }
 }
 
 /// How fast the triangles of a scene are baked.
 int run_scene_bench(const BenchOptions& options) {
   const bench::BakeBenchOptions bake;
   const proofs::Levels levels = levels_or(options, {bake.first, bake.last}, 12);
-  return run_table(options,
-                   [&](std::FILE* out) { return bench_scene(options.scene, levels, options.quiet, out); });
+  return run_table(options, [&] { return scene_result(options, levels); });
 }
 
 /// What a sweep costs from level to level, beside the obvious loop.
 int run_sweep_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {8, 13});
-  return run_table(options, [&](std::FILE* out) { return bench_sweep(levels, options.threads, out); });
+  return run_table(options, [&] {
+    return bench::sweep_tables(sweep_figures(levels, options.threads, progress_of("sweep", options)));
+  });
 }
 
 using ChosenTopics = std::vector<const BenchTopic*>;
