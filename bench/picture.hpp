@@ -20,11 +20,11 @@ struct Point {
 };
 
 struct Series {
-  std::string name;  ///< in the key; empty: not there
-  std::string colour;
+  std::string name = {};  ///< in the key; empty: not there
+  std::string colour = {};
   Shape shape = Shape::disc;
   bool marks = true, joined = true;
-  std::vector<Point> points;
+  std::vector<Point> points = {};
 };
 
 /// A logarithmic axis has no 0: points there lie on a line of their own, its tick "none", below all others.
@@ -44,18 +44,18 @@ struct Threshold {
 enum class Key : std::uint8_t { none, top_left, top_right, outside, below_all };
 
 struct Panel {
-  std::string title;
-  Axis x, y;
-  std::vector<Series> series;
+  std::string title = {};
+  Axis x = {}, y = {};
+  std::vector<Series> series = {};
   Key key = Key::none;  ///< below_all: one for the whole picture
   std::vector<Threshold> thresholds = {};
   std::string note = {};  ///< in the lower right corner
 };
 
 struct Picture {
-  int width, height;                     ///< pixels
-  std::vector<std::vector<Panel>> rows;  ///< from the top; panels of a row share its width
-  std::string note = {};                 ///< below all
+  int width, height;                          ///< pixels
+  std::vector<std::vector<Panel>> rows = {};  ///< from the top; panels of a row share its width
+  std::string note = {};                      ///< below all
 };
 
 }  // namespace mmverify::bench::picture

@@ -21,10 +21,12 @@ struct Value : std::variant<std::monostate, std::uint64_t, double, std::string, 
 
 /// How a real number is printed: value * factor.  Whole numbers are printed with commas.
 struct Print {
-  int digits = 2;            ///< after the point
-  bool significant = false;  ///< digits counts all of them
+  int digits = 2;
+  char type =
+      'f';  ///< printf's f, e or g: digits after the point, the same of a power of ten, or all that count
   double factor = 1;
-  const char* unit = "";  ///< of what is printed, where the factor makes it another
+  const char* unit = "";   ///< of what is printed, where the factor makes it another
+  const char* none = "-";  ///< where there is no value
 };
 inline constexpr double per_cent = 100, millions = 1e-6;
 

@@ -17,6 +17,7 @@
 #include "cli/bench/topics.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/gnuplot.hpp"
 #include "cli/output_file.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "scene/read/bad_scene.hpp"
@@ -24,24 +25,46 @@
 namespace mmverify::cli {
 namespace {
 
-/// Half a bench is none: throws Interrupted.
-void stop_if_asked() {
-  if (proofs::interrupted()) throw proofs::Interrupted();
-}
+/// Where the JSON and the picture go: files that are opened before the work, and stdout.
+class Outputs {
+ public:
+  explicit Outputs(const BenchOptions& options) : options_(options) {
+    if (!options.json.empty() && options.json != "-") file_.emplace(options.json);
+    if (!options.plot.empty()) picture_.emplace(options.plot);
+  }
+
+  /// Of one bench after the other.
+  void print(const bench::Result& result) {
+    std::FILE* const out = options_.json == "-" ? stderr : stdout;
+    if (!json_.empty()) fmt::print(out, "\n");
+    print_result(out, result);
+    json_ += (json_.empty() ? "" : ",\n") + result_json(result);
+    if (picture_) script_ = plot_script(*result.drawn);
+  }
+
+  int commit(bool several) {
+    const std::string json = several ? "[\n" + json_ + "]\n" : json_;
+    if (file_) file_->commit(json);
+    if (options_.json == "-") fmt::print("{}", json);
+    if (picture_) picture_->commit(run_gnuplot(script_));
+    return ExitCode::complete;
+  }
+
+ private:
+  const BenchOptions& options_;
+  std::optional<OutputFile> file_, picture_;
+  std::string json_, script_;
+};
 
 /// One of the benches that are no topic's: its figures are not drawn.
 template <class Bench>
 int run_table(const BenchOptions& options, Bench bench) {
   if (!options.plot.empty()) throw UsageError("--plot: these figures are not drawn");
-  std::optional<OutputFile> file;
-  if (!options.json.empty() && options.json != "-") file.emplace(options.json);
+  Outputs outputs(options);
   const bench::Result result = bench();
   stop_if_asked();
-  const std::string json = result_json(result);
-  print_result(options.json == "-" ? stderr : stdout, result);
-  if (file) file->commit(json);
-  if (options.json == "-") fmt::print("{}", json);
-  return ExitCode::complete;
+  outputs.print(result);
+  return outputs.commit(false);
 }
 
 proofs::Levels levels_or(const BenchOptions& options, const proofs::Levels& otherwise,
@@ -59,14 +82,6 @@ int run_subject_bench(const BenchOptions& options) {
   if (levels.first != levels.last) throw UsageError(fmt::format("--levels {}: one level", options.levels));
   return run_table(options,
                    [&] { return bench::subject_tables(subject_figures(options.subject, levels.first)); });
-}
-
-/// Told what begins: says so, unless quiet.
-std::function<void(const std::string&)> progress_of(const char* bench, const BenchOptions& options) {
-  return [bench, quiet = options.quiet](const std::string& what) {
-    stop_if_asked();
-    if (!quiet) fmt::print(stderr, "bench {}: {}\n", bench, what);
-  };
 }
 
 bench::Result scene_result(const BenchOptions& options, const proofs::Levels& levels) {
@@ -119,22 +134,9 @@ std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const Ch
 int run_topics(const BenchOptions& options, const ChosenTopics& topics) {
   const std::vector<proofs::Levels> levels = checked_levels(options, topics);
   if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot: of one topic");
-  std::optional<OutputFile> file, picture;
-  if (!options.json.empty() && options.json != "-") file.emplace(options.json);
-  if (!options.plot.empty()) picture.emplace(options.plot);
-  std::FILE* const out = options.json == "-" ? stderr : stdout;
-  std::string json, plot;
-  for (std::size_t k = 0; k < topics.size(); ++k) {
-    const BenchOutput output = topics[k]->run(options, levels[k], out);
-    json += (json.empty() ? "" : ",\n") + output.json;
-    plot = output.plot;
-    fmt::print(out, "{}", k + 1 == topics.size() ? "" : "\n");
-  }
-  if (topics.size() > 1) json = "[\n" + json + "]\n";
-  if (file) file->commit(json);
-  if (options.json == "-") fmt::print("{}", json);
-  if (picture) picture->commit(run_gnuplot(plot));
-  return ExitCode::complete;
+  Outputs outputs(options);
+  for (std::size_t k = 0; k < topics.size(); ++k) outputs.print(measured(*topics[k], options, levels[k]));
+  return outputs.commit(topics.size() > 1);
 }
 
 /// "index, tree", `last` before the last of them; of those that read textures "bench tree, bench vq".

@@ -23,11 +23,18 @@ constexpr std::size_t gap = 2, gap_of_groups = 4;
 struct CellText {
   const bench::Print& print;
 
-  std::string operator()(std::monostate) const { return "-"; }
+  std::string operator()(std::monostate) const { return print.none; }
   std::string operator()(std::uint64_t n) const { return grouped(n); }
-  std::string operator()(double x) const {
-    return print.significant ? fmt::format("{:.{}g}", x * print.factor, print.digits)
-                             : fmt::format("{:.{}f}", x * print.factor, print.digits);
+  std::string operator()(double value) const {
+    const double x = value * print.factor;
+    switch (print.type) {
+      case 'e':
+        return fmt::format("{:.{}e}", x, print.digits);
+      case 'g':
+        return fmt::format("{:.{}g}", x, print.digits);
+      default:
+        return fmt::format("{:.{}f}", x, print.digits);
+    }
   }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(const std::vector<std::uint64_t>& numbers) const {
@@ -69,6 +76,13 @@ Strip strip_of(const Column& column, const std::vector<Row>& rows, std::size_t k
 
 const std::vector<Row>* rows_within(const Value& value) { return std::get_if<std::vector<Row>>(&value); }
 
+/// What names a row of a table within.  Members of an object in JSON are written with underscores.
+std::string name_of(const Column& column, const Row& row) {
+  std::string name = text_of(column.columns[0], row[0]);
+  if (column.form == Form::object) std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 /// Column k, a figure after the other: each under the names of the rows within.
 std::vector<Strip> beside(const Table& table, std::size_t k) {
   const Column& column = table.columns[k];
@@ -88,7 +102,7 @@ std::vector<Strip> beside(const Table& table, std::size_t k) {
                                   ? column.group
                                   : figure.heading + (unit.empty() ? "" : ", " + unit);
     for (const Row& named : *most) {
-      Strip strip{group, text_of(column.columns[0], named[0]), "", false, is_text(*most, j)};
+      Strip strip{group, name_of(column, named), "", false, is_text(*most, j)};
       for (const Row& row : table.rows) {
         std::string cell = "-";
         if (const auto* rows = rows_within(row[k]))
