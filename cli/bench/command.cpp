@@ -3,40 +3,68 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "bench/bake/bench.hpp"
+#include "bench/scene/tables.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/plot.hpp"
-#include "cli/bench/scene.hpp"
 #include "cli/bench/subject.hpp"
 #include "cli/bench/sweep.hpp"
+#include "cli/bench/tables.hpp"
 #include "cli/bench/topics.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/gnuplot.hpp"
 #include "cli/output_file.hpp"
 #include "proofs/engine/interrupt.hpp"
+#include "scene/read/bad_scene.hpp"
 
 namespace mmverify::cli {
 namespace {
 
-/// Half a bench is none: throws Interrupted.
-void stop_if_asked() {
-  if (proofs::interrupted()) throw proofs::Interrupted();
-}
+/// Where the JSON and the picture go: files that are opened before the work, and stdout.
+class Outputs {
+ public:
+  explicit Outputs(const BenchOptions& options) : options_(options) {
+    if (!options.json.empty() && options.json != "-") file_.emplace(options.json);
+    if (!options.plot.empty()) picture_.emplace(options.plot);
+  }
 
-/// One of the benches that print a table of their own and give JSON back.
+  /// Of one bench after the other.
+  void print(const bench::Result& result) {
+    std::FILE* const out = options_.json == "-" ? stderr : stdout;
+    if (!json_.empty()) fmt::print(out, "\n");
+    print_result(out, result);
+    json_ += (json_.empty() ? "" : ",\n") + result_json(result);
+    if (picture_) script_ = plot_script(*result.drawn);
+  }
+
+  int commit(bool several) {
+    const std::string json = several ? "[\n" + json_ + "]\n" : json_;
+    if (file_) file_->commit(json);
+    if (options_.json == "-") fmt::print("{}", json);
+    if (picture_) picture_->commit(run_gnuplot(script_));
+    return ExitCode::complete;
+  }
+
+ private:
+  const BenchOptions& options_;
+  std::optional<OutputFile> file_, picture_;
+  std::string json_, script_;
+};
+
+/// One of the benches that are no topic's: its figures are not drawn.
 template <class Bench>
 int run_table(const BenchOptions& options, Bench bench) {
   if (!options.plot.empty()) throw UsageError("--plot: these figures are not drawn");
-  std::optional<OutputFile> file;
-  if (!options.json.empty() && options.json != "-") file.emplace(options.json);
-  const std::string json = bench(options.json == "-" ? stderr : stdout);
+  Outputs outputs(options);
+  const bench::Result result = bench();
   stop_if_asked();
-  if (file) file->commit(json);
-  if (options.json == "-") fmt::print("{}", json);
-  return ExitCode::complete;
+  outputs.print(result);
+  return outputs.commit(false);
 }
 
 proofs::Levels levels_or(const BenchOptions& options, const proofs::Levels& otherwise,
@@ -53,21 +81,37 @@ int run_subject_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {10, 10});
   if (levels.first != levels.last) throw UsageError(fmt::format("--levels {}: one level", options.levels));
   return run_table(options,
-                   [&](std::FILE* out) { return bench_subject(options.subject, levels.first, out); });
+                   [&] { return bench::subject_tables(subject_figures(options.subject, levels.first)); });
+}
+
+bench::Result scene_result(const BenchOptions& options, const proofs::Levels& levels) {
+  constexpr std::size_t rounds = 5;
+  bench::SceneBakeOptions bake{options.scene, levels.first, levels.last};
+  bake.rounds = rounds;
+  bake.progress = progress_of("scene", options);
+  bake.stop = stop_if_asked;
+  try {
+    const bench::SceneBakeFigures figures = bench::scene_bake_figures(bake);
+    if (figures.triangles == 0) throw UsageError(options.scene + ": nothing to bake");
+    return bench::scene_bake_tables(figures, bake);
+  } catch (const mmverify::scene::BadScene& error) {
+    throw EnvironmentError(error.what());
+  }
 }
 
 /// How fast the triangles of a scene are baked.
 int run_scene_bench(const BenchOptions& options) {
   const bench::BakeBenchOptions bake;
   const proofs::Levels levels = levels_or(options, {bake.first, bake.last}, 12);
-  return run_table(options,
-                   [&](std::FILE* out) { return bench_scene(options.scene, levels, options.quiet, out); });
+  return run_table(options, [&] { return scene_result(options, levels); });
 }
 
 /// What a sweep costs from level to level, beside the obvious loop.
 int run_sweep_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {8, 13});
-  return run_table(options, [&](std::FILE* out) { return bench_sweep(levels, options.threads, out); });
+  return run_table(options, [&] {
+    return bench::sweep_tables(sweep_figures(levels, options.threads, progress_of("sweep", options)));
+  });
 }
 
 using ChosenTopics = std::vector<const BenchTopic*>;
@@ -90,22 +134,9 @@ std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const Ch
 int run_topics(const BenchOptions& options, const ChosenTopics& topics) {
   const std::vector<proofs::Levels> levels = checked_levels(options, topics);
   if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot: of one topic");
-  std::optional<OutputFile> file, picture;
-  if (!options.json.empty() && options.json != "-") file.emplace(options.json);
-  if (!options.plot.empty()) picture.emplace(options.plot);
-  std::FILE* const out = options.json == "-" ? stderr : stdout;
-  std::string json, plot;
-  for (std::size_t k = 0; k < topics.size(); ++k) {
-    const BenchOutput output = topics[k]->run(options, levels[k], out);
-    json += (json.empty() ? "" : ",\n") + output.json;
-    plot = output.plot;
-    fmt::print(out, "{}", k + 1 == topics.size() ? "" : "\n");
-  }
-  if (topics.size() > 1) json = "[\n" + json + "]\n";
-  if (file) file->commit(json);
-  if (options.json == "-") fmt::print("{}", json);
-  if (picture) picture->commit(run_gnuplot(plot));
-  return ExitCode::complete;
+  Outputs outputs(options);
+  for (std::size_t k = 0; k < topics.size(); ++k) outputs.print(measured(*topics[k], options, levels[k]));
+  return outputs.commit(topics.size() > 1);
 }
 
 /// "index, tree", `last` before the last of them; of those that read textures "bench tree, bench vq".

@@ -1,342 +1,220 @@
 #include "cli/bench/plot.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <iterator>
-#include <memory>
+#include <vector>
 
-#include "cli/arguments.hpp"
-#include "cli/exit_code.hpp"
-
-extern char** environ;
+#include "cli/bench/labels.hpp"
 
 namespace mmverify::cli {
 namespace {
 
-using bench::Growth;
-using bench::GrowthLaw;
-using bench::IndexErrors;
-using bench::IndexFigures;
+using bench::picture::Axis;
+using bench::picture::Key;
+using bench::picture::Panel;
+using bench::picture::Picture;
+using bench::picture::Point;
+using bench::picture::Series;
+using bench::picture::Shape;
 
-// Pixels; the labels are placed by hand, so the panels are too.
-constexpr double width = 1000, height = 940;
-constexpr double letter = 7.1, line_height = 15;  // of the labels' font, measured generously
+// Pixels around the axes of each panel, and what a key takes.
+constexpr double left = 80, right = 30, top = 45, bottom = 55;
+constexpr double outer_key = 170, lower_key = 65, lower_note = 30;
+constexpr char ink[] = "#444444";
 
-struct Panel {
-  double left, right, top, bottom;  // of the axes, in pixels from the top left corner
-  double x_least, x_most, y_least, y_most;
-  bool log_x;
-
-  double x(double value) const {
-    const double at = log_x ? std::log(value / x_least) / std::log(x_most / x_least)
-                            : (value - x_least) / (x_most - x_least);
-    return left + at * (right - left);
+/// gnuplot's point types.
+int point_type(Shape shape) {
+  switch (shape) {
+    case Shape::disc:
+      return 7;
+    case Shape::circle:
+      return 6;
+    case Shape::square:
+      return 5;
+    case Shape::open_square:
+      return 4;
+    case Shape::triangle:
+      return 9;
+    case Shape::triangle_down:
+      return 11;
+    case Shape::diamond:
+      return 13;
   }
-  double y(double value) const {
-    return bottom - std::log(value / y_least) / std::log(y_most / y_least) * (bottom - top);
-  }
-};
-
-struct Box {
-  double left, right, top, bottom;
-  bool meets(const Box& b) const {
-    return left < b.right && b.left < right && top < b.bottom && b.top < bottom;
-  }
-};
-
-/// Colour says the algorithm (Okabe and Ito's, safe for the colour-blind), shape the numbers.
-struct Look {
-  const char* colour;
-  int shape;  // gnuplot's point types
-};
-
-Look look(const IndexFigures& f) {
-  Look l{"#0072B2", 7};
-  if (f.name.starts_with("step")) l.colour = "#D55E00";
-  if (f.order == "rows") l.colour = "#AA4488";
-  if (f.name.starts_with("impl") || f.name.ends_with("impl")) l.colour = "#009E73";
-  if (f.numbers == "binary16") l.shape = 9;
-  if (f.numbers == "binary64") l.shape = 4;
-  if (f.numbers == "fixed point") l.shape = 13;
-  if (f.numbers == "rational") l.shape = 11;
-  if (f.name.ends_with("batched") || f.name.ends_with("sqrt")) l.shape = 6;
-  return l;
+  return 7;
 }
 
-double power_of_ten(double x, bool up) {
-  const double exponent = std::log10(x);
-  return std::pow(10.0, up ? std::ceil(exponent) : std::floor(exponent));
+/// A text in gnuplot's single quotes, its own markup as plain characters.
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (std::string("_^{}@&~\\").find(c) != std::string::npos) out += '\\';
+    out += c;
+    if (c == '\'') out += c;
+  }
+  return out + "'";
 }
 
-/// Sets the axes of a panel; everything else about it is already in the script.
-std::string axes(const Panel& p) {
-  return fmt::format(
-      "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
-      "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
-      "set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset logscale y\n{}\n",
-      p.left / width, p.right / width, 1 - p.top / height, 1 - p.bottom / height, p.x_least, p.x_most,
-      p.y_least, p.y_most, p.log_x ? "set logscale x" : "unset logscale x");
-}
+/// One panel's part of the script.
+class PanelScript {
+ public:
+  /// size: of the picture.
+  PanelScript(const Panel& panel, const Box& frame, const Box& size)
+      : panel_(placed(panel, axes_of(panel, frame))), axes_(axes_of(panel, frame)), size_(size) {}
 
-/// The places that a label may take beside its mark, the nearest first.
-std::vector<Box> places(double x, double y, double text_width) {
-  std::vector<Box> all;
-  const auto at = [&](double left, double middle) {
-    all.push_back({left, left + text_width, middle - line_height / 2, middle + line_height / 2});
-  };
-  for (int ring = 0; ring < 12; ++ring) {
-    const double away = ring * line_height;
-    for (const double dy : {-away, away}) {
-      at(x + 11, y + dy);
-      at(x - 11 - text_width, y + dy);
-      at(x - text_width / 2, y + dy + (dy < 0 ? -1 : 1) * line_height);
+  std::string text() const {
+    return frame() + ticks('x', panel_.x, axes_.x) + ticks('y', panel_.y, axes_.y) + key() + thresholds() +
+           note() + labels() + series();
+  }
+
+ private:
+  std::string screen(double x, double y) const {
+    return fmt::format("screen {:.5f},{:.5f}", x / size_.right, 1 - y / size_.bottom);
+  }
+
+  std::string frame() const {
+    const Box& f = axes_.frame;
+    return fmt::format(
+        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
+        "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
+        "set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"
+        "set title {}\nset xlabel {} offset 0,0.4\nset ylabel {}\n",
+        f.left / size_.right, f.right / size_.right, 1 - f.top / size_.bottom, 1 - f.bottom / size_.bottom,
+        axes_.x.least, axes_.x.most, axes_.y.least, axes_.y.most, quoted(panel_.title),
+        quoted(panel_.x.title), quoted(panel_.y.title));
+  }
+
+  static std::string ticks(char name, const Axis& axis, const Scale& scale) {
+    std::string text = fmt::format("{0} logscale {1}\nset format {1} '{2}'\nset {1}tics {3}\n",
+                                   axis.logarithmic ? "set" : "unset", name,
+                                   axis.logarithmic ? "10^{%L}" : "%g", axis.whole ? "1" : "auto");
+    if (scale.none == 0) return text;
+    text += fmt::format("set {}tics ('none' {:.6g}", name, scale.none);
+    for (double tick = scale.none * 10; tick <= scale.most; tick *= 10)
+      text += fmt::format(", '10^{{{:.0f}}}' {:.6g}", std::log10(tick), tick);
+    return text + ")\n";
+  }
+
+  std::string key() const {
+    switch (panel_.key) {
+      case Key::none:
+        return "unset key\n";
+      case Key::top_left:
+        return "set key default\nset key top left Left reverse\n";
+      case Key::top_right:
+        return "set key default\nset key top right\n";
+      case Key::outside:
+        return fmt::format("set key default\nset key at {} left top Left reverse\n",
+                           screen(axes_.frame.right + 5, axes_.frame.top));
+      case Key::below_all:
+        return "set key default\n" +
+               fmt::format("set key at {} center center vertical Left reverse maxrows 2 width 3 samplen 1\n",
+                           screen(size_.right / 2, size_.bottom - lower_key));
     }
+    return "";
   }
-  return all;
-}
 
-struct Mark {
-  const IndexFigures* subject;
-  double x, y;  // pixels
-};
-
-/// A label beside each mark, off the other marks, labels and one line, with a thin line where it had to move.
-std::string labels(const std::vector<Mark>& marks, const Panel& panel, double grid_line) {
-  std::vector<Box> taken{{panel.left, panel.right, grid_line - 2, grid_line + 2}};
-  for (const Mark& m : marks) taken.push_back({m.x - 7, m.x + 7, m.y - 7, m.y + 7});
-  std::string script;
-  for (const Mark& m : marks) {
-    const double text_width = letter * static_cast<double>(m.subject->name.size());
-    Box chosen{};
-    for (const Box& box : places(m.x, m.y, text_width)) {
-      chosen = box;
-      const bool inside = box.left > panel.left + 4 && box.right < panel.right - 4 &&
-                          box.top > panel.top + 2 && box.bottom < panel.bottom - 2;
-      if (inside && std::none_of(taken.begin(), taken.end(), [&](const Box& b) { return b.meets(box); }))
-        break;
+  std::string thresholds() const {
+    std::string text;
+    for (const auto& [y, label] : panel_.thresholds) {
+      const double height = axes_.pixel_y(y);
+      text += fmt::format("set arrow from {} to {} nohead dt 2 lw 1 lc rgb '{}'\n",
+                          screen(axes_.frame.left, height), screen(axes_.frame.right, height),
+                          bench::picture::grey);
+      text += fmt::format("set label {} at {} left font ',11' tc rgb '{}'\n", quoted(label),
+                          screen(axes_.frame.left + 8, height + 10), bench::picture::grey);
     }
-    taken.push_back(chosen);
-    const double middle = (chosen.top + chosen.bottom) / 2;
-    script += fmt::format("set label '{}' at screen {:.5f},{:.5f} left font ',12' tc rgb '{}'\n",
-                          m.subject->name, chosen.left / width, 1 - middle / height, look(*m.subject).colour);
-    if (std::abs(middle - m.y) > line_height)
-      script += fmt::format(
-          "set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead lw 0.7 lc rgb '#888888'\n",
-          m.x / width, 1 - m.y / height, std::clamp(m.x, chosen.left, chosen.right) / width,
-          1 - (middle < m.y ? chosen.bottom - 2 : chosen.top + 2) / height);
+    return text;
   }
-  return script;
-}
 
-/// "16", or "16 (binary16: 15)" where subjects end sooner than others.
-std::string levels_text(const std::vector<IndexFigures>& figures) {
-  std::uint32_t last = 0;
-  for (const IndexFigures& f : figures)
-    if (!f.hard.empty()) last = std::max(last, f.hard.back().level);
-  std::string text = fmt::format("{}", last);
-  for (const IndexFigures& f : figures)
-    if (!f.hard.empty() && f.hard.back().level < last)
-      return text + fmt::format(" ({}: {})", f.numbers, f.hard.back().level);
-  return text;
-}
-
-std::string error_against_time(const std::vector<IndexFigures>& figures, std::uint64_t samples) {
-  double ns_least = 1, ns_most = 1, rate_least = 1;
-  std::uint64_t fewest = samples;
-  for (const IndexFigures& f : figures) {
-    if (f.times.empty() || f.hard.empty()) continue;
-    ns_least = std::min(ns_least, f.times.back().ns_per_index);
-    ns_most = std::max(ns_most, f.times.back().ns_per_index);
-    if (f.hard.back().mismatches > 0) rate_least = std::min(rate_least, f.hard.back().rate());
-    fewest = std::min(fewest, f.hard.back().samples);
+  std::string note() const {
+    if (panel_.note.empty()) return "";
+    return fmt::format("set label {} at {} right font ',12' tc rgb '{}'\n", quoted(panel_.note),
+                       screen(axes_.frame.right - 8, axes_.frame.bottom - 18), ink);
   }
-  // Nothing found is no point on a logarithmic axis: it gets a line of its own, below all that could be
-  // found.
-  const double none = power_of_ten(std::min(1.0 / static_cast<double>(samples), rate_least), false);
-  const Panel panel{
-      80,        970, 50,  420, power_of_ten(ns_least * 0.8, false), power_of_ten(ns_most * 2, true),
-      none / 30, 1.5, true};
 
-  std::vector<Mark> marks;
-  for (const IndexFigures& f : figures) {
-    if (f.times.empty() || f.hard.empty()) continue;
-    const IndexErrors& e = f.hard.back();
-    marks.push_back({&f, panel.x(f.times.back().ns_per_index), panel.y(e.mismatches > 0 ? e.rate() : none)});
+  std::string labels() const {
+    const Box& f = axes_.frame;
+    std::vector<Box> taken;
+    if (axes_.y.none > 0)
+      taken.push_back({f.left, f.right, axes_.pixel_y(axes_.y.none) - 2, axes_.pixel_y(axes_.y.none) + 2});
+    for (const auto& threshold : panel_.thresholds)
+      taken.push_back({f.left, f.right, axes_.pixel_y(threshold.y) - 2, axes_.pixel_y(threshold.y) + 2});
+    std::string text;
+    for (const PlacedLabel& label : place_labels(panel_, axes_, taken)) {
+      const double middle = (label.box.top + label.box.bottom) / 2;
+      text += fmt::format("set label {} at {} left font ',12' tc rgb '{}'\n", quoted(label.text),
+                          screen(label.box.left, middle), label.colour);
+      if (label.away)
+        text += fmt::format("set arrow from {} to {} nohead lw 0.7 lc rgb '{}'\n",
+                            screen(label.mark_x, label.mark_y),
+                            screen(std::clamp(label.mark_x, label.box.left, label.box.right),
+                                   middle < label.mark_y ? label.box.bottom - 2 : label.box.top + 2),
+                            bench::picture::grey);
+    }
+    return text;
   }
-  std::stable_sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.x < b.x; });
-  // Height means nothing on that line: marks that would hide one another are stacked there.
-  for (std::size_t k = 1; k < marks.size(); ++k)
-    for (std::size_t other = 0; other < k; ++other)
-      if (marks[k].subject->hard.back().mismatches == 0 && std::abs(marks[k].x - marks[other].x) < 13 &&
-          std::abs(marks[k].y - marks[other].y) < 13)
-        marks[k].y = marks[other].y - 13;
 
-  std::string script = axes(panel);
-  script += fmt::format("set title 'Error against time at level {}'\n", levels_text(figures));
-  script += "set xlabel 'ns an index, one thread' offset 0,0.4\nset ylabel 'mismatch rate on hard points'\n";
-  script += "set format x '10^{%L}'\nset xtics auto\nunset key\nset mytics 1\n";
-  script += fmt::format("set ytics ('none' {:.6g}", none);
-  for (double tic = none * 10; tic < 2; tic *= 10)
-    script += fmt::format(", '10^{{{:.0f}}}' {:.6g}", std::log10(tic), tic);
-  script += ")\n";
-  script += fmt::format(
-      "set label 'none found in {} points (rational: {})' at screen {:.5f},{:.5f} right font ',12' "
-      "tc rgb '#444444'\n",
-      grouped(samples), grouped(fewest), (panel.right - 8) / width, 1 - (panel.bottom - 18) / height);
-  for (const Mark& m : marks) {
-    const Look l = look(*m.subject);
-    script += fmt::format("set label '' at screen {:.5f},{:.5f} point pt {} ps 1.3 lw 2 lc rgb '{}'\n",
-                          m.x / width, 1 - m.y / height, l.shape, l.colour);
+  /// A point outside the axes stands for none: gnuplot keeps a series without points out of the key.
+  std::string series() const {
+    std::string data, plots;
+    for (const Series& one : panel_.series) {
+      const std::string block =
+          fmt::format("$series{}", plots.empty() ? 0 : std::count(data.begin(), data.end(), '$'));
+      data += block + " << EOD\n";
+      for (const Point& point : one.points) data += fmt::format("{:.6g} {:.6g}\n", point.x, point.y);
+      if (one.points.empty()) data += fmt::format("{:.6g} NaN\n", axes_.x.least);
+      data += "EOD\n";
+      const bool labelled = !one.points.empty() && !one.points.front().label.empty();
+      plots += fmt::format(
+          "{}{} using 1:2 with {}{} lc rgb '{}' {}", plots.empty() ? "" : ", ", block,
+          !one.marks   ? "lines lw 1"
+          : one.joined ? "linespoints lw 1.2"
+                       : "points lw 1.5",
+          one.marks ? fmt::format(" pt {} ps {}", point_type(one.shape), labelled && !one.joined ? 1.3 : 0.8)
+                    : "",
+          one.colour, one.name.empty() ? "notitle" : "title " + quoted(one.name));
+    }
+    return data + "plot " + (plots.empty() ? "1/0 notitle" : plots) + "\nunset label\nunset arrow\n";
   }
-  script += labels(marks, panel, panel.y(none));
-  return script + "plot 1/0 notitle\nunset label\nunset arrow\nset ytics auto\n";
-}
 
-/// The fitted law over the levels it was fitted on, for plotting.
-std::string law_curve(const Growth& g) {
-  if (g.law == GrowthLaw::none || g.law == GrowthLaw::too_few) return "";
-  const std::string within = fmt::format("(x > {} - 0.05 && x < {} + 0.05)", g.first, g.last);
-  const std::string value =
-      g.law == GrowthLaw::power
-          ? fmt::format("2**({:.6f})*x**({:.6f})", g.power.intercept, g.power.slope)
-          : fmt::format("2**({:.6f}+({:.6f})*x)", g.exponential.intercept, g.exponential.slope);
-  return fmt::format("{} ? {} : 1/0", within, value);
-}
-
-bool ever_wrong(const IndexFigures& f) {
-  const auto wrong = [](const IndexErrors& e) { return e.mismatches > 0; };
-  return std::any_of(f.hard.begin(), f.hard.end(), wrong) ||
-         std::any_of(f.uniform.begin(), f.uniform.end(), wrong);
-}
-
-std::string rate_against_level(const std::vector<IndexFigures>& figures, bool hard, std::uint64_t samples) {
-  std::uint32_t first = 16, last = 0;
-  for (const IndexFigures& f : figures)
-    for (const IndexErrors& e : f.hard) first = std::min(first, e.level), last = std::max(last, e.level);
-  const double left = hard ? 550 : 80;
-  const Panel panel{left,
-                    left + 420,
-                    510,
-                    800,
-                    first - 0.5,
-                    last + 0.5,
-                    power_of_ten(1.0 / static_cast<double>(samples), false) / 2,
-                    1.5,
-                    false};
-
-  std::string data, plots;
-  int number = 0;
-  for (const IndexFigures& f : figures) {
-    const std::vector<IndexErrors>& levels = hard ? f.hard : f.uniform;
-    const Growth& growth = hard ? f.hard_rate : f.uniform_rate;
-    // Asked of both kinds of points, so that the panels share one key.
-    if (!ever_wrong(f)) continue;
-    const std::string block = fmt::format("${}{}", hard ? "hard" : "uniform", number++);
-    data += block + " << EOD\n-1 1\n";
-    for (const IndexErrors& e : levels)
-      if (e.mismatches > 0) data += fmt::format("{} {:.6g}\n", e.level, e.rate());
-    data += "EOD\n";
-    const Look l = look(f);
-    plots += fmt::format("{}{} with points pt {} ps 0.9 lw 1.5 lc rgb '{}' title '{}'",
-                         plots.empty() ? "" : ", ", block, l.shape, l.colour, f.name);
-    if (const std::string curve = law_curve(growth); !curve.empty())
-      plots += fmt::format(", {} with lines lw 1 lc rgb '{}' notitle", curve, l.colour);
-  }
-  std::string script = data + axes(panel);
-  script +=
-      fmt::format("set title 'On {} points, with the fitted laws'\nset xlabel 'level'\nset ylabel '{}'\n",
-                  hard ? "hard" : "uniform", hard ? "" : "mismatch rate");
-  script += "set format x '%g'\nset format y '10^{%L}'\nset xtics 1\nset samples 161\n";
-  script += hard ? "unset key\n"
-                 : fmt::format(
-                       "set key at screen 0.5,{:.5f} center center vertical Left reverse maxrows 2 "
-                       "width 3 samplen 1\n",
-                       65 / height);
-  return script + (plots.empty() ? "plot 1/0 notitle\n" : "plot " + plots + "\n");
-}
-
-std::string without_error(const std::vector<IndexFigures>& figures) {
-  std::string names;
-  for (const IndexFigures& f : figures)
-    if (!ever_wrong(f)) names += (names.empty() ? "" : ", ") + f.name;
-  return names.empty() ? "" : "none found at any level: " + names;
-}
-
-struct Closes {
-  void operator()(std::FILE* file) const { std::fclose(file); }
+  Panel panel_;
+  Axes axes_;
+  Box size_;
 };
-using File = std::unique_ptr<std::FILE, Closes>;
 
-File temporary() {
-  File file(std::tmpfile());
-  if (!file) throw EnvironmentError(fmt::format("gnuplot: no temporary file: {}", std::strerror(errno)));
-  return file;
-}
-
-std::string contents(const File& file) {
-  std::rewind(file.get());
-  std::string text;
-  std::array<char, 4096> part;
-  while (const std::size_t n = std::fread(part.data(), 1, part.size(), file.get()))
-    text.append(part.data(), n);
-  return text;
+bool has_lower_key(const Picture& picture) {
+  for (const auto& row : picture.rows)
+    for (const Panel& panel : row)
+      if (panel.key == Key::below_all) return true;
+  return false;
 }
 
 }  // namespace
 
-std::string index_plot_script(const std::vector<IndexFigures>& figures, std::uint64_t samples) {
+std::string plot_script(const Picture& picture) {
+  const Box size{0, static_cast<double>(picture.width), 0, static_cast<double>(picture.height)};
   std::string script = fmt::format(
-      "set terminal svg size {:.0f},{:.0f} font 'sans-serif,13' background rgb 'white'\n"
-      "set multiplot\nset border lc rgb '#444444'\nset tics nomirror\n"
-      "set grid lc rgb '#dddddd' lw 0.5\n",
-      width, height);
-  script += error_against_time(figures, samples);
-  script += rate_against_level(figures, false, samples);
-  // Drawn with the last panel, below all three.
-  script += fmt::format("set label '{}' at screen 0.5,{:.5f} center font ',12' tc rgb '#444444'\n",
-                        without_error(figures), 25 / height);
-  script += rate_against_level(figures, true, samples);
+      "set terminal svg size {},{} font 'sans-serif,13' background rgb 'white'\nset multiplot\n"
+      "set border lc rgb '{}'\nset tics nomirror\nset grid lc rgb '#dddddd' lw 0.5\n",
+      picture.width, picture.height, ink);
+  const double below = has_lower_key(picture) ? lower_key + 30 : picture.note.empty() ? 0 : lower_note;
+  const double height = (size.bottom - below) / static_cast<double>(picture.rows.size());
+  if (!picture.note.empty())
+    script += fmt::format("set label {} at screen 0.5,{:.5f} center font ',12' tc rgb '{}'\n",
+                          quoted(picture.note), 25 / size.bottom, ink);
+  for (std::size_t row = 0; row < picture.rows.size(); ++row) {
+    const auto& panels = picture.rows[row];
+    const double width = size.right / static_cast<double>(panels.size());
+    for (std::size_t k = 0; k < panels.size(); ++k) {
+      const double x = width * static_cast<double>(k), y = height * static_cast<double>(row);
+      const double beside = panels[k].key == Key::outside ? outer_key : right;
+      script +=
+          PanelScript(panels[k], {x + left, x + width - beside, y + top, y + height - bottom}, size).text();
+    }
+  }
   return script + "unset multiplot\n";
-}
-
-std::string run_gnuplot(const std::string& script) {
-  // Files, not pipes: neither side can wait for the other.
-  const File in = temporary(), out = temporary(), complaints = temporary();
-  if (std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() || std::fflush(in.get()) != 0)
-    throw EnvironmentError(fmt::format("gnuplot: its script cannot be written: {}", std::strerror(errno)));
-  std::rewind(in.get());
-
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, fileno(in.get()), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&files, fileno(out.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, fileno(complaints.get()), STDERR_FILENO);
-  char program[] = "gnuplot";
-  char* const arguments[] = {program, nullptr};
-  pid_t child = 0;
-  const int spawned = posix_spawnp(&child, program, &files, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (spawned == ENOENT)
-    throw EnvironmentError("--plot needs gnuplot, which is not here: install the Debian package gnuplot-nox");
-  if (spawned != 0) throw EnvironmentError(fmt::format("gnuplot: {}", std::strerror(spawned)));
-
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw EnvironmentError(fmt::format("gnuplot: {}", std::strerror(errno)));
-  std::string picture = contents(out);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.find("</svg>") == std::string::npos)
-    throw EnvironmentError(fmt::format("gnuplot drew nothing: {}", contents(complaints)));
-  return picture;
 }
 
 }  // namespace mmverify::cli

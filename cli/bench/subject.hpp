@@ -1,13 +1,13 @@
-// bench subject: what judging a shared library costs beside calling it.
+// bench --subject: what judging a shared library costs beside calling it.
 #pragma once
 
-#include <cstdio>
 #include <string>
+
+#include "bench/subject/tables.hpp"
 
 namespace mmverify::cli {
 
-/// Prints the figures of one library at a level; returns them as JSON text.  EnvironmentError where it is no
-/// subject.
-std::string bench_subject(const std::string& library, std::uint32_t level, std::FILE* out);
+/// Measures one library at a level.  EnvironmentError where it is no subject.
+bench::SubjectFigures subject_figures(const std::string& library, std::uint32_t level);
 
 }  // namespace mmverify::cli

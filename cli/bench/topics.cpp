@@ -1,48 +1,69 @@
 #include "cli/bench/topics.hpp"
 
-#include "bench/bake/bench.hpp"
-#include "bench/tree/bench.hpp"
-#include "bench/vq/bench.hpp"
-#include "cli/bench/bake.hpp"
-#include "cli/bench/index.hpp"
-#include "cli/bench/tree.hpp"
-#include "cli/bench/vq.hpp"
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "bench/bake/tables.hpp"
+#include "bench/index/tables.hpp"
+#include "bench/index/times.hpp"
+#include "bench/tree/tables.hpp"
+#include "bench/vq/tables.hpp"
+#include "cli/exit_code.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/progress.hpp"
 
 namespace mmverify::cli {
 namespace {
 
+using bench::Result;
 using proofs::Levels;
 
-BenchOutput of_index(const BenchOptions& options, const Levels& levels, std::FILE* out) {
-  bench::IndexBenchOptions index = options.index;
-  index.first = levels.first;
-  index.last = levels.last;
-  return bench_index(index, options.quiet, out);
+Result of_index(const BenchOptions& given, const Levels& levels) {
+  bench::IndexBenchOptions options = given.index;
+  options.first = levels.first;
+  options.last = levels.last;
+  std::vector<bench::IndexFigures> figures;
+  {
+    proofs::Progress progress(index_points(options), !given.quiet);
+    progress.now("bench index");
+    options.progress = [&progress](std::uint64_t points) {
+      stop_if_asked();
+      progress.add(points);
+    };
+    figures = index_errors(options);
+  }
+  // Nothing else runs while the clock does.
+  add_index_times(options, figures);
+  return index_tables(figures, options);
 }
 
-BenchOutput of_tree(const BenchOptions& options, const Levels& levels, std::FILE* out) {
-  return bench_tree({.first = levels.first,
-                     .last = levels.last,
-                     .seed = options.index.seed,
-                     .lookups = options.index.samples,
-                     .textures = options.textures},
-                    options.quiet, out);
+Result of_tree(const BenchOptions& given, const Levels& levels) {
+  const bench::TreeBenchOptions options{.first = levels.first,
+                                        .last = levels.last,
+                                        .seed = given.index.seed,
+                                        .lookups = given.index.samples,
+                                        .textures = given.textures,
+                                        .progress = progress_of("tree", given)};
+  return tree_tables(tree_figures(options), options);
 }
 
-BenchOutput of_vq(const BenchOptions& options, const Levels&, std::FILE* out) {
-  return bench_vq({.seed = options.index.seed,
-                   .maps = options.maps == 0 ? bench::VqBenchOptions{}.maps : options.maps,
-                   .textures = options.textures},
-                  options.quiet, out);
+Result of_vq(const BenchOptions& given, const Levels&) {
+  const bench::VqBenchOptions options{.seed = given.index.seed,
+                                      .maps = given.maps == 0 ? bench::VqBenchOptions{}.maps : given.maps,
+                                      .textures = given.textures,
+                                      .progress = progress_of("vq", given)};
+  return vq_tables(vq_figures(options), options);
 }
 
-BenchOutput of_bake(const BenchOptions& options, const Levels& levels, std::FILE* out) {
-  return bench_bake({.first = levels.first,
-                     .last = levels.last,
-                     .seed = options.index.seed,
-                     .maps = options.maps == 0 ? bench::BakeBenchOptions{}.maps : options.maps,
-                     .textures = options.textures},
-                    options.quiet, out);
+Result of_bake(const BenchOptions& given, const Levels& levels) {
+  const bench::BakeBenchOptions options{.first = levels.first,
+                                        .last = levels.last,
+                                        .seed = given.index.seed,
+                                        .maps = given.maps == 0 ? bench::BakeBenchOptions{}.maps : given.maps,
+                                        .textures = given.textures,
+                                        .progress = progress_of("bake", given)};
+  return bake_tables(bake_figures(options), options);
 }
 
 /// The levels that a bench has where none are asked for.
@@ -56,23 +77,46 @@ constexpr std::uint64_t most_lookups = std::uint64_t{1} << 26;  // 8 bytes each
 
 }  // namespace
 
+void stop_if_asked() {
+  if (proofs::interrupted()) throw proofs::Interrupted();
+}
+
+std::function<void(const std::string&)> progress_of(const char* bench, const BenchOptions& options) {
+  return [bench, quiet = options.quiet](const std::string& what) {
+    stop_if_asked();
+    if (!quiet) fmt::print(stderr, "bench {}: {}\n", bench, what);
+  };
+}
+
 std::span<const BenchTopic> bench_topics() {
   static const std::vector<BenchTopic> table{
-      {.name = "index", .levels = levels_of<bench::IndexBenchOptions>(), .highest = 16, .run = of_index},
+      {.name = "index", .levels = levels_of<bench::IndexBenchOptions>(), .highest = 16, .measure = of_index},
       {.name = "tree",
        .levels = levels_of<bench::TreeBenchOptions>(),
        .highest = bench::TreeBenchOptions{}.last,
        .reads_textures = true,
        .most_samples = most_lookups,
-       .run = of_tree},
-      {.name = "vq", .reads_textures = true, .run = of_vq},
+       .measure = of_tree},
+      {.name = "vq", .reads_textures = true, .measure = of_vq},
       {.name = "bake",
        .levels = levels_of<bench::BakeBenchOptions>(),
        .highest = 12,
        .reads_textures = true,
-       .run = of_bake},
+       .measure = of_bake},
   };
   return table;
+}
+
+Result measured(const BenchTopic& topic, const BenchOptions& options, const Levels& levels) {
+  try {
+    Result result = topic.measure(options, levels);
+    stop_if_asked();
+    return result;
+  } catch (const UsageError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw EnvironmentError(error.what());
+  }
 }
 
 }  // namespace mmverify::cli

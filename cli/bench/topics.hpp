@@ -1,14 +1,14 @@
 // The benches of topics: one table.
 #pragma once
 
-#include <cstdio>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "bench/index/bench.hpp"
-#include "cli/bench/output.hpp"
+#include "bench/result.hpp"
 #include "proofs/engine/law.hpp"
 
 namespace mmverify::cli {
@@ -29,11 +29,20 @@ struct BenchTopic {
   proofs::Level highest = 0;
   bool reads_textures = false;
   std::uint64_t most_samples = ~std::uint64_t{0};
-  /// Measures and prints the tables.  Throws proofs::Interrupted, EnvironmentError.
-  BenchOutput (*run)(const BenchOptions& options, const proofs::Levels& levels, std::FILE* out) = nullptr;
+  /// std::runtime_error is of the environment.
+  bench::Result (*measure)(const BenchOptions& options, const proofs::Levels& levels) = nullptr;
 };
 
 /// In the order in which they run.
 std::span<const BenchTopic> bench_topics();
+
+/// Throws proofs::Interrupted, EnvironmentError.
+bench::Result measured(const BenchTopic& topic, const BenchOptions& options, const proofs::Levels& levels);
+
+/// Half a bench is none: throws proofs::Interrupted.
+void stop_if_asked();
+
+/// Told what begins: says so on stderr, unless quiet, and stops where that is asked for.
+std::function<void(const std::string&)> progress_of(const char* bench, const BenchOptions& options);
 
 }  // namespace mmverify::cli

@@ -10,9 +10,9 @@
 #include <memory>
 
 #include "cli/arguments.hpp"
-#include "cli/bench/plot.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/gnuplot.hpp"
 #include "cli/json.hpp"
 #include "cli/output_file.hpp"
 #include "cli/run_identity.hpp"

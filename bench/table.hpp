@@ -1,0 +1,112 @@
+// Tables of figures: what a bench returns, each figure described once for whoever prints or writes it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace mmverify::bench {
+
+struct Value;
+using Row = std::vector<Value>;
+
+/// What stands in one cell: nothing, a whole number, a real one, a text, whole numbers, or the rows of a table within.
+struct Value : std::variant<std::monostate, std::uint64_t, double, std::string, std::vector<std::uint64_t>,
+                            std::vector<Row>> {
+  using variant::variant;
+};
+
+/// How a real number is printed: value * factor.  Whole numbers are printed with commas.
+struct Print {
+  int digits = 2;
+  char type =
+      'f';  ///< printf's f, e or g: digits after the point, the same of a power of ten, or all that count
+  double factor = 1;
+  const char* unit = "";   ///< of what is printed, where the factor makes it another
+  const char* none = "-";  ///< where there is no value
+};
+inline constexpr double per_cent = 100, millions = 1e-6;
+
+/// What the rows of a table are in JSON.
+enum class Form : std::uint8_t {
+  list,     ///< a list of objects
+  object,   ///< an object: the first column names its members
+  members,  ///< of the one row, members of the whole; printed as lines of heading and value
+  printed,  ///< nothing: the table is printed alone
+};
+
+/// How the rows of a table within are printed.
+enum class Within : std::uint8_t {
+  below,   ///< a line each
+  beside,  ///< side by side: each figure under the names of the rows
+};
+
+struct Column {
+  std::string key = {};      ///< in JSON; "a.b" is b of an object a; empty: printed alone
+  std::string heading = {};  ///< empty: written alone
+  std::string unit = {};     ///< of the value as it is written
+  Print print = {};
+  std::string group = {};            ///< columns of one group are printed together, below its name
+  bool leads = false;                ///< says what a row is about: begins each line of the table
+  std::vector<Column> columns = {};  ///< of a table within; its rows are the value
+  Within within = Within::below;
+  Form form = Form::list;  ///< of a table within
+};
+
+struct Table {
+  std::string key = {};      ///< in JSON
+  std::string caption = {};  ///< printed above
+  Form form = Form::list;
+  std::vector<Column> columns = {};
+  std::vector<Row> rows = {};
+  std::string note = {};  ///< printed below
+  bool beside = false;    ///< rows that differ in the last leading column alone are printed side by side
+};
+
+/// One column, and where a figure of type T has its value.
+template <class T>
+struct Field {
+  Column column;
+  std::function<Value(const T&)> of;
+};
+template <class T>
+using Fields = std::vector<Field<T>>;
+
+template <class T>
+std::vector<Column> columns_of(const Fields<T>& fields) {
+  std::vector<Column> columns;
+  for (const Field<T>& field : fields) columns.push_back(field.column);
+  return columns;
+}
+
+template <class T>
+std::vector<Row> rows_of(const Fields<T>& fields, const std::vector<T>& figures) {
+  std::vector<Row> rows;
+  for (const T& figure : figures) {
+    rows.emplace_back();
+    for (const Field<T>& field : fields) rows.back().push_back(field.of(figure));
+  }
+  return rows;
+}
+
+/// A table as `frame`, a row a figure.
+template <class T>
+Table table_of(Table frame, const Fields<T>& fields, const std::vector<T>& figures) {
+  frame.columns = columns_of(fields);
+  frame.rows = rows_of(fields, figures);
+  return frame;
+}
+
+/// A table within as `column`, of the figures that a T has.
+template <class T, class U>
+Field<T> within(Column column, const Fields<U>& fields, std::function<std::vector<U>(const T&)> figures) {
+  column.columns = columns_of(fields);
+  return {std::move(column), [fields, figures = std::move(figures)](const T& of) -> Value {
+            return rows_of(fields, figures(of));
+          }};
+}
+
+}  // namespace mmverify::bench

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/bench/tables.hpp"
+#include "cli/tool.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using bench::Column;
+using bench::Form;
+using bench::Row;
+using bench::Value;
+using Json = nlohmann::ordered_json;
+
+Json rows_json(Form form, const std::vector<Column>& columns, const std::vector<Row>& rows);
+
+struct CellJson {
+  const Column& column;
+
+  Json operator()(std::monostate) const { return nullptr; }
+  Json operator()(const std::vector<Row>& rows) const { return rows_json(column.form, column.columns, rows); }
+  template <class Plain>
+  Json operator()(const Plain& value) const {
+    return value;
+  }
+};
+
+/// The member of `object` that a key means: "a.b" is b of the object a.
+Json& member(Json& object, const std::string& key) {
+  const auto dot = key.find('.');
+  if (dot == std::string::npos) return object[key];
+  return member(object[key.substr(0, dot)], key.substr(dot + 1));
+}
+
+/// first: the column to begin with.
+Json row_json(const std::vector<Column>& columns, const Row& row, std::size_t first = 0) {
+  Json object = Json::object();
+  for (std::size_t k = first; k < columns.size(); ++k)
+    if (!columns[k].key.empty() && row[k].index() != 0)
+      member(object, columns[k].key) = std::visit(CellJson{columns[k]}, row[k]);
+  return object;
+}
+
+Json rows_json(Form form, const std::vector<Column>& columns, const std::vector<Row>& rows) {
+  Json all = form == Form::object ? Json::object() : Json::array();
+  for (const Row& row : rows)
+    if (form == Form::object)
+      all[std::get<std::string>(row.front())] = row_json(columns, row, 1);
+    else
+      all.push_back(row_json(columns, row));
+  return all;
+}
+
+}  // namespace
+
+std::string result_json(const bench::Result& result) {
+  Json settings = Json::object();
+  for (const auto& [name, value] : result.settings) settings[name] = std::visit(CellJson{{}}, value);
+  Json all{{"schema", "mmverify.bench/1"}, {"topic", result.topic}, {"tool", tool(settings)}};
+  for (const bench::Table& table : result.tables) {
+    if (table.form == Form::members)
+      all.update(row_json(table.columns, table.rows.front()));
+    else if (table.form != Form::printed)
+      all[table.key] = rows_json(table.form, table.columns, table.rows);
+  }
+  return all.dump(1) + "\n";
+}
+
+}  // namespace mmverify::cli
