@@ -123,7 +123,7 @@ std::uint32_t parse_index(const std::string& at, Level n) {
 
 Tally inverse(const IndexSubject& s, Level n, const Run& run) {
   const CornersFrom ask = [&](auto indices, auto corners) { s.functions.corners(n, indices, corners); };
-  return on_indices(n, run, ask, [&](auto indices, auto corners, Tally& tally) {
+  return on_each_index(n, run, ask, [&](auto indices, auto corners, Tally& tally) {
     std::array<GridPoint, indices_per_batch> points;
     std::array<std::optional<MicroTriangle>, indices_per_batch> triangles;
     std::array<std::uint32_t, indices_per_batch> back;

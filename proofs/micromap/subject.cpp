@@ -233,9 +233,6 @@ MicromapSubjectPtr subject(const char* name, const char* about, Functions functi
 }  // namespace
 
 const std::vector<MicromapSubjectPtr>& built_in_subjects() {
-  const auto subject = [](const char* name, const char* about, Functions functions) {
-    return std::make_shared<const MicromapSubject>(name, about, std::move(functions));
-  };
   static const std::vector<MicromapSubjectPtr> all{
       subject("micromap-spec", "the specification, state by state", specified()),
       subject("micromap", "impl/micromap: many states to a word", library()),
