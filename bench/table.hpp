@@ -62,8 +62,7 @@ struct Table {
   Form form = Form::list;
   std::vector<Column> columns = {};
   std::vector<Row> rows = {};
-  std::string note = {};  ///< printed below
-  bool beside = false;    ///< rows that differ in the last leading column alone are printed side by side
+  bool beside = false;  ///< rows that differ in the last leading column alone are printed side by side
 };
 
 /// One column, and where a figure of type T has its value.

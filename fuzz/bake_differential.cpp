@@ -17,6 +17,8 @@
 //
 // With PLANTED what is compared is spoiled: with mirror-once along u, a border above 0 and a level above 1
 // the last unknown is opaque.
+//
+// Covers: impl/bake/* impl/common/binary.hpp impl/common/wide.hpp
 #include <algorithm>
 #include <array>
 #include <bit>

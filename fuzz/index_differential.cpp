@@ -4,6 +4,8 @@
 // above stand for 16, as in impl).  Bytes after the last whole record are ignored.  Each record is judged
 // alone, scalar against specification; then all together go through the span functions at an odd length,
 // spans against scalar.
+//
+// Covers: impl/index/index.*
 #include <array>
 #include <bit>
 #include <cmath>

@@ -3,6 +3,8 @@
 //
 // Input: a byte, even: a Reader's numbers are the fields of an Input, and its bytes the buffers; odd: they
 // are maps and options to build, then the breach and where to plant it.  Bytes that are missing are zeros.
+//
+// Covers: impl/micromap/array.* impl/micromap/histogram.hpp impl/micromap/rules.hpp impl/micromap/validate.*
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

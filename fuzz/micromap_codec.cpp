@@ -3,6 +3,9 @@
 // Input: a byte, its low bit the format (0: 2-state), its second bit whether the number of states is 4^n; a
 // byte, n mod 7 or the number of states; then packed bytes, zeros where they end early.  Padding is as it
 // comes.
+//
+// Covers: impl/common/bits.hpp impl/micromap/micromap.* impl/micromap/level.* impl/micromap/reorder.*
+// Covers: impl/micromap/words.hpp
 #include <algorithm>
 #include <array>
 #include <cstddef>

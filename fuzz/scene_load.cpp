@@ -2,6 +2,9 @@
 // And writing it: what was read, with micromaps, reads as the same scene, and keeps the extension's rules.
 //
 // Input: scene_input.hpp.
+//
+// Covers: scene/scene.* scene/read/* scene/plan/plan.* scene/plan/texel_triangle.* scene/plan/uv_duplicates.*
+// Covers: scene/write/*
 #include <cmath>
 
 #include "fuzz/scene_input.hpp"

@@ -2,6 +2,8 @@
 // what it finds nothing wrong with, a reader can read that checks nothing.
 //
 // Input: scene_input.hpp.
+//
+// Covers: scene/validate/*
 #include <cstring>
 #include <nlohmann/json.hpp>
 

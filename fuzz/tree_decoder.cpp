@@ -4,6 +4,8 @@
 //   as a container, and as one whose checksum is put right first, so that what lies behind it is reached;
 //   as a stream: a byte of level (its remainder by 13), a byte whose lowest bit says four states and whose
 //   rest, times 4 and plus 1, is the number of nodes, then the tree's bytes, then the states'.
+//
+// Covers: impl/tree/bits.hpp impl/tree/container.* impl/tree/decode.hpp impl/tree/stream.*
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

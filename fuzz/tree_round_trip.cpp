@@ -4,6 +4,8 @@
 // lowest bit says four states and whose rest says how the map is drawn: bit 1, flat bytes as they are; else
 // runs, a byte each: its low bits the state, the rest an exponent of 2 for the length.  What is missing is
 // transparent.
+//
+// Covers: impl/tree/*
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

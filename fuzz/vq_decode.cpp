@@ -4,6 +4,8 @@
 // Input: a byte that chooses how, then the block: VQ4 where more than 32 bytes follow, else VQ2; what is
 // missing is 0.  The first byte: of VQ4 the encoder that encodes it again, by its remainder by 4: fast,
 // balanced, thorough, none; of VQ2 none where it is odd.
+//
+// Covers: impl/vq/*/decode.cpp impl/vq/*/layout.hpp impl/vq/hit.cpp impl/vq/transform.hpp
 #include <algorithm>
 #include <cstddef>
 

@@ -14,6 +14,9 @@
 //
 // With PLANTED the harness's encoders are broken on purpose: where BR is rotated by 270, the first
 // entry in use there has one C less.  A fuzzer that does not find that looks in the wrong place.
+//
+// Covers: impl/vq/*/encode.cpp impl/vq/*/paper.cpp impl/vq/*/search.* impl/vq/*/sets.* impl/vq/continuity.cpp
+// Covers: impl/vq/transform.hpp impl/vq/vq.hpp
 #include <algorithm>
 #include <cstddef>
 #include <vector>

@@ -51,7 +51,8 @@ Panel error_against_time(const std::vector<IndexFigures>& figures, std::uint64_t
     panel.series.push_back(series);
     fewest = std::min(fewest, f.hard.back().samples);
   }
-  panel.note = fmt::format("none: none found in {} points (rational: {})", samples, fewest);
+  panel.note = fmt::format("none found in {} points (rational: {})", fmt::group_digits(samples),
+                           fmt::group_digits(fewest));
   return panel;
 }
 

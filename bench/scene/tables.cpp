@@ -26,7 +26,7 @@ Result scene_bake_tables(const SceneBakeFigures& figures, const SceneBakeOptions
   return {.topic = "scene",
           .settings = {{"rounds", std::uint64_t{options.rounds}}},
           .about = figures.file +
-                   ", one thread.  fastest, centre sample: of the fastest round; others on a machine only "
+                   ", one thread. fastest, centre sample: of the fastest round; others on a machine only "
                    "slow one down",
           .tables = {table_of<F>({.form = Form::members}, scene, {figures}),
                      table_of<L>({.key = "rows"}, levels, figures.levels)}};

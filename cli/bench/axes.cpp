@@ -21,7 +21,7 @@ double power_of_ten(double x, bool up) {
 }
 
 /// Room left at either end, so that no mark lies on the frame.
-constexpr double log_room = 1.25, linear_room = 0.06;
+constexpr double log_room = 1.1, linear_room = 0.06;
 
 Scale scale_of(const Axis& axis, const std::vector<double>& values) {
   double least = std::numeric_limits<double>::infinity(), most = 0;

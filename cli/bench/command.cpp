@@ -3,11 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <optional>
 
-#include "bench/bake/bench.hpp"
 #include "bench/scene/tables.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/plot.hpp"
@@ -39,6 +37,7 @@ class Outputs {
     if (!json_.empty()) fmt::print(out, "\n");
     print_result(out, result);
     json_ += (json_.empty() ? "" : ",\n") + result_json(result);
+    if (picture_ && !result.drawn) throw UsageError("--plot: these figures are not drawn");
     if (picture_) script_ = plot_script(*result.drawn);
   }
 
@@ -101,8 +100,8 @@ bench::Result scene_result(const BenchOptions& options, const proofs::Levels& le
 
 /// How fast the triangles of a scene are baked.
 int run_scene_bench(const BenchOptions& options) {
-  const bench::BakeBenchOptions bake;
-  const proofs::Levels levels = levels_or(options, {bake.first, bake.last}, 12);
+  const bench::SceneBakeOptions otherwise;
+  const proofs::Levels levels = levels_or(options, {otherwise.first, otherwise.last}, 12);
   return run_table(options, [&] { return scene_result(options, levels); });
 }
 

@@ -16,7 +16,10 @@ struct PlacedLabel {
   bool away = false;      ///< a thin line leads to the mark
 };
 
-/// The labels of a panel, off its marks, one another and the boxes that are taken.
+/// The pixels that a label takes, of a font of 12.
+Box label_box(const std::string& text, double left, double middle);
+
+/// The labels of a panel, off its marks and lines, one another and the boxes that are taken.
 std::vector<PlacedLabel> place_labels(const bench::picture::Panel& panel, const Axes& axes,
                                       std::vector<Box> taken);
 

@@ -21,7 +21,7 @@ using bench::picture::Shape;
 
 // Pixels around the axes of each panel, and what a key takes.
 constexpr double left = 80, right = 30, top = 45, bottom = 55;
-constexpr double outer_key = 170, lower_key = 65, lower_note = 30;
+constexpr double outer_key = 220, lower_key = 65, lower_note = 30;
 constexpr char ink[] = "#444444";
 
 /// gnuplot's point types.
@@ -115,15 +115,20 @@ class PanelScript {
     return "";
   }
 
+  Box threshold_label(const bench::picture::Threshold& threshold) const {
+    return label_box(threshold.label, axes_.frame.left + 8, axes_.pixel_y(threshold.y) + 10);
+  }
+
   std::string thresholds() const {
     std::string text;
-    for (const auto& [y, label] : panel_.thresholds) {
-      const double height = axes_.pixel_y(y);
+    for (const auto& threshold : panel_.thresholds) {
+      const double height = axes_.pixel_y(threshold.y);
+      const Box box = threshold_label(threshold);
       text += fmt::format("set arrow from {} to {} nohead dt 2 lw 1 lc rgb '{}'\n",
                           screen(axes_.frame.left, height), screen(axes_.frame.right, height),
                           bench::picture::grey);
-      text += fmt::format("set label {} at {} left font ',11' tc rgb '{}'\n", quoted(label),
-                          screen(axes_.frame.left + 8, height + 10), bench::picture::grey);
+      text += fmt::format("set label {} at {} left font ',11' tc rgb '{}'\n", quoted(threshold.label),
+                          screen(box.left, (box.top + box.bottom) / 2), bench::picture::grey);
     }
     return text;
   }
@@ -134,13 +139,18 @@ class PanelScript {
                        screen(axes_.frame.right - 8, axes_.frame.bottom - 18), ink);
   }
 
+  /// A line across the panel, which labels keep off.
+  Box across(double y) const {
+    return {axes_.frame.left, axes_.frame.right, axes_.pixel_y(y) - 2, axes_.pixel_y(y) + 2};
+  }
+
   std::string labels() const {
-    const Box& f = axes_.frame;
     std::vector<Box> taken;
-    if (axes_.y.none > 0)
-      taken.push_back({f.left, f.right, axes_.pixel_y(axes_.y.none) - 2, axes_.pixel_y(axes_.y.none) + 2});
-    for (const auto& threshold : panel_.thresholds)
-      taken.push_back({f.left, f.right, axes_.pixel_y(threshold.y) - 2, axes_.pixel_y(threshold.y) + 2});
+    if (axes_.y.none > 0) taken.push_back(across(axes_.y.none));
+    for (const auto& threshold : panel_.thresholds) {
+      taken.push_back(across(threshold.y));
+      taken.push_back(threshold_label(threshold));
+    }
     std::string text;
     for (const PlacedLabel& label : place_labels(panel_, axes_, taken)) {
       const double middle = (label.box.top + label.box.bottom) / 2;
@@ -156,25 +166,29 @@ class PanelScript {
     return text;
   }
 
-  /// A point outside the axes stands for none: gnuplot keeps a series without points out of the key.
+  /// How a series is drawn: its mark's size says whether it is named, alone or on a line.
+  static std::string look(const Series& series) {
+    if (!series.marks) return fmt::format("lines lw 1 lc rgb '{}'", series.colour);
+    const bool named = !series.joined && !series.points.empty() && !series.points.front().label.empty();
+    return fmt::format("{} lw {} pt {} ps {} lc rgb '{}'", series.joined ? "linespoints" : "points",
+                       series.joined ? 1.2 : 1.5, point_type(series.shape),
+                       named           ? 1.2
+                       : series.joined ? 0.7
+                                       : 0.9,
+                       series.colour);
+  }
+
   std::string series() const {
     std::string data, plots;
-    for (const Series& one : panel_.series) {
-      const std::string block =
-          fmt::format("$series{}", plots.empty() ? 0 : std::count(data.begin(), data.end(), '$'));
-      data += block + " << EOD\n";
+    for (std::size_t k = 0; k < panel_.series.size(); ++k) {
+      const Series& one = panel_.series[k];
+      data += fmt::format("$series{} << EOD\n", k);
       for (const Point& point : one.points) data += fmt::format("{:.6g} {:.6g}\n", point.x, point.y);
+      // Without a point gnuplot would leave the series out of the key.
       if (one.points.empty()) data += fmt::format("{:.6g} NaN\n", axes_.x.least);
       data += "EOD\n";
-      const bool labelled = !one.points.empty() && !one.points.front().label.empty();
-      plots += fmt::format(
-          "{}{} using 1:2 with {}{} lc rgb '{}' {}", plots.empty() ? "" : ", ", block,
-          !one.marks   ? "lines lw 1"
-          : one.joined ? "linespoints lw 1.2"
-                       : "points lw 1.5",
-          one.marks ? fmt::format(" pt {} ps {}", point_type(one.shape), labelled && !one.joined ? 1.3 : 0.8)
-                    : "",
-          one.colour, one.name.empty() ? "notitle" : "title " + quoted(one.name));
+      plots += fmt::format("{}$series{} using 1:2 with {} {}", k == 0 ? "" : ", ", k, look(one),
+                           one.name.empty() ? "notitle" : "title " + quoted(one.name));
     }
     return data + "plot " + (plots.empty() ? "1/0 notitle" : plots) + "\nunset label\nunset arrow\n";
   }
