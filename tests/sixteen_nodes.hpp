@@ -131,19 +131,51 @@ struct Node {
 };
 constexpr std::size_t edges_of_node = 30;
 
+/// More than corners are ever off in binary64, so that what this alone does to a bound is seen; it is no test of lines,
+/// which are usable up to 2^-16.
+constexpr double coarse = 0x1.ep-17;
+
 /// Draws nodes: oblique ones, slivers, edges that are all but upright, all but flat, or flat, edges along the axes; most
 /// with a micro-vertex, or a point of a micro-edge, next to a whole number along one axis or both.
 class Nodes {
  public:
-  explicit Nodes(std::uint32_t seed) : random(seed) {}
+  /// off: what corners of some are off, if not 0 (coarse).
+  explicit Nodes(std::uint32_t seed, double off = 0) : random(seed), coarse_(off) {}
 
   /// extent: of a node in texels, about, at most 89.  scale: R.
   Node draw(double extent, double scale) {
+    exact_ = false;
+    return drawn(extent, scale);
+  }
+  /// One whose places are off by nothing, delta = 0: what is left of a bound is for roundings of stored numbers.
+  /// Domain: extent >= 1/4.
+  Node draw_exact(double extent, double scale) {
+    exact_ = true;
+    return drawn(extent, scale);
+  }
+  /// From `least` to `most`, each power of 2 as often.
+  double extent(double least, double most) { return least * std::exp2(unit() * std::log2(most / least)); }
+  /// A float in [0, 1).
+  double unit() { return static_cast<double>(random() >> 8) * 0x1p-24; }
+  double sign() { return random() % 2 == 0 ? -1 : 1; }
+  /// 0, or from a rounding of binary64 to some delta.
+  Unit tiny() {
+    const auto bits = random() % 4 == 0 ? random() % 31 : random() % 24;
+    return random() % 8 == 0 ? 0 : (random() % 2 == 0 ? -1 : 1) * static_cast<Unit>(random() % (2u << bits));
+  }
+
+  std::mt19937 random;
+
+ private:
+  double coarse_;
+  bool exact_ = false;
+
+  Node drawn(double extent, double scale) {
     while (true) {
       const auto [b, c] = sides(extent);
       const double across = spread(b.x, c.x), down = spread(b.y, c.y);
       if (across > 89 || down > 89) continue;
-      const double delta64 = random() % 4 == 0 ? 0x1p-31 : 0;
+      const double delta64 = exact_ || random() % 2 == 0 ? 0 : coarse_ != 0 ? coarse_ : 0x1p-31;
       const Lines lines = lines_of(b, c, delta64);
       if (!lines.usable) continue;
       // As Bilinear has them.
@@ -153,29 +185,19 @@ class Nodes {
       return placed(of_nodes[k], lines, k % 2 == 1, sixteen_size(std::max(across, down)), delta64, scale);
     }
   }
-  /// From `least` to `most`, each power of 2 as often.
-  double extent(double least, double most) { return least * std::exp2(unit() * std::log2(most / least)); }
-  /// A float in [0, 1).
-  double unit() { return static_cast<double>(random() >> 8) * 0x1p-24; }
-  double sign() { return random() % 2 == 0 ? -1 : 1; }
-  /// 0, or from a rounding of binary64 to some delta.
-  Unit tiny() {
-    const auto bits = random() % 24;
-    return random() % 8 == 0 ? 0 : (random() % 2 == 0 ? -1 : 1) * static_cast<Unit>(random() % (2u << bits));
-  }
-
-  std::mt19937 random;
-
- private:
   static PlanePoint minus(PlanePoint a, PlanePoint b) { return {a.x - b.x, a.y - b.y}; }
   static double spread(double b, double c) { return std::max({b, c, 0.0}) - std::min({b, c, 0.0}); }
-  static double on_grid(double x) { return std::round(x * 0x1p26) * 0x1p-26; }
+  double on_grid(double x) const {
+    return exact_ ? std::round(x * 0x1p14) * 0x1p-14 : std::round(x * 0x1p26) * 0x1p-26;
+  }
 
   std::array<PlanePoint, 2> sides(double e) {
     PlanePoint b{e * sign() * (0.3 + 0.7 * unit()), e * (2 * unit() - 1)},
         c{e * (2 * unit() - 1), e * (2 * unit() - 1)};
-    const auto kind = random() % 10;
-    if (kind == 3 || kind == 4) {  // a sliver
+    const auto kind = random() % 12;
+    if (kind == 4) b = {b.x, std::ldexp(b.y, -static_cast<int>(random() % 12))};
+    if (kind == 9) b = {std::ldexp(b.x, -static_cast<int>(random() % 20)), b.y};
+    if (kind == 3 || kind == 4 || kind == 9) {  // a sliver; one that all but lies, or stands
       const double part = 0.3 + 0.7 * unit(),
                    thin = sign() * std::ldexp(0.5 + unit(), -static_cast<int>(random() % 16));
       c = {part * b.x - thin * b.y, part * b.y + thin * b.x};
@@ -221,32 +243,45 @@ class Nodes {
                                                                            : t / 4),
                  j = double{sixteen_lanes.vertex_j[v]} + (direction == 0 ? 0 : t / 4);
     const PlanePoint aim{i * to[0].x + j * to[1].x, i * to[0].y + j * to[1].y};
-    const auto axis = [&](double of_aim, bool aims) {
+    // Next to a whole number by this much; often beyond a corner, or beside it, on the line of an edge.
+    const PlanePoint d = direction == 0 ? to[0] : direction == 1 ? to[1] : minus(to[1], to[0]);
+    const Unit off_y = tiny(),
+               along = std::fabs(d.x) < 0x1p11 * std::fabs(d.y)
+                           ? static_cast<Unit>(static_cast<double>(off_y) * d.x / d.y)
+                           : 0,
+               off_x = random() % 2 == 0 ? tiny() : along;
+    const auto axis = [&](double of_aim, bool aims, Unit off) {
       const double p = 100 + std::ldexp(static_cast<double>(random()), -26);
-      return aims ? std::round(p + of_aim) - of_aim + static_cast<double>(tiny()) * 0x1p-36 : p;
+      if (exact_) return std::round(p * 0x1p16) * 0x1p-16;
+      return aims ? std::round(p + of_aim) - of_aim + static_cast<double>(off) * 0x1p-36 : p;
     };
     const auto aims = random() % 8;  // along x, along y, along both as often as not
-    const PlanePoint p0{axis(aim.x, aims != 0 && aims != 1), axis(aim.y, aims != 0 && aims != 2)};
+    const PlanePoint p0{axis(aim.x, aims != 0 && aims != 1, off_x),
+                        axis(aim.y, aims != 0 && aims != 2, off_y)};
     const Triangle p{p0, {p0.x + to[0].x, p0.y + to[0].y}, {p0.x + to[1].x, p0.y + to[1].y}};
-    const SixteenWindow window(boxes(delta64).box(p));
-    Node node{SixteenShape(to[0], to[1], lines, turned, sixteen_margin(size, delta64)),
-              {},
-              size,
-              delta64,
-              window,
-              {},
-              {}};
-    node.shape.take_edges(to[0], to[1], node.delta(), sixteen_margin(size, delta64));
+    const double margin = sixteen_margin(size, delta64);
+    // Lines of exact nodes keep their margin.
+    Node node{.shape = SixteenShape(to[0], to[1], lines, turned, margin),
+              .size = exact_ ? 0 : size,
+              .delta64 = delta64,
+              .window = SixteenWindow(boxes(delta64).box(p)),
+              .corner = {},
+              .aimed = {}};
+    const SixteenWindow& window = node.window;
+    node.shape.take_edges(to[0], to[1], node.delta(), margin);
     take_bounds(node.shape, scale, HUGE_VAL, node.delta());
     node.in.columns = static_cast<std::int32_t>(window.width);
     node.in.rows = static_cast<std::int32_t>(window.height);
     node.in.p0 = window.local(p0);
     node.in.bit = static_cast<std::uint32_t>(random() % 32);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto off = [&] { return delta64 == 0 ? Unit{0} : 4 * (static_cast<Unit>(random() % 17) - 8); };
-      node.corner[k] = {units(p[k].x - static_cast<double>(window.left)) + off(),
-                        units(p[k].y - static_cast<double>(window.top)) + off()};
-    }
+    // All corners are off by as much as they can be, often to the same side.
+    const auto off = [&] { return random() % 2 == 0 ? -units(delta64) : units(delta64); };
+    const bool together = random() % 2 == 0;
+    const Point of_all{off(), off()};
+    for (std::size_t k = 0; k < 3; ++k)
+      node.corner[k] = Point{units(p[k].x - static_cast<double>(window.left)),
+                             units(p[k].y - static_cast<double>(window.top))} +
+                       (together ? of_all : Point{off(), off()});
     node.aimed = {units(p0.x + aim.x - static_cast<double>(window.left)),
                   units(p0.y + aim.y - static_cast<double>(window.top))};
     return node;
