@@ -97,7 +97,7 @@ std::uint32_t kept(const MetCells& met, int i, int j) {
 TEST(ImplBakeBounds, LinesLeaveOutNoCellThatIsMet) {
   Nodes nodes(23);
   std::uint64_t asked = 0, in_grid = 0;
-  for (int round = 0; round < (sanitized ? 30 : 12000); ++round) {
+  for (int round = 0; round < (sanitized ? 100 : 12000); ++round) {
     Node node = nodes.draw(round % 30 == 0 ? nodes.extent(20, 89) : nodes.extent(0x1p-6, 20), 255);
     node.in.shape = &node.shape;
     const auto micro = micros(node);
