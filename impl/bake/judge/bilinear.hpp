@@ -13,6 +13,7 @@
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/judge/filter.hpp"
 #include "impl/bake/judge/inner_box.hpp"
+#include "impl/bake/sixteen/bounds.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
 #include "impl/bake/texture/properties.hpp"
 #include "impl/common/bits.hpp"
@@ -41,12 +42,10 @@ class Bilinear {
           c{(base[2].x - base[0].x) * part, (base[2].y - base[0].y) * part};
       const double extent = std::max(std::max({b.x, c.x, 0.0}) - std::min({b.x, c.x, 0.0}),
                                      std::max({b.y, c.y, 0.0}) - std::min({b.y, c.y, 0.0}));
-      // One more for each side's rounding to whole texels.
-      const double more = 6;
-      if (height > 2 && extent + more > sixteen_window) return;
-      const bool is_shared = height == 2 && 2 * extent + more < most_shared;
+      if (height > 2 && sixteen_size(extent) > sixteen_window) return;
+      const bool is_shared = height == 2 && sixteen_size(2 * extent) < most_shared;
       if (is_shared) share_ = true;
-      const double size = (is_shared ? 2 * extent : extent) + more;
+      const double size = sixteen_size(is_shared ? 2 * extent : extent);
       const std::array<std::array<PlanePoint, 2>, 4> of_nodes{{{b, c},
                                                                {b, {b.x - c.x, b.y - c.y}},
                                                                {{{-b.x, -b.y}, {c.x - b.x, c.y - b.y}}},
@@ -54,7 +53,7 @@ class Bilinear {
       for (std::size_t k = 0; k < 4; ++k) {
         const auto& [to1, to2] = of_nodes[k];
         SixteenShape& of = shapes_[height][k];
-        of = {to1, to2, lines_, k % 2 == 1, margin_in(size)};
+        of = {to1, to2, lines_, k % 2 == 1, sixteen_margin(size, filter_.delta())};
         if (height == 2) judging(of, to1, to2, size);
       }
       largest_ = height;
@@ -67,7 +66,7 @@ class Bilinear {
                              std::uint32_t index) const noexcept {
     if (height > largest_) return {};
     SixteenInput in;
-    const Window w(filter_.box(p));
+    const SixteenWindow w(filter_.box(p));
     if (!placed(p, w, in)) return {};
     in.shape = &shape(height, turned, index);
     return detail::sixteen_nodes(in);
@@ -119,7 +118,7 @@ class Bilinear {
     if constexpr (std::is_same_v<Texel, float>) return false;
     if (!share_ || (wanted & (wanted - 1)) == 0) return false;
     SixteenInput in;
-    const Window w(filter_.box(p));
+    const SixteenWindow w(filter_.box(p));
     if (!placed(p, w, in)) return false;
     const std::array<Triangle, 4> of = children(p);
     std::array<SixteenNode, 4> nodes;
@@ -127,7 +126,7 @@ class Bilinear {
     std::size_t count = 0;
     for (std::uint32_t c = 0; c < 4; ++c)
       if ((wanted >> c & 1) != 0)
-        nodes[count++] = {&shape(2, turned != (c == 1), index + 16 * c), local(of[c][0], w)};
+        nodes[count++] = {&shape(2, turned != (c == 1), index + 16 * c), w.local(of[c][0])};
     detail::sixteen<Texel>(in, {nodes.data(), count}, marks.data());
     count = 0;
     for (std::uint32_t c = 0; c < 4; ++c)
@@ -173,43 +172,22 @@ class Bilinear {
            filter_.margin() == 0 && sides_.pitch() <= std::size_t{1} << 20;
   }
 
-  /// The window about a node, one more all round for what binary32 is off.
-  struct Window {
-    std::int64_t left, right, top, bottom, width, height, size;
-
-    explicit Window(const Box& box) noexcept
-        : left(box.left - 1),
-          right(box.right + 1),
-          top(box.top - 1),
-          bottom(box.bottom + 1),
-          width(right - left + 1),
-          height(bottom - top + 1),
-          size(std::max(width, height)) {}
-  };
-
-  /// What binary32 is off in windows of `size` texels a side or less, and what binary64 is; the margin of
-  /// lines.
-  double delta_in(double size) const noexcept { return filter_.delta() + 0x1p-20 * size; }
-  double margin_in(double size) const noexcept { return 0x1p-18 * size + 0x1p10 * filter_.delta(); }
   /// Of the node of this height at `index`.
   const SixteenShape& shape(std::uint32_t height, bool turned, std::uint32_t index) const noexcept {
     return shapes_[height][2 * reversed(index) + turned];
   }
   /// And what judges alpha there: a node at p0, p0 + b, p0 + c.
   void judging(SixteenShape& of, PlanePoint b, PlanePoint c, double size) const noexcept {
-    const double delta = delta_in(size);
-    of.take_edges(b, c, delta, margin_in(size));
+    const double delta = sixteen_delta(size, filter_.delta());
+    of.take_edges(b, c, delta, sixteen_margin(size, filter_.delta()));
     of.threshold = static_cast<float>(sides_.threshold);
     of.gap = static_cast<float>(sides_.gap);
     of.lean = static_cast<float>(lean_);
-    of.bound = static_cast<float>(sides_.scale * (2 * delta + 0x1p-19));
-    of.edge_bound = static_cast<float>(sides_.scale * (24 * delta + 0x1p-17));
-    of.beyond_bound = static_cast<float>(sides_.scale * (0x1p5 * delta + 0x1p-14));
-    of.clear = std::min(sides_.clear_below, sides_.clear_opaque) > 8 * delta * sides_.scale;
+    take_bounds(of, sides_.scale, std::min(sides_.clear_below, sides_.clear_opaque), delta);
   }
 
   /// Of a node in one picture: where it and its bits are.  False where it is too large, or lines say nothing.
-  bool placed(const Triangle& p, const Window& w, SixteenInput& in) const noexcept {
+  bool placed(const Triangle& p, const SixteenWindow& w, SixteenInput& in) const noexcept {
     if (w.size > sixteen_window || !lines_.usable) return false;
     const auto picture = sides_.in_one_picture(w.left, w.right, w.top, w.bottom);
     if (!picture) return false;
@@ -225,16 +203,11 @@ class Bilinear {
     in.bit = static_cast<std::uint32_t>(picture->left % 32);
     return true;
   }
-  static void place(const Triangle& p, const Window& w, SixteenInput& in) noexcept {
+  static void place(const Triangle& p, const SixteenWindow& w, SixteenInput& in) noexcept {
     in.columns = static_cast<std::int32_t>(w.width);
     in.rows = static_cast<std::int32_t>(w.height);
-    in.p0 = local(p[0], w);
+    in.p0 = w.local(p[0]);
   }
-  static std::array<float, 2> local(PlanePoint p, const Window& w) noexcept {
-    return {static_cast<float>(p.x - static_cast<double>(w.left)),
-            static_cast<float>(p.y - static_cast<double>(w.top))};
-  }
-
   /// Whether the edge p0 p1 of the node at `index` goes the other way than the base triangle's:
   /// each fourth child's does (children()).
   static std::size_t reversed(std::uint32_t index) noexcept {
@@ -252,7 +225,7 @@ class Bilinear {
   /// None where it is too large, or lines say nothing.
   std::optional<SixteenMarks> asked(const Triangle& p, bool turned, std::uint32_t index) const {
     SixteenInput in;
-    const Window w(filter_.box(p));
+    const SixteenWindow w(filter_.box(p));
     in.shape = &shape(2, turned, index);
     const auto marks = [&in] {
       const SixteenNode node{in.shape, in.p0};

@@ -41,7 +41,7 @@ using Ints = std::array<Int, parts>;
 #ifdef __has_feature
 #if __has_feature(address_sanitizer)
 #undef MMVERIFY_LARGE
-#define MMVERIFY_LARGE HWY_NOINLINE
+#define MMVERIFY_LARGE inline HWY_NOINLINE
 #endif
 #endif
 
