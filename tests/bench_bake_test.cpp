@@ -20,7 +20,8 @@ TEST(BenchBake, FiguresKeepTheirOrder) {
   EXPECT_GT(figures.compared, 40u);
   for (const BakeLevel& level : figures.levels) {
     const std::uint64_t states = 2u << 2 * level.level;
-    for (const Baker b : {Baker::centre, Baker::corners, Baker::sixteen, Baker::rasterised, Baker::ours}) {
+    for (const Baker b :
+         {Baker::centre, Baker::corners, Baker::sixteen_samples, Baker::rasterised, Baker::ours}) {
       EXPECT_EQ(level.of(b).micro_triangles, states);
       EXPECT_GT(level.of(b).ns, 0);
     }

@@ -76,7 +76,7 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
   std::uint64_t leaves = 0, exact = 0, mixed = 0, all = 0;
   constexpr std::pair<Baker, BakeInto> obvious[] = {{Baker::centre, bake_centre},
                                                     {Baker::corners, bake_corners},
-                                                    {Baker::sixteen, bake_sixteen},
+                                                    {Baker::sixteen_samples, bake_sixteen},
                                                     {Baker::rasterised, bake_rasterised}};
   const auto figure = [&](Baker b) -> BakeFigure& { return result.by[static_cast<std::size_t>(b)]; };
   for (const AlphaTexture& texture : textures) {

@@ -22,7 +22,7 @@ struct BakeBenchOptions {
 };
 
 /// In this order everywhere.
-enum class Baker : std::uint8_t { centre, corners, sixteen, rasterised, ours, rational };
+enum class Baker : std::uint8_t { centre, corners, sixteen_samples, rasterised, ours, rational };
 inline constexpr std::size_t bakers = 6;
 const char* to_string(Baker baker);
 

@@ -9,8 +9,9 @@ struct Look {
   Baker baker;
   const char* colour;
 };
-constexpr Look looks[] = {{Baker::centre, grey},     {Baker::corners, orange}, {Baker::sixteen, vermilion},
-                          {Baker::rasterised, blue}, {Baker::ours, green},     {Baker::rational, purple}};
+constexpr Look looks[] = {
+    {Baker::centre, grey},     {Baker::corners, orange}, {Baker::sixteen_samples, vermilion},
+    {Baker::rasterised, blue}, {Baker::ours, green},     {Baker::rational, purple}};
 
 Panel error_against_time(const BakeLevel& level) {
   Panel panel{

@@ -3,7 +3,7 @@
 namespace mmverify::bench {
 namespace {
 
-constexpr Baker all_bakers[] = {Baker::centre,     Baker::corners, Baker::sixteen,
+constexpr Baker all_bakers[] = {Baker::centre,     Baker::corners, Baker::sixteen_samples,
                                 Baker::rasterised, Baker::ours,    Baker::rational};
 
 const Print share{.digits = 3, .factor = per_cent, .unit = "%"};
