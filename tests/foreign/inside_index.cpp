@@ -1,28 +1,16 @@
-// Topic index: the curve, row order and their roundings by another hand, and what is wrong with each.
-#include <array>
-#include <memory>
-#include <set>
-#include <string>
-#include <vector>
+// Topic index: the curve and row order by another hand, in exact numbers, and what is wrong with each.
+#include "tests/foreign/inside_index.hpp"
 
-#include "tests/foreign/inside.hpp"
-#include "tests/foreign/inside_curve.hpp"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace mmverify::tests::foreign {
 namespace {
 
 using namespace proofs::index;
 using proofs::Levels;
-
-class Hand {
- public:
-  Hand(Fault fault, Arithmetic arithmetic, Level max_level)
-      : fault(fault), arithmetic(arithmetic), max_level(max_level) {}
-
-  const Fault fault;
-  const Arithmetic arithmetic;
-  const Level max_level;
-};
 
 /// Barycentrics to index in exact numbers, by Algorithm 4 or by Vulkan's formula.
 class Exact : public Hand {
@@ -173,132 +161,6 @@ class In32Bits : public Hand {
   }
 };
 
-/// Rounded arithmetic: each operation in `Carrier`, then rounded to the format.
-template <class Carrier>
-class Rounded : public Hand {
- public:
-  Rounded(Arithmetic arithmetic, bool formula, Fault fault)
-      : Hand(fault, arithmetic, arithmetic == Arithmetic::binary16 ? 15 : 16), formula_(formula) {}
-
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const {
-    for (std::size_t t = 0; t < out.size(); ++t)
-      out[t] = at(n, carried(batch.points[t].u.raw(), 30), carried(batch.points[t].v.raw(), 30));
-  }
-  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const {
-    for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, batch.u[t], batch.v[t]);
-  }
-  std::uint32_t index(Level n, const RationalPoint& p) const { return at(n, carried(p.u), carried(p.v)); }
-
- private:
-  static Carrier carried(std::int64_t raw, int bits) { return std::ldexp(static_cast<Carrier>(raw), -bits); }
-  static Carrier carried(const spec::Rational& q) {
-    return static_cast<Carrier>(q.numerator()) / static_cast<Carrier>(q.denominator());
-  }
-
-  /// To the nearest number of the format, ties to even.
-  Carrier rounded(Level n, Carrier x) const {
-    if (fault == Fault::computes_wider || (fault == Fault::wider_from_level_7 && n >= 7)) return x;
-    switch (arithmetic) {
-      case Arithmetic::binary16: {
-        int exponent = 0;
-        std::frexp(x, &exponent);
-        const int unit = std::max(exponent - 11, -24);
-        return std::ldexp(std::nearbyint(std::ldexp(x, -unit)), unit);
-      }
-      case Arithmetic::binary32:
-        return static_cast<Carrier>(static_cast<float>(x));
-      default:
-        return static_cast<Carrier>(static_cast<double>(x));
-    }
-  }
-
-  std::uint32_t at(Level n, Carrier u, Carrier v) const {
-    return formula_ ? formula(n, u, v) : steps(n, u, v);
-  }
-
-  std::uint32_t formula(Level n, Carrier u, Carrier v) const {
-    const auto r = [this, n](Carrier x) { return rounded(n, x); };
-    const auto N = static_cast<Carrier>(std::uint32_t{1} << n);
-    const Carrier un = r(u * N), vn = r(v * N);
-    const Carrier fu = r(un - std::floor(un)), fv = r(vn - std::floor(vn));
-    const bool upper = fault == Fault::compares_the_difference ? std::min(fu, fv) >= r(1 - std::max(fu, fv))
-                                                               : r(fu + fv) >= 1;
-    // The middle of the half square, whose index takes no rounding.
-    const std::int64_t part = upper ? 2 : 1, one = std::int64_t{3} << n;
-    return static_cast<std::uint32_t>(
-        vulkan(Bary<std::int64_t>{3 * static_cast<std::int64_t>(std::floor(un)) + part,
-                                  3 * static_cast<std::int64_t>(std::floor(vn)) + part, one},
-               n, Fault::none));
-  }
-
-  std::uint32_t steps(Level n, Carrier u, Carrier v) const {
-    const auto r = [this, n](Carrier x) { return rounded(n, x); };
-    Carrier w = r(r(1 - u) - v);
-    bool mid = false, top = false;
-    std::uint32_t index = 0;
-    for (Level depth = 0; depth < n; ++depth) {
-      const Carrier a = u, b = v, c = w;
-      if (c > Carrier(0.5)) {
-        index = 4 * index + (top ? 2 : 0);
-        u = r(2 * a), v = r(2 * b), w = r(r(c - a) - b);
-      } else if (b > Carrier(0.5) || (b == Carrier(0.5) && !mid)) {
-        index = 4 * index + 3;
-        u = r(2 * a), v = r(r(b - a) - c), w = r(2 * c);
-        top = !top;
-      } else if (a >= Carrier(0.5) && !(b == Carrier(0.5) && mid)) {
-        index = 4 * index + (top ? 0 : 2);
-        u = r(r(a - b) - c), v = r(2 * b), w = r(2 * c);
-      } else {
-        index = 4 * index + 1;
-        u = r(r(a + b) - c), v = r(r(c + a) - b), w = r(r(b + c) - a);
-        mid = !mid;
-      }
-    }
-    return index;
-  }
-
-  const bool formula_;
-};
-
-/// binary16 pairs, as binary32 numbers: Vulkan's formula with what may go wrong in it.
-class HalfPairs : public Hand {
- public:
-  explicit HalfPairs(Fault fault) : Hand(fault, Arithmetic::binary32, 16) {}
-  void index(Level n, Batch batch, std::span<std::uint32_t> out) const {
-    for (std::size_t t = 0; t < out.size(); ++t)
-      out[t] = at(n, static_cast<float>(batch.points[t].u.raw()) * 0x1p-30f,
-                  static_cast<float>(batch.points[t].v.raw()) * 0x1p-30f);
-  }
-  void index(Level n, FloatBatch batch, std::span<std::uint32_t> out) const {
-    for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, batch.u[t], batch.v[t]);
-  }
-  std::uint32_t index(Level n, const RationalPoint& p) const {
-    return at(
-        n, static_cast<float>(static_cast<double>(p.u.numerator()) / static_cast<double>(p.u.denominator())),
-        static_cast<float>(static_cast<double>(p.v.numerator()) / static_cast<double>(p.v.denominator())));
-  }
-
- private:
-  std::uint32_t at(Level n, float u, float v) const {
-    if (fault == Fault::subnormals_are_zero) {
-      u = u < 0x1p-14f ? 0 : u;
-      v = v < 0x1p-14f ? 0 : v;
-    }
-    const auto one = std::int64_t{1} << 24;
-    const auto N = std::int64_t{1} << n;
-    const std::int64_t su = static_cast<std::int64_t>(u * 0x1p24f) * N,
-                       sv = static_cast<std::int64_t>(v * 0x1p24f) * N;
-    const std::int64_t fu = su % one, fv = sv % one;
-    bool upper = fu + fv >= one;
-    // Above 1/2 binary16 has steps of 2^-11: a sum within half a step of 1 becomes 1.
-    if (fault == Fault::sum_in_binary16) upper = fu + fv >= one - (one >> 12);
-    const std::int64_t part = upper ? 2 : 1;
-    return static_cast<std::uint32_t>(
-        vulkan(Bary<std::int64_t>{3 * (su / one) + part, 3 * (sv / one) + part, 3 * N}, n,
-               fault == Fault::v_corner_is_first ? fault : Fault::none));
-  }
-};
-
 /// Figure 4: rows from the w-corner.
 class RowOrder : public Hand {
  public:
@@ -343,41 +205,6 @@ class RowOrder : public Hand {
   }
 };
 
-/// What the hand has.
-template <class Of>
-Functions functions_of(const Of& hand) {
-  Functions f;
-  f.arithmetic = hand.arithmetic;
-  f.max_level = hand.max_level;
-  std::span<std::uint32_t> to;
-  if constexpr (requires { hand.batch(); }) f.batch = hand.batch();
-  if constexpr (requires { hand.index(Level{}, Batch{}, to); })
-    f.index = [hand](Level n, Batch batch, auto out) { hand.index(n, batch, out); };
-  if constexpr (requires { hand.index(Level{}, FloatBatch{}, to); })
-    f.index_floats = [hand](Level n, FloatBatch batch, auto out) { hand.index(n, batch, out); };
-  if constexpr (requires { hand.index_rows(Level{}, Level{}, std::span<const Row>{}, to); })
-    f.index_rows = [hand](Level n, Level grid, auto rows, auto out) { hand.index_rows(n, grid, rows, out); };
-  if constexpr (requires(const RationalPoint& p) { hand.index(Level{}, p); })
-    f.index_at = [hand](Level n, const RationalPoint& p) { return hand.index(n, p); };
-  if constexpr (requires { hand.row_index(Level{}, Batch{}, to); })
-    f.row_index = [hand](Level n, Batch batch, auto out) { hand.row_index(n, batch, out); };
-  if constexpr (requires { hand.row_corners(Level{}, to, std::span<Corners>{}); })
-    f.row_corners = [hand](Level n, auto indices, auto out) { hand.row_corners(n, indices, out); };
-  if constexpr (requires { Of::max_wide_level; }) {
-    f.max_wide_level = Of::max_wide_level;
-    f.wide_index = [hand](Level n, const Row& row, auto out) { hand.wide_index(n, row, out); };
-    f.wide_index_at = [hand](Level n, const RationalPoint& p) { return hand.wide_index(n, p); };
-  }
-  return f;
-}
-
-template <class Of, class... Arguments>
-InsideFault fault(const char* law, const char* name, const char* wrong, Levels levels,
-                  Arguments... arguments) {
-  return {law, name, wrong,
-          std::make_shared<IndexSubject>(name, "by another hand", functions_of(Of(arguments...))), levels};
-}
-
 }  // namespace
 
 std::vector<InsideFault> inside_right_of_index() {
@@ -391,24 +218,18 @@ std::vector<InsideFault> inside_right_of_index() {
                      formula, none));
     add(fault<Exact>("index.sweep_is_spec", formula ? "formula" : "steps", "", {0, 9}, Reading::printed,
                      formula, none));
-    add(fault<Rounded<double>>("index.rounded_arithmetic_errs", formula ? "formula_16" : "steps_16", "",
-                               {1, 10}, Arithmetic::binary16, formula, none));
-    add(fault<Rounded<double>>("index.rounded_arithmetic_errs", formula ? "formula_32" : "steps_32", "",
-                               {1, 10}, Arithmetic::binary32, formula, none));
-    add(fault<Rounded<double>>("index.rounded_arithmetic_errs", formula ? "formula_64" : "steps_64", "",
-                               {1, 10}, Arithmetic::binary64, formula, none));
   }
   add(fault<Exact>("paper.step_equals_reference", "steps", "", {0, 9}, Reading::printed, false, none));
   add(fault<Exact>("paper.appendix_middle_differs", "middle", "", {0, 7}, Reading::middle, false, none));
   add(fault<Exact>("paper.appendix_ties_differ", "ties", "", {0, 7}, Reading::ties, false, none));
   add(fault<Exact>("paper.appendix_names_differ", "names", "", {0, 7}, Reading::names, false, none));
-  add(fault<HalfPairs>("index.exact_on_binary16", "formula", "", {10, 10}, none));
   add(fault<Wide>("index.wide_equals_reference", "formula", "", {0, 9}, none));
   add(fault<Wide>("index.wide_exact_on_floats", "formula", "", {28, 30}, none));
   add(fault<In32Bits>("index.vulkan_ends_at_16", "formula", "", {17, 17}, none));
   add(fault<RowOrder>("paper.w_minor_holds_point", "rows", "", {0, 9}, none));
   add(fault<RowOrder>("paper.w_minor_binary32_root_errs", "rows_below", "", {10, 10}, none));
   add(fault<RowOrder>("paper.w_minor_binary32_root_errs", "rows", "", {13, 13}, none));
+  for (InsideFault& f : right_rounding()) add(std::move(f));
   return all;
 }
 
@@ -470,26 +291,6 @@ std::vector<InsideFault> inside_faults_of_index() {
   formula(law, "second_row_has_firsts_line", "rows after the first lie half a line too high", {0, 10},
           Fault::second_row_has_firsts_line);
 
-  law = "index.rounded_arithmetic_errs";
-  const auto rounded = [&](const char* name, const char* wrong, Arithmetic a, bool by_formula, Fault f) {
-    add(fault<Rounded<long double>>(law, name, wrong, {1, 10}, a, by_formula, f));
-  };
-  rounded("formula_32_computes_wider", "it rounds nothing", Arithmetic::binary32, true,
-          Fault::computes_wider);
-  rounded("steps_64_computes_wider", "it rounds nothing", Arithmetic::binary64, false, Fault::computes_wider);
-  rounded("compares_the_difference", "it asks min >= 1 - max, which is exact", Arithmetic::binary32, true,
-          Fault::compares_the_difference);
-  rounded("wider_from_level_7", "from level 7 on it rounds nothing", Arithmetic::binary16, true,
-          Fault::wider_from_level_7);
-
-  law = "index.exact_on_binary16";
-  const auto pairs = [&](const char* name, const char* wrong, Fault f) {
-    add(fault<HalfPairs>(law, name, wrong, {10, 10}, f));
-  };
-  pairs("sum_in_binary16", "the sum of the fractions is rounded to binary16", Fault::sum_in_binary16);
-  pairs("subnormals_are_zero", "subnormal binary16 numbers count as zero", Fault::subnormals_are_zero);
-  pairs("v_corner_is_first", "the v-corner's triangle has index 0", Fault::v_corner_is_first);
-
   law = "index.wide_equals_reference";
   const auto wide = [&](const char* name, const char* wrong, Levels levels, Fault f) {
     add(fault<Wide>(law, name, wrong, levels, f));
@@ -536,6 +337,7 @@ std::vector<InsideFault> inside_faults_of_index() {
   rows("errs_one_index_later", "the first root that errs is one index later", {13, 13},
        Fault::errs_one_index_later);
   rows("one_column_off", "one index of level 10 has the next column", {10, 13}, Fault::one_column_off);
+  for (InsideFault& f : faults_of_rounding()) add(std::move(f));
   return all;
 }
 
