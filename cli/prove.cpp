@@ -31,7 +31,7 @@ struct ProveOptions {
   std::string tier = "fast", cells = "all", json, junit;
   unsigned threads = 0;
   std::size_t errors = 1;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1, cases = 0;
   double timeout = 10;
   bool quiet = false, no_mutants = false;
   std::string shard, journal;
@@ -85,13 +85,10 @@ int prove(const ProveOptions& options) {
 
   // With JSON on stdout, the lines for people go where the progress goes.
   TextReport text(options.json == "-" ? stderr : stdout, !options.laws.empty());
-  RunOptions run{options.threads,
-                 options.errors,
-                 options.seed,
-                 options.tier == "long" ? Tier::long_run : Tier::fast,
-                 options.cells == "interior" ? Options{&index::interiors_only} : Options{},
-                 !options.quiet,
-                 parse_shard(options.shard)};
+  RunOptions run{options.threads, options.errors,
+                 options.seed,    options.tier == "long" ? Tier::long_run : Tier::fast,
+                 options.cases,   options.cells == "interior" ? Options{&index::interiors_only} : Options{},
+                 !options.quiet,  parse_shard(options.shard)};
   const Identity identity = identity_of(jobs, run);
   const std::unique_ptr<Journal> journal = open_journal(options.journal, identity, run.shard);
   run.journal = journal.get();
@@ -130,6 +127,10 @@ Action add_prove(CLI::App& program) {
       ->check(CLI::IsMember({"all", "interior"}));
   command->add_option("--errors", options->errors, "counterexamples kept of each result")
       ->check(CLI::Range(1, 10000));
+  command
+      ->add_option("--cases", options->cases,
+                   "draw at least so many cases of each sampled law of bakers, over its four lowest levels")
+      ->check(CLI::Range(1, 10'000'000));
   command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
   command->add_option("--timeout", options->timeout, "seconds that a library may take for a batch of 4096")
       ->check(finite_within(0.01, 86400));

@@ -26,7 +26,8 @@ enum class Outcome : std::uint32_t {
 struct Description {
   char name[128];
   std::uint32_t max_level, flags;
-  std::array<bool, calls> has;  ///< by number of Call
+  std::array<bool, calls> has;           ///< by number of Call
+  mmverify_bake_support_t bake_support;  ///< zeros where it says nothing
 };
 
 struct Mailbox {

@@ -75,6 +75,46 @@ typedef struct mmverify_bake_case {
   float uv[6];  /* u and v of the three vertices; (0, 0) and (1, 1) are outer corners of the texture */
 } mmverify_bake_case_t;
 
+/* What a baker supports. Cases are drawn inside it, and states are judged by its rules. A field that is 0 says
+ * the most general thing; a subject built against a shorter header has zeros for the rest. Sets have bit
+ * 1 << VALUE for each value that is supported; 0 is all of them. */
+#define MMVERIFY_OPAQUE_FROM_CUTOFF 0u  /* MASK: opaque where alpha >= cutoff */
+#define MMVERIFY_OPAQUE_ABOVE_CUTOFF 1u /* MASK: opaque where alpha > cutoff */
+#define MMVERIFY_CLOSED_MICRO_TRIANGLES 0u
+#define MMVERIFY_OPEN_MICRO_TRIANGLES 1u /* what meets a micro-triangle in an area of 0 does not count */
+#define MMVERIFY_UNKNOWN_ANY 0u          /* nothing is said of which unknown it is */
+#define MMVERIFY_UNKNOWN_BY_CENTROID 1u  /* as the flag MMVERIFY_BAKE_CENTROID says it */
+#define MMVERIFY_UNKNOWN_BY_COVERAGE 2u  /* UO where most of the area is opaque; not judged */
+#define MMVERIFY_UNKNOWN_OPAQUE 3u       /* all are UO */
+#define MMVERIFY_UNKNOWN_TRANSPARENT 4u  /* all are UT */
+/* restrictions */
+#define MMVERIFY_BAKE_SAME_WRAPS 1u     /* wrap_u is wrap_v */
+#define MMVERIFY_BAKE_POWERS_OF_TWO 2u  /* width and height are */
+#define MMVERIFY_BAKE_NO_FACTORS 4u     /* both factors are 1 */
+#define MMVERIFY_BAKE_NO_MARGIN 8u      /* margin is 0 */
+#define MMVERIFY_BAKE_FLOAT_CUTOFFS 16u /* a cutoff is a number of binary32 in [0, 1] */
+typedef struct mmverify_bake_support {
+  uint32_t size;         /* sizeof(mmverify_bake_support) */
+  uint32_t max_level;    /* 0: 12 */
+  uint32_t formats;      /* set of MMVERIFY_2_STATE, MMVERIFY_4_STATE */
+  uint32_t texels;       /* set of MMVERIFY_UNORM8, ... */
+  uint32_t filters;      /* set of MMVERIFY_BILINEAR, ... */
+  uint32_t wraps;        /* set of MMVERIFY_REPEAT, ... */
+  uint32_t alpha_modes;  /* set of MMVERIFY_MASK, MMVERIFY_BLEND */
+  uint32_t max_side;     /* texels along a side; 0: 16384 */
+  uint32_t max_mips;     /* 0: all */
+  uint32_t restrictions; /* MMVERIFY_BAKE_SAME_WRAPS, ... */
+  float fixed_cutoff;    /* of MASK; 0: any. Then the case's cutoff is this number */
+  uint32_t opaque;       /* MMVERIFY_OPAQUE_... */
+  uint32_t contact;      /* MMVERIFY_CLOSED_... or MMVERIFY_OPEN_MICRO_TRIANGLES */
+  uint32_t unknown;      /* MMVERIFY_UNKNOWN_... */
+  float uv_min, uv_max;  /* of all texture coordinates; both 0: any */
+  /* Sampling in fixed point: bits of a bilinear weight, and of the fraction of a coordinate in texels, 1 to 23;
+   * 0: exact. A state may then be wrong where alpha is within (2^-a + 2^-b) R of the cutoff, where a and b are
+   * these (a term falls away with its 0) and R is the range of the stored texels, times the factors. */
+  uint32_t weight_bits, coordinate_bits;
+} mmverify_bake_support_t;
+
 /* What a subject is: its name, its limits, its entry points. */
 typedef struct mmverify_subject {
   uint32_t abi;       /* MMVERIFY_SUBJECT_ABI */
@@ -180,6 +220,9 @@ typedef struct mmverify_subject {
    *   - With the flag MMVERIFY_BAKE_CENTROID an unknown one is UO where alpha at its centroid, in mip 0, is
    *     >= cutoff (BLEND: >= 1/2), else UT.  A map in 2-state has O for O and UO, T for T and UT. */
   int (*bake)(const mmverify_bake_case_t* what, uint8_t* map);
+
+  /* What it supports; null: all, and what it does not it declines, case by case. */
+  const mmverify_bake_support_t* bake_support;
 
   /* Arrays will have their entry points after these. */
 } mmverify_subject_t;

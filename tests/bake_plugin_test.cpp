@@ -97,6 +97,61 @@ TEST(BakeSubject, what_it_declines_is_counted_and_never_proved) {
   EXPECT_THAT(all.out, HasSubstr("n/a        bake.conservative"));
 }
 
+// -----------------------------------------------------------------------------------------------------------------
+
+// Clamp, cutoffs of binary32 above which alpha is opaque, coordinates in [0, 1].
+TEST(DeclaredBaker, is_asked_inside_what_it_declares_alone) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome o = judge_bake("bake_declares_nothing", "bake --levels 0..2");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("proved     bake.conservative "));
+  EXPECT_THAT(o.out, HasSubstr("proved     bake.tight "));
+  EXPECT_THAT(o.out, HasSubstr("proved     bake.unknown_side "));
+  EXPECT_THAT(o.out, HasSubstr("checked    bake.order "));
+  EXPECT_THAT(o.out, HasSubstr("coordinates in [0, 1]"));
+  EXPECT_THAT(o.out, HasSubstr("it declares no margins"));
+  EXPECT_THAT(o.out, HasSubstr("it declares no BLEND"));
+  EXPECT_THAT(o.out, Not(HasSubstr("declined")));
+}
+
+TEST(DeclaredBaker, gets_as_many_cases_as_are_wanted) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome o = judge_bake("bake_declares_nothing", "bake.order --levels 0..3 --cases 2000");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("500 cases"));
+  EXPECT_THAT(o.out, Not(HasSubstr("declined")));
+}
+
+TEST(DeclaredBaker, that_says_nothing_and_declines_most_is_not_called_checked) {
+  const Outcome o = judge_bake("bake_declares_says_nothing", "bake.conservative --levels 0");
+  EXPECT_EQ(o.exit_code, 2) << o.out << "nothing was judged";
+  EXPECT_THAT(o.out, HasSubstr("n/a        bake.conservative"));
+  EXPECT_THAT(o.out, HasSubstr("of 63350 cases, more than half: let it declare what it supports"));
+}
+
+TEST(DeclaredBaker, is_held_to_its_own_rules) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  // What meets the cutoff is opaque to it, and it said that it is not.
+  const Outcome cutoff = judge_bake("bake_declares_meets_the_cutoff", "bake.conservative --levels 0");
+  expect_refuted_and_replayed(cutoff, "bake.conservative");
+  EXPECT_THAT(cutoff.out, HasSubstr("opaque=above"));
+  // A cutoff off by half of what weights of 8 bits may be off.
+  const Outcome slack =
+      judge_bake("bake_declares_cutoff_half_a_slack_off", "bake.conservative bake.tight --levels 0");
+  EXPECT_EQ(slack.exit_code, 0) << slack.out << slack.err;
+  EXPECT_THAT(slack.out, HasSubstr("weights of 8 bits"));
+  // Unknowns of one side, and one of them on the other.
+  EXPECT_EQ(judge_bake("bake_declares_all_unknowns_opaque", "bake.unknown_side --levels 0").exit_code, 0);
+  expect_refuted_and_replayed(
+      judge_bake("bake_declares_one_unknown_transparent", "bake.unknown_side --levels 1"),
+      "bake.unknown_side");
+}
+
+TEST(DeclaredBaker, of_what_cannot_be_is_not_loaded) {
+  expect_complaint(judge_bake("bake_declares_upside_down", "bake"), 4,
+                   "of its bake_support uv_min is not below uv_max");
+}
+
 TEST(BakeSubject, built_before_there_were_bakers_it_has_none) {
   expect_complaint(judge_bake("bake_old_header", "bake"), 4, "all its entry points are null");
 }

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
@@ -19,6 +20,38 @@ mmverify_subject_t as_of_today(const mmverify_subject_t& theirs) {
   const std::size_t size = std::min<std::size_t>(theirs.size, sizeof ours) / sizeof(void*) * sizeof(void*);
   std::memcpy(&ours, &theirs, size);
   return ours;
+}
+
+/// What it says that it supports, fields that its header did not have yet zero.
+mmverify_bake_support_t supported(const mmverify_bake_support_t* theirs) {
+  mmverify_bake_support_t ours{};
+  if (theirs == nullptr) return ours;
+  const std::size_t size = std::min<std::size_t>(theirs->size, sizeof ours) / sizeof(std::uint32_t);
+  std::memcpy(&ours, theirs, size * sizeof(std::uint32_t));
+  return ours;
+}
+
+/// What in it cannot be, or nothing.
+std::string contradiction(const mmverify_bake_support_t& s) {
+  const auto within = [](std::uint32_t set, std::uint32_t values) { return set >> values == 0; };
+  if (s.max_level > 12) return "max_level is above 12";
+  if ((s.formats & 1u) != 0 || !within(s.formats, 3)) return "formats is no set of formats";
+  if ((s.texels & 1u) != 0 || !within(s.texels, 4)) return "texels is no set of texel types";
+  if (!within(s.filters, 2)) return "filters is no set of filters";
+  if (!within(s.wraps, 5)) return "wraps is no set of addressing modes";
+  if (!within(s.alpha_modes, 2)) return "alpha_modes is no set of alpha modes";
+  if (s.max_side != 0 && (s.max_side < 4 || s.max_side > 16384)) return "max_side is not 4 to 16384";
+  if (!within(s.restrictions, 5)) return "restrictions has a bit that means nothing";
+  if (s.fixed_cutoff != 0 && !(s.fixed_cutoff >= 0x1p-8f && s.fixed_cutoff <= 1))
+    return "fixed_cutoff is not 1/256 to 1";
+  if (s.opaque > MMVERIFY_OPAQUE_ABOVE_CUTOFF || s.contact > MMVERIFY_OPEN_MICRO_TRIANGLES ||
+      s.unknown > MMVERIFY_UNKNOWN_TRANSPARENT)
+    return "opaque, contact or unknown is no such rule";
+  if (!(std::isfinite(s.uv_min) && std::isfinite(s.uv_max)) ||
+      ((s.uv_min != 0 || s.uv_max != 0) && !(s.uv_min < s.uv_max)))
+    return "uv_min is not below uv_max";
+  if (s.weight_bits > 23 || s.coordinate_bits > 23) return "weight_bits or coordinate_bits is above 23";
+  return {};
 }
 
 /// Bytes of the first version of mmverify_subject_t, which ended with row_corners.
@@ -49,6 +82,9 @@ std::string cannot_load(Description& description, const char* library, mmverify_
   description.max_level = subject.max_level;
   description.flags = subject.flags;
   description.has = given(subject);
+  description.bake_support = supported(subject.bake_support);
+  if (const std::string wrong = contradiction(description.bake_support); !wrong.empty())
+    return "of its bake_support " + wrong;
   if (std::count(description.has.begin(), description.has.end(), true) == 0)
     return "all its entry points are null";
   std::snprintf(description.name, sizeof description.name, "%s", subject.name == nullptr ? "" : subject.name);

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string_view>
 
+#include "proofs/bake/resize.hpp"
 #include "proofs/bake/strata.hpp"
 
 namespace mmverify::proofs::bake {
@@ -84,11 +86,10 @@ void read_texels(Case& one, std::string_view value) {
   const std::uint64_t count = texels_of(one.width, one.height, one.mips);
   if (functions[2].starts_with("drawn-")) {
     one.drawn = functions[2];
-    Case drawn = drawn_case(one.drawn);
-    if (drawn.texel != one.texel || drawn.width != one.width || drawn.height != one.height ||
-        drawn.mips != one.mips)
-      bad(value, "the draw has another size, another number of mips or other texels");
-    one.alpha = std::move(drawn.alpha);
+    const std::optional<Case> drawn =
+        resized(drawn_case(one.drawn), one.width, one.height, one.mips, one.texel);
+    if (!drawn) bad(value, "the draw has fewer columns, rows or mips");
+    one.alpha = drawn->alpha;
     return;
   }
   if (functions[2].size() != digits * count) bad(value, "the digits are not those of all texels of all mips");
@@ -137,6 +138,9 @@ std::string text_of(const Case& one) {
   if (one.vertex_factor != 1) text += fmt::format(",vertex={:a}", one.vertex_factor);
   text += one.blend ? std::string(",cutoff=blend")
                     : fmt::format(",cutoff={}/{}", one.cutoff.numerator, one.cutoff.denominator);
+  if (one.rules.above) text += ",opaque=above";
+  if (one.rules.contact == spec::bake::Contact::open) text += ",contact=open";
+  if (one.rules.slack != 0) text += fmt::format(",slack={:a}", one.rules.slack);
   if (one.margin != 0) text += fmt::format(",margin={:a}", one.margin);
   text += ",uv=";
   for (std::size_t k = 0; k < 6; ++k) text += fmt::format("{}{:a}", k == 0 ? "" : ":", one.uv[k]);
@@ -179,6 +183,16 @@ Case case_from(const std::string& text) {
   if (const auto value = take("vertex"); !value.empty()) one.vertex_factor = finite(value);
   if (one.factor < 0 || one.vertex_factor < 0) bad(text, "a factor below 0");
   read_cutoff(one, take("cutoff"));
+  if (const auto value = take("opaque"); !value.empty()) {
+    if (value != "above") bad(value, "write opaque=above where alpha at the cutoff is transparent");
+    one.rules.above = true;
+  }
+  if (const auto value = take("contact"); !value.empty()) {
+    if (value != "open") bad(value, "write contact=open where a contact of area 0 does not count");
+    one.rules.contact = spec::bake::Contact::open;
+  }
+  if (const auto value = take("slack"); !value.empty()) one.rules.slack = finite(value);
+  if (one.rules.slack < 0) bad(text, "a slack below 0");
   if (const auto value = take("margin"); !value.empty()) one.margin = finite(value);
   if (one.margin < 0) bad(text, "a margin below 0");
   const auto uv = split(take("uv"), ':');

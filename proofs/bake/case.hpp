@@ -19,7 +19,20 @@ enum class Texel : std::uint8_t { unorm8, unorm16, float32 };
 
 struct Cutoff {
   std::uint32_t numerator = 1, denominator = 2;
+  friend bool operator==(const Cutoff&, const Cutoff&) = default;
 };
+
+/// By what rules a state is right: by default those of sdk/mmverify_subject.h, and others where a subject declares
+/// them.
+struct Rules {
+  bool above = false;  ///< MASK: opaque where alpha is above the cutoff; else where it is at least that
+  spec::bake::Contact contact = spec::bake::Contact::closed;
+  float slack = 0;  ///< alpha as near as this to the cutoff may count as above or below it
+  friend bool operator==(const Rules&, const Rules&) = default;
+};
+
+/// Where a state is judged: at the cutoff, or at that less the slack, or plus it.
+enum class Threshold : std::uint8_t { lower, exact, upper };
 
 /// Texels by their bits, mip after mip, rows from the top; mip k is max(1, width >> k) x max(1, height >> k).
 struct Case {
@@ -34,7 +47,8 @@ struct Case {
   Cutoff cutoff = {};
   float margin = 0;           ///< in texels
   std::array<float, 6> uv{};  ///< of the three vertices
-  std::string drawn = {};     ///< the draw that all texels are those of (strata.hpp); empty: of none
+  Rules rules = {};
+  std::string drawn = {};  ///< the draw that all texels are those of (strata.hpp); empty: of none
 };
 
 /// Texels of all mips together.

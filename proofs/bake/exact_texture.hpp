@@ -63,10 +63,19 @@ auto with_textures(const Case& one, F f) {
 
 /// f(mode), MASK or BLEND.
 template <class Q, class F>
-auto with_mode(const Case& one, F f) {
-  return one.blend
-             ? f(spec::bake::Blend<Q>{})
-             : f(spec::bake::Mask<Q>{spec::bake::fraction<Q>(one.cutoff.numerator, one.cutoff.denominator)});
+auto with_mode(bool blend, const Cutoff& cutoff, const Rules& rules, Threshold threshold, F f) {
+  if (blend) return f(spec::bake::Blend<Q>{});
+  Q at = spec::bake::fraction<Q>(cutoff.numerator, cutoff.denominator);
+  if (rules.slack != 0 && threshold != Threshold::exact) {
+    const Q slack = spec::bake::number<Q>(spec::bake::Binary32{std::bit_cast<std::uint32_t>(rules.slack)});
+    at = threshold == Threshold::lower ? Q(at - slack) : Q(at + slack);
+  }
+  return rules.above ? f(spec::bake::MaskAbove<Q>{at}) : f(spec::bake::Mask<Q>{at});
+}
+
+template <class Q, class F>
+auto with_mode(const Case& one, F f, Threshold threshold = Threshold::exact) {
+  return with_mode<Q>(one.blend, one.cutoff, one.rules, threshold, f);
 }
 
 }  // namespace mmverify::proofs::bake

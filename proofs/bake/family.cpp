@@ -10,6 +10,7 @@
 
 #include "proofs/bake/exact_texture.hpp"
 #include "proofs/bake/narrow.hpp"
+#include "proofs/bake/resize.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
@@ -34,10 +35,10 @@ std::uint64_t power(std::uint64_t base, std::uint32_t exponent) {
 struct Part {
   std::int64_t i, j;
   bake::Polygon<Q> local;  ///< in the cell's coordinates; empty where filtering is nearest
-  mutable std::vector<std::atomic<Marks>> marks;
+  mutable std::vector<std::atomic<Marks>> marks;  ///< by threshold and values
 
   Part(std::int64_t column, std::int64_t row, bake::Polygon<Q> polygon, std::size_t kinds)
-      : i(column), j(row), local(std::move(polygon)), marks(kinds) {}
+      : i(column), j(row), local(std::move(polygon)), marks(3 * kinds) {}
 };
 
 struct Micro {
@@ -82,10 +83,12 @@ struct Enumerated::Geometry {
 
   static std::vector<Part> parts_of(const Family& f, const bake::Polygon<Q>& polygon) {
     std::vector<Part> parts;
-    const bool nearest = f.filter == Filter::nearest;
+    const bool nearest = f.filter == Filter::nearest,
+               open = f.rules.contact == bake::Contact::open && bake::has_area(polygon);
     const std::size_t kinds = power(f.alphabet.size(), nearest ? 1 : 4);
     bake::for_each_square(polygon, nearest ? Q(0) : bake::fraction<Q>(1, 2),
                           [&](std::int64_t i, std::int64_t j, bake::Polygon<Q> part) {
+                            if (open && !bake::has_area(part)) return;
                             for (auto& p : part)
                               p = {p.x - bake::Cell<Q>::along(i), p.y - bake::Cell<Q>::along(j)};
                             if (nearest) part.clear();
@@ -109,74 +112,98 @@ struct Enumerated::Geometry {
   }
 
   /// Domain: values of the cell's texels, in the order (0,0), (1,0), (0,1), (1,1); of nearest filtering one.
-  static Marks marks(const Family& f, const Part& part, const std::array<std::uint8_t, 4>& values) {
+  static Marks marks(const Family& f, const Part& part, const std::array<std::uint8_t, 4>& values,
+                     Threshold threshold) {
     const std::size_t base = f.alphabet.size();
-    const std::size_t key = f.filter == Filter::nearest
-                                ? values[0]
-                                : values[0] + base * (values[1] + base * (values[2] + base * values[3]));
+    const std::size_t of_values =
+        f.filter == Filter::nearest ? values[0]
+                                    : values[0] + base * (values[1] + base * (values[2] + base * values[3]));
+    const std::size_t key = of_values + part.marks.size() / 3 * static_cast<std::size_t>(threshold);
     Marks found = part.marks[key].load(std::memory_order_relaxed);
     if (found != 0) return found;
-    bake::Texture texels{2, 2};
-    for (const std::uint8_t value : values) texels.alpha.push_back(f.alphabet[value]);
-    const bake::Range<Q> range = f.filter == Filter::nearest
-                                     ? bake::Range<Q>(bake::texel<Q>(texels, 0, 0))
-                                     : bake::range(bake::Cell<Q>(texels, 0, 0), part.local);
-    const auto marked = [&](const auto& mode) {
-      return static_cast<Marks>(known | (mode.opaque(range.least) ? 0 : not_opaque) |
-                                (mode.transparent(range.greatest) ? 0 : not_transparent) |
+    Case four;
+    four.width = four.height = 2;
+    four.texel = f.texel;
+    four.alpha.clear();
+    for (const std::uint8_t value : values)
+      four.alpha.push_back(converted(Texel::unorm8, f.texel, f.alphabet[value]));
+    const auto range = with_textures(four, [&](const auto& mips) {
+      return f.filter == Filter::nearest ? bake::Range<Q>(bake::texel<Q>(mips.front(), 0, 0))
+                                         : bake::range(bake::Cell<Q>(mips.front(), 0, 0), part.local);
+    });
+    // Of a part without an area the closed micro-triangle is one, too.
+    const bool varies =
+        f.rules.contact == bake::Contact::open && range.least < range.greatest && bake::has_area(part.local);
+    found = with_mode<Q>(f.blend, f.cutoff, f.rules, threshold, [&](const auto& mode) {
+      const bool opaque = mode.opaque(range.least) || (varies && mode.opaque_above(range.least)),
+                 transparent =
+                     mode.transparent(range.greatest) || (varies && mode.transparent_below(range.greatest));
+      return static_cast<Marks>(known | (opaque ? 0 : not_opaque) | (transparent ? 0 : not_transparent) |
                                 (mode.rather_opaque(range.greatest) ? rather_opaque : 0));
-    };
-    found = f.blend ? marked(bake::Blend<Q>{})
-                    : marked(bake::Mask<Q>{bake::fraction<Q>(f.cutoff.numerator, f.cutoff.denominator)});
+    });
     part.marks[key].store(found, std::memory_order_relaxed);
     return found;
   }
 };
 
+std::vector<Spot> Family::all_spots() const {
+  if (!spots.empty()) return spots;
+  std::vector<Spot> all;
+  for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle)
+    for (const auto& [u, v] : wraps) all.push_back({u, v, triangle});
+  return all;
+}
+
 Enumerated::Enumerated(Family family)
     : family_(std::move(family)),
-      textures_(power(family_.alphabet.size(), family_.side * family_.side)),
+      spots_(family_.all_spots()),
+      textures_(power(family_.alphabet.size(), family_.varied() * family_.varied())),
       geometry_(std::make_unique<Geometry>(family_.triangles.size())),
-      kept_(std::make_unique<Kept>()) {}
+      kept_{std::make_unique<Kept>(), std::make_unique<Kept>(), std::make_unique<Kept>()} {}
 Enumerated::~Enumerated() = default;
 Enumerated::Enumerated(Enumerated&&) noexcept = default;
 
-std::uint64_t Enumerated::count() const {
-  return textures_ * family_.wraps.size() * family_.triangles.size();
-}
-
-Enumerated::Number Enumerated::parts(std::uint64_t k) const {
-  const std::uint64_t wraps = family_.wraps.size();
-  return {k % textures_, k / textures_ % wraps, k / textures_ / wraps};
-}
+std::uint64_t Enumerated::count() const { return textures_ * spots_.size(); }
 
 std::vector<std::uint8_t> Enumerated::values(std::uint64_t texture) const {
-  std::vector<std::uint8_t> places(family_.side * family_.side);
-  for (std::uint8_t& place : places) {
-    place = static_cast<std::uint8_t>(texture % family_.alphabet.size());
-    texture /= family_.alphabet.size();
-  }
+  const std::uint32_t side = family_.side, varied = family_.varied();
+  std::vector<std::uint8_t> places(side * side);
+  for (std::uint32_t j = 0; j < side; ++j)
+    for (std::uint32_t i = 0; i < side; ++i) {
+      std::uint8_t& place = places[i + side * j];
+      if (i >= varied || j >= varied) {
+        place = places[std::min(i, varied - 1) + side * std::min(j, varied - 1)];
+        continue;
+      }
+      place = static_cast<std::uint8_t>(texture % family_.alphabet.size());
+      texture /= family_.alphabet.size();
+    }
   return places;
 }
 
 Case Enumerated::at(std::uint64_t k) const {
-  const Number number = parts(k);
+  const Spot& spot = spots_.at(k / textures_);
   Case one;
   one.width = one.height = family_.side;
   one.alpha.clear();
-  for (const std::uint8_t place : values(number.texture)) one.alpha.push_back(family_.alphabet[place]);
+  for (const std::uint8_t place : values(k % textures_))
+    one.alpha.push_back(converted(Texel::unorm8, family_.texel, family_.alphabet[place]));
+  one.texel = family_.texel;
   one.filter = family_.filter;
-  std::tie(one.wrap_u, one.wrap_v) = family_.wraps[number.wrap];
-  one.border = family_.alphabet.front();
+  one.wrap_u = spot.u;
+  one.wrap_v = spot.v;
+  one.border = converted(Texel::unorm8, family_.texel, family_.alphabet.front());
   one.cutoff = family_.cutoff;
   one.blend = family_.blend;
-  one.uv = family_.triangles[number.triangle];
+  one.uv = family_.triangles[spot.triangle];
+  one.rules = family_.rules;
   return one;
 }
 
-std::vector<State> Enumerated::truth(Level n, std::uint64_t k) const {
-  Kept::OfLevel* const kept = kept_->of(n, count());
-  if (kept == nullptr) return found(n, k);
+std::vector<State> Enumerated::truth(Level n, std::uint64_t k, Threshold threshold) const {
+  if (family_.rules.slack == 0) threshold = Threshold::exact;
+  Kept::OfLevel* const kept = kept_[static_cast<std::size_t>(threshold)]->of(n, count());
+  if (kept == nullptr) return found(n, k, threshold);
   const std::size_t size = std::size_t{1} << 2 * n;
   std::uint8_t* const states = kept->states.data() + k * size;
   std::vector<State> truth(size);
@@ -185,7 +212,7 @@ std::vector<State> Enumerated::truth(Level n, std::uint64_t k) const {
                    [](std::uint8_t s) { return static_cast<State>(s); });
     return truth;
   }
-  truth = found(n, k);
+  truth = found(n, k, threshold);
   static std::mutex lock;
   const std::lock_guard hold(lock);
   if (kept->known[k].load(std::memory_order_relaxed)) return truth;
@@ -194,12 +221,11 @@ std::vector<State> Enumerated::truth(Level n, std::uint64_t k) const {
   return truth;
 }
 
-std::vector<State> Enumerated::found(Level n, std::uint64_t k) const {
-  const Number number = parts(k);
-  const auto [wrap_u, wrap_v] = family_.wraps[number.wrap];
-  const std::vector<std::uint8_t> places = values(number.texture);
-  const auto value_at = [&, u = wrap_u, v = wrap_v](std::int64_t i, std::int64_t j) -> std::uint8_t {
-    const auto x = bake::wrapped(u, i, family_.side), y = bake::wrapped(v, j, family_.side);
+std::vector<State> Enumerated::found(Level n, std::uint64_t k, Threshold threshold) const {
+  const Spot& spot = spots_.at(k / textures_);
+  const std::vector<std::uint8_t> places = values(k % textures_);
+  const auto value_at = [&](std::int64_t i, std::int64_t j) -> std::uint8_t {
+    const auto x = bake::wrapped(spot.u, i, family_.side), y = bake::wrapped(spot.v, j, family_.side);
     return x && y ? places[*x + family_.side * *y] : std::uint8_t{0};
   };
   const auto marks = [&](const Part& p) {
@@ -208,10 +234,11 @@ std::vector<State> Enumerated::found(Level n, std::uint64_t k) const {
         family_.filter == Filter::nearest
             ? std::array<std::uint8_t, 4>{value_at(p.i, p.j)}
             : std::array<std::uint8_t, 4>{value_at(p.i, p.j), value_at(p.i + 1, p.j), value_at(p.i, p.j + 1),
-                                          value_at(p.i + 1, p.j + 1)});
+                                          value_at(p.i + 1, p.j + 1)},
+        threshold);
   };
   std::vector<State> states;
-  for (const Micro& micro : geometry_->of(family_, number.triangle, n)) {
+  for (const Micro& micro : geometry_->of(family_, spot.triangle, n)) {
     Marks all = 0;
     for (const Part& part : micro.parts) {
       all = static_cast<Marks>(all | marks(part));
@@ -227,9 +254,11 @@ std::vector<State> Enumerated::found(Level n, std::uint64_t k) const {
 
 std::string Enumerated::domain() const {
   return fmt::format(
-      "all {} {}x{} textures over {}/255, {}, {}, {} pairs of addressing modes, {} UV triangles", textures_,
-      family_.side, family_.side, fmt::join(family_.alphabet, ", "),
-      family_.filter == Filter::nearest ? "nearest" : "bilinear",
+      "all {} {}x{} textures{} over {}/255, {}, {}, {} pairs of addressing modes, {} UV triangles", textures_,
+      family_.side, family_.side,
+      family_.block == 0 ? std::string()
+                         : fmt::format(" that vary in {}x{} texels", family_.block, family_.block),
+      fmt::join(family_.alphabet, ", "), family_.filter == Filter::nearest ? "nearest" : "bilinear",
       family_.blend ? std::string("BLEND")
                     : fmt::format("cutoff {}/{}", family_.cutoff.numerator, family_.cutoff.denominator),
       family_.wraps.size(), family_.triangles.size());
@@ -258,9 +287,9 @@ Case Families::at(std::uint64_t k) const {
   return family->at(number);
 }
 
-std::vector<State> Families::truth(Level n, std::uint64_t k) const {
+std::vector<State> Families::truth(Level n, std::uint64_t k, Threshold threshold) const {
   const auto [family, number] = find(k);
-  return family->truth(n, number);
+  return family->truth(n, number, threshold);
 }
 
 std::string Families::domain() const {

@@ -1,5 +1,7 @@
 #include "proofs/bake/law_parts.hpp"
 
+#include <algorithm>
+
 #include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::bake {
@@ -11,27 +13,45 @@ const BakeSubject& of_bake(const Subject& s) { return dynamic_cast<const BakeSub
 
 }  // namespace
 
-Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw,
-             const std::function<std::optional<std::string>(const BakeSubject&)>& lacks) {
+Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw, const Lacks& lacks) {
   law.topic = "bake";
   if (law.long_run == Levels{}) law.long_run = law.fast;
   law.unfit = [lacks](const Subject& s, Level n) -> std::optional<std::string> {
     const auto* subject = dynamic_cast<const BakeSubject*>(&s);
     if (subject == nullptr) return "not a subject of topic bake";
     if (n > highest_level) return fmt::format("bakers go up to level {}", highest_level);
-    return lacks ? lacks(*subject) : std::nullopt;
+    const Support& support = subject->functions.support;
+    if (n > support.max_level) return fmt::format("it declares levels up to {}", support.max_level);
+    if (!support.four_state) return "it declares no maps in 4-state";
+    return lacks ? lacks(*subject, n) : std::nullopt;
   };
-  NumberedCases by_number{
-      cases.count,
-      [cases, check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-        return check(of_bake(s), cases.number(n, k, run.seed), n, k);
-      },
-      [cases](Level n, std::uint64_t k, const Run& run) { return text_of(cases.number(n, k, run.seed)); },
-      [check](const Subject& s, Level n, const std::string& at) {
-        return check(of_bake(s), case_from(at), n, std::nullopt);
-      },
-      cases.chunk,
-      Kind::interior};
+  law.domain = [domain = law.domain](const Subject& s, Level n) {
+    const auto* subject = dynamic_cast<const BakeSubject*>(&s);
+    std::string text = domain(s, n);
+    if (subject != nullptr && !subject->functions.support.whole())
+      text += "; within what it declares: " + subject->functions.support.text();
+    return text;
+  };
+  const auto count = [cases, sampled = law.method == Method::sample, first = law.fast.first](Level n,
+                                                                                             const Run& run) {
+    constexpr Level lowest = 4;  // among so many levels the cases asked for are spread
+    const std::uint64_t of_tier = cases.count(n, run);
+    const bool more = sampled && run.cases != 0 && n >= first && n < first + lowest;
+    return more ? std::max(of_tier, (run.cases + lowest - 1) / lowest) : of_tier;
+  };
+  NumberedCases by_number{count,
+                          [cases, check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+                            return check(of_bake(s),
+                                         cases.number(of_bake(s).functions.support, n, k, run.seed), n, k);
+                          },
+                          [cases](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+                            return text_of(cases.number(of_bake(s).functions.support, n, k, run.seed));
+                          },
+                          [check](const Subject& s, Level n, const std::string& at) {
+                            return check(of_bake(s), case_from(at), n, std::nullopt);
+                          },
+                          cases.chunk,
+                          Kind::interior};
   if (draw)
     by_number.draw = [draw](const Subject& s, Level n, const std::string& at) {
       return draw(of_bake(s), case_from(at), n);

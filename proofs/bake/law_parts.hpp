@@ -22,11 +22,11 @@ using proofs::wrong;
 /// The subject does not support the case.
 inline Finding unsupported() { return {.declined = true}; }
 
-/// What a law ranges over.  `number` gives case k of the level; a family knows its case's number, and its
-/// check may ask for the truth by it.
+/// What a law ranges over.  `number` gives case k of the level, for one subject what that declares; a family knows
+/// its case's number, and its check may ask for the truth by it.
 struct Cases {
   std::function<std::uint64_t(Level, const Run&)> count;
-  std::function<Case(Level, std::uint64_t k, std::uint64_t seed)> number;
+  std::function<Case(const Support&, Level, std::uint64_t k, std::uint64_t seed)> number;
   std::uint64_t chunk = 16;
 };
 
@@ -36,9 +36,10 @@ using Check = std::function<Finding(const BakeSubject&, const Case&, Level,
 /// Draws it.
 using Draw = std::function<std::string(const BakeSubject&, const Case&, Level)>;
 
-/// The law, case by case.  Its levels are those of `fast`, unless `long_run` is said.  `lacks`: why a subject
-/// does not fit, if so.
-Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw = {},
-             const std::function<std::optional<std::string>(const BakeSubject&)>& lacks = {});
+/// Why a law does not fit a subject, if so.
+using Lacks = std::function<std::optional<std::string>(const BakeSubject&, Level)>;
+
+/// The law, case by case.  Its levels are those of `fast`, unless `long_run` is said.
+Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw = {}, const Lacks& lacks = {});
 
 }  // namespace mmverify::proofs::bake

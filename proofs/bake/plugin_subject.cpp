@@ -1,6 +1,7 @@
 #include "proofs/bake/plugin_subject.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "dock/codec.hpp"
@@ -60,6 +61,47 @@ std::vector<std::uint8_t> blob_of(const Case& one, Level n, Format format) {
   return blob;
 }
 
+/// What the header's numbers say, zeros that all is supported.
+Support supported(const mmverify_bake_support_t& says) {
+  Support s;
+  // Texels and alpha modes by the values that the header gives them.
+  const auto set = [](std::uint32_t bits, unsigned first) { return bits == 0 ? Set() : Set(bits >> first); };
+  const auto in = [](std::uint32_t bits, std::uint32_t value) {
+    return bits == 0 || (bits >> value & 1) != 0;
+  };
+  const auto restricted = [&](std::uint32_t flag) { return (says.restrictions & flag) != 0; };
+  if (says.max_level != 0) s.max_level = says.max_level;
+  s.two_state = in(says.formats, MMVERIFY_2_STATE);
+  s.four_state = in(says.formats, MMVERIFY_4_STATE);
+  s.texels = set(says.texels, MMVERIFY_UNORM8);
+  s.filters = set(says.filters, 0);
+  s.wraps = set(says.wraps, 0);
+  s.mask = in(says.alpha_modes, MMVERIFY_MASK);
+  s.blend = in(says.alpha_modes, MMVERIFY_BLEND);
+  if (says.max_side != 0) s.max_side = says.max_side;
+  if (says.max_mips != 0) s.max_mips = says.max_mips;
+  s.same_wraps = restricted(MMVERIFY_BAKE_SAME_WRAPS);
+  s.powers_of_two = restricted(MMVERIFY_BAKE_POWERS_OF_TWO);
+  s.factors = !restricted(MMVERIFY_BAKE_NO_FACTORS);
+  s.margins = !restricted(MMVERIFY_BAKE_NO_MARGIN);
+  s.float_cutoffs = restricted(MMVERIFY_BAKE_FLOAT_CUTOFFS);
+  if (says.fixed_cutoff != 0) {
+    constexpr std::uint32_t over = 1u << 31;
+    s.fixed_cutoff =
+        float_cutoff({static_cast<std::uint32_t>(std::ldexp(double{says.fixed_cutoff}, 31)), over});
+  }
+  s.uv_min = says.uv_min;
+  s.uv_max = says.uv_max;
+  s.above = says.opaque == MMVERIFY_OPAQUE_ABOVE_CUTOFF;
+  if (says.contact == MMVERIFY_OPEN_MICRO_TRIANGLES) s.contact = spec::bake::Contact::open;
+  s.unknown = static_cast<UnknownSide>(says.unknown);
+  s.weight_bits = says.weight_bits;
+  s.coordinate_bits = says.coordinate_bits;
+  return s;
+}
+static_assert(MMVERIFY_UNKNOWN_TRANSPARENT == static_cast<int>(UnknownSide::transparent) &&
+              MMVERIFY_UNKNOWN_BY_COVERAGE == static_cast<int>(UnknownSide::coverage));
+
 }  // namespace
 
 BakeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library) {
@@ -81,7 +123,9 @@ BakeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library
       baked.padded = baked.padded && state(k) == 0;
     return baked;
   };
-  functions.centroid = (library->description().flags & MMVERIFY_BAKE_CENTROID) != 0;
+  functions.support = supported(library->description().bake_support);
+  functions.centroid = (library->description().flags & MMVERIFY_BAKE_CENTROID) != 0 ||
+                       functions.support.unknown == UnknownSide::centroid;
   return std::make_shared<BakeSubject>(name, library->about(), std::move(functions), library->fingerprint());
 }
 

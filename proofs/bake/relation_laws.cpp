@@ -19,11 +19,16 @@ using spec::micromap::as_unknown;
 using spec::micromap::force2;
 using spec::micromap::unknown;
 
+/// Whether two unknown states may differ: which unknown it is, only those promise who go by the centroid.
+bool may_differ(const BakeSubject& s, State a, State b) {
+  return !s.functions.centroid && unknown(a) && unknown(b);
+}
+
 /// The first micro-triangle whose state is another, if there is one.
-std::optional<Finding> differ(const char* of, const std::vector<State>& expected,
+std::optional<Finding> differ(const BakeSubject& s, const char* of, const std::vector<State>& expected,
                               const std::vector<State>& got) {
   for (std::size_t k = 0; k < expected.size(); ++k)
-    if (got.at(k) != expected[k])
+    if (got.at(k) != expected[k] && !may_differ(s, got[k], expected[k]))
       return wrong(fmt::format("{} micro-triangle {} {}", of, k, name_of(expected[k])), name_of(got[k]));
   return std::nullopt;
 }
@@ -67,8 +72,12 @@ Case any_sample(std::uint64_t seed, Level n, std::uint64_t k) {
                           : large_sample(seed, k - k / every(n));
 }
 
+std::optional<std::string> missing(bool there, std::string why) {
+  return there ? std::nullopt : std::optional(std::move(why));
+}
+
 Law relation(Law law, Case (*number)(std::uint64_t seed, Level n, std::uint64_t k),
-             Finding (*holds)(const BakeSubject&, const Case&, Level),
+             Finding (*holds)(const BakeSubject&, const Case&, Level), const Lacks& lacks = {},
              std::uint64_t (*count)(Level, Tier) = count_of) {
   law.method = Method::sample;
   law.fast = {0, 8};
@@ -81,7 +90,9 @@ Law relation(Law law, Case (*number)(std::uint64_t seed, Level n, std::uint64_t 
     };
   Cases cases;
   cases.count = [count](Level n, const Run& run) { return count(n, run.tier); };
-  cases.number = [number](Level n, std::uint64_t k, std::uint64_t seed) { return number(seed, n, k); };
+  cases.number = [number](const Support& support, Level n, std::uint64_t k, std::uint64_t seed) {
+    return fitted(support, number(seed, n, k), k);
+  };
   cases.chunk = 4;
   return on_cases(
       std::move(law), cases,
@@ -93,7 +104,8 @@ Law relation(Law law, Case (*number)(std::uint64_t seed, Level n, std::uint64_t 
         } catch (const Unpadded&) {
           return wrong("zeros after the last state", "others");
         }
-      });
+      },
+      {}, lacks);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -129,9 +141,10 @@ Finding keeps_shifts(const BakeSubject& s, const Case& one, Level n) {
   const std::vector<State> map = map_of(s, one, n);
   for (const auto& [x, y] : {std::pair{u, 0.0f}, {0.0f, -v}, {-3 * u, 5 * v}, {40 * u, -70 * v}}) {
     const Case other = shifted(one, x, y);
-    if (!same_coordinates(shifted(other, -x, -y), one)) continue;  // rounded, and so another triangle
+    if (!same_coordinates(shifted(other, -x, -y), one)) continue;        // rounded, and so another triangle
+    if (fitted(s.functions.support, other, 0).uv != other.uv) continue;  // outside what it declares
     if (const auto wrong =
-            differ(fmt::format("shifted by {:g}, {:g}:", x, y).c_str(), map, map_of(s, other, n)))
+            differ(s, fmt::format("shifted by {:g}, {:g}:", x, y).c_str(), map, map_of(s, other, n)))
       return *wrong;
   }
   return {hash_of(map)};
@@ -192,7 +205,7 @@ Finding keeps_orders(const BakeSubject& s, const Case& one, Level n) {
     std::vector<State> expected(map.size());
     for (std::size_t k = 0; k < map.size(); ++k) expected[k] = map[place[k]];
     const auto& o = orders[order];
-    if (const auto wrong = differ(fmt::format("vertices {}, {}, {}:", o[0], o[1], o[2]).c_str(), expected,
+    if (const auto wrong = differ(s, fmt::format("vertices {}, {}, {}:", o[0], o[1], o[2]).c_str(), expected,
                                   map_of(s, other, n)))
       return *wrong;
   }
@@ -207,7 +220,7 @@ Finding keeps_formats(const BakeSubject& s, const Case& one, Level n) {
   std::vector<State> forced = map_of(s, one, n);
   for (State& state : forced) state = force2(state);
   const std::vector<State> two = map_of(s, one, n, Format::two_state);
-  if (const auto wrong = differ("2-state", forced, two)) return *wrong;
+  if (const auto wrong = differ(s, "2-state", forced, two)) return *wrong;
   return {hash_of(two)};
 }
 
@@ -234,7 +247,7 @@ Finding keeps_cutoffs(const BakeSubject& s, const Case& one, Level n) {
   for (const Cutoff& cutoff : rising) {
     Case other = one;
     other.blend = false;
-    other.cutoff = cutoff;
+    other.cutoff = s.functions.support.float_cutoffs ? float_cutoff(cutoff) : cutoff;
     std::vector<State> map = map_of(s, other, n);
     for (std::size_t k = 0; k < before.size(); ++k) {
       const std::string what =
@@ -305,8 +318,7 @@ Finding keeps_mips(const BakeSubject& s, const Case& one, Level n) {
       if (!unknown(all[k]) && all[k] != other[k]) all[k] = as_unknown(all[k]);
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
-    // Which unknown it is, only those promise who go by the centroid.
-    if (all[k] == map[k] || (!s.functions.centroid && unknown(all[k]) && unknown(map[k]))) continue;
+    if (all[k] == map[k] || may_differ(s, all[k], map[k])) continue;
     return wrong(fmt::format("micro-triangle {} {}", k, name_of(all[k])), name_of(map[k]));
   }
   return {hash_of(map)};
@@ -354,18 +366,38 @@ Law mips_law() {
                    asked_for_another("the last mip is left out", {5, 8}, without_last_mip),
                    spoiled("every unknown is settled with three mips or more, from level 6 on", "bake",
                            {6, 8}, claims_three_mips)}},
-      sample_with_mips, keeps_mips, count_with_mips);
+      sample_with_mips, keeps_mips,
+      [](const BakeSubject& s, Level) {
+        return missing(s.functions.support.max_mips > 1, "it declares one mip alone");
+      },
+      count_with_mips);
   law.long_run = {0, highest_rows};
   return law;
 }
 
+std::optional<std::string> has_no_repeats(const BakeSubject& s, Level) {
+  const Support& support = s.functions.support;
+  if (support.bounded() && support.uv_max - support.uv_min < 2)
+    return "it declares coordinates in less than two repeats";
+  return missing(support.wraps.has(Wrap::repeat) || support.wraps.has(Wrap::mirrored_repeat),
+                 "it declares no addressing that repeats");
+}
+std::optional<std::string> has_one_format(const BakeSubject& s, Level) {
+  return missing(s.functions.support.two_state, "it declares no maps in 2-state");
+}
+std::optional<std::string> has_one_cutoff(const BakeSubject& s, Level) {
+  const Support& support = s.functions.support;
+  if (!support.mask) return "it declares no MASK";
+  return missing(!support.fixed_cutoff, "it declares one cutoff alone");
+}
+std::optional<std::string> has_no_margins(const BakeSubject& s, Level) {
+  return missing(s.functions.support.margins, "it declares no margins");
+}
 /// Bakers go up to level 12, so that 11 is the last one that has children.
-Law with_children(Law law) {
-  law.unfit = [unfit = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
-    if (n > 11) return "bakers go up to level 12, and so do the children of level 11";
-    return unfit(s, n);
-  };
-  return law;
+std::optional<std::string> has_no_children(const BakeSubject& s, Level n) {
+  return missing(n < s.functions.support.max_level,
+                 fmt::format("levels go up to {}, and so do the children of {}",
+                             s.functions.support.max_level, s.functions.support.max_level - 1));
 }
 
 }  // namespace
@@ -403,7 +435,7 @@ std::vector<Law> relation_laws() {
            .mutants = {changed("an unknown beyond 30 repeats", {4, 4}, far, State::UO, State::O),
                        changed("an unknown left of 4 mirrored ones", {3, 3}, left, State::UT, State::T),
                        changed("a transparent one 30 above", {5, 5}, above, State::T, State::UT)}},
-          periodic_sample, keeps_shifts),
+          periodic_sample, keeps_shifts, has_no_repeats),
       relation(
           {.id = "bake.order",
            .topic = "bake",
@@ -436,17 +468,16 @@ std::vector<Law> relation_laws() {
                                   return baked;
                                 };
                               })}},
-          any_sample, keeps_formats),
-      with_children(relation(
-          {.id = "bake.nested",
-           .topic = "bake",
-           .says = "a micro-triangle is O, or T, exactly where its four children are",
-           .source = "a closed micro-triangle is the union of its children; spec/bake/state.hpp",
-           .subjects = {"bake"},
-           .mutants = {changed("an unknown of level 4, odd textures", {4, 4}, odd, State::UO, State::O),
-                       changed("a transparent one of tall textures", {3, 3}, tall, State::T, State::UT),
-                       changed("an opaque one", {5, 5}, any, State::O, State::UO)}},
-          any_sample, keeps_levels)),
+          any_sample, keeps_formats, has_one_format),
+      relation({.id = "bake.nested",
+                .topic = "bake",
+                .says = "a micro-triangle is O, or T, exactly where its four children are",
+                .source = "a closed micro-triangle is the union of its children; spec/bake/state.hpp",
+                .subjects = {"bake"},
+                .mutants = {changed("an unknown of level 4, odd textures", {4, 4}, odd, State::UO, State::O),
+                            changed("a transparent one of tall textures", {3, 3}, tall, State::T, State::UT),
+                            changed("an opaque one", {5, 5}, any, State::O, State::UO)}},
+               any_sample, keeps_levels, has_no_children),
       relation(
           {.id = "bake.cutoff",
            .topic = "bake",
@@ -457,7 +488,7 @@ std::vector<Law> relation_laws() {
                        changed("a transparent one that is unknown at cutoff 1", {3, 3}, at_one, State::T,
                                State::UT),
                        changed("one of those with a cutoff above 1", {4, 4}, never, State::T, State::O)}},
-          any_sample, keeps_cutoffs),
+          any_sample, keeps_cutoffs, has_one_cutoff),
       relation({.id = "bake.margin",
                 .topic = "bake",
                 .says = "a wider margin settles nothing: what is O or T with it is so without",
@@ -467,7 +498,7 @@ std::vector<Law> relation_laws() {
                             changed("a transparent one without a margin, an even number of rows", {3, 3},
                                     narrow, State::T, State::UT),
                             changed("an unknown at a margin of 1/256", {4, 4}, hairy, State::UT, State::T)}},
-               any_sample, keeps_margins),
+               any_sample, keeps_margins, has_no_margins),
       mips_law(),
   };
 }

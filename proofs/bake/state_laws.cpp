@@ -2,7 +2,7 @@
 #include <array>
 #include <numeric>
 
-#include "proofs/bake/family.hpp"
+#include "proofs/bake/fitted_families.hpp"
 #include "proofs/bake/law_groups.hpp"
 #include "proofs/bake/law_parts.hpp"
 #include "proofs/bake/offender.hpp"
@@ -20,21 +20,51 @@ using spec::micromap::unknown;
 constexpr char source[] =
     "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake/state.hpp";
 
-/// Whether a state is wrong by a law, given the true one.
-using Denies = bool (*)(State got, State truth);
+/// Whether a state is wrong by a law, given the true ones of a cutoff less the slack and of that plus it: without a
+/// slack the same one twice.
+using Denies = bool (*)(State got, State lower, State upper);
 
-bool not_conservative(State got, State truth) { return !unknown(got) && got != truth; }
-bool not_tight(State got, State truth) { return unknown(got) && !unknown(truth); }
-bool differs(State got, State truth) { return got != truth; }
-bool wrong_side(State got, State truth) { return unknown(got) && force2(got) != force2(truth); }
+bool not_conservative(State got, State lower, State upper) {
+  return (got == State::O && lower != State::O) || (got == State::T && upper != State::T);
+}
+bool not_tight(State got, State lower, State upper) {
+  return unknown(got) && (upper == State::O || lower == State::T);
+}
+bool wrong_side(State got, State lower, State upper) {
+  return unknown(got) && force2(got) != force2(lower) && force2(got) != force2(upper);
+}
+bool differs(State got, State lower, State upper) {
+  return not_conservative(got, lower, upper) || not_tight(got, lower, upper) || wrong_side(got, lower, upper);
+}
+bool leans_transparent(State got, State, State) { return got == State::UT; }
+bool leans_opaque(State got, State, State) { return got == State::UO; }
+
+/// The law's own, or what a subject says of its unknowns in the place of the centroid.
+Denies denied_of(const BakeSubject& s, Denies denies) {
+  if (denies != wrong_side || s.functions.centroid) return denies;
+  return s.functions.support.unknown == UnknownSide::opaque ? leans_transparent : leans_opaque;
+}
+
+/// The true state that a state is held against.
+State against(State got, State lower, State upper) {
+  if (got == State::O) return lower;
+  if (got == State::T) return upper;
+  return upper == State::O ? State::O : lower;
+}
 
 /// The states with those that the law does not deny made right.
 std::optional<Offender> offender(const Case& one, Level n, std::vector<State> got,
-                                 const std::vector<std::uint32_t>& at, const std::vector<State>& truth,
-                                 Denies denies) {
-  for (std::size_t k = 0; k < at.size(); ++k)
-    if (!denies(got[at[k]], truth[k])) got[at[k]] = truth[k];
-  return worst(one, n, got, at, truth);
+                                 const std::vector<std::uint32_t>& at, const Truth& truth, Denies denies) {
+  std::vector<State> right(at.size());
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const State lower = truth.lower[k], upper = truth.upper[k];
+    State& state = got[at[k]];
+    const bool denied = denies(state, lower, upper);
+    right[k] = against(state, lower, upper);
+    if (denied && right[k] == state) right[k] = state == State::UO ? State::UT : State::UO;
+    if (!denied) state = right[k];
+  }
+  return worst(one, n, got, at, right);
 }
 
 std::string place_text(const Place& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
@@ -55,6 +85,7 @@ struct Domain {
   Levels fast = {0, 3}, long_run = {0, 3};
 
   bool whole() const { return families != nullptr; }
+  const Families& families_of(const Support& support) const { return fitted(families(), support); }
   /// The micro-triangles that a case is judged at: of a family all.
   std::vector<std::uint32_t> at(const Case& one, Level n) const {
     if (!whole()) return judged_at(one, n);
@@ -63,9 +94,14 @@ struct Domain {
     return all;
   }
   /// Their states.
-  std::vector<State> truth(const Case& one, Level n, const std::optional<std::uint64_t>& number) const {
+  Truth truth(const Support& support, const Case& one, Level n,
+              const std::optional<std::uint64_t>& number) const {
     if (!whole()) return true_states(one, n);
-    return number ? families().truth(n, *number) : true_states(one, n, at(one, n));
+    if (!number) return true_states(one, n, at(one, n));
+    const Families& all = families_of(support);
+    Truth truth{all.truth(n, *number, Threshold::lower), {}};
+    truth.upper = one.rules.slack != 0 ? all.truth(n, *number, Threshold::upper) : truth.lower;
+    return truth;
   }
 };
 
@@ -98,21 +134,22 @@ constexpr Domain strata{
     {0, 9},
     {0, 12}};
 
-Check judged_by(Denies denies, const Domain& domain) {
+Check judged_by(Denies by_law, const Domain& domain) {
   return [=](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>& number) {
+    const Denies denies = denied_of(s, by_law);
     const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
     if (!baked) return unsupported();
     if (!baked->padded) return wrong("zeros after the last state", "others");
-    const std::vector<State> truth = domain.truth(one, n, number);
+    const Truth truth = domain.truth(s.functions.support, one, n, number);
     const auto offends = [&] {
       if (domain.whole()) {
-        for (std::size_t k = 0; k < truth.size(); ++k)
-          if (denies(baked->states.at(k), truth[k])) return true;
+        for (std::size_t k = 0; k < truth.lower.size(); ++k)
+          if (denies(baked->states.at(k), truth.lower[k], truth.upper[k])) return true;
         return false;
       }
       const std::vector<std::uint32_t> at = domain.at(one, n);
       for (std::size_t k = 0; k < at.size(); ++k)
-        if (denies(baked->states.at(at[k]), truth[k])) return true;
+        if (denies(baked->states.at(at[k]), truth.lower[k], truth.upper[k])) return true;
       return false;
     };
     if (offends())
@@ -128,13 +165,40 @@ Draw drawn_by(Denies denies, const Domain& domain) {
     const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
     return picture(one, n,
                    offender(one, n, baked.value().states, domain.at(one, n),
-                            domain.truth(one, n, std::nullopt), denies));
+                            domain.truth(s.functions.support, one, n, std::nullopt), denied_of(s, denies)));
   };
 }
 
-std::optional<std::string> has_another_rule(const BakeSubject& s) {
-  if (!s.functions.centroid) return s.name() + " does not promise the centroid's side for what is unknown";
-  return std::nullopt;
+/// Whether it says which unknown a state is.
+bool says_the_side(const BakeSubject& s) {
+  return s.functions.centroid || s.functions.support.unknown == UnknownSide::opaque ||
+         s.functions.support.unknown == UnknownSide::transparent;
+}
+
+/// Why a law does not fit what a subject declares.
+Lacks lacking(Denies denies, const Domain& domain) {
+  const Family* first = domain.whole() ? &domain.families().all().front().family() : nullptr;
+  const bool both = domain.whole() && domain.families().all().back().family().filter != first->filter;
+  return [=](const BakeSubject& s, Level) -> std::optional<std::string> {
+    const Support& support = s.functions.support;
+    if (denies == differs && !s.functions.centroid)
+      return s.name() + " does not promise the centroid's side for what is unknown";
+    if (denies == wrong_side && !says_the_side(s))
+      return s.name() + " does not promise the centroid's side for what is unknown";
+    if (support.filters == Set(1u << static_cast<unsigned>(Filter::nearest)) && support.coordinate_bits != 0)
+      return "it declares nearest filtering of rounded coordinates alone: which texel it samples is not said";
+    if (first == nullptr) return std::nullopt;
+    if (first->blend ? !support.blend : !support.mask)
+      return first->blend ? "it declares no BLEND" : "it declares no MASK";
+    if (first->blend && !support.judges_blend())
+      return "it declares sampling in fixed point, which says nothing of BLEND's thresholds";
+    const auto filtered = [&](Filter filter) {
+      return support.filters.has(filter) && (filter == Filter::bilinear || support.coordinate_bits == 0);
+    };
+    if (both || filtered(first->filter)) return std::nullopt;
+    return first->filter == Filter::nearest ? "it declares no nearest filtering of exact coordinates"
+                                            : "it declares no bilinear filtering";
+  };
 }
 
 Law state_law(const char* id, const char* says, Denies denies, const Domain& domain,
@@ -143,12 +207,14 @@ Law state_law(const char* id, const char* says, Denies denies, const Domain& dom
   const bool whole = domain.whole();
   if (whole) {
     cases.count = [domain](Level, const Run&) { return domain.families().count(); };
-    cases.number = [domain](Level, std::uint64_t k, std::uint64_t) { return domain.families().at(k); };
+    cases.number = [domain](const Support& support, Level, std::uint64_t k, std::uint64_t) {
+      return domain.families_of(support).at(k);
+    };
     cases.chunk = 64;
   } else {
     cases.count = [domain](Level n, const Run& run) { return domain.count(n, run.tier); };
-    cases.number = [domain](Level n, std::uint64_t k, std::uint64_t seed) {
-      return domain.drawn(seed, n, k);
+    cases.number = [domain](const Support& support, Level n, std::uint64_t k, std::uint64_t seed) {
+      return fitted(support, domain.drawn(seed, n, k), k);
     };
     cases.chunk = 4;
   }
@@ -162,13 +228,15 @@ Law state_law(const char* id, const char* says, Denies denies, const Domain& dom
        .fast = domain.fast,
        .long_run = domain.long_run,
        .fast_seconds = 0.5,
-       .domain = [domain, whole](const Subject&,
-                                 Level) { return whole ? domain.families().domain() : domain.says(); },
+       .domain =
+           [domain, whole](const Subject& s, Level) {
+             if (!whole) return std::string(domain.says());
+             const auto* subject = dynamic_cast<const BakeSubject*>(&s);
+             return (subject == nullptr ? domain.families() : domain.families_of(subject->functions.support))
+                 .domain();
+           },
        .mutants = std::move(mutants)},
-      cases, judged_by(denies, domain), drawn_by(denies, domain),
-      denies == wrong_side || denies == differs
-          ? has_another_rule
-          : [](const BakeSubject&) -> std::optional<std::string> { return std::nullopt; });
+      cases, judged_by(denies, domain), drawn_by(denies, domain), lacking(denies, domain));
 }
 
 Law grid_law() {

@@ -101,7 +101,7 @@ std::optional<Baked> baked_by_impl(const Case& one, Level n, Format format) {
   return baked_from<std::uint8_t>(one, n, format);
 }
 
-Functions this_projects() { return {baked_by_impl, true}; }
+Functions this_projects() { return {baked_by_impl, true, {}}; }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Bakers that sample

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/bake/case.hpp"
+#include "proofs/bake/support.hpp"
 
 namespace mmverify::proofs::bake {
 
@@ -26,6 +26,7 @@ struct Functions {
   /// None where it does not support the case.  Calls may come from several threads at once.
   std::function<std::optional<Baked>(const Case&, Level, Format)> bake = {};
   bool centroid = false;  ///< its unknown states are those of spec/bake/state.hpp, micro_state
+  Support support = {};   ///< cases are drawn inside it
 };
 
 class BakeSubject : public Subject {

@@ -19,12 +19,16 @@ namespace bake = spec::bake;
 
 template <class Q, class Stored>
 State state_in(const Case& one, const std::vector<bake::TextureOf<Stored>>& mips, Level n,
-               std::uint32_t index) {
+               std::uint32_t index, Threshold threshold) {
   const auto uv = base_triangle<Q>(one);
-  return with_mode<Q>(one, [&](const auto& mode) {
-    const Q margin = bake::number<Q>(bake::Binary32{std::bit_cast<std::uint32_t>(one.margin)});
-    return bake::micro_state(std::span<const bake::TextureOf<Stored>>(mips), uv, n, index, mode, margin);
-  });
+  return with_mode<Q>(
+      one,
+      [&](const auto& mode) {
+        const Q margin = bake::number<Q>(bake::Binary32{std::bit_cast<std::uint32_t>(one.margin)});
+        return bake::micro_state(std::span<const bake::TextureOf<Stored>>(mips), uv, n, index, mode, margin,
+                                 one.rules.contact);
+      },
+      threshold);
 }
 
 /// A number that another case hardly has.
@@ -56,6 +60,10 @@ Mixed mixed(const Case& one, Level n) {
         std::uint64_t{border ? one.border : 0}, std::uint64_t{cutoff.numerator},
         std::uint64_t{cutoff.denominator}})
     m.take(x);
+  if (one.rules != Rules{}) {
+    m.take(std::uint64_t{one.rules.above} + 2 * static_cast<std::uint64_t>(one.rules.contact));
+    m.take(one.rules.slack);
+  }
   for (const float x : {one.factor, one.vertex_factor, one.margin}) m.take(x);
   for (const float x : one.uv) m.take(x);
   return m;
@@ -126,7 +134,7 @@ void candidates(const bake::TextureOf<Stored>& t, std::int64_t i, std::int64_t j
 
 State true_state(const Case& one, Level n, std::uint32_t index) {
   return with_textures(one, [&](const auto& mips) {
-    return in_smallest([&]<class Q>() { return state_in<Q>(one, mips, n, index); });
+    return in_smallest([&]<class Q>() { return state_in<Q>(one, mips, n, index, Threshold::exact); });
   });
 }
 
@@ -166,30 +174,36 @@ std::vector<std::uint32_t> judged_at(const Case& one, Level n) {
   return at;
 }
 
-std::vector<State> true_states(const Case& one, Level n, const std::vector<std::uint32_t>& at) {
-  std::vector<State> states;
-  with_textures(one, [&](const auto& mips) {
-    for (const std::uint32_t index : at)
-      states.push_back(in_smallest([&]<class Q>() { return state_in<Q>(one, mips, n, index); }));
-  });
-  return states;
+Truth true_states(const Case& one, Level n, const std::vector<std::uint32_t>& at) {
+  const auto states = [&](Threshold threshold) {
+    std::vector<State> found;
+    with_textures(one, [&](const auto& mips) {
+      for (const std::uint32_t index : at)
+        found.push_back(in_smallest([&]<class Q>() { return state_in<Q>(one, mips, n, index, threshold); }));
+    });
+    return found;
+  };
+  Truth truth;
+  truth.lower = states(Threshold::lower);
+  truth.upper = one.rules.slack != 0 ? states(Threshold::upper) : truth.lower;
+  return truth;
 }
 
-std::vector<State> true_states(const Case& one, Level n) {
+Truth true_states(const Case& one, Level n) {
   // The laws of states ask about the same samples, and so do their mutants.
   constexpr std::size_t most = 1 << 14;
   static std::mutex lock;
-  static std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<State>> known;
+  static std::map<std::pair<std::uint64_t, std::uint64_t>, Truth> known;
   Mixed name = mixed(one, n);
   for (const std::uint32_t bits : one.alpha) name.take(std::uint64_t{bits});
   {
     const std::lock_guard hold(lock);
     if (const auto found = known.find(name.both()); found != known.end()) return found->second;
   }
-  std::vector<State> states = true_states(one, n, judged_at(one, n));
+  Truth truth = true_states(one, n, judged_at(one, n));
   const std::lock_guard hold(lock);
-  if (known.size() < most) known.emplace(name.both(), states);
-  return states;
+  if (known.size() < most) known.emplace(name.both(), truth);
+  return truth;
 }
 
 bake::Polygon<Rational> corners_of(const Case& one, Level n, std::uint32_t index) {

@@ -15,6 +15,12 @@ using Place = spec::bake::Place<Rational>;
 /// The state of micro-triangle `index` by spec/bake/state.hpp.
 State true_state(const Case& one, Level n, std::uint32_t index);
 
+/// The true states of some micro-triangles, twice where the case has a slack: with the cutoff less that, and with
+/// the cutoff and that.  Without a slack the two are the same.
+struct Truth {
+  std::vector<State> lower, upper;
+};
+
 /// The micro-triangles that a sample of level n is judged at: all up to level 3, above 96 of them.  Of
 /// textures of more than 7 texels a side 24 and fewer (8 at least) where margins and mips make each one
 /// long work, or all that there are.  Among them the three corners of the triangle, some spread evenly, and
@@ -23,9 +29,9 @@ State true_state(const Case& one, Level n, std::uint32_t index);
 std::vector<std::uint32_t> judged_at(const Case& one, Level n);
 
 /// Those states, remembered for the next law that asks.
-std::vector<State> true_states(const Case& one, Level n);
+Truth true_states(const Case& one, Level n);
 /// The states there, not remembered.
-std::vector<State> true_states(const Case& one, Level n, const std::vector<std::uint32_t>& at);
+Truth true_states(const Case& one, Level n, const std::vector<std::uint32_t>& at);
 
 /// Where alpha is least or greatest on a closed micro-triangle, and what it is there.
 struct Extreme {

@@ -14,7 +14,7 @@ Tally judge_numbered_cases(const NumberedCases& cases, const Subject& subject, L
       if (!found.holds)
         tally.mismatch(cases.kind, {n, k, 0}, [&] {
           const Words words = found.words();
-          return Counterexample{{n, k, 0}, n, cases.text(n, k, run), {}, words.expected, words.got};
+          return Counterexample{{n, k, 0}, n, cases.text(subject, n, k, run), {}, words.expected, words.got};
         });
     }
   });

@@ -43,7 +43,7 @@ inline Replayed replayed(const Finding& found) {
 struct NumberedCases {
   std::function<std::uint64_t(Level, const Run&)> count;
   std::function<Finding(const Subject&, Level, std::uint64_t k, const Run&)> check;
-  std::function<std::string(Level, std::uint64_t k, const Run&)> text;
+  std::function<std::string(const Subject&, Level, std::uint64_t k, const Run&)> text;
   std::function<Finding(const Subject&, Level, const std::string&)> read;  ///< throws BadCase
   std::uint64_t chunk = 256;
   Kind kind;  ///< that all are counted by

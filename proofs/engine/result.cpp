@@ -1,5 +1,7 @@
 #include "proofs/engine/result.hpp"
 
+#include <fmt/format.h>
+
 namespace mmverify::proofs {
 
 std::string to_string(Verdict v) {
@@ -42,9 +44,13 @@ void settle(Result& r, bool sample) {
   const std::uint64_t declined = r.declined();
   if (r.mismatches() != 0) {
     r.verdict = Verdict::refuted;
-  } else if (declined != 0 && declined == r.cases_run()) {
+  } else if (2 * declined > r.cases_run()) {
     r.verdict = Verdict::not_applicable;
-    r.reason = "it supports none of the cases";
+    r.reason =
+        declined == r.cases_run()
+            ? std::string("it supports none of the cases")
+            : fmt::format("it declined {} of {} cases, more than half: let it declare what it supports",
+                          declined, r.cases_run());
   } else {
     r.verdict = sample || declined != 0 ? Verdict::checked : Verdict::proved;
   }

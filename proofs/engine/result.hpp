@@ -66,7 +66,7 @@ struct Result {
 };
 
 /// The verdict on a domain all of whose cases were run, and its reason: refuted where one was wrong;
-/// not_applicable where the subject supports none; checked where it declined some, or where they are a
+/// not_applicable where the subject declined more than half; checked where it declined some, or where they are a
 /// sample; else proved.
 void settle(Result& result, bool sample);
 

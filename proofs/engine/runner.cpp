@@ -182,6 +182,7 @@ std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const
   Run run = asked;
   run.seed = Run().seed;
   run.tier = Tier::fast;
+  run.cases = 0;
   run.until_refuted = true;
   std::vector<std::pair<const Law*, const Mutant*>> all;
   for (const Law* law : laws)
@@ -220,6 +221,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   run.errors = options.errors;
   run.seed = options.seed;
   run.tier = options.tier;
+  run.cases = options.cases;
   run.options = options.options;
 
   const Shard shard = options.shard.value_or(Shard{});

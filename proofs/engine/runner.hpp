@@ -21,7 +21,8 @@ struct RunOptions {
   std::size_t errors = 1;
   std::uint64_t seed = 1;
   Tier tier = Tier::fast;
-  Options options = {};  ///< each law gets those that it heeds
+  std::uint64_t cases = 0;  ///< as in Run
+  Options options = {};     ///< each law gets those that it heeds
   bool show_progress = true;
   std::optional<Shard> shard = {};  ///< none: the whole domain, not called a shard
   Journal* journal = nullptr;

@@ -20,10 +20,12 @@ enum class Tier { fast, long_run };
 struct Run {
   oneapi::tbb::task_arena* arena = nullptr;
   Progress* progress = nullptr;
-  std::size_t errors = 1;        ///< counterexamples kept
-  std::uint64_t seed = 1;        ///< of every sample
-  Tier tier = Tier::fast;        ///< decides the size of samples
-  Options options = {};          ///< those that the law heeds
+  std::size_t errors = 1;  ///< counterexamples kept
+  std::uint64_t seed = 1;  ///< of every sample
+  Tier tier = Tier::fast;  ///< decides the size of samples
+  std::uint64_t cases =
+      0;                 ///< of each law that draws them at least so many, where its topic can; 0: the tier's
+  Options options = {};  ///< those that the law heeds
   Division* division = nullptr;  ///< null: the whole domain, and no journal
   /// Of a subject that must be wrong, one counterexample is enough: a sweep ends with the first chunk that has
   /// one, on one thread, so that it is the same on every machine.  Not for laws that look at a whole sweep.

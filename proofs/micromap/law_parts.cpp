@@ -78,7 +78,9 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
                        [check = cases.check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
                          return check(of_micromap(s), n, k, run);
                        },
-                       cases.text,
+                       [text = cases.text](const Subject&, Level n, std::uint64_t k, const Run& run) {
+                         return text(n, k, run);
+                       },
                        [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
                          return replay(of_micromap(s), n, at);
                        },

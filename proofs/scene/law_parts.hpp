@@ -38,7 +38,7 @@ inline Law on_cases(Law law, Domain parts) {
       std::move(law),
       {[parts](Level n, const Run&) { return parts.count(n); },
        [parts](const Subject&, Level n, std::uint64_t k, const Run&) { return parts.check(n, k); },
-       [](Level, std::uint64_t k, const Run&) { return fmt::format("{}", k); }, check_text, 1,
+       [](const Subject&, Level, std::uint64_t k, const Run&) { return fmt::format("{}", k); }, check_text, 1,
        Kind::interior});
 }
 

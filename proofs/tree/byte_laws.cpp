@@ -90,7 +90,7 @@ Law canonical_law() {
                                              return bytes_are_canonical(of_tree(s), n, formats[k / strings],
                                                                         string_number(k % strings));
                                            },
-                                           [](Level, std::uint64_t k, const Run&) {
+                                           [](const Subject&, Level, std::uint64_t k, const Run&) {
                                              return text_of(formats[k / strings], string_number(k % strings));
                                            },
                                            [](const Subject& s, Level n, const std::string& at) {
@@ -138,20 +138,20 @@ Law bits_read_law() {
   law.how = exhaustively;
   law.unfit = needing({entry::reads});
   const auto cases = [](const Code& code) {
-    return NumberedCases{[](Level n, const Run&) { return micro_triangles(n); },
-                         [code](const Subject& s, Level n, std::uint64_t k, const Run&) {
-                           const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
-                                               got = of_tree(s).functions.tree_bits_read(code, k);
-                           return got == expected
-                                      ? Finding{got}
-                                      : wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
-                         },
-                         [](Level, std::uint64_t k, const Run&) { return fmt::format("k={}", k); },
-                         [](const Subject& s, Level n, const std::string& at) {
-                           return reads(of_tree(s), n, number_from(at, micro_triangles(n)));
-                         },
-                         64,
-                         Kind::interior};
+    return NumberedCases{
+        [](Level n, const Run&) { return micro_triangles(n); },
+        [code](const Subject& s, Level n, std::uint64_t k, const Run&) {
+          const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
+                              got = of_tree(s).functions.tree_bits_read(code, k);
+          return got == expected ? Finding{got}
+                                 : wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
+        },
+        [](const Subject&, Level, std::uint64_t k, const Run&) { return fmt::format("k={}", k); },
+        [](const Subject& s, Level n, const std::string& at) {
+          return reads(of_tree(s), n, number_from(at, micro_triangles(n)));
+        },
+        64,
+        Kind::interior};
   };
   law = on_numbered_cases(std::move(law), cases({}));
   // One code for all indices of a level.
@@ -186,16 +186,17 @@ Law worst_size_law() {
   law.fast_seconds = 0.3;
   law.domain = [](const Subject&, Level) { return std::string("the alternating map, both formats"); };
   law.unfit = needing({entry::stream});
-  law = on_numbered_cases(std::move(law),
-                          {[](Level, const Run&) { return std::uint64_t{2}; },
-                           [](const Subject& s, Level n, std::uint64_t k, const Run&) {
-                             return worst_size(of_tree(s), n, formats[k]);
-                           },
-                           [](Level, std::uint64_t k, const Run&) { return fmt::format("k={}", k); },
-                           [](const Subject& s, Level n, const std::string& at) {
-                             return worst_size(of_tree(s), n, formats[number_from(at, 2)]);
-                           },
-                           1, Kind::interior});
+  law = on_numbered_cases(std::move(law), {[](Level, const Run&) { return std::uint64_t{2}; },
+                                           [](const Subject& s, Level n, std::uint64_t k, const Run&) {
+                                             return worst_size(of_tree(s), n, formats[k]);
+                                           },
+                                           [](const Subject&, Level, std::uint64_t k, const Run&) {
+                                             return fmt::format("k={}", k);
+                                           },
+                                           [](const Subject& s, Level n, const std::string& at) {
+                                             return worst_size(of_tree(s), n, formats[number_from(at, 2)]);
+                                           },
+                                           1, Kind::interior});
   law.divisible = false;
   const auto longer = [](const char* name, const char* base, Level n, Format f, int by) {
     return mutant(name, base, {n, n}, writes_wrongly([=](const Map& map, Bytes& bytes) {

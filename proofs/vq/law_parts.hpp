@@ -52,17 +52,18 @@ Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
                          levels.first == levels.last ? "" : fmt::format("..{}", levels.last));
     return lacks(*subject);
   };
-  return on_numbered_cases(
-      std::move(law),
-      {cases.count,
-       [cases, of_vq](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-         return cases.check(of_vq(s), cases.number(n, k, run.seed));
-       },
-       [cases](Level n, std::uint64_t k, const Run& run) { return cases.text(cases.number(n, k, run.seed)); },
-       [cases, of_vq](const Subject& s, Level n, const std::string& at) {
-         return cases.check(of_vq(s), cases.read(n, at));
-       },
-       cases.chunk, Kind::interior});
+  return on_numbered_cases(std::move(law),
+                           {cases.count,
+                            [cases, of_vq](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+                              return cases.check(of_vq(s), cases.number(n, k, run.seed));
+                            },
+                            [cases](const Subject&, Level n, std::uint64_t k, const Run& run) {
+                              return cases.text(cases.number(n, k, run.seed));
+                            },
+                            [cases, of_vq](const Subject& s, Level n, const std::string& at) {
+                              return cases.check(of_vq(s), cases.read(n, at));
+                            },
+                            cases.chunk, Kind::interior});
 }
 
 }  // namespace mmverify::proofs::vq

@@ -107,6 +107,16 @@ Polygon<Q> clipped(const Polygon<Q>& polygon, Q Place<Q>::*axis, const Q& low, c
                  [&](const Place<Q>& p) { return high - p.*axis; });
 }
 
+/// Whether it is more than a point or a segment.
+template <class Q>
+bool has_area(const Polygon<Q>& polygon) {
+  for (std::size_t k = 2; k < polygon.size(); ++k) {
+    const Place<Q>&p = polygon[0], &q = polygon[k - 1], &r = polygon[k];
+    if ((q.x - p.x) * (r.y - p.y) != (q.y - p.y) * (r.x - p.x)) return true;
+  }
+  return false;
+}
+
 /// The corners of the convex hull of some points, each once; fewer than three where they are on a line.
 /// Domain: any points.  Source: A. M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions.
 template <class Q>
@@ -217,32 +227,39 @@ void for_each_square(const Polygon<Q>& polygon, const Q& offset, Visit visit) {
   }
 }
 
-/// Over any polygon: cell by cell, or of all texels whose half-open squares it meets.
+/// Calls visit(part, alpha) for what each cell shows of a polygon, or each texel whose half-open square it meets:
+/// that part of it and the range of alpha there.
 /// Domain: coordinates below 2^62 in size; the work is that of the cells under its rows.
 /// Errors: std::invalid_argument for a polygon of no corner, or a texture whose texels are not width x height
 /// or none.
-template <class Q, class Texel>
-Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon) {
+template <class Q, class Texel, class Visit>
+void for_each_part(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Visit visit) {
   if (polygon.empty()) throw std::invalid_argument("bake: a polygon without corners");
   if (t.alpha.empty() || t.alpha.size() != static_cast<std::size_t>(t.width) * t.height)
     throw std::invalid_argument("bake: the texels are not width x height");
-  std::optional<Range<Q>> found;
-  const auto take = [&found](const Range<Q>& here) {
-    if (!found) found = here;
-    found->take(here.least);
-    found->take(here.greatest);
-  };
   if (t.filter == Filter::nearest)
-    for_each_square(polygon, Q(0), [&](std::int64_t i, std::int64_t j, const Polygon<Q>&) {
-      take(Range<Q>(texel<Q>(t, i, j)));
+    for_each_square(polygon, Q(0), [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) {
+      visit(part, Range<Q>(texel<Q>(t, i, j)));
     });
   else
     // Cells may leave out their high sides: their neighbours have the same alpha there.
     for_each_square(polygon, fraction<Q>(1, 2), [&](std::int64_t i, std::int64_t j, Polygon<Q> part) {
       const Cell<Q> cell(t, i, j);
       for (Place<Q>& p : part) p = cell.local(p);
-      take(range(cell, part));
+      visit(part, range(cell, part));
     });
+}
+
+/// Over any polygon: cell by cell, or of all texels whose half-open squares it meets.
+/// Domain, errors: those of for_each_part.
+template <class Q, class Texel>
+Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon) {
+  std::optional<Range<Q>> found;
+  for_each_part(t, polygon, [&found](const Polygon<Q>&, const Range<Q>& here) {
+    if (!found) found = here;
+    found->take(here.least);
+    found->take(here.greatest);
+  });
   return found.value();
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
@@ -27,6 +28,20 @@ struct Mask {
   bool transparent(const Q& alpha) const { return alpha < cutoff; }
   /// UO rather than UT.
   bool rather_opaque(const Q& alpha) const { return alpha >= cutoff; }
+  /// What lies next to alpha, on the one side and on the other.
+  bool opaque_above(const Q& alpha) const { return alpha >= cutoff; }
+  bool transparent_below(const Q& alpha) const { return alpha <= cutoff; }
+};
+
+/// MASK of those who draw where alpha is above the cutoff, and not where it meets it.
+template <class Q>
+struct MaskAbove {
+  Q cutoff;
+  bool opaque(const Q& alpha) const { return alpha > cutoff; }
+  bool transparent(const Q& alpha) const { return alpha <= cutoff; }
+  bool rather_opaque(const Q& alpha) const { return alpha > cutoff; }
+  bool opaque_above(const Q& alpha) const { return alpha >= cutoff; }
+  bool transparent_below(const Q& alpha) const { return alpha <= cutoff; }
 };
 
 /// BLEND: opaque where alpha >= 1, transparent where alpha <= 0; between, alpha is a share.
@@ -35,6 +50,8 @@ struct Blend {
   bool opaque(const Q& alpha) const { return alpha >= 1; }
   bool transparent(const Q& alpha) const { return alpha <= 0; }
   bool rather_opaque(const Q& alpha) const { return alpha + alpha >= 1; }
+  bool opaque_above(const Q& alpha) const { return alpha >= 1; }
+  bool transparent_below(const Q& alpha) const { return alpha <= 0; }
 };
 
 /// O where all of it is opaque, T where all of it is transparent, else C.
@@ -45,6 +62,35 @@ State state_in(const Mode& mode, const Range<Q>& alpha) {
 
 /// What holds whichever of the two is sampled: O if both are, T if both are, else C.
 constexpr State merged(State a, State b) { return a == b ? a : State::C; }
+
+/// The same as state_in, but that an area of 0 does not count.  Where alpha is not the same throughout a part of a
+/// cell, it meets its least and its greatest on an area of 0 only.
+/// Domain: the range of such a part, which has an area itself.
+template <class Q, class Mode>
+State open_state_in(const Mode& mode, const Range<Q>& alpha) {
+  const bool varies = alpha.least < alpha.greatest;
+  if (mode.opaque(alpha.least) || (varies && mode.opaque_above(alpha.least))) return State::O;
+  if (mode.transparent(alpha.greatest) || (varies && mode.transparent_below(alpha.greatest))) return State::T;
+  return State::C;
+}
+
+/// Whether a micro-triangle is closed, with its edges and corners, or open: then that which it meets in an area of 0
+/// alone does not count.
+enum class Contact : std::uint8_t { closed, open };
+
+/// Of an open polygon: what each cell, or texel, shows of it in an area above 0.  A polygon without an area is
+/// taken as closed.
+template <class Q, class Texel, class Mode>
+State open_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mode& mode) {
+  if (!has_area(polygon)) return state_in(mode, range(t, polygon));
+  std::optional<State> all;
+  for_each_part(t, polygon, [&](const Polygon<Q>& part, const Range<Q>& alpha) {
+    if (!has_area(part)) return;
+    const State here = open_state_in(mode, alpha);
+    all = all ? merged(*all, here) : here;
+  });
+  return all.value();
+}
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Micro-triangles
@@ -88,15 +134,18 @@ Place<Q> centroid(const Polygon<Q>& polygon) {
 /// The state of a micro-triangle: O or T if it is that in every mip level that may be sampled; otherwise UO
 /// or UT, as alpha at its centroid is rather opaque or not in the first of them, the largest.
 /// Mips: as sampled, the first first.  2-state maps hold micromap::force2 of this.
+/// Contact: whether what is met in an area of 0 counts.
 /// Margin: in texels of each mip level; O or T must hold on all of the dilated micro-triangle.
 /// Errors: std::invalid_argument without mips, or for a margin below 0.
 template <class Q, class Texel, class Mode>
 micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTriangle<Q>& uv, Level n,
-                            std::uint32_t index, const Mode& mode, const Q& margin = Q(0)) {
+                            std::uint32_t index, const Mode& mode, const Q& margin = Q(0),
+                            Contact contact = Contact::closed) {
   if (mips.empty()) throw std::invalid_argument("bake: no mip level");
   const auto in = [&](const TextureOf<Texel>& t) { return micro_triangle(uv, n, index, t.width, t.height); };
   const auto state = [&](const TextureOf<Texel>& t) {
-    return state_in(mode, range(t, dilated(in(t), margin)));
+    const Polygon<Q> polygon = dilated(in(t), margin);
+    return contact == Contact::open ? open_state(t, polygon, mode) : state_in(mode, range(t, polygon));
   };
   State all = state(mips[0]);
   for (const TextureOf<Texel>& t : mips.subspan(1)) {
