@@ -229,7 +229,8 @@ TEST(BakeStrata, AreWhatTheirTextSays) {
     ++whole;
     for (const State s : true_states(one, 5).lower) ++states[static_cast<std::size_t>(s)];
   }
-  EXPECT_THROW(case_from("mips=15,texels=u8:4x4:drawn-1-5-7,wrap=clamp:clamp,cutoff=1/2,uv=0:0:0:1:1:0"), BadCase);
+  EXPECT_THROW(case_from("mips=15,texels=u8:4x4:drawn-1-5-7,wrap=clamp:clamp,cutoff=1/2,uv=0:0:0:1:1:0"),
+               BadCase);
   EXPECT_THROW(case_from("texels=u8:4x4:drawn-x,wrap=clamp:clamp,cutoff=1/2,uv=0:0:0:1:1:0"), BadCase);
   if (sanitized) return;
   // Every pair of sides with few enough texels.

@@ -105,8 +105,19 @@ static int bake(const mmverify_bake_case_t* c, uint8_t* map) {
   return 1;
 }
 
+/* What bake() returns 0 for is never asked. */
+static const mmverify_bake_support_t support = {
+    .size = sizeof support,
+    .texels = 1u << MMVERIFY_UNORM8,
+    .alpha_modes = 1u << MMVERIFY_MASK,
+    .max_mips = 1,
+    .restrictions = MMVERIFY_BAKE_NO_FACTORS | MMVERIFY_BAKE_NO_MARGIN};
+
 const mmverify_subject_t* mmverify_subject_v1(void) {
-  static const mmverify_subject_t subject = {
-      .abi = MMVERIFY_SUBJECT_ABI, .size = sizeof subject, .name = "the example of a baker", .bake = bake};
+  static const mmverify_subject_t subject = {.abi = MMVERIFY_SUBJECT_ABI,
+                                             .size = sizeof subject,
+                                             .name = "the example of a baker",
+                                             .bake = bake,
+                                             .bake_support = &support};
   return &subject;
 }
