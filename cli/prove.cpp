@@ -74,6 +74,10 @@ int prove(const ProveOptions& options) {
     if (!options.journal.empty() && same_file(options.journal, other))
       throw UsageError(fmt::format("--journal: {} is another output's file", options.journal));
   const std::vector<Job> jobs = plan(request(options));
+  if (options.cells == "interior" && std::none_of(jobs.begin(), jobs.end(), [](const Job& job) {
+        return has(job.law->heeds, index::interiors_only);
+      }))
+    throw UsageError("--cells interior: none of these laws is about points on cells; leave it out");
   // A reader that goes away does not take the results in files along.
   std::signal(SIGPIPE, SIG_IGN);
   std::optional<OutputFile> json, junit;

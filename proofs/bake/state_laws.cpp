@@ -2,6 +2,7 @@
 #include <array>
 #include <numeric>
 
+#include "proofs/bake/diagnosis.hpp"
 #include "proofs/bake/fitted_families.hpp"
 #include "proofs/bake/law_groups.hpp"
 #include "proofs/bake/law_parts.hpp"
@@ -10,6 +11,7 @@
 #include "proofs/bake/samples.hpp"
 #include "proofs/bake/state_mutants.hpp"
 #include "proofs/bake/strata.hpp"
+#include "proofs/bake/ties.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
@@ -69,11 +71,38 @@ std::optional<Offender> offender(const Case& one, Level n, std::vector<State> go
 
 std::string place_text(const Place& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
 
-Words in_words(const Offender& o) {
+/// What an O or T that is wrong amounts to: an edge, or which part of the area and by how much.
+std::string amount(const Case& one, Level n, const Offender& o, const Extreme& e) {
+  if (is_tie(one, n, o.index, o.said)) return ", a tie: wrong on an area of 0 alone";
+  std::string text;
+  if (!one.blend) {
+    const Rational cutoff = spec::bake::fraction<Rational>(one.cutoff.numerator, one.cutoff.denominator);
+    const Rational by = o.said == State::O ? Rational(cutoff - e.alpha) : Rational(e.alpha - cutoff);
+    if (by > 0) text = fmt::format(", {} {} the cutoff", text_of(by), o.said == State::O ? "below" : "above");
+  }
+  if (one.margin == 0) {
+    const double share = wrong_share(one, n, o.index, o.said, e.mip);
+    text += share == 0 ? std::string(", on less than 1/256 of its area")
+                       : fmt::format(", wrong on about {:.0f} % of its area", 100 * share);
+  }
+  return text;
+}
+
+Words in_words(const Case& one, Level n, const Offender& o) {
   const Extreme& e = contradiction(o);
-  return {fmt::format("micro-triangle {} {}, alpha {} at texel {}{}", o.index, name_of(o.is),
-                      text_of(e.alpha), place_text(e.at), e.mip == 0 ? "" : fmt::format(" of mip {}", e.mip)),
+  return {fmt::format("micro-triangle {} {}, alpha {} at texel {}{}{}", o.index, name_of(o.is),
+                      text_of(e.alpha), place_text(e.at), e.mip == 0 ? "" : fmt::format(" of mip {}", e.mip),
+                      unknown(o.said) ? std::string() : amount(one, n, o, e)),
           name_of(o.said)};
+}
+
+/// Whether all that is wrong are ties.
+bool ties_alone(const Case& one, Level n, const std::vector<State>& got, const std::vector<std::uint32_t>& at,
+                const Truth& truth) {
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (not_conservative(got[at[k]], truth.lower[k], truth.upper[k]) && !is_tie(one, n, at[k], got[at[k]]))
+      return false;
+  return true;
 }
 
 /// What a law ranges over: a family, all of it, or samples.
@@ -152,11 +181,13 @@ Check judged_by(Denies by_law, const Domain& domain) {
         if (denies(baked->states.at(at[k]), truth.lower[k], truth.upper[k])) return true;
       return false;
     };
-    if (offends())
-      return wrong([=, states = baked->states] {
-        return in_words(offender(one, n, states, domain.at(one, n), truth, denies).value());
-      });
-    return Finding{hash_of(baked->states)};
+    if (!offends()) return Finding{hash_of(baked->states)};
+    Finding finding = wrong([=, states = baked->states] {
+      return in_words(one, n, offender(one, n, states, domain.at(one, n), truth, denies).value());
+    });
+    finding.lesser =
+        denies == not_conservative && ties_alone(one, n, baked->states, domain.at(one, n), truth);
+    return finding;
   };
 }
 
@@ -201,6 +232,10 @@ Lacks lacking(Denies denies, const Domain& domain) {
   };
 }
 
+Fault fault_of(Denies denies) {
+  return denies == not_tight ? Fault::tight : denies == wrong_side ? Fault::side : Fault::conservative;
+}
+
 Law state_law(const char* id, const char* says, Denies denies, const Domain& domain,
               std::vector<Mutant> mutants) {
   Cases cases;
@@ -235,7 +270,10 @@ Law state_law(const char* id, const char* says, Denies denies, const Domain& dom
              return (subject == nullptr ? domain.families() : domain.families_of(subject->functions.support))
                  .domain();
            },
-       .mutants = std::move(mutants)},
+       .mutants = std::move(mutants),
+       .diagnose = [fault = fault_of(denies)](
+                       const Subject& s,
+                       const Levels&) { return diagnose(dynamic_cast<const BakeSubject&>(s), fault); }},
       cases, judged_by(denies, domain), drawn_by(denies, domain), lacking(denies, domain));
 }
 

@@ -11,11 +11,12 @@ Tally judge_numbered_cases(const NumberedCases& cases, const Subject& subject, L
       else
         tally.count(cases.kind, 1);
       tally.digest(k, found.answer);
-      if (!found.holds)
-        tally.mismatch(cases.kind, {n, k, 0}, [&] {
-          const Words words = found.words();
-          return Counterexample{{n, k, 0}, n, cases.text(subject, n, k, run), {}, words.expected, words.got};
-        });
+      if (found.holds) continue;
+      const Simplicity simplicity{n, found.lesser ? 1u : 0u, k};
+      tally.mismatch(cases.kind, simplicity, [&] {
+        const Words words = found.words();
+        return Counterexample{simplicity, n, cases.text(subject, n, k, run), {}, words.expected, words.got};
+      });
     }
   });
 }

@@ -108,6 +108,13 @@ std::optional<Level> first_refuted(const Report& report, const Job& job) {
   return std::nullopt;
 }
 
+/// Laws of one kind may find the same.
+bool said_before(const Report& report, const Diagnosis& diagnosis) {
+  return std::any_of(report.diagnoses.begin(), report.diagnoses.end(), [&](const Diagnosis& d) {
+    return d.subject == diagnosis.subject && d.lines == diagnosis.lines;
+  });
+}
+
 /// Nothing where an interrupt left it undecided.
 std::optional<MutantResult> run_mutant(const Law& law, const Mutant& mutant, const Run& run) {
   MutantResult m{law.id, mutant.name, false, 0, {}};
@@ -260,8 +267,9 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   for (const Job& job : jobs)
     if (const auto refuted = first_refuted(report, job); job.law->diagnose && refuted && !interrupted()) {
       try {
-        report.diagnoses.push_back({job.law->id, job.subject->name(),
-                                    job.law->diagnose(*job.subject, {job.levels.first, *refuted})});
+        Diagnosis diagnosis{job.law->id, job.subject->name(),
+                            job.law->diagnose(*job.subject, {job.levels.first, *refuted})};
+        if (!said_before(report, diagnosis)) report.diagnoses.push_back(std::move(diagnosis));
       } catch (const Interrupted&) {
       } catch (const SubjectBroken& broken) {
         report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
