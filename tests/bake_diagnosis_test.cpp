@@ -8,9 +8,11 @@
 #include "proofs/bake/baked_order.hpp"
 #include "proofs/bake/case_properties.hpp"
 #include "proofs/bake/diagnosis.hpp"
+#include "proofs/bake/known_mistakes.hpp"
 #include "proofs/bake/ties.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry.hpp"
+#include "tests/sanitized.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
@@ -73,6 +75,19 @@ TEST(BakeDiagnosis, NamesSignsSizesAndTriangles) {
               Contains(HasSubstr("triangle: wrong where it is clockwise (")));
 }
 
+// Each known mistake is recognised; some are the same one on what is drawn, and so the first of them is named.
+TEST(BakeDiagnosis, NamesAMistakeMadeThroughout) {
+  for (const KnownMistake& known : known_mistakes()) {
+    const BakeSubject s = mistaken(known.as_if, known.mistake);
+    EXPECT_THAT(diagnose(s, Fault::conservative),
+                Contains(HasSubstr(std::string("wrong maps are as if ") + known.as_if)))
+        << testing::PrintToString(diagnose(s, Fault::conservative));
+    if (sanitized) break;
+  }
+  const BakeSubject random = mistaken("nothing known", [](Case& c) { c.uv[0] += 0.3f; });
+  EXPECT_THAT(diagnose(random, Fault::conservative), Not(Contains(HasSubstr("as if"))));
+}
+
 TEST(BakeDiagnosis, CountsTiesApart) {
   const auto lines = diagnose(mistaken("a hair more than the cutoff",
                                        [](Case& c) {
@@ -97,7 +112,9 @@ TEST(BakeDiagnosis, CountsTiesApart) {
 // The smallest children 2 and 3 are exchanged.
 TEST(BakeDiagnosis, NamesTheOrder) {
   EXPECT_EQ(order_of(*built_in("bake"), 3), "");
-  const auto exchanged = [](std::uint32_t index, Level n) { return n > 0 && index % 4 > 1 ? index ^ 1 : index; };
+  const auto exchanged = [](std::uint32_t index, Level n) {
+    return n > 0 && index % 4 > 1 ? index ^ 1 : index;
+  };
   const BakeSubject s = reordered("children exchanged", exchanged);
   EXPECT_EQ(order_of(s, 3), "the curve, but children 2 and 3 change places from level 3 on");
   EXPECT_THAT(

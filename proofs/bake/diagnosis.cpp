@@ -11,6 +11,7 @@
 
 #include "proofs/bake/baked_order.hpp"
 #include "proofs/bake/case_properties.hpp"
+#include "proofs/bake/known_mistakes.hpp"
 #include "proofs/bake/samples.hpp"
 #include "proofs/bake/strata.hpp"
 #include "proofs/bake/ties.hpp"
@@ -57,8 +58,38 @@ bool is_wrong(const BakeSubject& s, Fault fault, State got, State lower, State u
   return got == (s.functions.support.unknown == UnknownSide::opaque ? State::UT : State::UO);
 }
 
+/// Which known mistakes the wrong maps are those of.
+class Guesses {
+ public:
+  void take(const Case& one, Level n, const std::vector<State>& got) {
+    if (cases_ == most) return;
+    ++cases_;
+    for (std::size_t k = 0; k < known_mistakes().size(); ++k) {
+      Case other = one;
+      known_mistakes()[k].mistake(other);
+      const auto baked = right_->functions.bake(other, n, Format::four_state);
+      right_of_[k] += baked && std::equal(got.begin(), got.end(), baked->states.begin(), alike) ? 1 : 0;
+    }
+  }
+  /// The mistake that explains most of the cases, nine of ten at least.
+  std::optional<std::string> line() const {
+    const auto best = std::max_element(right_of_.begin(), right_of_.end());
+    if (cases_ == 0 || *best * 10 < cases_ * 9) return std::nullopt;
+    return fmt::format("{} of {} wrong maps are as if {}", *best, cases_,
+                       known_mistakes()[static_cast<std::size_t>(best - right_of_.begin())].as_if);
+  }
+
+ private:
+  static constexpr std::uint64_t most = 128;
+  static bool alike(State a, State b) { return a == b || (unknown(a) && unknown(b)); }
+
+  BakeSubjectPtr right_ = built_in("bake");
+  std::uint64_t cases_ = 0;
+  std::vector<std::uint64_t> right_of_ = std::vector<std::uint64_t>(known_mistakes().size());
+};
+
 /// None where the subject declined the case.
-std::optional<Wrong> judged(const BakeSubject& s, Fault fault, const Case& one, Level n) {
+std::optional<Wrong> judged(const BakeSubject& s, Fault fault, const Case& one, Level n, Guesses& guesses) {
   const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
   if (!baked) return std::nullopt;
   const std::vector<std::uint32_t> at = judged_at(one, n);
@@ -70,6 +101,7 @@ std::optional<Wrong> judged(const BakeSubject& s, Fault fault, const Case& one, 
     wrong.any = true;
     wrong.on_an_area = fault != Fault::conservative || !is_tie(one, n, at[k], got);
   }
+  if (wrong.any) guesses.take(one, n, baked->states);
   return wrong;
 }
 
@@ -95,9 +127,10 @@ std::vector<std::string> found(const BakeSubject& s, Fault fault) {
   constexpr Level last = 5;
   std::vector<ByValue> by;
   std::uint64_t cases = 0, proper = 0, ties = 0;
+  Guesses guesses;
   const auto take = [&](Case drawn, Level n, std::uint64_t salt) {
     const Case one = fitted(s.functions.support, std::move(drawn), salt);
-    const std::optional<Wrong> wrong = interrupted() ? std::nullopt : judged(s, fault, one, n);
+    const std::optional<Wrong> wrong = interrupted() ? std::nullopt : judged(s, fault, one, n, guesses);
     if (!wrong) return;
     ++cases;
     proper += wrong->on_an_area ? 1 : 0;
@@ -130,6 +163,7 @@ std::vector<std::string> found(const BakeSubject& s, Fault fault) {
     lines.push_back(fmt::format("of {} cases of levels 0..{}, {} are wrong", cases, last, proper));
   for (const ByValue& one : by)
     if (auto line = in_words(one)) lines.push_back(std::move(*line));
+  if (auto line = guesses.line()) lines.push_back(std::move(*line));
   if (lines.size() == 1 && proper + ties != 0)
     lines.emplace_back("no property of a case tells the wrong ones from the right ones");
   const Level n = std::min<Level>(3, s.functions.support.max_level);
