@@ -61,6 +61,7 @@ bool is_wrong(const BakeSubject& s, Fault fault, State got, State lower, State u
 /// Which known mistakes the wrong maps are those of.
 class Guesses {
  public:
+  explicit Guesses(Fault fault) : loose_(fault == Fault::conservative) {}
   void take(const Case& one, Level n, const std::vector<State>& got) {
     if (cases_ == most) return;
     ++cases_;
@@ -68,6 +69,9 @@ class Guesses {
       Case other = one;
       known_mistakes()[k].mistake(other);
       const auto baked = right_->functions.bake(other, n, Format::four_state);
+      const auto alike = [this](State a, State b) {
+        return a == b || (unknown(a) && (loose_ || unknown(b)));
+      };
       right_of_[k] += baked && std::equal(got.begin(), got.end(), baked->states.begin(), alike) ? 1 : 0;
     }
   }
@@ -81,8 +85,7 @@ class Guesses {
 
  private:
   static constexpr std::uint64_t most = 128;
-  static bool alike(State a, State b) { return a == b || (unknown(a) && unknown(b)); }
-
+  const bool loose_;  ///< what is wrong is an O or a T: of the others more may be unknown than has to be
   BakeSubjectPtr right_ = built_in("bake");
   std::uint64_t cases_ = 0;
   std::vector<std::uint64_t> right_of_ = std::vector<std::uint64_t>(known_mistakes().size());
@@ -127,7 +130,7 @@ std::vector<std::string> found(const BakeSubject& s, Fault fault) {
   constexpr Level last = 5;
   std::vector<ByValue> by;
   std::uint64_t cases = 0, proper = 0, ties = 0;
-  Guesses guesses;
+  Guesses guesses(fault);
   const auto take = [&](Case drawn, Level n, std::uint64_t salt) {
     const Case one = fitted(s.functions.support, std::move(drawn), salt);
     const std::optional<Wrong> wrong = interrupted() ? std::nullopt : judged(s, fault, one, n, guesses);
