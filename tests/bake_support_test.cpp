@@ -96,6 +96,8 @@ TEST(BakeSupport, DrawnCasesLieInsideIt) {
       outside = outside || !inside(s, one);
       const Case fit = fitted(s, one, ++k);
       ASSERT_TRUE(inside(s, fit)) << text_of(one) << "\n" << text_of(fit);
+      ASSERT_TRUE(covers(s, fit)) << text_of(fit);
+      ASSERT_EQ(covers(s, one), inside(s, one)) << text_of(one);
       texts.insert(text_of(fit));
     }
     EXPECT_TRUE(outside) << "nothing had to be changed";

@@ -20,6 +20,8 @@
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
+#include "proofs/scene/subject_laws.hpp"
+#include "scene/read/folder.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
 #include "scene/validate/micromaps.hpp"
@@ -42,7 +44,8 @@ using proofs::RunOptions;
 constexpr char sample_name[] = "the suite's own scene";
 
 struct SceneOptions {
-  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at;
+  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject;
+  double timeout = 10;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
   bool exhaustive = false, quiet = false;
@@ -115,12 +118,13 @@ std::string command(const SceneOptions& options) {
   if (options.states != 4) text += " --states 2";
   if (options.memory != SceneOptions().memory) text += fmt::format(" --memory {}", options.memory);
   if (options.margin != 0) text += fmt::format(" --margin {}", options.margin);
+  if (!options.subject.empty()) text += " --subject " + shell_quoted(options.subject);
   return text;
 }
 
 /// One case again; `--level` then is the case's.
-int replayed(const proofs::scene::SceneLaws& laws, const SceneOptions& options) {
-  for (const Job& job : laws.jobs) {
+int replayed(const std::vector<Job>& jobs, const SceneOptions& options) {
+  for (const Job& job : jobs) {
     if (job.law->id != options.replay || options.at.empty()) continue;
     const auto [level, at] = [&] {
       const auto colon = options.at.find('@');
@@ -156,8 +160,12 @@ Report nothing_to_bake() {
   return report;
 }
 
-/// Without a file the scene of our own.
+/// Without a file the scene of our own; a folder's are textures.
 Scene loaded_scene(const SceneOptions& options) {
+  if (std::error_code none; std::filesystem::is_directory(options.file, none)) {
+    if (!options.glb.empty()) throw UsageError("-o: a folder of textures is no scene to write");
+    return load_textures(options.file);
+  }
   if (!options.file.empty()) return load(options.file);
   const Bytes bytes = sample_scene();
   return load(sample_name, bytes);
@@ -218,6 +226,8 @@ void check_options(const SceneOptions& options) {
     }
   if (options.replay.empty() != options.at.empty())
     throw UsageError("--replay LAW and --case LEVEL@CASE go together");
+  if (!options.subject.empty() && (options.states != 4 || !(options.glb + options.sizes).empty()))
+    throw UsageError("--subject: its 4-state maps are judged; leave --states, -o and --sizes out");
   if (!options.replay.empty() && !(options.json + options.glb + options.plot + options.sizes).empty())
     throw UsageError("--replay: it shows one case and writes no file");
 }
@@ -248,10 +258,57 @@ SceneMicromaps micromaps_of(const Scene& scene, const LevelRequest& wanted, cons
   }
 }
 
+/// The laws' results, told as they come; `how`: what decides which cases they have.
+Report ran(const std::vector<Job>& jobs, const SceneOptions& options, std::FILE* out,
+           const std::string& how) {
+  TextReport text(out, false);
+  RunOptions run;
+  run.threads = options.threads;
+  run.seed = options.seed;
+  run.show_progress = !options.quiet;
+  run.mutants = false;
+  proofs::Identity identity;
+  if (!options.journal.empty()) identity = identity_of(jobs, run);
+  identity.emplace_back("samples", how);
+  const auto journal = open_journal(options.journal, std::move(identity), {});
+  run.journal = journal.get();
+  const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
+  text.finish(report, false);
+  if (report.interrupted && journal)
+    fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
+  return report;
+}
+
+/// The one baker of that name.
+proofs::bake::BakeSubjectPtr baker_of(const SceneOptions& options) {
+  for (const proofs::SubjectPtr& subject : parse_subject(options.subject, options.timeout))
+    if (auto baker = std::dynamic_pointer_cast<const proofs::bake::BakeSubject>(subject)) return baker;
+  throw UsageError(fmt::format("--subject {}: it has no baker", options.subject));
+}
+
+/// Somebody else's baker on the scene, beside ours.
+int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& baker,
+           const SceneOptions& options, Output& output) {
+  const proofs::scene::SubjectMaps maps(data, baker);
+  const proofs::scene::SubjectLaws laws = proofs::scene::subject_laws(maps, command(options));
+  if (!options.replay.empty()) return replayed(laws.jobs, options);
+  fmt::print(output.text(), "\nlaws on the maps of {}\n", baker->name());
+  if (laws.jobs.empty())
+    throw UsageError(
+        fmt::format("--subject {}: it declares nothing that this scene asks for", baker->name()));
+  const Report report = ran(laws.jobs, options, output.text(), "all");
+  const SubjectFigures figures{baker->name(), maps.totals()};
+  print_subject(output.text(), figures);
+  output.json(report, scene_json(nullptr, data.scene, data.plan, {}, figures));
+  if (nothing_applied(report)) throw UsageError(nothing_was_run);
+  return exit_code(report);
+}
+
 int scene(const SceneOptions& options) {
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
+  const auto baker = options.subject.empty() ? nullptr : baker_of(options);
   const InterruptGuard guard;
   std::signal(SIGPIPE, SIG_IGN);
   Output output(options);
@@ -267,10 +324,11 @@ int scene(const SceneOptions& options) {
   }
   const proofs::scene::Data data{loaded,     made.plan,    made.baked,     made.arrays,
                                  made.pairs, made.squares, options.margin, options.states == 2};
+  if (baker) return judged(data, baker, options, output);
   proofs::scene::BakeSample sample;
   if (!options.exhaustive) sample.size = options.samples;
   const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(data, sample, command(options));
-  if (!options.replay.empty()) return replayed(laws, options);
+  if (!options.replay.empty()) return replayed(laws.jobs, options);
   print_left_out(output.text(), laws.left_out);
 
   const SceneFigures figures{loaded,
@@ -285,21 +343,8 @@ int scene(const SceneOptions& options) {
 
   fmt::print(output.text(), "\nlaws on this scene\n");
   std::fflush(output.text());
-  TextReport text(output.text(), false);
-  RunOptions run;
-  run.threads = options.threads;
-  run.seed = options.seed;
-  run.show_progress = !options.quiet;
-  run.mutants = false;
-  proofs::Identity identity;
-  if (!options.journal.empty()) identity = identity_of(laws.jobs, run);
-  identity.emplace_back("samples", options.exhaustive ? "all" : fmt::format("{}", options.samples));
-  const auto journal = open_journal(options.journal, std::move(identity), {});
-  run.journal = journal.get();
-  const Report report = run_jobs(laws.jobs, run, [&](const Result& r) { text.add(r); });
-  text.finish(report, false);
-  if (report.interrupted && journal)
-    fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
+  const Report report =
+      ran(laws.jobs, options, output.text(), options.exhaustive ? "all" : fmt::format("{}", options.samples));
   output.plot(figures);
   output.json(report, scene_json(&figures, loaded, made.plan, laws.left_out));
   return exit_code(report);
@@ -311,8 +356,10 @@ Action add_scene(CLI::App& program) {
   auto* command = program.add_subcommand(
       "scene", "plan and bake the micromaps of a glTF scene, and run the laws on them");
   auto options = std::make_shared<SceneOptions>();
-  command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
-      ->type_name("FILE.gltf|FILE.glb");
+  command
+      ->add_option("file", options->file,
+                   "the scene, or a folder of textures; without it the suite's own, a plant and a fence")
+      ->type_name("FILE.gltf|FILE.glb|FOLDER");
   command
       ->add_option("-o,--output", options->glb,
                    "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
@@ -355,6 +402,12 @@ Action add_scene(CLI::App& program) {
   command->add_option("--replay", options->replay, "show one case of a law again; needs --case")
       ->type_name("LAW");
   command->add_option("--case", options->at, "the case of --replay")->type_name("LEVEL@CASE");
+  command
+      ->add_option("--subject", options->subject,
+                   "judge this baker's maps of the scene, and time it, in the place of ours")
+      ->type_name("NAME|FILE.so");
+  command->add_option("--timeout", options->timeout, "seconds that the subject may take for a triangle")
+      ->check(finite_within(0.01, 86400));
   command->add_flag("--quiet", options->quiet, "no progress");
   return [options] { return scene(*options); };
 }

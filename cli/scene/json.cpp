@@ -41,6 +41,20 @@ Json to_json(const VqFootprint& v) {
           {"regions", v.regions}, {"unknown", v.unknown}, {"substitutions", v.substitutions}};
 }
 
+Json to_json(const SubjectFigures& f) {
+  const auto& t = f.totals;
+  return {{"name", f.name},
+          {"triangles", t.triangles},
+          {"outside", t.outside},
+          {"declined", t.declined},
+          {"micro_triangles", t.micro_triangles},
+          {"wrong_known", t.wrong_known},
+          {"needless_unknown", t.needless_unknown},
+          {"ns", t.ns},
+          {"our_ns", t.our_ns},
+          {"times_ours", f.times_ours()}};
+}
+
 Json plan_json(const Scene& scene, const Plan& plan) {
   const TriangleCounts all = count_triangles(scene);
   const PlanCounts baked = counts(plan);
@@ -73,8 +87,10 @@ Json plan_json(const Scene& scene, const Plan& plan) {
 }  // namespace
 
 std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& plan,
-                       const std::vector<proofs::scene::LeftOutLaw>& left_out) {
+                       const std::vector<proofs::scene::LeftOutLaw>& left_out,
+                       const std::optional<SubjectFigures>& subject) {
   Json j{{"file", scene.file}, {"plan", plan_json(scene, plan)}};
+  if (subject) j["subject"] = to_json(*subject);
   for (const auto& [what, why] : left_out)
     j["plan"]["left_out_laws"].push_back({{"what", what}, {"why", why}});
   if (f == nullptr) return text(j);

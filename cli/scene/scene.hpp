@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "proofs/scene/laws.hpp"
+#include "proofs/scene/subject_maps.hpp"
 #include "scene/pipeline.hpp"
 
 namespace mmverify::cli {
@@ -37,10 +38,20 @@ void print_figures(std::FILE* out, const SceneFigures& figures);
 /// What the laws have nothing for.
 void print_left_out(std::FILE* out, const std::vector<proofs::scene::LeftOutLaw>& left_out);
 
+/// Somebody else's maps, by name, and what is wrong of them.
+struct SubjectFigures {
+  std::string name;
+  proofs::scene::SubjectTotals totals;
+
+  double times_ours() const { return totals.our_ns == 0 ? 0 : totals.ns / totals.our_ns; }
+};
+void print_subject(std::FILE* out, const SubjectFigures& figures);
+
 /// The member "scene" of the results.
 std::string scene_json(const SceneFigures* figures, const mmverify::scene::Scene& scene,
                        const mmverify::scene::Plan& plan,
-                       const std::vector<proofs::scene::LeftOutLaw>& left_out);
+                       const std::vector<proofs::scene::LeftOutLaw>& left_out,
+                       const std::optional<SubjectFigures>& subject = {});
 
 /// The gnuplot script of figure 5: above, bytes by level; below, how often smaller the tree is.
 std::string sizes_plot_script(const SceneFigures& figures);

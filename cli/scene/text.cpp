@@ -162,6 +162,28 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
   }
 }
 
+void print_subject(std::FILE* out, const SubjectFigures& f) {
+  const auto& t = f.totals;
+  const auto a_million = [&t](std::uint64_t count) {
+    return t.micro_triangles == 0 ? 0.0
+                                  : 1e6 * static_cast<double>(count) / static_cast<double>(t.micro_triangles);
+  };
+  const auto counted = [&](std::uint64_t count) {
+    return fmt::format("{}, {:.1f} a million", grouped(count), a_million(count));
+  };
+  fmt::print(out, "\n{} on this scene\n", f.name);
+  line(out, "asked",
+       fmt::format("{} distinct triangles: {} outside what it declares, {} declined", grouped(t.triangles),
+                   grouped(t.outside), grouped(t.declined)));
+  line(out, "baked", fmt::format("{} micro-triangles of the rest", grouped(t.micro_triangles)));
+  line(out, "wrong", counted(t.wrong_known) + ": T or O where they should not be");
+  line(out, "needless", counted(t.needless_unknown) + ": unknown where all is T, or all O");
+  line(out, "time",
+       fmt::format("{:.1f} ns a micro-triangle in its worker, question and answer included; ours "
+                   "{:.1f} ns; {:.1f} times ours",
+                   t.ns, t.our_ns, f.times_ours()));
+}
+
 void print_left_out(std::FILE* out, const std::vector<proofs::scene::LeftOutLaw>& left_out) {
   for (const auto& [what, why] : left_out) line(out, "left out", fmt::format("{}: {}", what, why));
 }

@@ -130,6 +130,20 @@ Cutoff float_cutoff(const Cutoff& cutoff) {
   return {numerator >> common, denominator >> common};
 }
 
+bool covers(const Support& s, const Case& one) {
+  const auto fits = [&](std::uint32_t side) { return fitting_side(s, side) == side; };
+  const auto in_range = [&](float x) { return !s.bounded() || (x >= s.uv_min && x <= s.uv_max); };
+  return s.texels.has(one.texel) && s.filters.has(one.filter) &&
+         !(s.coordinate_bits != 0 && one.filter == Filter::nearest) && s.wraps.has(one.wrap_u) &&
+         s.wraps.has(one.wrap_v) && !(s.same_wraps && one.wrap_u != one.wrap_v) && fits(one.width) &&
+         fits(one.height) && one.mips <= s.max_mips &&
+         (s.factors || (one.factor == 1 && one.vertex_factor == 1)) && (s.margins || one.margin == 0) &&
+         (one.blend ? s.judges_blend() : s.mask) &&
+         (one.blend || !s.fixed_cutoff || one.cutoff == *s.fixed_cutoff) &&
+         (one.blend || s.fixed_cutoff || !s.float_cutoffs || one.cutoff == float_cutoff(one.cutoff)) &&
+         std::all_of(one.uv.begin(), one.uv.end(), in_range);
+}
+
 Case fitted(const Support& support, Case one, std::uint64_t salt) {
   if (support.whole()) return one;
   fit_texture(support, one, salt);

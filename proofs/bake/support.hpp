@@ -54,6 +54,9 @@ struct Support {
   friend bool operator==(const Support&, const Support&) = default;
 };
 
+/// Whether the case is one that fitted() leaves as it is, but for its rules: looked at without a texel.
+bool covers(const Support& support, const Case& one);
+
 /// The number nearest to the cutoff that binary32 has, in [0, 1]; below 2^-8 it is 0 or 2^-8.
 Cutoff float_cutoff(const Cutoff& cutoff);
 
