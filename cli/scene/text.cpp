@@ -179,7 +179,7 @@ void print_subject(std::FILE* out, const SubjectFigures& f) {
   line(out, "wrong", counted(t.wrong_known) + ": T or O where they should not be");
   line(out, "needless", counted(t.needless_unknown) + ": unknown where all is T, or all O");
   line(out, "time",
-       fmt::format("{:.1f} ns a micro-triangle in its worker, question and answer included; ours "
+       fmt::format("{:.1f} ns a micro-triangle, question and answer included; ours "
                    "{:.1f} ns; {:.1f} times ours",
                    t.ns, t.our_ns, f.times_ours()));
 }
