@@ -100,4 +100,17 @@ SceneLaws scene_laws(const Data& data, const BakeSample& sample, const std::stri
   return all;
 }
 
+SceneLaws map_laws(const Data& data, const BakeSample& sample, const std::string& name,
+                   const std::string& command) {
+  SceneLaws all;
+  all.laws = bake_laws(data, sample);
+  const auto subject = std::make_shared<const SceneSubject>(data, "bake", name);
+  for (Law& law : all.laws) {
+    law.replayed_by = fmt::format("{} --replay {}", command, law.id);
+    for (Level n = 0; n <= finest; ++n)
+      if (!law.unfit(*subject, n)) all.jobs.push_back({&law, subject, {n, n}, {}});
+  }
+  return all;
+}
+
 }  // namespace mmverify::proofs::scene

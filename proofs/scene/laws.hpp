@@ -25,4 +25,8 @@ struct SceneLaws {
 /// Domain: data that outlives the laws.
 SceneLaws scene_laws(const Data& data, const BakeSample& sample, const std::string& command);
 
+/// The laws of baking alone, on maps that somebody else has made; `name`: of their file.
+SceneLaws map_laws(const Data& data, const BakeSample& sample, const std::string& name,
+                   const std::string& command);
+
 }  // namespace mmverify::proofs::scene

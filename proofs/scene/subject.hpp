@@ -43,6 +43,9 @@ class SceneSubject : public Subject {
  public:
   SceneSubject(const Data& data, const std::string& topic)
       : Subject(topic, "impl", "what this project bakes, packs and codes of a scene"), data_(data) {}
+  /// Maps that somebody else has made.
+  SceneSubject(const Data& data, const std::string& topic, const std::string& name)
+      : Subject(topic, name, "maps that a file has"), data_(data) {}
   bool exact() const override { return true; }
   std::string fingerprint() const override;
 

@@ -37,7 +37,7 @@ struct MapLaw {
   std::vector<std::uint32_t> WrongStates::*wrong;
 };
 
-constexpr MapLaw map_laws[] = {{"bake.conservative", "a micro-triangle is T or O only where all of it is",
+constexpr MapLaw two_laws[] = {{"bake.conservative", "a micro-triangle is T or O only where all of it is",
                                 "no O or T that is not", "one", &WrongStates::known},
                                {"bake.tight", "a micro-triangle is unknown only where it is truly mixed",
                                 "no unknown that is all O or all T", "one", &WrongStates::unknown}};
@@ -80,7 +80,7 @@ Law law_of_maps(const MapLaw& map_law, const SubjectMaps& maps) {
 
 SubjectLaws subject_laws(const SubjectMaps& maps, const std::string& command) {
   SubjectLaws all;
-  for (const MapLaw& map_law : map_laws) all.laws.push_back(law_of_maps(map_law, maps));
+  for (const MapLaw& map_law : two_laws) all.laws.push_back(law_of_maps(map_law, maps));
   // A subject that the laws name: not owned by them.
   const SubjectPtr subject(&maps.subject(), [](const Subject*) {});
   for (Law& law : all.laws) {

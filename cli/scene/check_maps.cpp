@@ -1,0 +1,202 @@
+#include "cli/scene/check_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/json.hpp"
+#include "cli/junit.hpp"
+#include "cli/output_file.hpp"
+#include "cli/scene/scene.hpp"
+#include "cli/text.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/shape.hpp"
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/file.hpp"
+#include "scene/read/load.hpp"
+#include "scene/validate/micromaps.hpp"
+#include "scene/validate/stored_maps.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+namespace micromap = impl::micromap;
+using namespace mmverify::scene;
+using proofs::Groups;
+
+/// What makes maps that cannot be judged: rules that they break.  Exit code 1.
+struct Malformed {
+  std::vector<std::string> lines;
+};
+
+StoredMaps of_file(const CheckMapsOptions& options, const Scene& scene) {
+  Malformed malformed;
+  for (const FileViolation& v : validate_micromaps(options.file)) malformed.lines.push_back(describe(v));
+  if (!malformed.lines.empty()) throw malformed;
+  return stored_maps(options.file, scene);
+}
+
+std::size_t primitive_of(const std::string& text, const Scene& scene) {
+  const Groups parts = proofs::groups_of(text, "([0-9]{1,9})/([0-9]{1,9})");
+  if (!parts) throw UsageError(fmt::format("--primitive {}: write MESH/PRIMITIVE, for example 0/2", text));
+  const auto mesh = std::stoul((*parts)[1]), number = std::stoul((*parts)[2]);
+  for (std::size_t p = 0; p < scene.primitives.size(); ++p)
+    if (scene.primitives[p].mesh == mesh && scene.primitives[p].number == number) return p;
+  throw UsageError(fmt::format("--primitive {}: the scene has no such primitive", text));
+}
+
+micromap::Encoding encoding_of(const std::string& name) {
+  constexpr std::array<std::pair<const char*, micromap::Encoding>, 5> all{{{"u8", micromap::Encoding::u8},
+                                                                           {"u16", micromap::Encoding::u16},
+                                                                           {"u32", micromap::Encoding::u32},
+                                                                           {"i16", micromap::Encoding::i16},
+                                                                           {"i32", micromap::Encoding::i32}}};
+  return std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.first == name; })->second;
+}
+
+StoredMaps of_buffers(const CheckMapsOptions& options, const Scene& scene) {
+  const RawArray& raw = options.raw;
+  if (raw.records.empty() || raw.primitive.empty())
+    throw UsageError("--data: give --records FILE and --primitive MESH/PRIMITIVE as well");
+  const std::size_t primitive = primitive_of(raw.primitive, scene);
+  const Bytes data = read_file(raw.data, raw.data, "--data"),
+              records = read_file(raw.records, raw.records, "--records");
+  Bytes indices;
+  micromap::Input in;
+  in.sets = micromap::DXR;  // levels up to 12, whatever the device
+  in.data = data;
+  in.records = records;
+  in.record_count = records.size() / micromap::record_bytes;
+  in.triangles = scene.primitives[primitive].triangles.size();
+  in.base_triangle = raw.base_triangle;
+  if (!raw.indices.empty()) {
+    indices = read_file(raw.indices, raw.indices, "--indices");
+    in.indexed = true;
+    in.indices = indices;
+    in.encoding = encoding_of(raw.index_type);
+    in.index_stride = micromap::width(in.encoding) / 8;
+  }
+  Malformed malformed;
+  for (const micromap::Violation& v : micromap::validate(in)) {
+    if (malformed.lines.size() == 8) break;
+    // A build has its own encodings; here those that glTF has will do.
+    if (v.rule != micromap::Rule::index_encoding) malformed.lines.push_back(describe(v));
+  }
+  if (!malformed.lines.empty()) throw malformed;
+  return stored_maps(in, scene, primitive);
+}
+
+std::string command_of(const CheckMapsOptions& o) {
+  std::string text = "mmverify check maps " + shell_quoted(o.file);
+  if (!o.raw.data.empty()) {
+    text += fmt::format(" --data {} --records {} --primitive {}", shell_quoted(o.raw.data),
+                        shell_quoted(o.raw.records), o.raw.primitive);
+    if (!o.raw.indices.empty())
+      text += fmt::format(" --indices {} --index-type {}", shell_quoted(o.raw.indices), o.raw.index_type);
+    if (o.raw.base_triangle != 0) text += fmt::format(" --base-triangle {}", o.raw.base_triangle);
+  }
+  if (o.states != 4) text += " --states 2";
+  if (o.margin != 0) text += fmt::format(" --margin {}", o.margin);
+  return text;
+}
+
+void print_maps(std::FILE* out, const std::string& file, const Scene& scene, const StoredMaps& maps) {
+  micromap::StateCounts states{};
+  std::array<std::uint64_t, 13> levels{};
+  for (const BakedTriangle& t : maps.baked.triangles) {
+    ++levels[t.level];
+    for (std::size_t k = 0; k < 4; ++k) states[k] += t.states[k];
+  }
+  fmt::print(out, "{}: {} triangles with maps, {} of them special indices\n", file,
+             grouped(maps.baked.triangles.size()), grouped(maps.special));
+  std::string by_level;
+  for (std::size_t n = 0; n < levels.size(); ++n)
+    if (levels[n] != 0)
+      by_level += fmt::format("{}{}: {}", by_level.empty() ? "" : ", ", n, grouped(levels[n]));
+  fmt::print(out, "  by level   {}\n  states     T {}, O {}, UT {}, UO {}\n", by_level, grouped(states[0]),
+             grouped(states[1]), grouped(states[2]), grouped(states[3]));
+  for (const NotJudged& n : maps.not_judged)
+    fmt::print(out, "  not judged mesh {} primitive {}, {} triangles: {}\n",
+               scene.primitives[n.primitive].mesh, scene.primitives[n.primitive].number, grouped(n.triangles),
+               sentence(n.why));
+}
+
+int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& options) {
+  const auto colon = options.at.find('@');
+  if (colon == std::string::npos) throw UsageError("--case " + options.at + ": write LEVEL@CASE");
+  const proofs::Level level = parse_level(options.at.substr(0, colon));
+  for (const proofs::Job& job : laws.jobs) {
+    if (job.law->id != options.replay || job.levels.first != level) continue;
+    try {
+      const std::string at = options.at.substr(colon + 1);
+      const proofs::Replayed r = job.law->replay(*job.subject, level, at);
+      fmt::print("{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id,
+                 level, at, r.expected, r.got);
+      return r.holds ? complete : failed;
+    } catch (const proofs::BadCase& bad) {
+      throw UsageError(fmt::format("--case {}", bad.what()));
+    }
+  }
+  throw UsageError(
+      fmt::format("--replay {}: no law of that name has cases of that level here", options.replay));
+}
+
+}  // namespace
+
+int check_maps(const CheckMapsOptions& options) {
+  if (options.file.empty()) throw UsageError("check maps: name the scene, FILE.gltf or FILE.glb");
+  if (options.replay.empty() != options.at.empty())
+    throw UsageError("--replay LAW and --case LEVEL@CASE go together");
+  if (options.json == "-" && options.junit == "-")
+    throw UsageError("--json and --junit: one standard output for both");
+  const proofs::InterruptGuard guard;
+  std::optional<OutputFile> json, junit;
+  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
+  if (!options.junit.empty()) junit.emplace(options.junit);
+  std::FILE* const out = options.json == "-" ? stderr : stdout;
+  const Scene scene = load(options.file);
+  StoredMaps maps;
+  try {
+    maps = options.raw.data.empty() ? of_file(options, scene) : of_buffers(options, scene);
+  } catch (const Malformed& malformed) {
+    fmt::print(out, "{}: its micromaps break rules\n",
+               options.raw.data.empty() ? options.file : options.raw.data);
+    for (const std::string& line : malformed.lines) fmt::print(out, "  {}\n", line);
+    return failed;
+  }
+  if (maps.baked.triangles.empty() && maps.not_judged.empty())
+    throw UsageError(fmt::format("{}: no primitive has a micromap", options.file));
+  print_maps(out, options.file, scene, maps);
+  const SceneArrays no_arrays;
+  const Pairs no_pairs;
+  const SquareMaps no_squares;
+  const proofs::scene::Data data{scene,    maps.plan,  maps.baked,     no_arrays,
+                                 no_pairs, no_squares, options.margin, options.states == 2};
+  proofs::scene::BakeSample sample;
+  if (!options.exhaustive) sample.size = options.samples;
+  const proofs::scene::SceneLaws laws = proofs::scene::map_laws(
+      data, sample, options.raw.data.empty() ? options.file : options.raw.data, command_of(options));
+  if (!options.replay.empty()) return replayed(laws, options);
+  std::fflush(out);
+  TextReport text(out, false);
+  proofs::RunOptions run;
+  run.seed = options.seed;
+  run.errors = options.errors;
+  run.show_progress = !options.quiet;
+  run.mutants = false;
+  const proofs::Report report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
+  text.finish(report, false);
+  if (json) json->commit(to_json(report, options.seed));
+  if (options.json == "-") fmt::print("{}", to_json(report, options.seed));
+  if (junit) junit->commit(to_junit(report));
+  if (laws.jobs.empty()) throw UsageError(nothing_was_run);
+  return exit_code(report);
+}
+
+}  // namespace mmverify::cli

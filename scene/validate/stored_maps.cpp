@@ -1,0 +1,152 @@
+#include "scene/validate/stored_maps.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "scene/validate/indices.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+namespace micromap = impl::micromap;
+using Json = nlohmann::json;
+
+/// Records, data and the indices of one primitive: rules that hold of them are not looked at again.
+using Build = micromap::Input;
+
+template <class T>
+T read(std::span<const unsigned char> bytes, std::uint64_t at) {
+  T value;
+  std::memcpy(&value, bytes.subspan(static_cast<std::size_t>(at), sizeof value).data(), sizeof value);
+  return value;
+}
+
+micromap::Record record_of(const Build& in, std::uint64_t k) {
+  const std::uint64_t at = k * in.record_stride;
+  return {read<std::uint32_t>(in.records, at), read<std::uint16_t>(in.records, at + 4),
+          read<std::uint16_t>(in.records, at + 6)};
+}
+
+std::uint32_t code_of(const Build& in, std::uint64_t triangle) {
+  if (!in.indexed) return static_cast<std::uint32_t>(triangle);
+  const std::uint64_t at = triangle * in.index_stride;
+  switch (micromap::width(in.encoding)) {
+    case 8:
+      return read<std::uint8_t>(in.indices, at);
+    case 16:
+      return read<std::uint16_t>(in.indices, at);
+    default:
+      return read<std::uint32_t>(in.indices, at);
+  }
+}
+
+BakedTriangle uniform(micromap::State state) {
+  BakedTriangle t;
+  t.uniform = state;
+  ++t.states[static_cast<std::size_t>(state)];
+  return t;
+}
+
+BakedTriangle map_of(const Build& in, const micromap::Record& record) {
+  BakedTriangle t;
+  t.level = record.level;
+  t.format = static_cast<micromap::Format>(record.format);
+  const std::uint64_t count = micromap::micro_triangles(t.level),
+                      bytes = micromap::packed_bytes(count, t.format);
+  const auto from = in.data.subspan(record.offset, static_cast<std::size_t>(bytes));
+  t.map.assign(from.begin(), from.end());
+  t.states = micromap::count_states(t.map, t.format, count);
+  return t;
+}
+
+/// Adds the triangles of one primitive.
+class Collector {
+ public:
+  explicit Collector(const Scene& scene) : scene_(scene), planned_(plan(scene)) {
+    all_.plan.surfaces = planned_.surfaces;
+  }
+
+  void add(std::size_t primitive, const Build& in) {
+    const auto planned =
+        std::find_if(planned_.primitives.begin(), planned_.primitives.end(),
+                     [primitive](const PlannedPrimitive& p) { return p.primitive == primitive; });
+    const Primitive& given = scene_.primitives.at(primitive);
+    if (planned == planned_.primitives.end()) {
+      const auto why =
+          std::find_if(planned_.left_out.begin(), planned_.left_out.end(),
+                       [primitive](const LeftOutPrimitive& p) { return p.primitive == primitive; });
+      all_.not_judged.push_back({primitive, given.triangles.size(), why->why});
+      return;
+    }
+    for (std::uint64_t t = 0; t < in.triangles && t < given.triangles.size(); ++t) {
+      const std::uint32_t code = code_of(in, t);
+      const auto special = in.indexed ? micromap::special_state(code, in.encoding) : std::nullopt;
+      all_.special += special ? 1 : 0;
+      all_.baked.triangles.push_back(
+          special ? uniform(*special) : map_of(in, record_of(in, std::uint64_t{code} + in.base_triangle)));
+      PlannedTriangle triangle;
+      triangle.surface = planned->surface;
+      for (std::size_t vertex = 0; vertex < 3; ++vertex)
+        triangle.uvs[vertex] = given.uvs.at(given.triangles[static_cast<std::size_t>(t)][vertex]);
+      triangle.unique = triangle.placed = 1;
+      all_.plan.triangles.push_back(triangle);
+    }
+  }
+
+  StoredMaps taken() { return std::move(all_); }
+
+ private:
+  const Scene& scene_;
+  const Plan planned_;
+  StoredMaps all_;
+};
+
+std::span<const unsigned char> view_of(const Buffers& buffers, const Json& micromap, const char* name) {
+  return buffers.view(micromap.at(name).get<std::size_t>());
+}
+
+}  // namespace
+
+StoredMaps stored_maps(const std::string& file, const Scene& scene) {
+  const Document document = open_document(file);
+  const Buffers buffers(document);
+  Collector collector(scene);
+  const Json& meshes = member(document.json, "meshes");
+  for (std::size_t p = 0; p < scene.primitives.size(); ++p) {
+    const Json& primitive = meshes[scene.primitives[p].mesh]["primitives"][scene.primitives[p].number];
+    const Json& given = extension(primitive, micromap_extension);
+    if (given.empty()) continue;
+    const Json& micromap =
+        extension(document.json, micromap_extension)["micromaps"][given["micromap"].get<std::size_t>()];
+    Build in;
+    in.records = view_of(buffers, micromap, "triangles");
+    in.record_count = in.records.size() / micromap::record_bytes;
+    in.data = view_of(buffers, micromap, "data");
+    in.triangles = scene.primitives[p].triangles.size();
+    in.base_triangle = given.value("micromapBaseTriangle", std::uint32_t{0});
+    MicromapIndices indices;
+    if (given.contains("micromapIndices")) {
+      Report report;
+      indices =
+          read_micromap_indices(document, buffers, given["micromapIndices"].get<std::size_t>(), "", report)
+              .value();
+      in.indexed = true;
+      in.encoding = indices.encoding;
+      in.index_stride = micromap::width(indices.encoding) / 8;
+      in.indices = indices.bytes;
+    }
+    collector.add(p, in);
+  }
+  return collector.taken();
+}
+
+StoredMaps stored_maps(const impl::micromap::Input& input, const Scene& scene, std::size_t primitive) {
+  Collector collector(scene);
+  collector.add(primitive, input);
+  return collector.taken();
+}
+
+}  // namespace mmverify::scene
