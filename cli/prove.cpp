@@ -28,12 +28,12 @@ using namespace proofs;
 struct ProveOptions {
   std::vector<std::string> laws, subjects;
   std::optional<std::string> levels;
-  std::string tier = "fast", cells = "all", json, junit;
+  std::string tier = "fast", cells = "all", dialect = "either", json, junit;
   unsigned threads = 0;
   std::size_t errors = 1;
   std::uint64_t seed = 1, cases = 0;
   double timeout = 10;
-  bool quiet = false, no_mutants = false;
+  bool quiet = false, no_mutants = false, no_companions = false;
   std::string shard, journal;
 };
 
@@ -46,6 +46,9 @@ Request request(const ProveOptions& options) {
       if (std::find(r.subjects.begin(), r.subjects.end(), subject) == r.subjects.end())
         r.subjects.push_back(subject);
   if (options.levels) r.levels = parse_levels(*options.levels);
+  r.dialect = options.dialect;
+  r.by_id = options.laws;
+  r.companions = !options.no_companions;
   return r;
 }
 
@@ -129,6 +132,12 @@ Action add_prove(CLI::App& program) {
   command->add_option("--tier", options->tier, "fast or long")->check(CLI::IsMember({"fast", "long"}));
   command->add_option("--cells", options->cells, "all, or interior: leave out points on grid lines")
       ->check(CLI::IsMember({"all", "interior"}));
+  command
+      ->add_option("--dialect", options->dialect,
+                   "what binary32 answers are held against: exact arithmetic, the published code, or either")
+      ->check(CLI::IsMember({"exact", "published", "either"}));
+  command->add_flag("--no-companions", options->no_companions,
+                    "run no law on floats beside one whose cases are few numbers to a subject of floats");
   command->add_option("--errors", options->errors, "counterexamples kept of each result")
       ->check(CLI::Range(1, 10000));
   command

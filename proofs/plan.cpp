@@ -34,6 +34,16 @@ const Law* companion(const Law& law, const Subject& subject) {
                                                                                           : nullptr;
 }
 
+/// The law that stands in its place in a dialect, if that is about the subject; not of the law's own subjects, which
+/// promise what it says.
+const Law& in_dialect(const Law& law, const Subject& subject, const std::string& dialect) {
+  if (std::find(law.subjects.begin(), law.subjects.end(), subject.name()) != law.subjects.end()) return law;
+  for (const auto& [name, id] : law.in_dialect)
+    if (const Law* other = find_law(id); name == dialect && fits_somewhere(*other, subject, other->long_run))
+      return *other;
+  return law;
+}
+
 }  // namespace
 
 std::vector<Job> plan(const Request& request) {
@@ -65,13 +75,16 @@ std::vector<Job> plan(const Request& request) {
       const bool other_topic = subject->topic() != law->topic;
       if (request.laws.empty() ? !about(*law, *subject) || other_topic : other_topic && of_its_topic)
         continue;
-      add(*law, subject);
+      const bool named =
+          std::find(request.by_id.begin(), request.by_id.end(), law->id) != request.by_id.end();
+      if (law->alternative && !named && !request.subjects.empty()) continue;
+      add(named ? *law : in_dialect(*law, *subject, request.dialect), subject);
       // A law that does not apply proves nothing that floats could deny.
       const Levels run = request.levels.value_or(request.tier == Tier::fast ? law->fast : law->long_run);
-      if (!subject->exact() && fits_somewhere(*law, *subject, run))
+      if (request.companions && !subject->exact() && fits_somewhere(*law, *subject, run))
         for (const Law* on_floats = companion(*law, *subject); on_floats != nullptr;
              on_floats = companion(*on_floats, *subject))
-          add(*on_floats, subject);
+          add(in_dialect(*on_floats, *subject, request.dialect), subject);
     }
   }
   return jobs;

@@ -10,6 +10,9 @@ struct Request {
   std::vector<SubjectPtr> subjects;  ///< empty: each law's own
   std::optional<Levels> levels;      ///< none: the tier's
   Tier tier = Tier::fast;
+  std::string dialect = "exact";   ///< by which laws about floats are held
+  std::vector<std::string> by_id;  ///< of the laws those that were named themselves, not by their topic
+  bool companions = true;          ///< whether laws bring theirs along
 };
 
 /// The jobs of a request. A law whose cells decide nothing for a float subject brings its companion on floats

@@ -21,7 +21,7 @@ TEST(Subject, the_example_in_c_is_proved_on_all_cells) {
   const Outcome o = judge("example", "index.equals_reference --levels 0..8");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("the 3N^2+3N+1 representatives, as binary32 numbers"));
-  EXPECT_THAT(o.out, HasSubstr("checked    index.exact_on_floats"));
+  EXPECT_THAT(o.out, HasSubstr("checked    index.exact_or_published"));
   EXPECT_THAT(o.out, HasSubstr("example.so: checked, the weakest of its verdicts"));
 }
 

@@ -116,6 +116,10 @@ struct Law {
   /// The law that runs with it on a subject that is not exact, for which its cases decide nothing else; and so
   /// does that law's own companion.
   std::string companion = {};
+  /// Laws in the place of this one on a subject that they fit, by the dialect that a run is in.
+  std::vector<std::pair<std::string, std::string>> in_dialect = {};
+  /// Whether it stands in another law's place alone, or where it is asked for by its id.
+  bool alternative = false;
 };
 
 /// Ends the law with `broken`.

@@ -5,6 +5,7 @@
 #include "proofs/index/on_cells.hpp"
 #include "proofs/index/options.hpp"
 #include "proofs/index/picture.hpp"
+#include "proofs/index/published.hpp"
 #include "proofs/index/reference_sweep.hpp"
 #include "spec/rational.hpp"
 
@@ -73,6 +74,17 @@ Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
 Replayed replay_equals_reference(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
   return compared(n, p, spec::index::reference(p, n), s.functions.index_at(n, p));
+}
+
+Replayed replay_equals_published(const IndexSubject& s, Level n, const std::string& at) {
+  const RationalPoint p = received_point(s, at);
+  const std::uint32_t want = published(n, static_cast<float>(nearest(p.u)), static_cast<float>(nearest(p.v)));
+  return compared(n, p, want, s.functions.index_at(n, p));
+}
+
+Replayed replay_exact_or_published(const IndexSubject& s, Level n, const std::string& at) {
+  const Replayed by_code = replay_equals_published(s, n, at);
+  return by_code.holds ? by_code : replay_equals_reference(s, n, at);
 }
 
 Tally in_range(const IndexSubject& s, Level n, const Run& run) {

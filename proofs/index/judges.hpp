@@ -37,12 +37,16 @@ Tally exact_on_binary16(const IndexSubject&, Level, const Run&);
 
 // On samples.
 Tally exact_on_floats(const IndexSubject&, Level, const Run&, std::uint64_t samples);
+Tally equals_published(const IndexSubject&, Level, const Run&, std::uint64_t samples);
+Tally exact_or_published(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 Tally exact_on_doubles(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 Tally row_exact_on_floats(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 Tally cells_decide(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 
 // The same laws on one case, for `replay`; each throws BadCase for a text it cannot read.
 Replayed replay_equals_reference(const IndexSubject&, Level, const std::string& at);
+Replayed replay_equals_published(const IndexSubject&, Level, const std::string& at);
+Replayed replay_exact_or_published(const IndexSubject&, Level, const std::string& at);
 Replayed replay_in_range(const IndexSubject&, Level, const std::string& at);
 Replayed replay_nested(const IndexSubject&, Level, const std::string& at);
 Replayed replay_rounding(const IndexSubject&, Level, const std::string& at);

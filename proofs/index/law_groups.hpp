@@ -8,6 +8,9 @@ namespace mmverify::proofs::index {
 /// About the arithmetic: floats, fixed point, and what a representative stands for.
 std::vector<Law> arithmetic_laws();
 
+/// About binary32 code: beside exact arithmetic the published code, or either.
+std::vector<Law> dialect_laws();
+
 /// About floats: the companions of those over cells.
 std::vector<Law> float_laws();
 

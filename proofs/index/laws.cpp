@@ -299,7 +299,7 @@ std::vector<Law> laws() {
                        contiguous_law(),       inverse_law(),  corners_law(),   rounding_law()};
   for (const auto& group :
        {induction::laws(), wide_laws(), arithmetic_laws(), std::vector{row_order_law(), row_corners_law()},
-        float_laws(), sample_laws(), paper_laws(equals_reference_law())})
+        float_laws(), dialect_laws(), sample_laws(), paper_laws(equals_reference_law())})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

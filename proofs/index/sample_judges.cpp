@@ -9,6 +9,7 @@
 #include "proofs/index/hard_rows.hpp"
 #include "proofs/index/judges.hpp"
 #include "proofs/index/options.hpp"
+#include "proofs/index/published.hpp"
 #include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
@@ -83,11 +84,10 @@ auto inside_pair(Level n, std::uint64_t seed, std::uint64_t sample, Draw draw) {
   }
 }
 
-/// Compares an order's answers on pairs of F that `draw` makes with those of its specification, in exact
-/// arithmetic.
-template <class F, class Draw, class Ask, class Specified>
-Tally exact_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, Ask ask,
-                     Specified specified) {
+/// Compares answers on pairs of F that `draw` makes with those that are due: due(u, v, p, n, got) of the pair, the same
+/// in exact arithmetic, the level and the answer.
+template <class F, class Draw, class Ask, class Due>
+Tally judged_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, Ask ask, Due due) {
   return sweep(run, samples, floats_per_chunk, [&](Chunk chunk, Tally& tally) {
     std::array<F, floats_per_batch> u, v;
     std::array<std::uint32_t, floats_per_batch> got;
@@ -103,7 +103,7 @@ Tally exact_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, 
           std::span<std::uint32_t>(got.data(), count));
       for (std::uint64_t t = 0; t < count; ++t) {
         const auto [want, kind] = on_exact(u[t], v[t], [&](const auto& p) {
-          return std::pair{specified(p, n), kind_at(p, n)};
+          return std::pair{due(u[t], v[t], p, n, got[t]), kind_at(p, n)};
         });
         tally.count(kind, 1);
         tally.digest(from + t, got[t]);
@@ -115,17 +115,47 @@ Tally exact_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, 
   });
 }
 
+/// Against a specification in exact arithmetic.
+template <class F, class Draw, class Ask, class Specified>
+Tally exact_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, Ask ask,
+                     Specified specified) {
+  return judged_on_pairs<F>(n, run, samples, draw, ask, [&](F, F, const auto& p, Level level, std::uint32_t) {
+    return specified(p, level);
+  });
+}
+
 constexpr auto by_reference = [](const auto& p, Level n) { return spec::index::reference(p, n); };
 constexpr auto by_figure_4 = [](const auto& p, Level n) { return spec::index::w_minor(p, n); };
 
 }  // namespace
 
-Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
-  const auto ask = [&](std::span<float> u, std::span<float> v, std::span<std::uint32_t> got) {
+namespace {
+
+auto asked_on_floats(const IndexSubject& s, Level n) {
+  return [&s, n](std::span<float> u, std::span<float> v, std::span<std::uint32_t> got) {
     s.functions.receive_floats(u, v);
     s.functions.index_floats(n, FloatBatch{u, v}, got);
   };
-  return exact_on_pairs<float>(n, run, samples, hard_floats, ask, by_reference);
+}
+
+}  // namespace
+
+Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
+  return exact_on_pairs<float>(n, run, samples, hard_floats, asked_on_floats(s, n), by_reference);
+}
+
+Tally equals_published(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
+  return judged_on_pairs<float>(
+      n, run, samples, hard_floats, asked_on_floats(s, n),
+      [](float u, float v, const auto&, Level level, std::uint32_t) { return published(level, u, v); });
+}
+
+Tally exact_or_published(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
+  return judged_on_pairs<float>(n, run, samples, hard_floats, asked_on_floats(s, n),
+                                [](float u, float v, const auto& p, Level level, std::uint32_t got) {
+                                  return got == published(level, u, v) ? got
+                                                                       : spec::index::reference(p, level);
+                                });
 }
 
 Tally exact_on_doubles(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {

@@ -1,0 +1,109 @@
+// Dialects of binary32 code: the published code, and which laws a run in a dialect has.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "proofs/index/hard_floats.hpp"
+#include "proofs/index/published.hpp"
+#include "proofs/index/subject.hpp"
+#include "proofs/plan.hpp"
+#include "proofs/registry.hpp"
+#include "spec/index/index.hpp"
+#include "tests/sanitized.hpp"
+
+namespace mmverify::proofs {
+namespace {
+
+using testing::Contains;
+using testing::Not;
+
+TEST(Published, IsTheSpecificationsFormulaInBinary32) {
+  for (Level n = 0; n <= 16; ++n)
+    for (std::uint64_t k = 0; k < (sanitized ? 2'000 : 50'000); ++k) {
+      const index::FloatPair p = index::hard_floats(n, 9, k);
+      ASSERT_EQ(index::published(n, p.u, p.v), spec::index::reference(spec::Point<float>{p.u, p.v}, n))
+          << n << " " << p.u << " " << p.v;
+    }
+}
+
+// At level 1, u = 2^-26 and v an ulp below 1/2: uN + vN = 2^-25 + 1 - 2^-24 is below 1, so the point lies in the
+// w-corner's triangle, 0. Binary32 has no number between 1 - 2^-24 and 1, and rounds the sum to 1: the middle one, 1.
+TEST(Published, ErrsWhereASumRoundsUp) {
+  const float u = 0x1p-26f, v = 0x1.fffffep-2f;
+  EXPECT_EQ(index::published(1, u, v), 1u);
+  EXPECT_EQ(spec::index::reference(spec::Point<double>{static_cast<double>(u), static_cast<double>(v)}, 1), 0u);
+}
+
+TEST(Published, KeepsToTheTriangle) {
+  EXPECT_EQ(index::published(2, 0, 0), 0u);
+  EXPECT_EQ(index::published(2, 0, 1), 15u);
+  EXPECT_EQ(index::published(2, 2, -1), index::published(2, 1, 0));
+  EXPECT_EQ(index::published(0, 0.3f, 0.3f), 0u);
+}
+
+std::vector<std::string> planned(const std::vector<std::string>& names, const std::string& subject,
+                                 const std::string& dialect, bool companions = true) {
+  Request request;
+  for (const std::string& name : names)
+    for (const Law* law : laws_named(name)) request.laws.push_back(law);
+  request.by_id = names;
+  request.dialect = dialect;
+  request.companions = companions;
+  request.subjects = {find_subject(subject)};
+  std::vector<std::string> ids;
+  for (const Job& job : plan(request))
+    if (job.unfit.empty()) ids.push_back(job.law->id);
+  return ids;
+}
+
+TEST(Dialects, EachHasItsLawOfFloats) {
+  const std::vector<std::pair<std::string, std::string>> laws{{"exact", "index.exact_on_floats"},
+                                                              {"published", "index.equals_published"},
+                                                              {"either", "index.exact_or_published"}};
+  for (const auto& [dialect, id] : laws)
+    for (const auto& names : {std::vector<std::string>{"index"}, {}, {"index.equals_reference"}}) {
+      const auto ids = planned(names, "reference-f32", dialect);
+      for (const auto& [other, law] : laws) {
+        if (other == dialect)
+          EXPECT_THAT(ids, Contains(law).Times(1)) << dialect;
+        else
+          EXPECT_THAT(ids, Not(Contains(law))) << dialect;
+      }
+    }
+}
+
+TEST(Dialects, ALawThatIsNamedIsRun) {
+  EXPECT_THAT(planned({"index.exact_on_floats"}, "reference-f32", "either"), Contains("index.exact_on_floats"));
+  EXPECT_THAT(planned({"index.equals_published"}, "reference-f32", "exact"), Contains("index.equals_published"));
+}
+
+TEST(Dialects, WhatIsNoBinary32CodeIsHeldToExactArithmetic) {
+  for (const char* subject : {"impl", "reference-f64", "reference-f16"}) {
+    const auto ids = planned({"index"}, subject, "either");
+    EXPECT_THAT(ids, Contains("index.exact_on_floats")) << subject;
+    EXPECT_THAT(ids, Not(Contains("index.exact_or_published"))) << subject;
+  }
+}
+
+TEST(Dialects, OneLawIsOneLawWhereCompanionsAreLeftOut) {
+  EXPECT_EQ(planned({"index.in_range"}, "reference-f32", "either", false),
+            std::vector<std::string>{"index.in_range"});
+  EXPECT_EQ(planned({"index.in_range"}, "reference-f32", "either").size(), 2u);
+}
+
+TEST(Dialects, WhatNeitherSaysIsRefuted) {
+  const Law& either = *find_law("index.exact_or_published");
+  const auto verdict = [&](const char* subject, const Law& law) {
+    return run_level(law, *find_subject(subject), 4, proofs::Run()).verdict;
+  };
+  EXPECT_EQ(verdict("reference-f32", either), Verdict::checked);
+  EXPECT_EQ(verdict("reference-f32", *find_law("index.exact_on_floats")), Verdict::refuted);
+  EXPECT_EQ(verdict("step-f32", either), Verdict::refuted);
+  EXPECT_EQ(verdict("step-f32", *find_law("index.equals_published")), Verdict::refuted);
+}
+
+}  // namespace
+}  // namespace mmverify::proofs
