@@ -75,9 +75,7 @@ typedef struct mmverify_bake_case {
   float uv[6];  /* u and v of the three vertices; (0, 0) and (1, 1) are outer corners of the texture */
 } mmverify_bake_case_t;
 
-/* What a baker supports. Cases are drawn inside it, and states are judged by its rules. A field that is 0 says
- * the most general thing; a subject built against a shorter header has zeros for the rest. Sets have bit
- * 1 << VALUE for each value that is supported; 0 is all of them. */
+/* What a baker declares of its rules. */
 #define MMVERIFY_OPAQUE_FROM_CUTOFF 0u  /* MASK: opaque where alpha >= cutoff */
 #define MMVERIFY_OPAQUE_ABOVE_CUTOFF 1u /* MASK: opaque where alpha > cutoff */
 #define MMVERIFY_CLOSED_MICRO_TRIANGLES 0u
@@ -93,6 +91,9 @@ typedef struct mmverify_bake_case {
 #define MMVERIFY_BAKE_NO_FACTORS 4u     /* both factors are 1 */
 #define MMVERIFY_BAKE_NO_MARGIN 8u      /* margin is 0 */
 #define MMVERIFY_BAKE_FLOAT_CUTOFFS 16u /* a cutoff is a number of binary32 in [0, 1] */
+/* What a baker supports. Cases are drawn inside it, and states are judged by its rules. A field that is 0 says
+ * the most general thing; a subject built against a shorter header has zeros for the rest. Sets have bit
+ * 1 << VALUE for each value that is supported; 0 is all of them. */
 typedef struct mmverify_bake_support {
   uint32_t size;         /* sizeof(mmverify_bake_support) */
   uint32_t max_level;    /* 0: 12 */
