@@ -29,10 +29,12 @@ Json result(const Result& r) {
   for (std::size_t k = 0; k < kinds; ++k) {
     by_kind[kind_names[k]] = {{"cases", r.by_kind[k].cases}, {"mismatches", r.by_kind[k].mismatches}};
     if (r.by_kind[k].declined != 0) by_kind[kind_names[k]]["declined"] = r.by_kind[k].declined;
+    if (r.by_kind[k].allowed != 0) by_kind[kind_names[k]]["allowed"] = r.by_kind[k].allowed;
   }
   Json j{{"law", r.law},       {"topic", r.topic},   {"subject", r.subject},           {"level", r.level},
          {"method", r.method}, {"domain", r.domain}, {"verdict", to_string(r.verdict)}};
   if (!r.at_once.empty()) j["level"] = nullptr;
+  if (!r.dialect.empty()) j["dialect"] = r.dialect;
   if (!r.reason.empty()) j["reason"] = r.reason;
   j["cases_expected"] = r.cases_expected;
   j["cases_run"] = r.cases_run();

@@ -30,6 +30,8 @@ nlohmann::ordered_json as_json(const Law& law) {
           {"domain", law.domain(*first, law.fast.last)},
           {"method", to_string(law.method)},
           {"subjects", law.subjects},
+          {"companion",
+           law.companion.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(law.companion)},
           {"tiers",
            {{"fast", law.long_only ? nlohmann::ordered_json(nullptr)
                                    : nlohmann::ordered_json{{"levels", levels_text(law, law.fast)},
@@ -49,6 +51,7 @@ void print_law(const Law& law) {
                     : fmt::format("{}{}, about {} s", levels, levels_text(law, law.fast), law.fast_seconds);
   fmt::print("  method: {}; fast tier: {}; long tier: {}{}\n", to_string(law.method), fast, levels,
              levels_text(law, law.long_run));
+  if (!law.companion.empty()) fmt::print("  beside it, on subjects of floats: {}\n", law.companion);
   fmt::print("  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }
 

@@ -30,6 +30,7 @@ struct ProveOptions {
   std::optional<std::string> levels;
   std::string tier = "fast", cells = "all", dialect = "either", json, junit;
   unsigned threads = 0;
+  std::uint32_t near = 0;
   std::size_t errors = 1;
   std::uint64_t seed = 1, cases = 0;
   double timeout = 10;
@@ -69,6 +70,20 @@ bool same_file(const std::string& a, const std::string& b) {
          std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
 }
 
+/// Who asked for one law is told of those that run beside it.
+void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
+  std::vector<std::string> said;
+  for (const Job& job : jobs) {
+    if (job.brought_by == nullptr || !job.unfit.empty()) continue;
+    const std::string line = fmt::format(
+        "{} runs beside {}, as {}'s cases are few numbers to a subject of floats; "
+        "--no-companions leaves it out",
+        job.law->id, job.brought_by->id, job.brought_by->id);
+    if (std::find(said.begin(), said.end(), line) == said.end()) said.push_back(line);
+  }
+  for (const std::string& line : said) text.note(line);
+}
+
 int prove(const ProveOptions& options) {
   if (options.junit == "-") throw UsageError("--junit -: standard output is for --json; name a file");
   if (!options.json.empty() && same_file(options.json, options.junit))
@@ -81,6 +96,9 @@ int prove(const ProveOptions& options) {
         return has(job.law->heeds, index::interiors_only);
       }))
     throw UsageError("--cells interior: none of these laws is about points on cells; leave it out");
+  if (options.near != 0 &&
+      std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.law->knows_near; }))
+    throw UsageError("--near: none of these laws compares indices at points; leave it out");
   // A reader that goes away does not take the results in files along.
   std::signal(SIGPIPE, SIG_IGN);
   std::optional<OutputFile> json, junit;
@@ -92,14 +110,20 @@ int prove(const ProveOptions& options) {
 
   // With JSON on stdout, the lines for people go where the progress goes.
   TextReport text(options.json == "-" ? stderr : stdout, !options.laws.empty());
-  RunOptions run{options.threads, options.errors,
-                 options.seed,    options.tier == "long" ? Tier::long_run : Tier::fast,
-                 options.cases,   options.cells == "interior" ? Options{&index::interiors_only} : Options{},
-                 !options.quiet,  parse_shard(options.shard)};
+  RunOptions run{options.threads,
+                 options.errors,
+                 options.seed,
+                 options.tier == "long" ? Tier::long_run : Tier::fast,
+                 options.cases,
+                 options.cells == "interior" ? Options{&index::interiors_only} : Options{},
+                 options.near,
+                 !options.quiet,
+                 parse_shard(options.shard)};
   const Identity identity = identity_of(jobs, run);
   const std::unique_ptr<Journal> journal = open_journal(options.journal, identity, run.shard);
   run.journal = journal.get();
   run.mutants = !options.no_mutants;
+  announce_companions(jobs, text);
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, !options.subjects.empty());
   if (report.interrupted && journal)
@@ -136,6 +160,12 @@ Action add_prove(CLI::App& program) {
       ->add_option("--dialect", options->dialect,
                    "what binary32 answers are held against: exact arithmetic, the published code, or either")
       ->check(CLI::IsMember({"exact", "published", "either"}));
+  command
+      ->add_option(
+          "--near", options->near,
+          "let a point that misses an edge by so many units in the last place have a neighbour's index")
+      ->type_name("ULPS")
+      ->check(CLI::Range(0u, 1u << 20));
   command->add_flag("--no-companions", options->no_companions,
                     "run no law on floats beside one whose cases are few numbers to a subject of floats");
   command->add_option("--errors", options->errors, "counterexamples kept of each result")

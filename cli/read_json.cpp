@@ -47,6 +47,7 @@ Result result(const Json& j) {
   j.at("method").get_to(r.method);
   j.at("domain").get_to(r.domain);
   r.verdict = verdict(j.at("verdict").get<std::string>());
+  r.dialect = j.value("dialect", "");
   r.reason = j.value("reason", "");
   j.at("cases_expected").get_to(r.cases_expected);
   for (std::size_t k = 0; k < kinds; ++k) {
@@ -54,6 +55,7 @@ Result result(const Json& j) {
     kind.at("cases").get_to(r.by_kind[k].cases);
     kind.at("mismatches").get_to(r.by_kind[k].mismatches);
     r.by_kind[k].declined = kind.value("declined", std::uint64_t{0});
+    r.by_kind[k].allowed = kind.value("allowed", std::uint64_t{0});
   }
   if (!j.at("counterexample").is_null()) r.counterexamples.push_back(counterexample(j.at("counterexample")));
   if (j.contains("more_counterexamples"))

@@ -24,6 +24,7 @@ Identity identity_of(const std::vector<Job>& jobs, const RunOptions& options) {
   Identity identity = program_identity();
   identity.emplace_back("work", fmt::format("{}", fmt::join(work, "; ")));
   identity.emplace_back("tier", options.tier == Tier::fast ? "fast" : "long");
+  identity.emplace_back("near", fmt::format("{}", options.near));
   identity.emplace_back("cells", has(options.options, proofs::index::interiors_only) ? "interior" : "all");
   if (options.cases != 0) identity.emplace_back("cases", fmt::format("{}", options.cases));
   identity.emplace_back("errors", fmt::format("{}", options.errors));

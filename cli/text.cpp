@@ -74,6 +74,8 @@ void TextReport::add(const Result& result) {
   if (by_level_) flush();
 }
 
+void TextReport::note(const std::string& line) { say(out_, "{}\n", line); }
+
 void TextReport::flush() {
   if (!pending_.empty()) line(pending_);
   pending_.clear();
@@ -83,12 +85,13 @@ void TextReport::line(const std::vector<Result>& results) {
   if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
   const Result& first = results.front();
   const Verdict verdict = verdict_of(results);
-  std::uint64_t cases = 0, resumed = 0, declined = 0;
+  std::uint64_t cases = 0, resumed = 0, declined = 0, allowed = 0;
   double seconds = 0;
   for (const Result& r : results) {
     cases += r.cases_run();
     resumed += r.resumed;
     declined += r.declined();
+    allowed += r.allowed();
     seconds += r.seconds;
   }
   if (verdict == Verdict::not_applicable) {
@@ -103,10 +106,14 @@ void TextReport::line(const std::vector<Result>& results) {
   say(out_, "{:<43} {:<20} {:<13} {:>15} cases {:>7.2f} s {}\n", said + " " + first.law, first.subject,
       levels_text(results), grouped(cases), seconds, first.at_once.empty() ? rate : "");
   if (by_level_)
-    say(out_, "           domain: {}; {}; digest {:016x}\n", first.domain, first.method, first.digest);
+    say(out_, "           domain: {}; {}{}; digest {:016x}\n", first.domain, first.method,
+        first.dialect.empty() ? "" : "; dialect: " + first.dialect, first.digest);
   if (declined != 0)
     say(out_, "           declined: {} of these cases, which it does not claim to support\n",
         grouped(declined));
+  if (allowed != 0)
+    say(out_, "           allowed: {} of these answers, which exact arithmetic does not give\n",
+        grouped(allowed));
   if (resumed != 0) say(out_, "           resumed: {} of these cases by the journal\n", grouped(resumed));
   for (const Result& r : results)
     if (by_level_ && r.share)

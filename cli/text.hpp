@@ -22,6 +22,8 @@ class TextReport {
  public:
   TextReport(std::FILE* out, bool by_level) : out_(out), by_level_(by_level) {}
   void add(const proofs::Result& result);
+  /// A line of its own, before the results.
+  void note(const std::string& line);
   /// The mutants, each subject's overall verdict, and the sum.
   void finish(const proofs::Report& report, bool name_subjects);
 

@@ -25,7 +25,7 @@ Number count_in(const Json& object, const char* member) {
 /// by_kind, added up.
 struct Sums {
   Number cases, mismatches;
-  std::uint64_t declined = 0;
+  std::uint64_t declined = 0, allowed = 0;
   std::optional<std::string> contradiction;
 };
 
@@ -37,13 +37,15 @@ Sums sums_of(const Json& by_kind) {
   for (const auto& [kind, counts] : by_kind.items()) {
     if (!counts.is_object()) throw NoResult(fmt::format("by_kind.{}: no object", kind));
     const Number cases = count_in(counts, "cases"), mismatches = count_in(counts, "mismatches"),
-                 declined = count_in(counts, "declined");
+                 declined = count_in(counts, "declined"), allowed = count_in(counts, "allowed");
     add(sums.cases, cases);
     add(sums.mismatches, mismatches);
     sums.declined += declined.value_or(0);
+    sums.allowed += allowed.value_or(0);
     const std::uint64_t judged = cases.value_or(UINT64_MAX);
-    if (mismatches.value_or(0) > judged || declined.value_or(0) > judged - mismatches.value_or(0))
-      sums.contradiction = fmt::format("{}: more mismatches and declined cases than cases", kind);
+    if (mismatches.value_or(0) > judged || declined.value_or(0) > judged - mismatches.value_or(0) ||
+        allowed.value_or(0) > judged - mismatches.value_or(0) - declined.value_or(0))
+      sums.contradiction = fmt::format("{}: more mismatches, declined and allowed cases than cases", kind);
   }
   return sums;
 }
@@ -61,8 +63,8 @@ bool has_empty_share(const Json& result) {
 }
 
 std::optional<std::string> against_verdict(const std::string& verdict, const Number& run,
-                                           const Number& expected, const Number& mismatches,
-                                           std::uint64_t declined, bool of_nothing) {
+                                           const Number& expected, const Number& mismatches, const Sums& sums,
+                                           bool of_nothing) {
   const bool passed = verdict == "proved" || verdict == "checked";
   if (passed && mismatches.value_or(0) != 0)
     return fmt::format("{}, with {} mismatches", verdict, *mismatches);
@@ -71,7 +73,8 @@ std::optional<std::string> against_verdict(const std::string& verdict, const Num
   if (verdict != "proved") return std::nullopt;
   if (run && expected && *run != *expected)
     return fmt::format("proved, with {} of {} cases run", *run, *expected);
-  if (declined != 0) return fmt::format("proved, with {} cases declined", declined);
+  if (sums.declined != 0) return fmt::format("proved, with {} cases declined", sums.declined);
+  if (sums.allowed != 0) return fmt::format("proved, with {} cases allowed", sums.allowed);
   return std::nullopt;
 }
 
@@ -97,7 +100,7 @@ std::optional<std::string> contradiction_in(const Json& result) {
   if (result.contains("more_counterexamples") && mismatches == 0u)
     return "more counterexamples, beside 0 mismatches";
   if (!result.contains("verdict") || !result.at("verdict").is_string()) return std::nullopt;
-  return against_verdict(result.at("verdict").get<std::string>(), run, expected, mismatches, sums.declined,
+  return against_verdict(result.at("verdict").get<std::string>(), run, expected, mismatches, sums,
                          has_empty_share(result));
 }
 

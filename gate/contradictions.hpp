@@ -8,11 +8,11 @@
 namespace mmverify::gate {
 
 /// What a member of "results" says against itself, or nothing:
-///   - the counts of by_kind add up to cases_run and to mismatches, and no kind has more mismatches and
-///     declined cases than cases;
+///   - the counts of by_kind add up to cases_run and to mismatches, and no kind has more mismatches,
+///     declined and allowed cases than cases;
 ///   - there is a counterexample just where there are mismatches;
 ///   - `refuted` has mismatches; `proved` and `checked` have none, and have cases, but for a shard's empty share;
-///   - `proved` has run every case that it expects and declined none; nothing has run more.
+///   - `proved` has run every case that it expects, declined none and had none allowed; nothing has run more.
 /// A member that is absent contradicts nothing: the comparison with a baseline says that it is gone.
 /// Domain: an object.  Throws NoResult where a count is no whole number of 64 bits.
 /// Source: docs/result.schema.json, and the sums that scripts/check-schema adds to it.

@@ -53,9 +53,9 @@ std::vector<Job> plan(const Request& request) {
       if (!law.long_only || request.tier == Tier::long_run) chosen.push_back(&law);
 
   std::vector<Job> jobs;
-  const auto add = [&](const Law& law, const SubjectPtr& subject) {
+  const auto add = [&](const Law& law, const SubjectPtr& subject, const Law* brought_by) {
     if (planned(jobs, law, *subject)) return;
-    Job job{&law, subject, request.tier == Tier::fast ? law.fast : law.long_run, {}};
+    Job job{&law, subject, request.tier == Tier::fast ? law.fast : law.long_run, {}, brought_by};
     if (request.levels && law.at_once.empty()) job.levels = *request.levels;
     if (subject->topic() != law.topic)
       job.unfit = fmt::format("{} is a subject of topic {}", subject->name(), subject->topic());
@@ -78,13 +78,13 @@ std::vector<Job> plan(const Request& request) {
       const bool named =
           std::find(request.by_id.begin(), request.by_id.end(), law->id) != request.by_id.end();
       if (law->alternative && !named && !request.subjects.empty()) continue;
-      add(named ? *law : in_dialect(*law, *subject, request.dialect), subject);
+      add(named ? *law : in_dialect(*law, *subject, request.dialect), subject, nullptr);
       // A law that does not apply proves nothing that floats could deny.
       const Levels run = request.levels.value_or(request.tier == Tier::fast ? law->fast : law->long_run);
       if (request.companions && !subject->exact() && fits_somewhere(*law, *subject, run))
         for (const Law* on_floats = companion(*law, *subject); on_floats != nullptr;
              on_floats = companion(*on_floats, *subject))
-          add(in_dialect(*on_floats, *subject, request.dialect), subject);
+          add(in_dialect(*on_floats, *subject, request.dialect), subject, named ? law : nullptr);
     }
   }
   return jobs;

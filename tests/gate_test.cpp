@@ -268,8 +268,12 @@ TEST(Contradictions, EachIsFound) {
       {"proved", "/cases_expected", 10, "proved, with 9 of 10 cases run"},
       {"checked", "/cases_expected", 8, "9 cases run, more than the 8 expected"},
       {"proved", "/by_kind/edge/declined", 1, "proved, with 1 cases declined"},
-      {"checked", "/by_kind/edge/declined", 6, "edge: more mismatches and declined cases than cases"},
-      {"refuted", "/by_kind/edge/declined", 4, "edge: more mismatches and declined cases than cases"}};
+      {"checked", "/by_kind/edge/declined", 6,
+       "edge: more mismatches, declined and allowed cases than cases"},
+      {"proved", "/by_kind/edge/allowed", 1, "proved, with 1 cases allowed"},
+      {"checked", "/by_kind/edge/allowed", 6, "edge: more mismatches, declined and allowed cases than cases"},
+      {"refuted", "/by_kind/edge/declined", 4,
+       "edge: more mismatches, declined and allowed cases than cases"}};
   for (const auto& [verdict, pointer, value, words] : all) {
     Json changed = result_of(verdict);
     changed[Json::json_pointer(pointer)] = value;

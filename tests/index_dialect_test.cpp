@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "proofs/index/diagnosis.hpp"
 #include "proofs/index/hard_floats.hpp"
+#include "proofs/index/near.hpp"
 #include "proofs/index/published.hpp"
 #include "proofs/index/subject.hpp"
 #include "proofs/plan.hpp"
@@ -34,7 +36,8 @@ TEST(Published, IsTheSpecificationsFormulaInBinary32) {
 TEST(Published, ErrsWhereASumRoundsUp) {
   const float u = 0x1p-26f, v = 0x1.fffffep-2f;
   EXPECT_EQ(index::published(1, u, v), 1u);
-  EXPECT_EQ(spec::index::reference(spec::Point<double>{static_cast<double>(u), static_cast<double>(v)}, 1), 0u);
+  EXPECT_EQ(spec::index::reference(spec::Point<double>{static_cast<double>(u), static_cast<double>(v)}, 1),
+            0u);
 }
 
 TEST(Published, KeepsToTheTriangle) {
@@ -76,8 +79,10 @@ TEST(Dialects, EachHasItsLawOfFloats) {
 }
 
 TEST(Dialects, ALawThatIsNamedIsRun) {
-  EXPECT_THAT(planned({"index.exact_on_floats"}, "reference-f32", "either"), Contains("index.exact_on_floats"));
-  EXPECT_THAT(planned({"index.equals_published"}, "reference-f32", "exact"), Contains("index.equals_published"));
+  EXPECT_THAT(planned({"index.exact_on_floats"}, "reference-f32", "either"),
+              Contains("index.exact_on_floats"));
+  EXPECT_THAT(planned({"index.equals_published"}, "reference-f32", "exact"),
+              Contains("index.equals_published"));
 }
 
 TEST(Dialects, WhatIsNoBinary32CodeIsHeldToExactArithmetic) {
@@ -103,6 +108,83 @@ TEST(Dialects, WhatNeitherSaysIsRefuted) {
   EXPECT_EQ(verdict("reference-f32", *find_law("index.exact_on_floats")), Verdict::refuted);
   EXPECT_EQ(verdict("step-f32", either), Verdict::refuted);
   EXPECT_EQ(verdict("step-f32", *find_law("index.equals_published")), Verdict::refuted);
+}
+
+// Level 1: triangle 0 lies at the w-corner, 1 is the middle one; both touch (1/4, 1/4).
+TEST(Near, ANeighbourIsReachedOverItsEdgeAlone) {
+  const auto reached = [](const char* point, std::uint32_t index, std::uint32_t ulps,
+                          index::Arithmetic arithmetic = index::Arithmetic::binary32) {
+    return index::reaches(index::parse_point(point), 1, index, arithmetic, ulps);
+  };
+  for (const std::uint32_t index : {0u, 1u}) {
+    EXPECT_TRUE(reached("u=1/4,v=1/4", index, 1));
+    EXPECT_TRUE(reached("u=1/4,v=1/4", index, 1, index::Arithmetic::exact));
+  }
+  for (const std::uint32_t index : {2u, 3u}) EXPECT_FALSE(reached("u=1/4,v=1/4", index, 1000)) << index;
+  // An ulp of u = 1/4 is 2^-25, of v below it 2^-26: K of each add up to 3/2 K of the former.
+  const char* five_below = "u=0x1p-2,v=0x1.ffffecp-3";  // 1/4 - 5 * 2^-25
+  EXPECT_TRUE(reached(five_below, 0, 0));
+  EXPECT_FALSE(reached(five_below, 1, 3));
+  EXPECT_TRUE(reached(five_below, 1, 4));
+  EXPECT_FALSE(reached("u=1/4,v=1/4", 4, 1));
+}
+
+TEST(Near, EveryTieIsAllowedAndNothingElse) {
+  const Law& law = *find_law("index.equals_reference");
+  proofs::Run near;
+  near.near = 1;
+  // Wrong on ties alone, and wrong inside.
+  const Result ties = run_level(law, *find_subject("step-appendix-ties"), 4, near);
+  EXPECT_EQ(ties.verdict, Verdict::checked);
+  EXPECT_EQ(ties.allowed(), 53u);  // docs/ERRATA.md: 9 vertices and 44 edges
+  const Result inside = run_level(law, *find_subject("step-appendix-middle"), 4, near);
+  EXPECT_EQ(inside.verdict, Verdict::refuted);
+  EXPECT_EQ(run_level(law, *find_subject("step"), 4, near).verdict, Verdict::proved);
+}
+
+TEST(Near, BothRoundedAlgorithmsMissByUlpsAlone) {
+  const Law& law = *find_law("index.exact_on_floats");
+  for (const char* subject : {"reference-f32", "step-f32"}) {
+    proofs::Run near;
+    EXPECT_EQ(run_level(law, *find_subject(subject), 4, near).verdict, Verdict::refuted) << subject;
+    near.near = 4;
+    const Result r = run_level(law, *find_subject(subject), 4, near);
+    EXPECT_EQ(r.verdict, Verdict::checked) << subject;
+    EXPECT_GT(r.allowed(), 0u) << subject;
+  }
+}
+
+TEST(Allowed, IsCountedWhereThePublishedCodeIsNotExact) {
+  const Result r =
+      run_level(*find_law("index.exact_or_published"), *find_subject("reference-f32"), 4, proofs::Run());
+  const Result exact =
+      run_level(*find_law("index.exact_on_floats"), *find_subject("reference-f32"), 4, proofs::Run());
+  EXPECT_EQ(r.allowed(), exact.mismatches());
+  EXPECT_GT(r.allowed(), 0u);
+  EXPECT_EQ(r.dialect, "either");
+  EXPECT_EQ(exact.dialect, "exact");
+}
+
+// At level 1, rows along v from u = 0 on: (0, 0), its upper half, (0, 1), and last the row of u = 1.
+TEST(Orders, UMajorIsKnown) {
+  const auto u_major = [](Level n) {
+    return [n](const index::MicroTriangle& m) {
+      return 2 * (1u << n) * m.i - m.i * m.i + 2 * m.j + (m.inverted ? 1 : 0);
+    };
+  };
+  EXPECT_EQ(u_major(1)({0, 0, false}), 0u);
+  EXPECT_EQ(u_major(1)({0, 0, true}), 1u);
+  EXPECT_EQ(u_major(1)({0, 1, false}), 2u);
+  EXPECT_EQ(u_major(1)({1, 0, false}), 3u);
+  EXPECT_EQ(index::name_order(3, u_major(3)), "U-major, rows from the edge u = 0 on, not the curve");
+}
+
+TEST(Prose, EndsAtTheOtherEnd) {
+  for (Level n = 1; n <= 16; ++n) {
+    const spec::Point<double> v_corner{0, 1};
+    EXPECT_EQ(spec::index::as_the_prose_says(v_corner, n), 0u) << n;
+    EXPECT_EQ(spec::index::reference(v_corner, n), (std::uint64_t{1} << 2 * n) - 1) << n;
+  }
 }
 
 }  // namespace

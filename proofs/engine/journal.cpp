@@ -63,7 +63,8 @@ Counterexample counterexample(const Json& j) {
 
 Json to_json(const Journal::Piece& piece) {
   Json counts = Json::array(), found = Json::array();
-  for (const Count& c : piece.tally.by_kind()) counts.push_back({c.cases, c.mismatches, c.declined});
+  for (const Count& c : piece.tally.by_kind())
+    counts.push_back({c.cases, c.mismatches, c.declined, c.allowed});
   for (const Counterexample& c : piece.tally.found()) found.push_back(to_json(c));
   Json json{{"about", piece.about},  {"from", piece.units.begin},
             {"to", piece.units.end}, {"of", piece.of},
@@ -78,6 +79,7 @@ Journal::Piece piece(const Json& j) {
     j.at("counts").at(k).at(0).get_to(counts[k].cases);
     j.at("counts").at(k).at(1).get_to(counts[k].mismatches);
     j.at("counts").at(k).at(2).get_to(counts[k].declined);
+    j.at("counts").at(k).at(3).get_to(counts[k].allowed);
   }
   std::vector<Counterexample> found;
   if (j.contains("found"))

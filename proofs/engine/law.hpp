@@ -109,6 +109,7 @@ struct Law {
   bool long_only = false;     ///< no part of the fast tier, unless asked for by its id
   bool general = true;        ///< about any subject that fits; otherwise about the ones it names only
   Options heeds = {};         ///< the choices of a run that its judge knows
+  bool knows_near = false;    ///< whether it knows Run::near
   Options mutants_with = {};  ///< those that its mutants are run with: no less wrong, and sooner done
   /// The command that shows a counterexample of it again, but for --case LEVEL@CASE; empty: `mmverify
   /// replay`.
@@ -116,6 +117,7 @@ struct Law {
   /// The law that runs with it on a subject that is not exact, for which its cases decide nothing else; and so
   /// does that law's own companion.
   std::string companion = {};
+  std::string dialect = {};  ///< as in Result
   /// Laws in the place of this one on a subject that they fit, by the dialect that a run is in.
   std::vector<std::pair<std::string, std::string>> in_dialect = {};
   /// Whether it stands in another law's place alone, or where it is asked for by its id.

@@ -23,9 +23,10 @@ std::string to_string(Verdict v);
 enum class Kind : std::uint8_t;
 constexpr std::size_t kinds = 3;
 
-/// Cases judged, those of them that were wrong, and those that the subject does not claim to support.
+/// Cases judged, those of them that were wrong, those that the subject does not claim to support, and those whose answer
+/// passed by what the run allows beside exact arithmetic: the published code's, or a near neighbour's.
 struct Count {
-  std::uint64_t cases = 0, mismatches = 0, declined = 0;
+  std::uint64_t cases = 0, mismatches = 0, declined = 0, allowed = 0;
   friend bool operator==(const Count&, const Count&) = default;
 };
 using CountByKind = std::array<Count, kinds>;
@@ -49,6 +50,8 @@ struct Result {
   std::string at_once;  ///< "all levels": what the result is about in the place of a level; mostly empty
   std::string proof;    ///< "induction": how, beside the verdict `proved`; empty where every case was run
   std::string method, domain;
+  std::string
+      dialect;  ///< "exact", "published" or "either": what answers on floats are held to; mostly empty
   std::string replayed_by;  ///< as the law's
   Verdict verdict = Verdict::incomplete;
   std::string reason;  ///< why broken, not applicable or incomplete
@@ -63,11 +66,12 @@ struct Result {
   std::uint64_t cases_run() const;
   std::uint64_t mismatches() const;
   std::uint64_t declined() const;  ///< of cases_run()
+  std::uint64_t allowed() const;   ///< of cases_run()
 };
 
 /// The verdict on a domain all of whose cases were run, and its reason: refuted where one was wrong;
-/// not_applicable where the subject declined more than half; checked where it declined some, or where they are a
-/// sample; else proved.
+/// not_applicable where the subject declined more than half; checked where it declined some, where some were allowed, or
+/// where they are a sample; else proved.
 void settle(Result& result, bool sample);
 
 /// Whether a law can fail: one wrong subject that it must refute.

@@ -43,6 +43,7 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   r.topic = law.topic;
   r.subject = subject.name();
   r.level = level;
+  r.dialect = law.dialect;
   name_proof(r, law);
   // A law can only say how it would judge a subject of its own topic.
   const bool known = subject.topic() == law.topic;
@@ -50,6 +51,8 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   r.domain = known ? law.domain(subject, level) : "subjects of topic " + law.topic;
   for (const Option* option : heeded(law, run.options))
     if (option->domain != nullptr) r.domain += std::string(", ") + option->domain;
+  if (law.knows_near && run.near != 0)
+    r.domain += fmt::format(", a neighbour's index allowed within {} ulps of an edge", run.near);
   return r;
 }
 
@@ -140,6 +143,7 @@ void name_proof(Result& r, const Law& law) {
 Result run_level(const Law& law, const Subject& subject, Level level, const Run& asked) {
   Run run = asked;
   run.options = heeded(law, asked.options);
+  if (!law.knows_near) run.near = 0;
   run.until_refuted = asked.until_refuted && law.divisible;
   Result r = named(law, subject, level, run);
   if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
@@ -190,6 +194,7 @@ std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const
   run.seed = Run().seed;
   run.tier = Tier::fast;
   run.cases = 0;
+  run.near = 0;
   run.until_refuted = true;
   std::vector<std::pair<const Law*, const Mutant*>> all;
   for (const Law* law : laws)
@@ -230,6 +235,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   run.tier = options.tier;
   run.cases = options.cases;
   run.options = options.options;
+  run.near = options.near;
 
   const Shard shard = options.shard.value_or(Shard{});
   std::uint64_t total = 0;

@@ -13,7 +13,8 @@ struct Job {
   const Law* law;
   SubjectPtr subject;
   Levels levels;
-  std::string unfit = {};  ///< why the law is not about this subject, if so
+  std::string unfit = {};           ///< why the law is not about this subject, if so
+  const Law* brought_by = nullptr;  ///< the law whose companion this one is; null where it was asked for
 };
 
 struct RunOptions {
@@ -23,6 +24,7 @@ struct RunOptions {
   Tier tier = Tier::fast;
   std::uint64_t cases = 0;  ///< as in Run
   Options options = {};     ///< each law gets those that it heeds
+  std::uint32_t near = 0;   ///< as in Run
   bool show_progress = true;
   std::optional<Shard> shard = {};  ///< none: the whole domain, not called a shard
   Journal* journal = nullptr;

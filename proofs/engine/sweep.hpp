@@ -26,6 +26,9 @@ struct Run {
   std::uint64_t cases =
       0;                 ///< of each law that draws them at least so many, where its topic can; 0: the tier's
   Options options = {};  ///< those that the law heeds
+  /// Units in the last place of the subject's numbers by which a point may miss an edge and have the index of the
+  /// neighbour behind it; in laws that know it, and counted as allowed.
+  std::uint32_t near = 0;
   Division* division = nullptr;  ///< null: the whole domain, and no journal
   /// Of a subject that must be wrong, one counterexample is enough: a sweep ends with the first chunk that has
   /// one, on one thread, so that it is the same on every machine.  Not for laws that look at a whole sweep.

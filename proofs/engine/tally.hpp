@@ -30,6 +30,9 @@ class Tally {
     ++count.declined;
   }
 
+  /// Says of a case that was counted that its answer passed by an allowance alone.
+  void allow(Kind kind) { ++by_kind_[static_cast<std::size_t>(kind)].allowed; }
+
   void count(Kind kind, std::uint64_t cases) { by_kind_[static_cast<std::size_t>(kind)].cases += cases; }
 
   /// Adds one answer to the digest:  sum over cases of (answer+1) * weight(case)  modulo 2^64.
@@ -54,6 +57,7 @@ class Tally {
       by_kind_[k].cases += other.by_kind_[k].cases;
       by_kind_[k].mismatches += other.by_kind_[k].mismatches;
       by_kind_[k].declined += other.by_kind_[k].declined;
+      by_kind_[k].allowed += other.by_kind_[k].allowed;
     }
     digest_ += other.digest_;
     for (const Counterexample& c : other.found_) keep(c);

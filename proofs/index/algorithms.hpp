@@ -17,6 +17,13 @@ struct ReferenceAlgorithm {
   }
 };
 
+struct ProseAlgorithm {
+  template <spec::Number Q>
+  static std::uint32_t at(const spec::Point<Q>& p, spec::Level n) {
+    return spec::index::as_the_prose_says(p, n);
+  }
+};
+
 struct WideAlgorithm {
   template <spec::Number Q>
   static std::uint32_t at(const spec::Point<Q>& p, spec::Level n) {

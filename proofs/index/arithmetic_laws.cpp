@@ -54,7 +54,9 @@ Law exact_on_floats_law() {
                   {"the step algorithm in binary32", built_in("step-f32"), {4, 4}},
                   wrong_at("the least subnormal number is taken for another", "impl", 12, 0x1p-149f, 0.5f)},
       .heeds = {&interiors_only},
+      .knows_near = true,
       .companion = "index.exact_on_doubles",
+      .dialect = "exact",
       .in_dialect = {{"published", "index.equals_published"}, {"either", "index.exact_or_published"}}};
 }
 

@@ -52,6 +52,9 @@ std::vector<IndexSubjectPtr> make_all() {
   std::vector<IndexSubjectPtr> all{
       subject("reference", "the Vulkan bit formula, 32-bit words, exact", reference()),
       subject("reference-wide", "the same formula, 64-bit words, exact", exactly<WideAlgorithm>()),
+      subject("vulkan-prose",
+              "Vulkan's chapter on ray traversal read to the letter, u and v scaled by 2^n, exact",
+              exactly<ProseAlgorithm>()),
       subject("step", "Algorithm 4 as printed, exact", step()),
       subject("step-appendix-middle", "Algorithm 4, the middle triangle's coordinates in Appendix A's order",
               exactly<StepAlgorithm<Reading::appendix_middle>>()),

@@ -40,6 +40,15 @@ bool is(const std::vector<Given>& given, Order order) {
   return std::all_of(given.begin(), given.end(), [&](const Given& g) { return order(g.point) == g.index; });
 }
 
+/// 2 N iu - iu^2 + 2 iv, and 1 more in the upper half of the square: rows along v, the longest, at u = 0, first, as
+/// BaryFile numbers faces.
+std::uint32_t in_u_major(const GridPoint& p, Level n) {
+  const Fixed64 u = times(side(n), p.u), v = times(side(n), p.v);
+  const std::uint32_t iu = whole(u), iv = whole(v);
+  const bool upper = !(u - Fixed64(iu) + (v - Fixed64(iv)) < Fixed64(1));
+  return 2 * side(n) * iu - iu * iu + 2 * iv + (upper ? 1 : 0);
+}
+
 /// The recursion of Algorithm 4 with its flips or its middle triangle left out: a slip that implementations
 /// make.
 std::uint32_t simplified(GridPoint p, Level n, bool flips, bool turns) {
@@ -125,8 +134,10 @@ std::string name_order(Level n, const TriangleIndex& index) {
   const std::vector<Given> given = ask_all(n, index);
   const auto reference = [n](const GridPoint& p) { return spec::index::reference(p, n); };
   const auto rows = [n](const GridPoint& p) { return spec::index::w_minor(p, n); };
+  const auto u_major = [n](const GridPoint& p) { return in_u_major(p, n); };
   if (is(given, reference)) return {};
   if (is(given, rows)) return "row order (w-minor), not the curve";
+  if (is(given, u_major)) return "U-major, rows from the edge u = 0 on, not the curve";
 
   std::array<int, 3> order{0, 1, 2};
   const char letters[] = {'w', 'u', 'v'};
@@ -137,6 +148,8 @@ std::string name_order(Level n, const TriangleIndex& index) {
       return fmt::format("the curve, with (w, u, v) taken as {}", read);
     if (is(given, [&](const GridPoint& p) { return rows(rearranged(p, order)); }))
       return fmt::format("row order (w-minor), with (w, u, v) taken as {}", read);
+    if (is(given, [&](const GridPoint& p) { return u_major(rearranged(p, order)); }))
+      return fmt::format("U-major, with (w, u, v) taken as {}", read);
   }
 
   struct Base {

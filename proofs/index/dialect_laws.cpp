@@ -52,7 +52,7 @@ std::vector<Mutant> mutants_of_both() {
                          [](float x) { return x > 0 && x < 0x1p-126f ? 0x1p-6f : x; })};
 }
 
-Law dialect_law(const char* id, const char* says, const char* domain,
+Law dialect_law(const char* id, const char* dialect, const char* says, const char* domain,
                 std::uint64_t (*cases)(Level, const Run&), Judge judge, Replay replay) {
   Law law{.id = id,
           .topic = "index",
@@ -75,16 +75,17 @@ Law dialect_law(const char* id, const char* says, const char* domain,
   law.mutants = mutants_of_both();
   law.heeds = {&interiors_only};
   law.alternative = true;
+  law.dialect = dialect;
+  law.knows_near = true;
   return law;
 }
 
 Law equals_published_law() {
   Law law = dialect_law(
-      "index.equals_published",
+      "index.equals_published", "published",
       "for binary32 numbers the index is, bit for bit, that of the published code run in binary32, rounded "
-      "to "
-      "nearest and not contracted",
-      "a sample of binary32 pairs near what breaks index functions; dialect: published", published_pairs,
+      "to nearest and not contracted",
+      "a sample of binary32 pairs near what breaks index functions", published_pairs,
       [](const IndexSubject& s, Level n, const Run& run) {
         return equals_published(s, n, run, published_pairs(n, run));
       },
@@ -98,11 +99,10 @@ Law equals_published_law() {
 
 Law exact_or_published_law() {
   return dialect_law(
-      "index.exact_or_published",
+      "index.exact_or_published", "either",
       "for binary32 numbers the index is that of exact arithmetic for those very numbers, or that of the "
-      "published "
-      "code run in binary32",
-      "a sample of binary32 pairs near what breaks index functions; dialect: either", either_pairs,
+      "published code run in binary32",
+      "a sample of binary32 pairs near what breaks index functions", either_pairs,
       [](const IndexSubject& s, Level n, const Run& run) {
         return exact_or_published(s, n, run, either_pairs(n, run));
       },

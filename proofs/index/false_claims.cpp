@@ -78,6 +78,27 @@ Tally differs_first(const IndexSubject& s, Level n, const Run& run, const std::v
   return tally;
 }
 
+Tally differs_on_hypotenuse(const IndexSubject& s, Level n, const Run& run) {
+  const Tally sweep = unless_interrupted(equals_reference(s, n, keeping_one(run)));
+  Tally tally = counted(sweep, run);
+  const auto wrong = [&](Kind kind) { return sweep.by_kind()[static_cast<std::size_t>(kind)].mismatches; };
+  const std::uint64_t due = n == 0 ? 0 : side(n) + 1;
+  std::uint64_t there = 0;
+  for (std::uint64_t k = 0; k <= side(n); ++k) {
+    const auto i = static_cast<std::int64_t>(k), N = static_cast<std::int64_t>(side(n));
+    const RationalPoint p = rational(GridPoint{coordinate(4 * i, n), coordinate(4 * (N - i), n)});
+    if (s.functions.index_at(n, p) != spec::index::reference(p, n)) ++there;
+  }
+  if (there != due || wrong(Kind::vertex) != due || wrong(Kind::edge) + wrong(Kind::interior) != 0)
+    tally.mismatch(Kind::vertex, {}, [&] {
+      return at_point(GridPoint{coordinate(0, n), coordinate(4 * static_cast<std::int64_t>(side(n)), n)}, n,
+                      fmt::format("{} wrong vertices, all on the hypotenuse", due),
+                      fmt::format("{} on the hypotenuse, {} vertices, {} edges and {} interiors in all",
+                                  there, wrong(Kind::vertex), wrong(Kind::edge), wrong(Kind::interior)));
+    });
+  return tally;
+}
+
 Tally floats_err(const IndexSubject& s, Level n, const Run& run) {
   const int p = precision(s.functions.arithmetic);
   const auto power = [](int e) { return Rational(spec::Integer(1), spec::Integer(1) << e); };

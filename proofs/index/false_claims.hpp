@@ -18,6 +18,10 @@ struct Difference {
 /// Domain: stated by ascending from_level.
 Tally differs_first(const IndexSubject&, Level, const Run&, const std::vector<Difference>& stated);
 
+/// Holds at level n if the subject differs from the reference at the N+1 vertices of the hypotenuse, at each of them, and
+/// nowhere else; at level 0, where an index has no bits, nowhere.
+Tally differs_on_hypotenuse(const IndexSubject&, Level, const Run&);
+
 /// Holds at level n if one of two points, derived from the subject's precision p, gets a wrong index:
 ///   (1 - 2^-p, 2^-(p+1)) / N, whose fractions add up to 1 only by rounding, at level n >= 1;
 ///   (1/4, 1/4 - 2^-(p+2)), whose w = 1-u-v is above 1/2 but rounds to it.

@@ -31,6 +31,7 @@ Law equals_reference_law() {
           .mutants = wrong_on_cells("step"),
           .diagnose = [](const Subject& s, const Levels& run) { return diagnose(of_index(s), run); },
           .heeds = {&interiors_only, &in_fixed_point_alone},
+          .knows_near = true,
           .mutants_with = {&in_fixed_point_alone},
           .companion = "index.exact_on_floats"};
 }

@@ -19,6 +19,7 @@ Law step_claim_law(Law law) {
   law.fast_seconds = 3;
   law.general = false;
   law.companion = {};
+  law.knows_near = false;
   return law;
 }
 
@@ -53,6 +54,37 @@ Law differs_law(const char* id, const char* says, const char* source, const char
                       single("one more wrong vertex, at level 1", reading, 1, 4, 0)},
           .general = false,
           .heeds = {&interiors_only, &in_fixed_point_alone},
+          .mutants_with = {&in_fixed_point_alone}};
+}
+
+Law prose_law() {
+  return {.id = "paper.vulkan_prose_differs",
+          .topic = "index",
+          .says =
+              "read to the letter, Vulkan's prose differs from its reference code on the 2^n + 1 vertices of "
+              "the hypotenuse of each level from 1 on, and nowhere else",
+          .source =
+              "VK_EXT_opacity_micromap and VK_KHR_opacity_micromap: section \"Ray Opacity Micromap\", and "
+              "appendix \"Reference Code\"",
+          .method = Method::exhaustive,
+          .subjects = {"vulkan-prose"},
+          .fast = {0, 7},
+          .long_run = {0, 12},
+          .fast_seconds = 1,
+          .cases = all_cells,
+          .domain = points,
+          .how = in_rationals_then_fixed_point,
+          .unfit = needing({entry::index}),
+          .judge = judged_by(differs_on_hypotenuse),
+          .mutants = {{"the reference code itself", built_in("reference"), {1, 3}},
+                      single("one vertex inside level 6 is wrong, too", "vulkan-prose", 6, 4 * 20, 4 * 30),
+                      single("the v-corner of level 4 is right", "vulkan-prose", 4, 0, 4 * 16, 255),
+                      mutant("edges of level 5 are wrong in the place of vertices", "vulkan-prose", {5, 5},
+                             on_points([](Level n, const GridPoint& p, std::uint32_t answer) {
+                               return n == 5 && p.u + p.v == Fixed64(1) ? answer ^ 1 : answer;
+                             }))},
+          .general = false,
+          .heeds = {&in_fixed_point_alone},
           .mutants_with = {&in_fixed_point_alone}};
 }
 
@@ -129,6 +161,7 @@ std::vector<Law> paper_laws(const Law& equals_reference) {
           "paper.appendix_names_differ",
           "with the coordinates that Appendix A gives under L, R and T, Algorithm 4 is not the reference",
           succinct_a, "step-appendix-names", {{2, 0, 8, 14, 15}}),
+      prose_law(),
       row_holds_point_law(),
       binary32_root_law()};
 }

@@ -8,6 +8,7 @@
 #include "proofs/index/hard_doubles.hpp"
 #include "proofs/index/hard_rows.hpp"
 #include "proofs/index/judges.hpp"
+#include "proofs/index/near.hpp"
 #include "proofs/index/options.hpp"
 #include "proofs/index/published.hpp"
 #include "proofs/kinds.hpp"
@@ -84,10 +85,17 @@ auto inside_pair(Level n, std::uint64_t seed, std::uint64_t sample, Draw draw) {
   }
 }
 
-/// Compares answers on pairs of F that `draw` makes with those that are due: due(u, v, p, n, got) of the pair, the same
-/// in exact arithmetic, the level and the answer.
-template <class F, class Draw, class Ask, class Due>
-Tally judged_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, Ask ask, Due due) {
+/// What is due on a pair.
+struct Due {
+  std::uint32_t index;
+  bool allowed = false;  ///< the dialect allows it, and exact arithmetic gives another
+};
+
+/// Compares answers on pairs of F that `draw` makes, received in that arithmetic, with those that are due:
+/// due(u, v, p, n, got) of the pair, the same in exact arithmetic, the level and the answer.
+template <class F, class Draw, class Ask, class WhatIsDue>
+Tally judged_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, Ask ask, WhatIsDue due,
+                      Arithmetic arithmetic) {
   return sweep(run, samples, floats_per_chunk, [&](Chunk chunk, Tally& tally) {
     std::array<F, floats_per_batch> u, v;
     std::array<std::uint32_t, floats_per_batch> got;
@@ -107,9 +115,12 @@ Tally judged_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw,
         });
         tally.count(kind, 1);
         tally.digest(from + t, got[t]);
-        if (want == got[t]) continue;
+        if (want.index == got[t] && !want.allowed) continue;
         const RationalPoint p{rational(u[t]), rational(v[t])};
-        tally.mismatch(kind, simplicity(p), [&, w = want] { return at_rational(p, n, w, got[t]); });
+        if (want.allowed || (run.near != 0 && reaches(p, n, got[t], arithmetic, run.near)))
+          tally.allow(kind);
+        else
+          tally.mismatch(kind, simplicity(p), [&, w = want.index] { return at_rational(p, n, w, got[t]); });
       }
     }
   });
@@ -117,19 +128,16 @@ Tally judged_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw,
 
 /// Against a specification in exact arithmetic.
 template <class F, class Draw, class Ask, class Specified>
-Tally exact_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, Ask ask,
-                     Specified specified) {
-  return judged_on_pairs<F>(n, run, samples, draw, ask, [&](F, F, const auto& p, Level level, std::uint32_t) {
-    return specified(p, level);
-  });
+Tally exact_on_pairs(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples, Draw draw,
+                     Ask ask, Specified specified) {
+  return judged_on_pairs<F>(
+      n, run, samples, draw, ask,
+      [&](F, F, const auto& p, Level level, std::uint32_t) { return Due{specified(p, level)}; },
+      s.functions.arithmetic);
 }
 
 constexpr auto by_reference = [](const auto& p, Level n) { return spec::index::reference(p, n); };
 constexpr auto by_figure_4 = [](const auto& p, Level n) { return spec::index::w_minor(p, n); };
-
-}  // namespace
-
-namespace {
 
 auto asked_on_floats(const IndexSubject& s, Level n) {
   return [&s, n](std::span<float> u, std::span<float> v, std::span<std::uint32_t> got) {
@@ -141,28 +149,31 @@ auto asked_on_floats(const IndexSubject& s, Level n) {
 }  // namespace
 
 Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
-  return exact_on_pairs<float>(n, run, samples, hard_floats, asked_on_floats(s, n), by_reference);
+  return exact_on_pairs<float>(s, n, run, samples, hard_floats, asked_on_floats(s, n), by_reference);
 }
 
 Tally equals_published(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
   return judged_on_pairs<float>(
       n, run, samples, hard_floats, asked_on_floats(s, n),
-      [](float u, float v, const auto&, Level level, std::uint32_t) { return published(level, u, v); });
+      [](float u, float v, const auto&, Level level, std::uint32_t) { return Due{published(level, u, v)}; },
+      Arithmetic::binary32);
 }
 
 Tally exact_or_published(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
-  return judged_on_pairs<float>(n, run, samples, hard_floats, asked_on_floats(s, n),
-                                [](float u, float v, const auto& p, Level level, std::uint32_t got) {
-                                  return got == published(level, u, v) ? got
-                                                                       : spec::index::reference(p, level);
-                                });
+  return judged_on_pairs<float>(
+      n, run, samples, hard_floats, asked_on_floats(s, n),
+      [](float u, float v, const auto& p, Level level, std::uint32_t got) {
+        const std::uint32_t exact = spec::index::reference(p, level);
+        return got != exact && got == published(level, u, v) ? Due{got, true} : Due{exact};
+      },
+      Arithmetic::binary32);
 }
 
 Tally exact_on_doubles(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
   const auto ask = [&](std::span<double> u, std::span<double> v, std::span<std::uint32_t> got) {
     s.functions.index_doubles(n, DoubleBatch{u, v}, got);
   };
-  return exact_on_pairs<double>(n, run, samples, hard_doubles, ask, by_reference);
+  return exact_on_pairs<double>(s, n, run, samples, hard_doubles, ask, by_reference);
 }
 
 Tally row_exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
@@ -170,7 +181,7 @@ Tally row_exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::u
     s.functions.receive_floats(u, v);
     s.functions.row_index_floats(n, FloatBatch{u, v}, got);
   };
-  return exact_on_pairs<float>(n, run, samples, hard_rows, ask, by_figure_4);
+  return exact_on_pairs<float>(s, n, run, samples, hard_rows, ask, by_figure_4);
 }
 
 Tally cells_decide(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {

@@ -134,6 +134,23 @@ constexpr std::uint32_t reference(const Point<Q>& p, Level n) {
   return curve(quantise<std::uint32_t>(p, n), side(n) - 1);
 }
 
+/// The index as Vulkan's chapter on ray traversal words it, with u and v scaled by N, which it leaves out: iu = floor(uN)
+/// lowered until iu+iv <= N, iv = floor(vN); the rest as the reference code.  N is one too many: see docs/ERRATA.md.
+/// Domain: u, v >= 0, u+v <= 1; n in 0..16.
+/// Source: VK_EXT_opacity_micromap, section "Ray Opacity Micromap"; VK_KHR_opacity_micromap has the same words.
+template <Number Q>
+constexpr std::uint32_t as_the_prose_says(const Point<Q>& p, Level n) {
+  const std::uint32_t N = side(n);
+  const Q one(1), un = times(N, within_unit(p.u)), vn = times(N, within_unit(p.v));
+  std::uint32_t iu = whole(un);
+  const std::uint32_t iv = whole(vn);
+  const bool upper_half = !(un - Q(iu) + (vn - Q(iv)) < one);
+  iu = iu + iv <= N ? iu : N - iv;
+  std::uint32_t iw = ~(iu + iv);
+  iw = upper_half && iu + iv < N - 1 ? iw - 1 : iw;
+  return curve(Quantised<std::uint32_t>{iu, iv, iw}, N - 1);
+}
+
 /// The same formula in 64-bit words, its prefix XOR over all n bits.  Domain: every point; n in 0..31.
 template <Number Q>
 constexpr std::uint64_t reference_wide(const Point<Q>& p, Level n) {
