@@ -35,6 +35,10 @@ extern "C" {
 #define MMVERIFY_TREE_STREAM 2u   /* codes of trees are the paper's two bit sequences; see tree_encode */
 #define MMVERIFY_VQ_KEEPS 4u      /* vq2_encode and vq4_encode keep every map that a block can hold */
 #define MMVERIFY_BAKE_CENTROID 8u /* bake's unknown states are those of the centroid; see bake */
+/* The order of `corners`; at most one of these. */
+#define MMVERIFY_CORNERS_OF_CHILDREN 16u /* those that the children 0, 2 and 3 touch */
+#define MMVERIFY_CORNERS_BASE_U_V \
+  32u /* base, and from there one step along u, and one along v; see corners */
 
 /* Formats of maps, as Vulkan numbers them; also the bits of one state. */
 #define MMVERIFY_2_STATE 1u
@@ -130,8 +134,8 @@ typedef struct mmverify_subject {
   void (*index_f64)(uint32_t level, const double* u, const double* v, uint32_t* index, size_t count);
 
   /* Corners of the micro-triangle that carries index[k] < 4^level: i0 j0 i1 j1 i2 j2, in units of 1/2^level
-   * along u and v. The order of the three matters to the laws index.corners and index.corners_on_samples
-   * alone: that of the children 0, 2 and 3 that touch them. */
+   * along u and v. Their order matters where `flags` declares one. MMVERIFY_CORNERS_BASE_U_V: the base is the
+   * corner from which the other two lie along u and along v; the steps are +1, in inverted ones -1. */
   void (*corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
   /* The same two in row order (Gruen et al.; Color and Attribute Micromaps, figure 4). */

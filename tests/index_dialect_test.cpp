@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/index/corner_order.hpp"
 #include "proofs/index/diagnosis.hpp"
 #include "proofs/index/hard_floats.hpp"
 #include "proofs/index/near.hpp"
@@ -177,6 +178,22 @@ TEST(Orders, UMajorIsKnown) {
   EXPECT_EQ(u_major(1)({0, 1, false}), 2u);
   EXPECT_EQ(u_major(1)({1, 0, false}), 3u);
   EXPECT_EQ(index::name_order(3, u_major(3)), "U-major, rows from the edge u = 0 on, not the curve");
+}
+
+// As a device API states it: base at (iu, iv), or, in an inverted one, at (iu + 1, iv + 1), and a step of 1 or -1 from there.
+TEST(CornerOrders, BaseAndSteps) {
+  for (std::uint32_t k = 0; k < 64; ++k) {
+    const index::Corners c = index::corners_in(index::CornerOrder::base_u_v, k, 3);
+    const auto step = static_cast<std::int64_t>(c[1].i) - static_cast<std::int64_t>(c[0].i);
+    EXPECT_EQ(step * step, 1) << k;
+    EXPECT_EQ(c[1].j, c[0].j) << k;
+    EXPECT_EQ(c[2].i, c[0].i) << k;
+    EXPECT_EQ(static_cast<std::int64_t>(c[2].j) - static_cast<std::int64_t>(c[0].j), step) << k;
+    EXPECT_EQ(index::sorted(c), index::sorted(spec::index::corners(k, 3))) << k;
+  }
+  EXPECT_EQ(index::name_corner_order(
+                *std::dynamic_pointer_cast<const index::IndexSubject>(find_subject("impl")), 3),
+            "children 0, 2, 3");
 }
 
 TEST(Prose, EndsAtTheOtherEnd) {

@@ -79,6 +79,8 @@ std::string cannot_load(Description& description, const char* library, mmverify_
   if (theirs->size < first_size) return "its size field is smaller than mmverify_subject_t";
   subject = as_of_today(*theirs);
   if (subject.max_level > 16) return "its max_level is above 16";
+  if ((subject.flags & MMVERIFY_CORNERS_OF_CHILDREN) != 0 && (subject.flags & MMVERIFY_CORNERS_BASE_U_V) != 0)
+    return "its flags declare two orders of corners";
   description.max_level = subject.max_level;
   description.flags = subject.flags;
   description.has = given(subject);

@@ -21,6 +21,7 @@ Functions exactly() {
       out[t] = on_exact(batch.u[t], batch.v[t], [n](const auto& p) { return Algorithm::at(p, n); });
   };
   f.index_at = [](Level n, const RationalPoint& p) { return Algorithm::at(p, n); };
+  f.corner_order = CornerOrder::of_children;
   f.corners = [](Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = spec::index::corners(indices[t], n);
   };

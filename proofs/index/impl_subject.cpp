@@ -69,6 +69,7 @@ Functions library_functions() {
   f.index_at = [](Level n, const RationalPoint& p) {
     return repeated(p, [n](auto u, auto v, auto to) { fast::from_barycentrics(u, v, n, to); });
   };
+  f.corner_order = CornerOrder::of_children;
   f.corners = [](Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) {
     to_corners(indices, out, [n](auto k, const auto& to) { fast::corners(k, n, to); });
   };

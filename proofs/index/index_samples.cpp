@@ -6,6 +6,7 @@
 
 #include "proofs/engine/cases.hpp"
 #include "proofs/engine/random.hpp"
+#include "proofs/index/corner_order.hpp"
 #include "proofs/index/judges.hpp"
 #include "proofs/index/picture.hpp"
 #include "proofs/kinds.hpp"
@@ -62,12 +63,6 @@ std::array<GridPoint, 7> cells_of(const Corners& c, Level n) {
   }
   points[6] = of(0, 0, 1, 2);
   return points;
-}
-
-Corners sorted(Corners c) {
-  std::sort(c.begin(), c.end(),
-            [](const auto& a, const auto& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
-  return c;
 }
 
 using Indices = std::span<const std::uint32_t>;
@@ -154,7 +149,8 @@ std::vector<Finding> corners_alone(const IndexSubject& s, Level n, Indices indic
   Bench bench(indices);
   bench.corners(
       "corners", [&](auto& got) { s.functions.corners(n, indices, got); },
-      [n](std::uint32_t k) { return spec::index::corners(k, n); }, true);
+      [n, order = s.functions.corner_order](std::uint32_t k) { return corners_in(order, k, n); },
+      s.functions.corner_order != CornerOrder::undeclared);
   return bench.found();
 }
 

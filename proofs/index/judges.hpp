@@ -25,10 +25,11 @@ Tally contiguous(const IndexSubject&, Level, const Run&);
 
 // On the 4^n indices.
 Tally inverse(const IndexSubject&, Level, const Run&);
-Tally corners_in_order(const IndexSubject&, Level, const Run&);
+Tally corners_as_sets(const IndexSubject&, Level, const Run&);
+Tally corners_in_order(const IndexSubject&, Level, const Run&);  // the declared one
 Tally row_corners(const IndexSubject&, Level, const Run&);
 
-// On sampled indices: all that the subject has, its corners in any order; and those in their order.
+// On sampled indices: all that the subject has, its corners in any order; and those in the order that it declares.
 Tally on_samples(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 Tally corners_on_samples(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 
@@ -55,6 +56,7 @@ Replayed replay_row_holds_point(const IndexSubject&, Level, const std::string& a
 Replayed replay_bijective(const IndexSubject&, Level, const std::string& at);
 Replayed replay_contiguous(const IndexSubject&, Level, const std::string& at);
 Replayed replay_inverse(const IndexSubject&, Level, const std::string& at);
+Replayed replay_corners_as_sets(const IndexSubject&, Level, const std::string& at);
 Replayed replay_corners_in_order(const IndexSubject&, Level, const std::string& at);
 Replayed replay_row_corners(const IndexSubject&, Level, const std::string& at);
 Replayed replay_on_samples(const IndexSubject&, Level, const std::string& at);

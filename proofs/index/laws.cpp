@@ -1,6 +1,7 @@
 // The laws of topic index: those of the curve and of row order here, with the list of all.
 #include "proofs/index/laws.hpp"
 
+#include "proofs/index/corner_order.hpp"
 #include "proofs/index/diagnosis.hpp"
 #include "proofs/index/induction/provable.hpp"
 #include "proofs/index/law_groups.hpp"
@@ -192,7 +193,7 @@ Law inverse_law() {
 Law corners_law() {
   return {.id = "index.corners",
           .topic = "index",
-          .says = "the corners of an index are those of the specification, in the order of children 0, 2, 3",
+          .says = "the corners of an index are those of the specification, in any order",
           .source = succinct_4_3,
           .method = Method::exhaustive,
           .subjects = {"impl"},
@@ -204,15 +205,53 @@ Law corners_law() {
           .how = exhaustively,
           .unfit = needing({entry::corners}),
           .divisible = true,
-          .judge = judged_by(corners_in_order),
-          .replay = replayed_by(replay_corners_in_order),
+          .judge = judged_by(corners_as_sets),
+          .replay = replayed_by(replay_corners_as_sets),
           .mutants = {
-              swapped_corners("two corners of one index of level 7 change places", "impl", 7, 7777),
-              swapped_corners("two corners of the last index of level 6 change places", "impl", 6, 4095),
+              mutant("one corner of one index of level 7 is off", "impl", {7, 7},
+                     on_indices([](Level n, std::uint32_t k, Corners c) {
+                       if (n == 7 && k == 7777) ++c[1].i;
+                       return c;
+                     })),
+              mutant("one corner of the last index of level 6 is another one of it", "impl", {6, 6},
+                     on_indices([](Level n, std::uint32_t k, Corners c) {
+                       if (n == 6 && k == 4095) c[2] = c[0];
+                       return c;
+                     })),
               mutant("u and v change places", "impl", {0, 3}, on_indices([](Level, std::uint32_t, Corners c) {
                        for (auto& vertex : c) std::swap(vertex.i, vertex.j);
                        return c;
                      }))}};
+}
+
+Law corner_order_law() {
+  return {
+      .id = "index.corner_order",
+      .topic = "index",
+      .says =
+          "corners come in the order that the subject declares: of the children 0, 2 and 3 that touch them, "
+          "or "
+          "the base and a step from there along u and along v",
+      .source = "Succinct Opacity Micromaps, 4.3; OptiX, optixMicromapIndexToBaseBarycentrics",
+      .method = Method::exhaustive,
+      .subjects = {"impl"},
+      .fast = {0, 10},
+      .long_run = {0, 16},
+      .fast_seconds = 0.5,
+      .cases = all_triangles,
+      .domain = indices,
+      .how = exhaustively,
+      .unfit = declares_no_order,
+      .divisible = true,
+      .judge = judged_by(corners_in_order),
+      .replay = replayed_by(replay_corners_in_order),
+      .mutants = {swapped_corners("two corners of one index of level 7 change places", "impl", 7, 7777),
+                  swapped_corners("two corners of the last index of level 6 change places", "impl", 6, 4095),
+                  mutant("the base comes first, then +u, then +v", "impl", {0, 3},
+                         on_indices([](Level n, std::uint32_t k, Corners) {
+                           return corners_in(CornerOrder::base_u_v, k, n);
+                         }))},
+      .diagnose = diagnose_corner_order};
 }
 
 Law rounding_law() {
@@ -296,8 +335,9 @@ Law row_corners_law() {
 }  // namespace
 
 std::vector<Law> laws() {
-  std::vector<Law> all{equals_reference_law(), in_range_law(), bijective_law(), nested_law(),
-                       contiguous_law(),       inverse_law(),  corners_law(),   rounding_law()};
+  std::vector<Law> all{equals_reference_law(), in_range_law(),     bijective_law(),
+                       nested_law(),           contiguous_law(),   inverse_law(),
+                       corners_law(),          corner_order_law(), rounding_law()};
   for (const auto& group :
        {induction::laws(), wide_laws(), arithmetic_laws(), std::vector{row_order_law(), row_corners_law()},
         float_laws(), dialect_laws(), sample_laws(), paper_laws(equals_reference_law())})

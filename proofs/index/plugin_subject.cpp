@@ -221,6 +221,10 @@ Functions functions_of(const LibraryPtr& library, Arithmetic arithmetic) {
     f.index_doubles = [ask, call](Level n, DoubleBatch batch, auto out) { ask.pairs(call, n, batch, out); };
     f.index_at = [ask, call](Level n, const RationalPoint& p) { return ask.point(call, n, p); };
   }
+  const std::uint32_t flags = library->description().flags;
+  f.corner_order = (flags & MMVERIFY_CORNERS_OF_CHILDREN) != 0 ? CornerOrder::of_children
+                   : (flags & MMVERIFY_CORNERS_BASE_U_V) != 0  ? CornerOrder::base_u_v
+                                                               : CornerOrder::undeclared;
   if (offers(Call::corners))
     f.corners = [ask](Level n, auto indices, auto out) { ask.corners(Call::corners, n, indices, out); };
   if (offers(Call::row_index_f32) && arithmetic == Arithmetic::binary32) {

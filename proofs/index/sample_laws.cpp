@@ -59,8 +59,9 @@ Law corners_on_samples_law() {
   return {.id = "index.corners_on_samples",
           .topic = "index",
           .says =
-              "the corners of an index are those of the specification, in the order of children 0, 2, 3, at "
-              "every level",
+              "the corners of an index are those of the specification, in the order that a subject declares "
+              "where "
+              "it declares one, at every level",
           .source = succinct_4_3,
           .method = Method::sample,
           .subjects = {"impl"},

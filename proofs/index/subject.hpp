@@ -40,6 +40,10 @@ struct DoubleBatch {
 /// A row is cut at so many points.
 inline constexpr std::size_t row_batch = 4096;
 
+/// In which order corners come: as the children 0, 2 and 3 touch them, or the base and a step from there along u and
+/// along v.
+enum class CornerOrder { undeclared, of_children, base_u_v };
+
 /// What a subject has; an empty function is an entry point that is missing, unless it says what stands in for it.
 /// Calls may come from several threads at once.  Answers go to `out`, as long as the input.
 struct Functions {
@@ -65,6 +69,7 @@ struct Functions {
   /// One point; an exact subject takes any rational, another one a point it can receive.
   std::function<std::uint32_t(Level n, const RationalPoint& p)> index_at = {};
 
+  CornerOrder corner_order = CornerOrder::undeclared;
   /// Index -> corners.
   std::function<void(Level n, std::span<const std::uint32_t> indices, std::span<Corners> out)> corners = {};
 

@@ -61,6 +61,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   subject.max_level = 16;
   subject.index_f32 = index_f32;
   subject.index_f64 = index_f64;
+  subject.flags = DECLARED;
   subject.corners = corners;
   subject.row_index_f32 = row_index_f32;
   subject.row_corners = row_corners;
