@@ -1,6 +1,7 @@
 // A counterexample that a run prints is the same one when it is replayed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -38,15 +39,19 @@ void expect_replayed(const Law& law, const Subject& subject, const Result& r) {
   }
 }
 
-TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
+TEST_P(Replay, KillsItsMutantsShowsTheirCounterexamplesAndAcquitsTheRightSubject) {
   if (!law.at_once.empty()) SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
   SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
+  Level highest = 0;
   for (const Mutant& mutant : law.mutants) {
+    bool killed = false;
     if (sanitized && &mutant != &law.mutants.front()) break;  // the others run the same code
     for (Level n = mutant.levels.first; n <= mutant.levels.last; ++n) {
       Result r = run_level(law, *mutant.subject, n, keeping(5));
       if (r.verdict != Verdict::refuted) continue;
       ASSERT_FALSE(r.counterexamples.empty());
+      killed = true;
+      highest = std::max(highest, n);
       expect_replayed(law, *mutant.subject, r);
       if (sanitized) r.counterexamples.resize(1);
       for (const Counterexample& c : r.counterexamples) {
@@ -61,6 +66,10 @@ TEST_P(Replay, ShowsItsMutantsCounterexamplesAndAcquitsTheRightSubject) {
       }
       break;
     }
+    EXPECT_TRUE(killed) << mutant.name;
+  }
+  if (!sanitized && law.fast.last > 3) {
+    EXPECT_GT(highest, 3u);
   }
 }
 
