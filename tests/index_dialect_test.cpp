@@ -200,6 +200,9 @@ TEST(Prose, EndsAtTheOtherEnd) {
   for (Level n = 1; n <= 16; ++n) {
     const spec::Point<double> v_corner{0, 1};
     EXPECT_EQ(spec::index::as_the_prose_says(v_corner, n), 0u) << n;
+    if (n < 16) {  // where 2 * 4^n is a word
+      EXPECT_EQ(spec::index::as_the_prose_says(spec::Point<double>{1, 0}, n), 2u << 2 * n) << n;
+    }
     EXPECT_EQ(spec::index::reference(v_corner, n), (std::uint64_t{1} << 2 * n) - 1) << n;
   }
 }

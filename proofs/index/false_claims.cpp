@@ -82,7 +82,7 @@ Tally differs_on_hypotenuse(const IndexSubject& s, Level n, const Run& run) {
   const Tally sweep = unless_interrupted(equals_reference(s, n, keeping_one(run)));
   Tally tally = counted(sweep, run);
   const auto wrong = [&](Kind kind) { return sweep.by_kind()[static_cast<std::size_t>(kind)].mismatches; };
-  const std::uint64_t due = n == 0 ? 0 : side(n) + 1;
+  const std::uint64_t due = n == 0 ? 1 : side(n) + 1;
   std::uint64_t there = 0;
   for (std::uint64_t k = 0; k <= side(n); ++k) {
     const auto i = static_cast<std::int64_t>(k), N = static_cast<std::int64_t>(side(n));

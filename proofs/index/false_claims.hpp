@@ -19,7 +19,7 @@ struct Difference {
 Tally differs_first(const IndexSubject&, Level, const Run&, const std::vector<Difference>& stated);
 
 /// Holds at level n if the subject differs from the reference at the N+1 vertices of the hypotenuse, at each of them, and
-/// nowhere else; at level 0, where an index has no bits, nowhere.
+/// nowhere else; at level 0, where an index has no bits, at the u-corner alone.
 Tally differs_on_hypotenuse(const IndexSubject&, Level, const Run&);
 
 /// Holds at level n if one of two points, derived from the subject's precision p, gets a wrong index:
