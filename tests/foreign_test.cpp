@@ -157,7 +157,10 @@ TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
     for (const PluginSubject& s : subjects) {
       if (!law.general || law.topic != s.subject->topic()) continue;
       // As far as a test can afford: a library of another hand is slow, and laws_test runs every level of ours.
-      const Level first = law.fast.first, few = law.topic == "index" ? 5 : law.topic == "bake" ? 0 : 1,
+      const Level first = law.fast.first,
+                  few = law.topic == "index"  ? 5
+                        : law.topic == "bake" ? 0
+                                              : 1,
                   last = law.method == Method::sample ? first : std::max(first, std::min(law.fast.last, few));
       for (Level n = first; n <= last; ++n) {
         if (law.unfit(*s.subject, n)) continue;
