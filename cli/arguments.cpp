@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include "cli/exit_code.hpp"
 #include "proofs/engine/shape.hpp"
@@ -45,12 +46,34 @@ std::function<std::string(const std::string&)> finite_within(double least, doubl
   };
 }
 
-std::string fits_64_bits(const std::string& text) {
+proofs::bake::BakeSubjectPtr parse_baker(const std::string& text, double timeout_seconds) {
+  for (const SubjectPtr& subject : parse_subject(text, timeout_seconds))
+    if (auto baker = std::dynamic_pointer_cast<const bake::BakeSubject>(subject)) return baker;
+  throw UsageError(fmt::format("--subject {}: it has no baker", text));
+}
+
+namespace {
+
+/// A whole number below 2^64, written in digits alone.
+std::optional<std::uint64_t> whole(const std::string& text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size()
-             ? std::string()
-             : fmt::format("'{}' is no whole number below 2^64", text);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::function<std::string(const std::string&)> whole_within(std::uint64_t least, std::uint64_t most) {
+  return [least, most](const std::string& text) -> std::string {
+    const auto value = whole(text);
+    if (value && *value >= least && *value <= most) return {};
+    return fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
+  };
+}
+
+std::string fits_64_bits(const std::string& text) {
+  return whole(text) ? std::string() : fmt::format("'{}' is no whole number below 2^64", text);
 }
 
 std::string shell_quoted(const std::string& text) {

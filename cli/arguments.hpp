@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/bake/subject.hpp"
 #include "proofs/engine/law.hpp"
 
 namespace mmverify::cli {
@@ -12,11 +13,17 @@ namespace mmverify::cli {
 /// "3..7" or "5".  Both ends included; UsageError unless first <= last <= proofs::max_level().
 proofs::Levels parse_levels(const std::string& text);
 
+/// The baker that a subject has.  Throws UsageError where it has none, and what parse_subject does.
+proofs::bake::BakeSubjectPtr parse_baker(const std::string& text, double timeout_seconds);
+
 /// "5", of the option --level.
 proofs::Level parse_level(const std::string& text);
 
 /// For a double's option: finite and within [least, most].  CLI11's own range lets NaN through.
 std::function<std::string(const std::string&)> finite_within(double least, double most);
+
+/// For a whole number's option: one within [least, most], or what is wrong.
+std::function<std::string(const std::string&)> whole_within(std::uint64_t least, std::uint64_t most);
 
 /// For a seed's option: a whole number below 2^64, or what is wrong.  CLI11 takes a greater one for 2^64 - 1.
 std::string fits_64_bits(const std::string& text);

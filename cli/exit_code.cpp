@@ -11,6 +11,7 @@ ExitCode exit_code(const Report& report) {
     return std::any_of(report.results.begin(), report.results.end(),
                        [v](const Result& r) { return r.verdict == v; });
   };
+  if (!report.gave_up.empty()) return ExitCode::environment;
   const bool survived =
       std::any_of(report.mutants.begin(), report.mutants.end(), [](const auto& m) { return !m.killed; });
   if (any(Verdict::refuted) || any(Verdict::broken) || survived) return ExitCode::failed;

@@ -13,6 +13,7 @@
 #include "cli/read_json.hpp"
 #include "cli/text.hpp"
 #include "gate/compare.hpp"
+#include "gate/runs.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -31,8 +32,14 @@ struct GateOptions {
 /// What reads a file, so that what is wrong with it names it.
 template <class Read>
 auto of_file(const std::string& path, Read read) {
+  const auto file = read_json(path);
   try {
-    return read(read_json(path));
+    gate::refuse_misfits(file, path);
+  } catch (const gate::NoResult& why) {
+    throw EnvironmentError(why.what());
+  }
+  try {
+    return read(file);
   } catch (const gate::NoResult& why) {
     throw EnvironmentError(fmt::format("{}: {}", path, why.what()));
   }

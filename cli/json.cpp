@@ -7,6 +7,7 @@
 #include "cli/build_info.hpp"
 #include "cli/text.hpp"
 #include "cli/tool.hpp"
+#include "gate/seal.hpp"
 #include "proofs/kinds.hpp"
 
 namespace mmverify::cli {
@@ -36,6 +37,12 @@ Json result(const Result& r) {
   if (!r.at_once.empty()) j["level"] = nullptr;
   if (!r.dialect.empty()) j["dialect"] = r.dialect;
   if (!r.reason.empty()) j["reason"] = r.reason;
+  if (!r.breaks.empty()) {
+    constexpr std::size_t shown = 5;
+    j["cases_broken"] = r.breaks.size();
+    j["breaks"] = std::vector(
+        r.breaks.begin(), r.breaks.begin() + static_cast<std::ptrdiff_t>(std::min(shown, r.breaks.size())));
+  }
   j["cases_expected"] = r.cases_expected;
   j["cases_run"] = r.cases_run();
   if (r.resumed != 0) j["cases_resumed"] = r.resumed;
@@ -78,6 +85,8 @@ std::string to_json(const Report& report, std::uint64_t seed, const std::optiona
     one["case"] = m.killed ? Json(m.at) : Json(nullptr);
     j["mutants"].push_back(one);
   }
+  // Shards are added up: what was changed in one would be in the sum.
+  if (shard) j["seal"] = gate::seal_of(j);
   return j.dump(1) + "\n";
 }
 

@@ -52,6 +52,10 @@ int merge(const MergeOptions& options) {
     check_program(shards.back());
   }
   const std::uint64_t seed = number_in(shards.front(), "seed"), errors = number_in(shards.front(), "errors");
+  // Said last: what else is wrong with a shard says more.
+  std::string changed;
+  for (const ShardRun& shard : shards)
+    if (!shard.as_written && changed.empty()) changed = shard.file;
   Report report;
   try {
     report = merge_shards(std::move(shards), errors, [](const std::string& id) -> const Law& {
@@ -62,6 +66,10 @@ int merge(const MergeOptions& options) {
   } catch (const ShardsDoNotAddUp& why) {
     throw EnvironmentError(why.what());
   }
+  if (!changed.empty())
+    throw EnvironmentError(fmt::format(
+        "{}: seal: not that of what the file says, so it was changed; take the file that mmverify wrote",
+        changed));
   OutputFile out(options.out);
   TextReport text(stdout, true);
   for (const Result& r : report.results) text.add(r);

@@ -16,6 +16,9 @@
 #include "cli/output_file.hpp"
 #include "cli/scene/check_maps.hpp"
 #include "cli/text.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/pipe/lines.hpp"
+#include "proofs/topics.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -23,56 +26,141 @@ namespace {
 using namespace proofs;
 
 struct PipeOptions {
-  std::string topic, level, cells = "all", json;
+  std::string topic, level, cells = "all", json, levels;
+  std::vector<std::string> laws;
   std::size_t errors = 1;
+  std::uint64_t seed = 1, cases = 0;
   bool interiors_only() const { return cells == "interior"; }
+  bool corners() const { return topic == "corners"; }
 };
 
-/// The pipe's indices have 32 bits.
+/// The topic whose laws ask what is answered; null: index and corners, whose cases are the cells.
+const Topic* asking_topic(const PipeOptions& options) {
+  for (const Topic& topic : topics())
+    if (topic.dialogue != nullptr && options.topic == topic.name) return &topic;
+  return nullptr;
+}
+
+std::vector<std::string> topics_with(std::vector<std::string> others) {
+  for (const Topic& topic : topics())
+    if (topic.dialogue != nullptr) others.push_back(topic.name);
+  return others;
+}
+
+/// The pipe's indices have 32 bits; corners are kept, 24 bytes each.
 Level one_level(const PipeOptions& options) {
   if (options.level.empty()) throw UsageError("--level is required; write --level N");
-  constexpr Level highest = 16;
+  if (!options.levels.empty() || !options.laws.empty() || options.cases != 0)
+    throw UsageError(
+        fmt::format("{}: one law and one level; leave --levels, --law and --cases out", options.topic));
+  if (options.corners() && options.interiors_only())
+    throw UsageError("--cells interior: corners are asked by index; leave it out");
+  const Level highest = options.corners() ? 12 : 16;
   const Level level = parse_level(options.level);
   if (level > highest)
     throw UsageError(fmt::format("--level {}: the pipe's highest level is {}", options.level, highest));
   return level;
 }
 
+/// A pipe answers each question once: laws that run on libraries alone, or settle many levels at once, are left out.
+bool on_pipe(const Law& law) {
+  return law.general && !law.long_only && !law.alternative && law.at_once.empty();
+}
+
+pipe::Asked asked(const PipeOptions& options, const Topic& topic) {
+  if (!options.level.empty())
+    throw UsageError(
+        fmt::format("{}: write --levels A..B, or --levels N, in the place of --level", topic.name));
+  if (options.interiors_only())
+    throw UsageError(
+        fmt::format("--cells interior: {} is not about points on cells; leave it out", topic.name));
+  pipe::Asked a{topic.name,
+                *topic.dialogue,
+                {},
+                options.laws,
+                options.levels.empty() ? Levels{0, 2} : parse_levels(options.levels)};
+  a.errors = options.errors;
+  a.seed = options.seed;
+  a.cases = options.cases;
+  for (const Law* law :
+       parse_laws(options.laws.empty() ? std::vector{options.topic} : options.laws, Tier::fast)) {
+    const bool fits = law->topic == topic.name && on_pipe(*law);
+    if (fits) a.laws.push_back(law);
+    if (!fits && !options.laws.empty())
+      throw UsageError(
+          fmt::format("--law {}: it cannot be asked of {} on a pipe; leave it out", law->id, topic.name));
+  }
+  return a;
+}
+
 void add_common(CLI::App& command, PipeOptions& options) {
-  command.add_option("--level", options.level, "index: the level")->type_name("N");
+  command.add_option("--level", options.level, "index, corners: the level")->type_name("N");
   command.add_option("--cells", options.cells, "all, or interior: leave out points on grid lines")
       ->check(CLI::IsMember({"all", "interior"}));
+  command
+      .add_option("--levels", options.levels, "tree, bake: levels A..B, both included; 0..2 where not given")
+      ->type_name("A..B");
+  command.add_option("--law", options.laws, "tree, bake: one of the laws that ask; may be given again")
+      ->type_name("LAW");
+  command.add_option("--cases", options.cases, "tree, bake: of each law that draws them, at least so many")
+      ->check(whole_within(1, std::uint64_t{1} << 40));
+  command.add_option("--seed", options.seed, "tree, bake, maps: of the samples")->check(fits_64_bits);
 }
 
 int generate(const PipeOptions& options) {
   // A reader that stops early is its own business, not an error of this program.
-  index::generate_cases(one_level(options), options.interiors_only(), stdout);
+  if (const Topic* topic = asking_topic(options)) {
+    pipe::generate_questions(asked(options, *topic), stdout);
+    return proofs::interrupted() ? ExitCode::interrupted : ExitCode::complete;
+  }
+  if (options.corners())
+    index::generate_indices(one_level(options), stdout);
+  else
+    index::generate_cases(one_level(options), options.interiors_only(), stdout);
   return ExitCode::complete;
 }
 
-int check(const PipeOptions& options, const std::string& junit_file) {
+/// Of index and corners.
+Report checked_level(const PipeOptions& options) {
   const Level level = one_level(options);
-  std::optional<OutputFile> json, junit;
-  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
-  if (!junit_file.empty()) junit.emplace(junit_file);
-  std::ios::sync_with_stdio(false);
-  index::Answered answered;
-  try {
-    answered = index::check_answers(level, options.interiors_only(), options.errors, std::cin);
-  } catch (const index::BadAnswers& bad) {
-    throw EnvironmentError(bad.what());
-  }
+  const index::Answered answered =
+      options.corners() ? index::check_corners(level, options.errors, std::cin)
+                        : index::check_answers(level, options.interiors_only(), options.errors, std::cin);
   Report report;
   report.results.push_back(answered.result);
   if (!answered.diagnosis.empty())
     report.diagnoses.push_back({answered.result.law, answered.result.subject, answered.diagnosis});
-  TextReport text(options.json == "-" ? stderr : stdout, true);
-  text.add(answered.result);
+  return report;
+}
+
+int check(const PipeOptions& options, const std::string& junit_file, bool quiet) {
+  const Topic* topic = asking_topic(options);
+  std::optional<pipe::Asked> questions;
+  if (topic != nullptr) {
+    questions = asked(options, *topic);
+    questions->show_progress = !quiet;
+  } else {
+    one_level(options);
+  }
+  std::optional<OutputFile> json, junit;
+  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
+  if (!junit_file.empty()) junit.emplace(junit_file);
+  std::ios::sync_with_stdio(false);
+  Report report;
+  try {
+    report = questions ? pipe::check_questions(*questions, std::cin) : checked_level(options);
+  } catch (const pipe::BadAnswers& bad) {
+    throw EnvironmentError(bad.what());
+  }
+  TextReport text(options.json == "-" ? stderr : stdout, topic == nullptr);
+  for (const Result& result : report.results) text.add(result);
   text.finish(report, false);
-  if (json) json->commit(to_json(report, 1));
-  if (options.json == "-") fmt::print("{}", to_json(report, 1));
+  if (json) json->commit(to_json(report, options.seed));
+  if (options.json == "-") fmt::print("{}", to_json(report, options.seed));
   if (junit) junit->commit(to_junit(report));
-  return answered.result.verdict == Verdict::proved ? ExitCode::complete : ExitCode::failed;
+  if (report.interrupted) return ExitCode::interrupted;
+  if (nothing_applied(report)) throw UsageError(nothing_was_run);
+  return exit_code(report);
 }
 
 /// What only finished maps have.
@@ -95,9 +183,8 @@ void add_maps(CLI::App& command, CheckMapsOptions& options) {
   command.add_option("--margin", options.margin, "maps: texels by which micro-triangles were dilated")
       ->check(finite_within(0, 64));
   command.add_option("--samples", options.samples, "maps: micro-triangles that each law is checked on")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+      ->check(whole_within(1, std::uint64_t{1} << 40));
   command.add_flag("--exhaustive", options.exhaustive, "maps: all micro-triangles");
-  command.add_option("--seed", options.seed, "maps: of the samples")->check(fits_64_bits);
   command.add_option("--replay", options.replay, "maps: show one case of a law again")->type_name("LAW");
   command.add_option("--case", options.at, "the case of --replay")->type_name("LEVEL@CASE");
   command.add_flag("--quiet", options.quiet, "no progress");
@@ -108,7 +195,11 @@ void add_maps(CLI::App& command, CheckMapsOptions& options) {
 Action add_gen(CLI::App& program) {
   auto* command = program.add_subcommand("gen", "the cases of a level, one a line, for a program on a pipe");
   auto options = std::make_shared<PipeOptions>();
-  command->add_option("topic", options->topic, "index")->required()->check(CLI::IsMember({"index"}));
+  command
+      ->add_option("topic", options->topic,
+                   "index: points; corners: indices; tree: maps and codes; bake: textures")
+      ->required()
+      ->check(CLI::IsMember(topics_with({"index", "corners"})));
   add_common(*command, *options);
   return [options] { return generate(*options); };
 }
@@ -118,22 +209,28 @@ Action add_check(CLI::App& program) {
       "check", "judge the answers that a program on a pipe gave to `gen`'s cases, or finished maps");
   auto options = std::make_shared<PipeOptions>();
   auto maps = std::make_shared<CheckMapsOptions>();
-  command->add_option("topic", options->topic, "index, or maps: finished ones against their textures")
+  command
+      ->add_option("topic", options->topic,
+                   "index, corners, tree or bake; or maps: finished ones against their textures")
       ->required()
-      ->check(CLI::IsMember({"index", "maps"}));
+      ->check(CLI::IsMember(topics_with({"index", "corners", "maps"})));
   add_common(*command, *options);
   add_maps(*command, *maps);
-  command->add_option("--errors", options->errors, "counterexamples kept")->check(CLI::Range(1, 10000));
+  command->add_option("--errors", options->errors, "counterexamples kept")->check(whole_within(1, 10'000));
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--junit", maps->junit, "write the results as JUnit XML")->type_name("FILE");
   return [options, maps] {
-    if (options->topic == "index") {
+    if (options->topic != "maps") {
       if (!maps->file.empty())
-        throw UsageError("check index: answers come on standard input; leave the file out");
-      return check(*options, maps->junit);
+        throw UsageError(
+            fmt::format("check {}: answers come on standard input; leave the file out", options->topic));
+      return check(*options, maps->junit, maps->quiet);
     }
     if (!options->level.empty()) throw UsageError("check maps: maps have their levels; leave --level out");
+    if (!options->levels.empty() || !options->laws.empty() || options->cases != 0)
+      throw UsageError("check maps: --levels, --law and --cases are of answers on a pipe; leave them out");
     maps->json = options->json;
+    maps->seed = options->seed;
     maps->errors = options->errors;
     return check_maps(*maps);
   };

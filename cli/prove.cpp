@@ -133,6 +133,7 @@ int prove(const ProveOptions& options) {
   if (options.json == "-") fmt::print("{}", as_json());
   if (junit) junit->commit(to_junit(report));
 
+  if (!report.gave_up.empty()) throw EnvironmentError(report.gave_up);
   if (nothing_applied(report)) throw UsageError(nothing_was_run);
   return exit_code(report);
 }
@@ -152,7 +153,7 @@ Action add_prove(CLI::App& program) {
   command
       ->add_option("--threads", options->threads,
                    "worker threads; as many as the machine has where not given")
-      ->check(CLI::Range(1u, 1024u));
+      ->check(whole_within(1, 1024));
   command->add_option("--tier", options->tier, "fast or long")->check(CLI::IsMember({"fast", "long"}));
   command->add_option("--cells", options->cells, "all, or interior: leave out points on grid lines")
       ->check(CLI::IsMember({"all", "interior"}));
@@ -165,15 +166,15 @@ Action add_prove(CLI::App& program) {
           "--near", options->near,
           "let a point that misses an edge by so many units in the last place have a neighbour's index")
       ->type_name("ULPS")
-      ->check(CLI::Range(0u, 1u << 20));
+      ->check(whole_within(0, 1 << 20));
   command->add_flag("--no-companions", options->no_companions,
                     "run no law on floats beside one whose cases are few numbers to a subject of floats");
   command->add_option("--errors", options->errors, "counterexamples kept of each result")
-      ->check(CLI::Range(1, 10000));
+      ->check(whole_within(1, 10'000));
   command
       ->add_option("--cases", options->cases,
                    "draw at least so many cases of each sampled law of bakers, over its four lowest levels")
-      ->check(CLI::Range(1, 10'000'000));
+      ->check(whole_within(1, 10'000'000));
   command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
   command->add_option("--timeout", options->timeout, "seconds that a library may take for a batch of 4096")
       ->check(finite_within(0.01, 86400));

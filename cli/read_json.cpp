@@ -12,6 +12,7 @@
 
 #include "cli/exit_code.hpp"
 #include "gate/contradictions.hpp"
+#include "gate/seal.hpp"
 #include "proofs/kinds.hpp"
 
 namespace mmverify::cli {
@@ -93,6 +94,7 @@ ShardRun shard_run(const Json& j) {
   shard.at("number").get_to(run.shard.number);
   shard.at("of").get_to(run.shard.of);
   shard.at("finished").get_to(run.finished);
+  run.as_written = gate::is_sealed(j);
   if (run.shard.number < 1 || run.shard.number > run.shard.of)
     throw std::runtime_error(fmt::format("no shard {} of {}", run.shard.number, run.shard.of));
   for (const auto& [name, value] : shard.at("run").items())

@@ -20,12 +20,16 @@ using namespace proofs;
 struct ReplayOptions {
   std::string law, level, at, subject, picture;
   double timeout = 10;
-  std::optional<std::uint32_t> answer;
+  std::optional<std::string> answer;
 };
 
 /// A library may be several subjects: FILE:KIND means one, FILE the first of the law's topic.
 SubjectPtr parse_one(const ReplayOptions& options, const Law& law) {
-  if (options.answer) return index::given_answer(*options.answer);
+  if (options.answer) try {
+      return index::given_answer(*options.answer);
+    } catch (const BadCase& error) {
+      throw UsageError(fmt::format("--answer {}", error.what()));
+    }
   if (options.subject.empty()) return find_subject(law.subjects.front());
   const auto offered = parse_subject(options.subject, options.timeout);
   for (const SubjectPtr& subject : offered)
@@ -76,7 +80,7 @@ Action add_replay(CLI::App& program) {
                    "who is judged; the law's first built-in one where not given")
       ->type_name("NAME|FILE.so");
   command->add_option("--answer", options->answer, "judge this answer instead of asking a subject")
-      ->type_name("INDEX");
+      ->type_name("INDEX|CORNERS");
   command->add_option("--timeout", options->timeout, "seconds that a library may take")
       ->check(finite_within(0.01, 86400));
   command->add_option("--picture", options->picture, "draw it")->type_name("FILE.svg");

@@ -26,8 +26,12 @@ std::string replay_command(const Result& result, const Counterexample& c) {
     return fmt::format("{} --case {}@{}", result.replayed_by, level_of(result, c), c.at);
   const Law* law = find_law(result.law);
   const Level level = level_of(result, c);
+  // What the answers to laws of more than one question were is gone with them: the right one is shown.
+  if (result.subject == "standard input" && result.topic != "index")
+    return fmt::format("mmverify replay {} --level {} --case {}", result.law, level, shell_quoted(c.at));
   if (result.subject == "standard input")
-    return fmt::format("mmverify replay {} --level {} --case {} --answer {}", result.law, level, c.at, c.got);
+    return fmt::format("mmverify replay {} --level {} --case {} --answer {}", result.law, level, c.at,
+                       shell_quoted(c.got));
   if (law == nullptr || !law->replay)
     return fmt::format("mmverify prove {} --levels {} --subject {}", result.law, level,
                        shell_quoted(result.subject));
@@ -112,8 +116,8 @@ void TextReport::line(const std::vector<Result>& results) {
     say(out_, "           declined: {} of these cases, which it does not claim to support\n",
         grouped(declined));
   if (allowed != 0)
-    say(out_, "           allowed: {} of these answers, which exact arithmetic does not give\n",
-        grouped(allowed));
+    say(out_, "           allowed: {} of these answers, which {} does not give\n", grouped(allowed),
+        first.dialect == "published" ? "the published code" : "exact arithmetic");
   if (resumed != 0) say(out_, "           resumed: {} of these cases by the journal\n", grouped(resumed));
   for (const Result& r : results)
     if (by_level_ && r.share)
@@ -129,9 +133,18 @@ void TextReport::line(const std::vector<Result>& results) {
     for (const Counterexample& c : r.counterexamples) say(out_, "{}\n", counterexample_line(r, c));
     if (!by_level_) break;
   }
-  if (verdict == Verdict::incomplete || verdict == Verdict::broken)
-    say(out_, "  {}\n", results.back().reason);
+  if (verdict == Verdict::incomplete) say(out_, "  {}\n", results.back().reason);
+  for (const Result& r : results) say_breaks(r);
   std::fflush(out_);
+}
+
+void TextReport::say_breaks(const Result& r) const {
+  constexpr std::size_t shown = 5;
+  if (r.verdict == Verdict::broken && r.breaks.empty()) say(out_, "  {}\n", r.reason);
+  for (std::size_t k = 0; k < std::min(shown, r.breaks.size()); ++k) say(out_, "  {}\n", r.breaks[k]);
+  if (!r.breaks.empty())
+    say(out_, "  level {}: not answered: {} of {} cases; the others are judged\n", r.level,
+        grouped(r.breaks.size()), grouped(r.cases_run()));
 }
 
 std::size_t TextReport::print_mutants(const std::vector<MutantResult>& mutants) const {

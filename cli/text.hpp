@@ -30,6 +30,8 @@ class TextReport {
  private:
   void flush();
   void line(const std::vector<proofs::Result>& results);
+  /// What a broken subject did, and on how many cases.
+  void say_breaks(const proofs::Result& result) const;
   /// Which mutants were killed, by law; returns how many.
   std::size_t print_mutants(const std::vector<proofs::MutantResult>& mutants) const;
 

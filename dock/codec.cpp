@@ -56,7 +56,7 @@ Answer ask(const Library& library, const Question& question, const std::function
     worker.give_back();
     return answer;
   } catch (const Misbehaved& found) {
-    throw SubjectBroken(fmt::format("{} at level {} {}", found.what, question.level, doing()));
+    throw CaseBroken(fmt::format("{} at level {} {}", found.what, question.level, doing()), found.hung);
   }
 }
 
@@ -66,12 +66,13 @@ void look_up(const Library& library, const Lookup& l, std::span<std::uint8_t> ou
     } catch (const Misbehaved& first) {
       const Misbehaved found = pinned_down(library, l, from, first);
       const std::string one = l.element(from + found.first);
-      throw SubjectBroken(fmt::format("{} at level {} looking up {} in {}", found.what, l.level,
-                                      found.count == 1
-                                          ? one
-                                          : fmt::format("{} cases from {} to {}", found.count, one,
-                                                        l.element(from + found.first + found.count - 1)),
-                                      code_text(l.format, l.code)));
+      throw CaseBroken(
+          fmt::format("{} at level {} looking up {} in {}", found.what, l.level,
+                      found.count == 1 ? one
+                                       : fmt::format("{} cases from {} to {}", found.count, one,
+                                                     l.element(from + found.first + found.count - 1)),
+                      code_text(l.format, l.code)),
+          found.hung);
     }
 }
 

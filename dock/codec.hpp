@@ -17,7 +17,7 @@ struct Answer {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Asks any worker.  Throws SubjectBroken, its text `what it did at level N` and `doing`, for example
+/// Asks any worker.  Throws CaseBroken, its text `what it did at level N` and `doing`, for example
 /// "encoding 2-state:0110".
 Answer ask(const Library& library, const Question& question, const std::function<std::string()>& doing);
 
@@ -30,7 +30,7 @@ struct Lookup {
   std::vector<const void*> arrays;
   std::function<std::string(std::uint64_t)> element;  ///< names one, for messages
 };
-/// State k of `out` is that of element k; asked in pieces of batch_size.  Throws SubjectBroken, which names the
+/// State k of `out` is that of element k; asked in pieces of batch_size.  Throws CaseBroken, which names the
 /// element that it is about, found by asking one by one.
 void look_up(const Library& library, const Lookup& lookup, std::span<std::uint8_t> out);
 

@@ -14,9 +14,9 @@
 #include <cstring>
 #include <filesystem>
 
+#include "dock/broken.hpp"
 #include "dock/futex.hpp"
-
-extern char** environ;
+#include "dock/sanitizer.hpp"
 
 namespace mmverify::dock {
 namespace {
@@ -33,8 +33,11 @@ std::string worker_program() {
 }
 
 [[noreturn]] void fail(const char* what) {
-  throw std::runtime_error(fmt::format("{}: {}", what, std::strerror(errno)));
+  throw NoResources(fmt::format("{}: {}", what, std::strerror(errno)));
 }
+
+/// In so many questions that come fast, its bounds are looked at once: a wait looks by itself.
+constexpr std::uint64_t unwatched = 256;
 
 /// How often a wait looks whether the process still lives.
 constexpr long slice_milliseconds = 20;
@@ -47,6 +50,7 @@ constexpr int anywhere = -1, not_asked = -2;
 Worker::Worker(std::string library, const Options& options)
     : library_(std::move(library)),
       options_(options),
+      environment_(worker_environment(library_)),
       layout_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
   start();
 }
@@ -66,12 +70,21 @@ void Worker::start() {
   const std::string program = worker_program(), fd = fmt::format("{}", fd_);
   std::string name = "mmverify-worker", fd_text = fd, library = std::filesystem::absolute(library_).string();
   char* argv[] = {name.data(), fd_text.data(), library.data(), nullptr};
+  printed_ = std::make_unique<Printed>();
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, printed_->write_end(), STDERR_FILENO);
   // A group of its own: what a subject forks ends with it, and Ctrl-C stays this process's business.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
-  const int error = posix_spawn(&pid_, program.c_str(), nullptr, &attributes, argv, environ);
+  std::vector<char*> environment;
+  for (std::string& setting : environment_) environment.push_back(setting.data());
+  environment.push_back(nullptr);
+  const int error = posix_spawn(&pid_, program.c_str(), &actions, &attributes, argv, environment.data());
+  posix_spawn_file_actions_destroy(&actions);
+  printed_->close_write_end();
   posix_spawnattr_destroy(&attributes);
   if (error != 0) {
     pid_ = -1;
@@ -79,11 +92,13 @@ void Worker::start() {
     fail("cannot start mmverify-worker");
   }
   hung_ = false;
+  over_.clear();
   processor_ = not_asked;
   group_ = pid_;
   while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
     futex_wait(mailbox_->turn, 1, slice_milliseconds);
     options_.stop_if_asked();
+    if (!within_bounds()) throw CannotLoad(fmt::format("{}: {} while it was loaded", library_, over_));
     if (mailbox_->turn.load(std::memory_order_acquire) == 1 && waitpid(pid_, &status_, WNOHANG) == pid_) {
       pid_ = -1;
       throw CannotLoad(fmt::format("{}: {} while it was loaded", library_, end_of_process()));
@@ -97,6 +112,7 @@ void Worker::stop() {
   if (group_ > 0) kill(-group_, SIGKILL);
   if (pid_ > 0) waitpid(pid_, &status_, 0);
   pid_ = group_ = -1;
+  printed_.reset();
   if (base_ != nullptr && base_ != MAP_FAILED) munmap(base_, layout_.total());
   base_ = nullptr;
   if (fd_ >= 0) close(fd_);
@@ -129,6 +145,14 @@ void Worker::bring_here() {
   if (sched_setaffinity(pid_, sizeof only, &only) == 0) processor_ = here;
 }
 
+bool Worker::within_bounds() {
+  if (!printed_->pass_on())
+    over_ = fmt::format("printed more than {} KiB", Printed::most >> 10);
+  else
+    over_ = over(bounds_, pid_);
+  return over_.empty();
+}
+
 bool Worker::exchange() {
   using Clock = std::chrono::steady_clock;
   bring_here();
@@ -145,6 +169,7 @@ bool Worker::exchange() {
       pid_ = -1;
       return false;
     }
+    if (!within_bounds()) return false;
     if (const std::uint64_t now = mailbox_->begun.load(std::memory_order_relaxed); now != begun) {
       begun = now;
       since = Clock::now();
@@ -153,17 +178,23 @@ bool Worker::exchange() {
       return false;
     }
   }
-  return true;
+  return ++questions_ % unwatched != 0 || within_bounds();
 }
 
-std::string Worker::end_of_process() const {
+std::string Worker::end_of_process() {
+  printed_->pass_on();
   if (WIFSIGNALED(status_)) {
     const int signal = WTERMSIG(status_);
-    const std::string where = mailbox_->message;
-    return fmt::format("crashed (signal {}, {}){}", signal, strsignal(signal),
-                       where.empty() ? "" : ": " + where);
+    std::string why = mailbox_->message;
+    if (const std::string& report = printed_->report(); !report.empty()) why = report;
+    return fmt::format("crashed (signal {}, {}){}", signal, strsignal(signal), why.empty() ? "" : ": " + why);
   }
   return fmt::format("called exit({})", WEXITSTATUS(status_));
+}
+
+std::string Worker::why_no_answer() {
+  if (!over_.empty()) return over_;
+  return hung_ ? fmt::format("hung: no answer within {} s", options_.timeout_seconds) : end_of_process();
 }
 
 void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found) {
@@ -187,9 +218,11 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbe
     mailbox_->one_by_one = 1;
     if (exchange() && mailbox_->outcome == Outcome::answered)
       return;  // not again: the batch is all that can be named
-    const bool spoke = pid_ > 0 && !hung_;
+    const bool spoke = pid_ > 0 && !hung_ && over_.empty();
     found.first += spoke ? mailbox_->element : mailbox_->begun.load();
     found.count = 1;
+  } catch (const NoResources&) {
+    throw;
   } catch (const std::runtime_error&) {
   }
 }
@@ -225,8 +258,7 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
   mailbox_->message[0] = 0;
   Misbehaved found{{}, 0, 0};
   if (!exchange()) {
-    found.what =
-        hung_ ? fmt::format("hung: no answer within {} s", options_.timeout_seconds) : end_of_process();
+    found.what = why_no_answer();
     const auto slot = static_cast<std::size_t>(mailbox_->begun.load() / batch_size);
     found.first = slot * batch_size;
     found.count = in_slot(count, slot);
@@ -262,10 +294,7 @@ Reply Worker::ask(const Question& q) {
   mailbox_->room = q.room;
   mailbox_->message[0] = 0;
   if (!q.blob.empty()) std::memcpy(base_ + layout_.blob_at(q.blob.size()), q.blob.data(), q.blob.size());
-  if (!exchange())
-    throw Misbehaved{
-        hung_ ? fmt::format("hung: no answer within {} s", options_.timeout_seconds) : end_of_process(), 0,
-        q.count};
+  if (!exchange()) throw Misbehaved{why_no_answer(), 0, q.count, hung_};
   if (mailbox_->outcome == Outcome::unwritten || mailbox_->outcome == Outcome::non_deterministic)
     throw Misbehaved{misdeed(), mailbox_->element, q.count == 0 ? 0u : 1u};
   if (mailbox_->outcome != Outcome::answered) throw Misbehaved{misdeed(), 0, q.count};

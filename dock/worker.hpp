@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dock/layout.hpp"
+#include "dock/watch.hpp"
 
 namespace mmverify::dock {
 
@@ -23,6 +24,7 @@ struct CannotLoad : std::runtime_error {
 struct Misbehaved {
   std::string what;            ///< "crashed (signal 11, Segmentation fault)", "hung: ...", ...
   std::uint64_t first, count;  ///< the elements of the command during which it did
+  bool hung = false;           ///< it took all the time that it may
 };
 
 struct Options {
@@ -76,10 +78,14 @@ class Worker {
   /// the numbers are in that processor's cache, and nobody has to be woken on an idle one.  Not before its
   /// first command, so that threads which a subject starts for itself go where they like.
   void bring_here();
-  /// Hands the turn over and waits for it to come back.  False where the process ended or hung.
+  /// Hands the turn over and waits for it to come back.  False where the process ended, hung or went over a bound.
   bool exchange();
+  /// Passes on what it printed; false where it went over a bound.
+  bool within_bounds();
+  /// What exchange() found: a bound, "hung: ...", or end_of_process().
+  std::string why_no_answer();
   /// "crashed (signal ...)" or "called exit(...)" of the ended process.
-  std::string end_of_process() const;
+  std::string end_of_process();
   /// What the subject did, by the outcome; empty where it answered.
   std::string misdeed() const;
   /// Asks element by element in a new process, to name the one.
@@ -87,10 +93,15 @@ class Worker {
 
   std::string library_;
   Options options_;
+  std::vector<std::string> environment_;  ///< of the process
   Layout layout_;
   int fd_ = -1, pid_ = -1, group_ = -1, status_ = 0;
   int processor_ = -1;  ///< where bring_here() last brought it
   bool hung_ = false;
+  Bounds bounds_ = bounds();
+  std::unique_ptr<Printed> printed_;
+  std::string over_;  ///< which bound it went over
+  std::uint64_t questions_ = 0;
   std::byte* base_ = nullptr;
   Mailbox* mailbox_ = nullptr;
 };

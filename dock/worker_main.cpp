@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "dock/desk/confine.hpp"
 #include "dock/desk/desk.hpp"
 #include "dock/desk/memory.hpp"
 #include "dock/desk/open_subject.hpp"
@@ -27,11 +28,15 @@ int main(int argc, char** argv) {
   // Ctrl-C is the tool's business; a tool that dies takes its workers along; a crash leaves no core file.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGPIPE, SIG_DFL);
+  std::signal(SIGXFSZ, SIG_DFL);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   // What a subject prints must not get into the results.
   dup2(STDERR_FILENO, STDOUT_FILENO);
+
+  // A library that starts programs, a driver's compiler say, needs to be let.
+  if (std::getenv("MMVERIFY_UNCONFINED") == nullptr) confine();
 
   const Layout layout(static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
   std::byte* base = map(std::atoi(argv[1]), layout);

@@ -56,18 +56,24 @@ class Comparing {
 
   void group(const std::string& name, const std::map<std::string, Value>& before,
              const std::map<std::string, Figure>& after) {
+    // A proof's digest comes and goes with the verdict, which says it.
+    const auto was = before.find("verdict");
+    const auto is = after.find("verdict");
+    const bool judged_otherwise =
+        was != before.end() && is != after.end() && was->second.text != is->second.value.text;
     for (const auto& [figure, value] : before)
-      if (!after.contains(figure)) add(Change::gone, name, figure, value.text, "");
+      if (!after.contains(figure) && !(judged_otherwise && figure == "digest"))
+        add(Change::gone, name, figure, value.text, "");
     for (const auto& [figure, now] : after) {
-      const auto was = before.find(figure);
-      if (was == before.end()) {
-        add(Change::added, name, figure, "", now.value.text);
+      const auto old = before.find(figure);
+      if (old == before.end()) {
+        if (!(judged_otherwise && figure == "digest")) add(Change::added, name, figure, "", now.value.text);
         continue;
       }
       ++out_.figures;
       out_.speeds += is_speed(now.rule);
-      if (const auto change = change_of(now.rule, was->second, now.value, tolerance_))
-        add(*change, name, figure, was->second.text, now.value.text);
+      if (const auto change = change_of(now.rule, old->second, now.value, tolerance_))
+        add(*change, name, figure, old->second.text, now.value.text);
     }
   }
   void add(Change change, const std::string& group, const std::string& figure, const std::string& before,

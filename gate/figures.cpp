@@ -153,7 +153,15 @@ class Walk {
       while (figures_.groups.contains(full)) full += '\'';  // what names itself "impl (2)"
       figures_.groups[full];
       value(element, place + "[]", full, "");
+      leave_out_digests(figures_.groups[full]);
     }
+  }
+
+  /// A sample's digest is of this sample, and one that was refuted is of answers that are to change.
+  static void leave_out_digests(std::map<std::string, Figure>& figures) {
+    const auto verdict = figures.find("verdict");
+    if (verdict != figures.end() && verdict->second.value.text == "\"proved\"") return;
+    std::erase_if(figures, [](const auto& figure) { return figure.second.rule == Rule::digest; });
   }
 
   Figures& figures_;

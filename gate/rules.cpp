@@ -23,6 +23,7 @@ constexpr std::pair<std::string_view, Rule> rules_by_name[] = {
     {"more", Rule::more},
     {"less", Rule::less},
     {"same", Rule::same},
+    {"digest", Rule::digest},
     {"about_more", Rule::about_more},
     {"about_less", Rule::about_less},
     {"about", Rule::about},

@@ -19,6 +19,7 @@ enum class Rule {
   more,        ///< a larger number is better
   less,        ///< a smaller number is better
   same,        ///< neither is better
+  digest,      ///< the same, of what is proved: the answers to all cases; of anything else left out
   about_more,  ///< a sum of fractions, equal to within one in 10^9; larger is better
   about_less,  ///< the like; smaller is better
   about,       ///< the like; neither is better

@@ -1,5 +1,6 @@
 #include "proofs/topics.hpp"
 
+#include "proofs/bake/dialogue.hpp"
 #include "proofs/bake/laws.hpp"
 #include "proofs/bake/plugin_subject.hpp"
 #include "proofs/index/built_in.hpp"
@@ -7,6 +8,7 @@
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/micromap/laws.hpp"
 #include "proofs/micromap/plugin_subject.hpp"
+#include "proofs/tree/dialogue.hpp"
 #include "proofs/tree/laws.hpp"
 #include "proofs/tree/plugin_subject.hpp"
 #include "proofs/vq/laws.hpp"
@@ -50,13 +52,13 @@ const std::vector<Topic> table{
      Call::micromap_pack, 12},
     {"tree", {"tree", "paper"}, tree::laws, all<tree::built_in_subjects>, {"tree"},
      [](const LibraryPtr& l, bool first) { return one<tree::plugin_subject>(l, "tree", first); },
-     Call::tree_encode, 16, "tree"},
+     Call::tree_encode, 16, "tree", &tree::dialogue},
     {"vq", {"vq", "vq2", "vq4"}, vq::laws, all<vq::built_in_subjects>, {"vq"},
      [](const LibraryPtr& l, bool first) { return one<vq::plugin_subject>(l, "vq", first); },
      Call::vq2_decode, 5, "vq"},
     {"bake", {"bake"}, bake::laws, all<bake::built_in_subjects>, {"bake"},
      [](const LibraryPtr& l, bool first) { return one<bake::plugin_subject>(l, "bake", first); },
-     Call::bake, 12, "bake"},
+     Call::bake, 12, "bake", &bake::dialogue},
 };
 // clang-format on
 

@@ -7,6 +7,7 @@
 
 #include "dock/library.hpp"
 #include "proofs/engine/law.hpp"
+#include "proofs/pipe/questions.hpp"
 
 namespace mmverify::proofs {
 
@@ -28,6 +29,7 @@ struct Topic {
   dock::Call first_entry;  ///< of its entry points in the header: a library's subjects come in that order
   Level highest;           ///< that any of its laws is defined at
   const char* bench = nullptr;  ///< its bench, as `mmverify bench` and the schemas name it; null: none
+  const pipe::Dialogue* dialogue = nullptr;  ///< of a program on a pipe; null: none, or one of its own
 };
 
 /// In the order in which `list` and `prove` have them.

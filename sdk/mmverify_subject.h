@@ -14,6 +14,7 @@
  *     the batch's size, earlier calls or the thread. Anything else is reported as non-deterministic.
  *   - calls come from several threads of one process at once, unless flags has MMVERIFY_SINGLE_THREADED.
  *   - the rounding and flush-to-zero modes are those of a fresh process, and are left as they were found.
+ *   - numbers lie at multiples of their size; maps, codes and blocks, which are bytes, at any address.
  *   - nothing is thrown across this border.
  */
 #ifndef MMVERIFY_SUBJECT_H

@@ -86,6 +86,26 @@ INSTANTIATE_TEST_SUITE_P(
 
 // -----------------------------------------------------------------------------------------------------------------
 
+// The law goes on after them, and the case that is named does not depend on who was first.
+TEST(BakeSubject, cases_on_which_it_crashes_are_counted_and_the_others_judged) {
+  std::string first;
+  for (const char* threads : {"1", "4"}) {
+    const Outcome o = judge_bake("bake_crashes_on_some",
+                                 std::string("bake.conservative --levels 0..2 --threads ") + threads);
+    EXPECT_EQ(o.exit_code, 1) << o.err;
+    EXPECT_THAT(o.out, HasSubstr("proved     bake.conservative"));
+    EXPECT_THAT(o.out, HasSubstr("broken     bake.conservative"));
+    // One texture, five pairs of addressing, six triangles.
+    EXPECT_THAT(o.out, HasSubstr("level 1: not answered: 30 of 63,350 cases; the others are judged"));
+    EXPECT_THAT(o.out, HasSubstr("level 2: not answered: 30 of 63,350 cases; the others are judged"));
+    const std::string named = o.out.substr(o.out.find("  crashed (signal 6"), 300);
+    EXPECT_EQ(first.empty() ? named : first, named) << threads;
+    first = named;
+  }
+  const Outcome wrong = judge_bake("bake_crashes_and_is_wrong", "bake.conservative --levels 1");
+  EXPECT_THAT(wrong.out, HasSubstr("refuted"));
+}
+
 TEST(BakeSubject, what_it_declines_is_counted_and_never_proved) {
   const Outcome some = judge_bake("bake_declines_borders", "bake.conservative --levels 0");
   EXPECT_EQ(some.exit_code, 0) << some.out << some.err;

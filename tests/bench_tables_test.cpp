@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/bake/tables.hpp"
+#include "bench/baker/tables.hpp"
 #include "bench/index/tables.hpp"
 #include "bench/scene/tables.hpp"
 #include "bench/subject/tables.hpp"
@@ -35,7 +36,7 @@ std::vector<Result> all_results() {
   return {index_tables({index}, {}), tree_tables({TreeFigures{}}, {}),
           vq_tables(vq, {}),         bake_tables(bake, {}),
           sweep_tables({}),          subject_tables({}),
-          scene_bake_tables({}, {})};
+          scene_bake_tables({}, {}), baker_tables({"b", "f", {{}}})};
 }
 
 /// What the schema says of one place, and of the places that it lies in.

@@ -13,8 +13,9 @@ using testing::HasSubstr;
 using testing::Not;
 
 Outcome judge(const std::string& name, const std::string& more = "index.equals_reference --levels 6..8") {
-  return shell("mmverify prove --quiet --no-mutants --timeout 1 --threads 1 --subject " + library(name) +
-               " " + more);
+  return shell(
+      "MMVERIFY_WORKER_MEMORY=200 mmverify prove --quiet --no-mutants --timeout 1 --threads 1 --subject " +
+      library(name) + " " + more);
 }
 
 TEST(Subject, the_example_in_c_is_proved_on_all_cells) {
@@ -56,6 +57,27 @@ TEST(Subject, one_wrong_tie_is_found_and_replayed) {
   EXPECT_THAT(again.out, HasSubstr("refuted index.equals_reference level 7 case v:u=3/8,v=1/4"));
 }
 
+#ifdef MMVERIFY_SANITIZED_SUBJECTS
+TEST(Subject, a_sanitizers_report_is_named_with_the_case) {
+  const Outcome past = judge("address_sanitized");
+  EXPECT_EQ(past.exit_code, 1) << past.out << past.err;
+  EXPECT_THAT(past.out, HasSubstr("proved     index.equals_reference"));  // level 6
+  EXPECT_THAT(past.out, HasSubstr("AddressSanitizer: heap-buffer-overflow"));
+  EXPECT_THAT(past.out, HasSubstr("at level 7"));
+  EXPECT_THAT(past.err, HasSubstr("READ of size 1"));
+  const Outcome sum = judge("undefined_sanitized");
+  EXPECT_EQ(sum.exit_code, 1) << sum.out << sum.err;
+  EXPECT_THAT(sum.out, HasSubstr("UndefinedBehaviorSanitizer: undefined-behavior"));
+  EXPECT_THAT(sum.err, HasSubstr("signed integer overflow"));
+}
+
+TEST(Subject, a_sanitized_library_is_not_timed) {
+  const Outcome o = shell("mmverify bench index --levels 4 --subject " + library("address_sanitized"));
+  EXPECT_EQ(o.exit_code, 4) << o.out;
+  EXPECT_THAT(o.err, HasSubstr("it needs libasan.so"));
+}
+#endif
+
 TEST(Subject, one_wrong_tie_passes_where_only_interiors_count) {
   const Outcome o = judge("tie", "index.equals_reference --levels 6..8 --cells interior");
   EXPECT_EQ(o.exit_code, 0) << o.out;
@@ -92,7 +114,8 @@ class Misbehaving : public testing::TestWithParam<Misbehaviour> {};
 
 TEST_P(Misbehaving, is_broken_and_the_run_goes_on) {
   const auto& [name, said, one_case, every_time] = GetParam();
-  const Outcome o = judge(name, "index.equals_reference index.in_range --levels 6..8");
+  const std::string levels = sanitized ? "7" : "6..8";  // a sanitized tool takes seconds for a level
+  const Outcome o = judge(name, "index.equals_reference index.in_range --levels " + levels);
   EXPECT_EQ(o.exit_code, 1) << o.err;
   EXPECT_THAT(o.out, HasSubstr("broken     index.equals_reference"));
   EXPECT_THAT(o.out, HasSubstr(every_time ? "broken     index.in_range" : " index.in_range"))
@@ -116,9 +139,54 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"sees_batch", "non-deterministic, asked in batches of 7", true, false},
                     Misbehaviour{"sees_threads", "non-deterministic, asked from two threads at once", true,
                                  false},
+                    Misbehaviour{"forks", "hung: no answer within 1 s", true},
+                    Misbehaviour{"fills_memory", "took more than 200 MiB of memory", true},
+                    Misbehaviour{"writes_a_file", "File size limit exceeded", true},
+                    Misbehaviour{"prints_on", "printed more than 1024 KiB", true},
+                    Misbehaviour{"starts_threads", "had more than 512 threads", true},
                     Misbehaviour{"unwritten", "left its output unwritten", true},
                     Misbehaviour{"writes_input", "it wrote to its input or read past its end", true}),
     [](const auto& info) { return std::string(info.param.name); });
+
+// Answers that depend on more than the element and the level.
+TEST(Subject, what_it_keeps_between_questions_is_seen) {
+  const std::pair<const char*, const char*> all[] = {{"keeps_the_last", "asked after level 1: "},
+                                                     {"counts_in_16_bits", "left its output unwritten"},
+                                                     {"shares_a_buffer", "asked from two threads at once: "}};
+  for (const auto& [name, said] : all) {
+    const Outcome o = judge(name, "index.equals_reference --levels 0..9 --no-companions");
+    EXPECT_EQ(o.exit_code, 1) << name << o.out << o.err;
+    EXPECT_THAT(o.out, HasSubstr(said)) << name;
+  }
+}
+
+// The rest of the machine, this process among it, goes on.
+TEST(Subject, what_it_does_to_others_has_no_effect) {
+  for (const std::string name : {"kills_parent", "opens_files"}) {
+    // UBSan opens files of its own to look at an object's type.
+    if (sanitized && name == "opens_files") continue;
+    const Outcome o = judge(name, "index.equals_reference --levels 7 --no-companions");
+    EXPECT_EQ(o.exit_code, 0) << name << o.out << o.err;
+    EXPECT_THAT(o.out, HasSubstr("proved     index.equals_reference")) << name;
+  }
+}
+
+// Of files that a process may have open, some number is enough to load the library and too few for a second worker.
+TEST(Subject, a_machine_without_room_is_no_fault_of_its) {
+  if (sanitized) GTEST_SKIP() << "a sanitizer needs more files than a second worker";
+  for (int files = 5; files < 40; ++files) {
+    const Outcome o =
+        shell("ulimit -n " + std::to_string(files) +
+              "; mmverify prove index.equals_reference --levels 9..10 --threads 2 --quiet --no-mutants "
+              "--no-companions --json - --subject " +
+              library("example"));
+    if (o.exit_code != 4 || o.out.find("\"verdict\": \"incomplete\"") == std::string::npos) continue;
+    EXPECT_THAT(o.err, HasSubstr("for a worker: Too many open files"));
+    EXPECT_THAT(o.out, Not(HasSubstr("broken")));
+    return;
+  }
+  FAIL() << "no number of files was too few after the first worker";
+}
 
 TEST(Subject, what_it_prints_stays_out_of_the_results) {
   const Outcome o = judge("prints", "index.in_range --levels 7 --json -");
@@ -224,8 +292,7 @@ TEST(Pipe, short_long_and_garbled_answers_name_the_line) {
   expect_complaint(piped(python + " | head -n 100"), 4,
                    "standard input ended after line 100, with 100 of 3169 cases answered");
   expect_complaint(piped("cat >/dev/null; true"), 4, "standard input ended after line 0");
-  expect_complaint(piped("(" + python + "; echo 3169 0)"), 4,
-                   "line 3170: more than the 3169 cases of this level");
+  expect_complaint(piped("(" + python + "; echo 3169 0)"), 4, "line 3170: more than the 3169 cases asked");
   expect_complaint(piped(python + " | sed 's/^50 .*/50 x/'"), 4, "line 51: '50 x' is not an answer");
   expect_complaint(piped(python + " | sed 's/^50 .*/50 -1/'"), 4, "line 51: ");
   expect_complaint(piped(python + " | sed 's/^50 .*/50 4294967296/'"), 4, "line 51: ");

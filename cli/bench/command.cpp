@@ -8,6 +8,7 @@
 
 #include "bench/scene/tables.hpp"
 #include "cli/arguments.hpp"
+#include "cli/bench/baker.hpp"
 #include "cli/bench/plot.hpp"
 #include "cli/bench/subject.hpp"
 #include "cli/bench/sweep.hpp"
@@ -105,6 +106,18 @@ int run_scene_bench(const BenchOptions& options) {
   return run_table(options, [&] { return scene_result(options, levels); });
 }
 
+/// What somebody's baker gets wrong of real content, and its time.
+int run_baker_bench(const BenchOptions& options) {
+  const proofs::Levels levels = levels_or(options, {3, 6}, 12);
+  return run_table(options, [&] {
+    try {
+      return bench::baker_tables(baker_figures(options, levels));
+    } catch (const mmverify::scene::BadScene& error) {
+      throw EnvironmentError(error.what());
+    }
+  });
+}
+
 /// What a sweep costs from level to level, beside the obvious loop.
 int run_sweep_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {8, 13});
@@ -166,6 +179,7 @@ int run_bench(const BenchOptions& options) {
   };
   const std::string for_textures = "--textures: for " + names_of_topics(true, " and ");
   const proofs::InterruptGuard guard;
+  if (!options.subject.empty() && only("bake")) return run_baker_bench(options);
   if (!options.scene.empty()) {
     if (!only("bake")) throw UsageError("--scene: for bench bake");
     return run_scene_bench(options);
@@ -173,7 +187,7 @@ int run_bench(const BenchOptions& options) {
   if (!options.subject.empty() || options.sweep) {
     const char* const option = options.sweep ? "--sweep" : "--subject";
     if (topics.front()->name != std::string("index") || options.topics.size() > 1)
-      throw UsageError(fmt::format("{}: for bench index", option));
+      throw UsageError(fmt::format("{}: for bench index{}", option, options.sweep ? "" : " and bench bake"));
     if (!options.textures.empty()) throw UsageError(for_textures);
     return options.sweep ? run_sweep_bench(options) : run_subject_bench(options);
   }
@@ -198,24 +212,29 @@ Action add_bench(CLI::App& program) {
   command
       ->add_option("--samples", options->index.samples,
                    "points a level, of each kind of inputs; lookups a level and format")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
-  command->add_option("--subject", options->subject, "measure what judging this library costs instead")
-      ->type_name("FILE.so");
+      ->check(whole_within(1, std::uint64_t{1} << 40));
+  command
+      ->add_option("--subject", options->subject,
+                   "index: measure what judging this library costs instead; bake: what this baker gets wrong "
+                   "of --scene or --textures, and its time, beside ours")
+      ->type_name("NAME|FILE.so");
   auto* const textures = command
                              ->add_option("--textures", options->textures,
                                           "tree, vq, bake: the PNG files in this folder instead")
                              ->type_name("FOLDER");
   command
-      ->add_option("--scene", options->scene, "bake: how fast this scene's own triangles are baked, instead")
+      ->add_option(
+          "--scene", options->scene,
+          "bake: how fast this scene's own triangles are baked, instead; with --subject also a folder")
       ->type_name("FILE.gltf")
       ->excludes(textures);
   command->add_option("--maps", options->maps, "vq, bake: how many generated maps or textures")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 16))
+      ->check(whole_within(1, 1 << 16))
       ->excludes(textures);
   command->add_flag("--sweep", options->sweep,
                     "measure sweeps of index.equals_reference instead, level by level");
   command->add_option("--threads", options->threads, "of a sweep; as many as the machine has where not given")
-      ->check(CLI::Range(1u, 1024u));
+      ->check(whole_within(1, 1024));
   command->add_option("--seed", options->index.seed, "of the points")->check(fits_64_bits);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg");

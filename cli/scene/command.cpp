@@ -16,13 +16,12 @@
 #include "cli/json.hpp"
 #include "cli/output_file.hpp"
 #include "cli/run_identity.hpp"
+#include "cli/scene/loaded.hpp"
 #include "cli/scene/scene.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 #include "proofs/scene/subject_laws.hpp"
-#include "scene/read/folder.hpp"
-#include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/write/glb.hpp"
@@ -40,8 +39,6 @@ using proofs::Replayed;
 using proofs::Report;
 using proofs::Result;
 using proofs::RunOptions;
-
-constexpr char sample_name[] = "the suite's own scene";
 
 struct SceneOptions {
   std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject;
@@ -160,17 +157,6 @@ Report nothing_to_bake() {
   return report;
 }
 
-/// Without a file the scene of our own; a folder's are textures.
-Scene loaded_scene(const SceneOptions& options) {
-  if (std::error_code none; std::filesystem::is_directory(options.file, none)) {
-    if (!options.glb.empty()) throw UsageError("-o: a folder of textures is no scene to write");
-    return load_textures(options.file);
-  }
-  if (!options.file.empty()) return load(options.file);
-  const Bytes bytes = sample_scene();
-  return load(sample_name, bytes);
-}
-
 class Output {
  public:
   explicit Output(const SceneOptions& options)
@@ -279,13 +265,6 @@ Report ran(const std::vector<Job>& jobs, const SceneOptions& options, std::FILE*
   return report;
 }
 
-/// The one baker of that name.
-proofs::bake::BakeSubjectPtr baker_of(const SceneOptions& options) {
-  for (const proofs::SubjectPtr& subject : parse_subject(options.subject, options.timeout))
-    if (auto baker = std::dynamic_pointer_cast<const proofs::bake::BakeSubject>(subject)) return baker;
-  throw UsageError(fmt::format("--subject {}: it has no baker", options.subject));
-}
-
 /// Somebody else's baker on the scene, beside ours.
 int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& baker,
            const SceneOptions& options, Output& output) {
@@ -308,13 +287,15 @@ int scene(const SceneOptions& options) {
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
-  const auto baker = options.subject.empty() ? nullptr : baker_of(options);
+  const auto baker = options.subject.empty() ? nullptr : parse_baker(options.subject, options.timeout);
   const InterruptGuard guard;
   std::signal(SIGPIPE, SIG_IGN);
   Output output(options);
   const LevelRequest wanted = request(options);
   const auto start = std::chrono::steady_clock::now();
-  const Scene loaded = loaded_scene(options);
+  if (std::error_code none; !options.glb.empty() && std::filesystem::is_directory(options.file, none))
+    throw UsageError("-o: a folder of textures is no scene to write");
+  const Scene loaded = loaded_scene(options.file);
   const double load_seconds = seconds_since(start);
   const SceneMicromaps made = micromaps_of(loaded, wanted, options, output);
   if (made.plan.triangles.empty()) {
@@ -368,7 +349,7 @@ Action add_scene(CLI::App& program) {
       ->type_name("N|auto");
   command
       ->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
-      ->check(CLI::Range(0u, finest_level));
+      ->check(whole_within(0, finest_level));
   command->add_option("--memory", options->memory, "bytes that all maps may take; levels are lowered to fit")
       ->check([](const std::string& text) {
         return text.starts_with("-") || text.size() > 15 ? std::string("bytes, as 500MB or 2GB")
@@ -384,7 +365,7 @@ Action add_scene(CLI::App& program) {
       ->transform(CLI::Transformer(std::map<std::string, float>{{"sampler", sampler_margin}}))
       ->check(finite_within(0, 64));
   command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+      ->check(whole_within(1, std::uint64_t{1} << 40));
   command->add_flag("--exhaustive", options->exhaustive, "run the laws of baking on all micro-triangles");
   command->add_option("--sizes", options->sizes, "also the sizes with every triangle at each of these levels")
       ->type_name("A..B");
@@ -398,7 +379,7 @@ Action add_scene(CLI::App& program) {
   command
       ->add_option("--threads", options->threads,
                    "worker threads; as many as the machine has where not given")
-      ->check(CLI::Range(1u, 1024u));
+      ->check(whole_within(1, 1024));
   command->add_option("--replay", options->replay, "show one case of a law again; needs --case")
       ->type_name("LAW");
   command->add_option("--case", options->at, "the case of --replay")->type_name("LEVEL@CASE");

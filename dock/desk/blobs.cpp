@@ -1,5 +1,5 @@
 // Commands on a map, a code or a case: each call is made at least twice, its answer in other bytes and other
-// room.
+// room, and what it is about at another address.
 #include <algorithm>
 #include <cstring>
 
@@ -46,11 +46,23 @@ Arguments Desk::whole(std::byte* out, std::uint64_t room) const {
   return a;
 }
 
-std::uint64_t Desk::call_at_guard(std::uint64_t room, unsigned char filling) {
+const std::uint8_t* Desk::blob_elsewhere() {
+  const std::uint8_t* here = whole(nullptr, 0).blob;
+  if (asked().topic == Topic::bake) return here;
+  elsewhere_.resize(static_cast<std::size_t>(mailbox_.blob_bytes) + 1);
+  const auto odd = static_cast<std::ptrdiff_t>(1 - reinterpret_cast<std::uintptr_t>(elsewhere_.data()) % 2);
+  auto* there = reinterpret_cast<std::uint8_t*>(elsewhere_.data() + odd);
+  std::copy_n(here, mailbox_.blob_bytes, there);
+  return there;
+}
+
+std::uint64_t Desk::call_at_guard(std::uint64_t room, unsigned char filling, const std::uint8_t* blob) {
   std::byte* out = blob_answer(room);
   set_canary(out);
   std::memset(out, filling, static_cast<std::size_t>(room));
-  const std::uint64_t size = guarded(whole(out, room), 0);
+  Arguments arguments = whole(out, room);
+  if (blob != nullptr) arguments.blob = blob;
+  const std::uint64_t size = guarded(arguments, 0);
   check_canary(out, 0);
   return size;
 }
@@ -73,7 +85,7 @@ void Desk::encode(bool thorough) {
     for (const std::uint64_t too_little : {std::uint64_t{0}, size - 1})
       same_size(call_at_guard(too_little, blank), too_little);
   // What is read lies in exactly the room that it needs.
-  same_size(call_at_guard(size, blank_again), size);
+  same_size(call_at_guard(size, blank_again, blob_elsewhere()), size);
   compare(again_.data(), blob_answer(size), static_cast<std::size_t>(size), 0, "asked again");
   if (thorough) ask_blob_from_threads(size);
   mailbox_.taken = size != 0 ? 1 : 0;
@@ -83,7 +95,7 @@ void Desk::encode(bool thorough) {
 void Desk::answer(bool thorough) {
   const std::uint64_t room = mailbox_.room, first = call_at_guard(room, blank);
   again_.assign(blob_answer(room), blob_answer(room) + room);
-  const std::uint64_t second = call_at_guard(room, blank_again);
+  const std::uint64_t second = call_at_guard(room, blank_again, blob_elsewhere());
   if (first != second)
     stop(Outcome::non_deterministic, 0, first != 0 ? "taken, then refused" : "refused, then taken");
   if (first != 0) compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, "asked again");
@@ -92,18 +104,41 @@ void Desk::answer(bool thorough) {
   mailbox_.answer_bytes = first;
 }
 
+Desk::Question Desk::this_question(std::uint64_t size) const {
+  Question q;
+  const std::uint64_t room = asked().signature.sizes_answer ? size : mailbox_.room;
+  q.arguments = whole(nullptr, room);
+  q.size = size;
+  q.answer.assign(blob_answer(room), blob_answer(room) + room);
+  const auto* blob = reinterpret_cast<const std::byte*>(q.arguments.blob);
+  q.blob.assign(blob, blob + q.arguments.blob_bytes);
+  q.arguments.blob = reinterpret_cast<const std::uint8_t*>(q.blob.data());
+  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
+    const std::byte* numbers = q.arguments.arrays[array];
+    q.arrays[array].assign(numbers, numbers + q.arguments.count * asked().signature.number_bytes);
+    q.arguments.arrays[array] = q.arrays[array].data();
+  }
+  return q;
+}
+
 void Desk::ask_blob_from_threads(std::uint64_t size) {
   constexpr std::size_t rounds = 2;
-  const std::uint64_t room = asked().signature.sizes_answer ? size : mailbox_.room;
-  ask_from_threads(
-      whole(nullptr, room), static_cast<std::size_t>(room), rounds, 0,
-      [&](const std::byte* theirs, std::uint64_t their_size) {
-        if (their_size != size)
-          stop(Outcome::non_deterministic, 0,
-               "asked from two threads at once: " + text(size) + " bytes, then " + text(their_size));
-        compare(blob_answer(size), theirs, static_cast<std::size_t>(size), 0,
-                "asked from two threads at once");
-      });
+  Question now = this_question(size);
+  const auto asked_by_thread = [&](const Question& q) {
+    return Asked{
+        q.arguments, q.answer.size(), [this, &q](const std::byte* theirs, std::uint64_t their_size) {
+          if (their_size != q.size)
+            stop(Outcome::non_deterministic, 0,
+                 "asked from two threads at once: " + text(q.size) + " bytes, then " + text(their_size));
+          if (q.size != 0)
+            compare(q.answer.data(), theirs, q.answer.size(), 0, "asked from two threads at once");
+        }};
+  };
+  std::optional<Question>& earlier = earlier_[static_cast<std::size_t>(mailbox_.call)];
+  const Asked this_one = asked_by_thread(now);
+  ask_from_threads(this_one, this_one, rounds, 0);
+  if (earlier) ask_from_threads(this_one, asked_by_thread(*earlier), rounds, 0);
+  earlier.emplace(std::move(now));
 }
 
 }  // namespace mmverify::dock

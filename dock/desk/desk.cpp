@@ -1,6 +1,7 @@
 #include "dock/desk/desk.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cfenv>
 #include <cstdio>
 #include <cstring>
@@ -12,6 +13,8 @@
 
 namespace mmverify::dock {
 namespace {
+
+constexpr int patience = 1'000'000;  ///< turns of a loop that waits for another thread; a few milliseconds
 
 /// The processor's rounding, flush and exception-mask bits.
 std::uint32_t float_mode() {
@@ -96,19 +99,24 @@ void Desk::check_canary(const std::byte* out, std::uint64_t element) {
   if (!all(out - canary_size, canary_size, canary)) stop(Outcome::wrote_before, element, "");
 }
 
-void Desk::ask_from_threads(const Arguments& a, std::size_t bytes, std::size_t rounds, std::uint64_t element,
-                            const See& see) {
+void Desk::ask_from_threads(const Asked& here, const Asked& there, std::size_t rounds,
+                            std::uint64_t element) {
   if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return;
-  struct Asked {
-    std::vector<std::vector<std::byte>> answers;
+  struct Answers {
+    std::vector<std::vector<std::byte>> bytes;
     std::vector<std::uint64_t> sizes;
     bool threw = false;
-  } threads[2];
-  const auto ask = [&](Asked& mine) {
+  } answers[2];
+  std::atomic<int> ready = 0;
+  const auto ask = [&](const Asked& what, Answers& mine) {
+    // Both begin at once: a batch takes less time than a thread's start, or than the way back from a yield.
+    ++ready;
+    for (int turns = 0; ready < 2; ++turns)
+      if (turns > patience) std::this_thread::yield();
     try {
       for (std::size_t round = 0; round < rounds; ++round) {
-        Arguments own = a;
-        own.out = mine.answers.emplace_back(bytes, std::byte{blank_again}).data();
+        Arguments own = what.arguments;
+        own.out = mine.bytes.emplace_back(what.bytes, std::byte{blank_again}).data();
         mine.sizes.push_back(call(subject_, mailbox_.call, own));
       }
     } catch (...) {
@@ -118,13 +126,14 @@ void Desk::ask_from_threads(const Arguments& a, std::size_t bytes, std::size_t r
   std::thread other([&] {
     // Goes where it likes, not where the tool brought this process: there the two would take turns.
     sched_setaffinity(0, sizeof everywhere_, &everywhere_);
-    ask(threads[1]);
+    ask(there, answers[1]);
   });
-  ask(threads[0]);
+  ask(here, answers[0]);
   other.join();
-  for (const Asked& one : threads) {
+  for (const Answers& one : answers) {
     if (one.threw) stop(Outcome::threw, element, "when called from two threads at once");
-    for (std::size_t round = 0; round < rounds; ++round) see(one.answers[round].data(), one.sizes[round]);
+    for (std::size_t round = 0; round < rounds; ++round)
+      (&one == answers ? here : there).see(one.bytes[round].data(), one.sizes[round]);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,11 +44,15 @@ class Desk {
   static void set_canary(std::byte* out);
   void check_canary(const std::byte* out, std::uint64_t element);
 
-  /// Two threads ask at once, each `rounds` times, for an answer of up to `bytes` bytes over `blank_again`; they go to
-  /// see(answer, size).  Exceptions count against `element`.  Nothing where the subject is for one thread.
-  using See = std::function<void(const std::byte* answer, std::uint64_t size)>;
-  void ask_from_threads(const Arguments& a, std::size_t bytes, std::size_t rounds, std::uint64_t element,
-                        const See& see);
+  /// What one of two threads asks, and where its answers go: of up to `bytes` bytes, over `blank_again`.
+  struct Asked {
+    Arguments arguments;
+    std::size_t bytes;
+    std::function<void(const std::byte* answer, std::uint64_t size)> see;
+  };
+  /// Two threads ask at once, each its own question `rounds` times.  Exceptions count against `element`.  Nothing where
+  /// the subject is for one thread.
+  void ask_from_threads(const Asked& here, const Asked& there, std::size_t rounds, std::uint64_t element);
 
   /// Compares answers of `count` elements with those of being asked again `how`, over bytes of `blank_again`.
   /// `first` is the first element's number in the command.
@@ -62,19 +67,36 @@ class Desk {
   void call_slot(std::size_t slot);
   /// Asks a batch again in pieces of another size, and so at other places and addresses.
   void ask_slot_again(std::size_t slot, std::size_t size);
+  /// Both threads ask the batch; then one of them does, and the other one the same turned by half of it.
   void ask_slot_from_threads(std::size_t slot);
+  /// Asks each element again right after the same at another level.
+  void ask_slot_after_another_level(std::size_t slot);
+  /// Asks a batch again as often as fills a large one.
+  void ask_slot_many_times_over(std::size_t slot);
   bool first_at_this_level() const;
   void mark_level();
 
   /// A map, a code or a case (blobs.cpp).
   void run_on_blob();
   Arguments whole(std::byte* out, std::uint64_t room) const;
+  /// The map or code at an odd address: it is bytes, and may lie anywhere. A baker's case stays where it is, its
+  /// texels are numbers.
+  const std::uint8_t* blob_elsewhere();
   /// Calls with the output at its guard page, filled with `filling` before.
-  std::uint64_t call_at_guard(std::uint64_t room, unsigned char filling);
+  std::uint64_t call_at_guard(std::uint64_t room, unsigned char filling, const std::uint8_t* blob = nullptr);
   void encode(bool thorough);
   void answer(bool thorough);
+  /// Both threads ask the question; then the other one asks an earlier one to the same entry point, where there is one.
   /// Domain: the answer of `size` bytes is in its place.
   void ask_blob_from_threads(std::uint64_t size);
+  /// A question on a blob, and its answer.
+  struct Question {
+    Arguments arguments{};
+    std::vector<std::byte> blob, arrays[most_arrays], answer;
+    std::uint64_t size = 0;  ///< as the call returned it
+  };
+  /// Domain: as ask_blob_from_threads().
+  Question this_question(std::uint64_t size) const;
   std::byte* blob_answer(std::uint64_t size) const;
   /// The first questions of a kind, and one in so many of the later ones.
   bool thorough();
@@ -88,7 +110,9 @@ class Desk {
   cpu_set_t everywhere_;                        ///< processors that this process had before the tool moved it
   std::uint64_t probed_[calls] = {};            ///< bit n: the entry point was asked at level n
   std::uint32_t questions_[calls][32][3] = {};  ///< so far, by entry point, level and format
+  std::optional<Question> earlier_[calls];      ///< the last one that was asked from two threads
   std::vector<std::byte> again_;                ///< the other of two answers to one question
+  std::vector<std::byte> elsewhere_;            ///< holds blob_elsewhere()
 };
 
 }  // namespace mmverify::dock

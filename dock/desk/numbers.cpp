@@ -5,6 +5,12 @@
 #include "dock/desk/desk.hpp"
 
 namespace mmverify::dock {
+namespace {
+
+/// More elements than 16 bits count, and no multiple of a vector's.
+constexpr std::size_t large_batch = (std::size_t{1} << 16) + 7;
+
+}  // namespace
 
 void Desk::run_on_numbers(std::uint64_t number) {
   for (std::size_t slot = 0; in_slot(mailbox_.count, slot) != 0; ++slot) call_slot(slot);
@@ -14,6 +20,9 @@ void Desk::run_on_numbers(std::uint64_t number) {
   for (std::size_t slot = 0; first_at_this_level() && slot < batches; ++slot) {
     for (const std::size_t size : {batch_size, std::size_t{7}, std::size_t{1}}) ask_slot_again(slot, size);
     ask_slot_from_threads(slot);
+    if (slot != 0) continue;
+    ask_slot_after_another_level(slot);
+    ask_slot_many_times_over(slot);
   }
   mark_level();
   constexpr std::size_t sizes[] = {batch_size, 7, batch_size - 1, 1};
@@ -70,13 +79,70 @@ void Desk::ask_slot_again(std::size_t slot, std::size_t size) {
           size == batch_size ? "asked again" : "asked in batches of " + std::to_string(size));
 }
 
+void Desk::ask_slot_after_another_level(std::size_t slot) {
+  const std::uint32_t level = mailbox_.level;
+  const bool of_points =
+      asked().signature.arrays == 2;  // an index of the highest level is none of the one below
+  if (level >= subject_.max_level && (!of_points || level == 0)) return;
+  const std::uint32_t other = level < subject_.max_level ? level + 1 : level - 1;
+  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+                    wide = asked().answer_bytes;
+  std::vector<std::byte> there(wide);
+  again_.assign(count * wide, std::byte{blank_again});
+  for (std::size_t at = 0; at < count; ++at) {
+    Arguments before = piece(slot, at, 1, there.data());
+    before.level = other;
+    guarded(before, from + at);
+    guarded(piece(slot, at, 1, again_.data() + at * wide), from + at);
+  }
+  compare(slot_answer(slot), again_.data(), count, from, "asked after level " + std::to_string(other));
+}
+
+void Desk::ask_slot_many_times_over(std::size_t slot) {
+  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+                    wide = asked().answer_bytes, bytes = asked().signature.number_bytes;
+  Arguments a = piece(slot, 0, count, nullptr);
+  std::vector<std::byte> inputs[most_arrays];
+  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
+    inputs[array].reserve(large_batch * bytes);
+    for (std::size_t at = 0; at < large_batch; at += count)
+      inputs[array].insert(inputs[array].end(), a.arrays[array],
+                           a.arrays[array] + std::min(count, large_batch - at) * bytes);
+    a.arrays[array] = inputs[array].data();
+  }
+  again_.assign(large_batch * wide, std::byte{blank_again});
+  a.count = large_batch;
+  a.out = again_.data();
+  guarded(a, from);
+  for (std::size_t at = 0; at < large_batch; at += count)
+    compare(slot_answer(slot), again_.data() + at * wide, std::min(count, large_batch - at), from,
+            "asked in a batch of " + std::to_string(large_batch));
+}
+
 void Desk::ask_slot_from_threads(std::size_t slot) {
-  constexpr std::size_t rounds = 4;
-  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size;
-  ask_from_threads(piece(slot, 0, count, nullptr), count * asked().answer_bytes, rounds, from,
-                   [&](const std::byte* theirs, std::uint64_t) {
-                     compare(slot_answer(slot), theirs, count, from, "asked from two threads at once");
-                   });
+  constexpr std::size_t rounds = 2;
+  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+                    wide = asked().answer_bytes, bytes = asked().signature.number_bytes;
+  const auto turned = [half = count / 2](const std::byte* numbers, std::size_t all, std::size_t width) {
+    std::vector<std::byte> copy(numbers, numbers + all * width);
+    std::rotate(copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(half * width), copy.end());
+    return copy;
+  };
+  const auto sees = [&](const std::byte* right) {
+    return [=, this](const std::byte* theirs, std::uint64_t) {
+      compare(right, theirs, count, from, "asked from two threads at once");
+    };
+  };
+  const Asked here{piece(slot, 0, count, nullptr), count * wide, sees(slot_answer(slot))};
+  Arguments a = here.arguments;
+  std::vector<std::byte> inputs[most_arrays];
+  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
+    inputs[array] = turned(a.arrays[array], count, bytes);
+    a.arrays[array] = inputs[array].data();
+  }
+  const std::vector<std::byte> answers = turned(slot_answer(slot), count, wide);
+  ask_from_threads(here, here, rounds, from);
+  ask_from_threads(here, {a, count * wide, sees(answers.data())}, rounds, from);
 }
 
 }  // namespace mmverify::dock

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string_view>
 
+#include "proofs/bake/lone_texel.hpp"
 #include "proofs/bake/resize.hpp"
 #include "proofs/bake/strata.hpp"
 
@@ -84,6 +85,12 @@ void read_texels(Case& one, std::string_view value) {
     bad(value, "1 to 16384 texels along each side, and no more than 2^21");
   const std::size_t digits = digits_of(one.texel);
   const std::uint64_t count = texels_of(one.width, one.height, one.mips);
+  if (functions[2].starts_with(lone_begins)) {
+    if (one.mips != 1) bad(value, "a texture with a lone texel has one mip");
+    one.drawn = functions[2];
+    one.alpha = texels(lone_texel(one.drawn), one.width, one.height);
+    return;
+  }
   if (functions[2].starts_with("drawn-")) {
     one.drawn = functions[2];
     const std::optional<Case> drawn =
@@ -126,7 +133,7 @@ std::string text_of(const Case& one) {
   if (one.mips != 1) text += fmt::format("mips={},", one.mips);
   text += fmt::format("texels={}:{}x{}:", texel_names[static_cast<std::size_t>(one.texel)], one.width,
                       one.height);
-  if (!one.drawn.empty() && one.alpha.size() > most_said)
+  if (!one.drawn.empty() && (one.alpha.size() > most_said || one.drawn.starts_with(lone_begins)))
     text += one.drawn;
   else
     for (const std::uint32_t bits : one.alpha) text += fmt::format("{:0{}x}", bits, digits);

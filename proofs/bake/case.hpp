@@ -48,7 +48,8 @@ struct Case {
   float margin = 0;           ///< in texels
   std::array<float, 6> uv{};  ///< of the three vertices
   Rules rules = {};
-  std::string drawn = {};  ///< the draw that all texels are those of (strata.hpp); empty: of none
+  std::string drawn =
+      {};  ///< the draw that all texels are those of (strata.hpp, lone_texel.hpp); empty: of none
 };
 
 /// Texels of all mips together.
@@ -56,7 +57,8 @@ std::uint64_t texels_of(std::uint32_t width, std::uint32_t height, std::uint32_t
 
 /// "texels=u8:2x2:00ff80ff,wrap=repeat:clamp,cutoff=1/2,uv=0x0p+0:...", one word of a shell.  What is as it
 /// is by default (one mip, bilinear, MASK, factors 1, no margin) is left out.
-/// More than 1024 texels that were drawn are said by their draw: "texels=u8:4096x3:drawn-1-5-77".
+/// More than 1024 texels that were drawn are said by their draw: "texels=u8:4096x3:drawn-1-5-77",
+/// "texels=u8:256x256:lone-ff-0-17-200".
 std::string text_of(const Case& one);
 /// Throws BadCase, also for what no baker can be asked: a side of 0 or above 16384, a number that is not
 /// finite, a cutoff over 0, a factor or margin below 0.

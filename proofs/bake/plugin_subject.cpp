@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "dock/codec.hpp"
+#include "proofs/bake/packed.hpp"
 #include "sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::bake {
@@ -108,20 +109,12 @@ BakeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library
   if (!library->offers(dock::Topic::bake)) return nullptr;
   Functions functions;
   functions.bake = [library](const Case& one, Level n, Format format) -> std::optional<Baked> {
-    const std::size_t bits = static_cast<std::size_t>(format), count = std::size_t{1} << 2 * n;
     const std::vector<std::uint8_t> blob = blob_of(one, n, format);
-    const dock::Answer answer =
-        dock::ask(*library, {Call::bake, n, static_cast<std::uint32_t>(format), blob, (count * bits + 7) / 8},
-                  [&] { return "baking " + text_of(one); });
+    const dock::Answer answer = dock::ask(
+        *library, {Call::bake, n, static_cast<std::uint32_t>(format), blob, packed_bytes(n, format)},
+        [&] { return "baking " + text_of(one); });
     if (!answer.taken) return std::nullopt;
-    Baked baked;
-    const auto state = [&](std::size_t k) {
-      return answer.bytes.at(k * bits / 8) >> k * bits % 8 & ((1u << bits) - 1);
-    };
-    for (std::size_t k = 0; k < count; ++k) baked.states.push_back(static_cast<State>(state(k)));
-    for (std::size_t k = count; k * bits < 8 * answer.bytes.size(); ++k)
-      baked.padded = baked.padded && state(k) == 0;
-    return baked;
+    return unpacked(answer.bytes, n, format);
   };
   functions.support = supported(library->description().bake_support);
   functions.centroid = (library->description().flags & MMVERIFY_BAKE_CENTROID) != 0 ||

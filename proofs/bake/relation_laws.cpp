@@ -97,8 +97,9 @@ std::uint64_t count_with_mips(Level n, Tier tier) {
   return std::min<std::uint64_t>(all, tier == Tier::fast ? 12 : n > 7 ? 100 : 2'000);
 }
 
-/// With two mips or more.
+/// With two mips or more; every second one a chain.
 Case sample_with_mips(std::uint64_t seed, Level n, std::uint64_t k) {
+  if (k % 2 != 0) return stratified(seed, n, chain_rows + row_of(n, k / 2));
   for (std::uint64_t row = row_of(n, k);; ++row) {
     const Row& kinds = design()[row % design().size()];
     if (kinds[mips_of] == 0 || kinds[width_of] + kinds[height_of] == 0) continue;
@@ -142,8 +143,13 @@ Law mips_law() {
        .says = "with several mips a micro-triangle is O, or T, exactly where it is in each mip baked alone",
        .source = "a mean of two mips' alpha lies between them; spec/bake/state.hpp",
        .subjects = {"bake"},
-       .domain = [](const Subject&,
-                    Level) { return fmt::format("those with two mips or more of {}", strata_text()); },
+       .domain =
+           [](const Subject&, Level) {
+             return fmt::format(
+                 "those with two mips or more of {}; every second one a whole chain, of "
+                 "which any mip decides alone",
+                 strata_text());
+           },
        .mutants = {asked_for_another("the third mip and those after it are left out", {0, 8}, two_mips),
                    asked_for_another("the last mip is left out", {5, 8}, without_last_mip),
                    spoiled("every unknown is settled with three mips or more, from level 6 on", "bake",

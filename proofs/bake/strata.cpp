@@ -309,6 +309,8 @@ void move_away(Case& one, Random& random) {
 // Together
 // ---------------------------------------------------------------------------------------------------------------------
 
+constexpr std::uint8_t whole_chain = 4, one_of_them = 1;  // of mips_of and of deciding_mip
+
 std::uint32_t chain(std::uint32_t width, std::uint32_t height) {
   return static_cast<std::uint32_t>(std::bit_width(std::max(width, height)));
 }
@@ -358,6 +360,12 @@ Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
       row[d] = 0;
     if (row[cutoff_of] == cutoff_kinds - 1) row[cutoff_of] = 0;  // BLEND
   }
+  if (number >= chain_rows) {
+    row[mips_of] = whole_chain;
+    row[deciding_mip] = one_of_them;
+    row[cutoff_of] = 0;
+    row[palette_of] %= 3;
+  }
   // Large maps again: widths of whole numbers grow with such factors.
   if (n >= large_level && row[factor_of] == 6) row[factor_of] = 4;
   Random random(seed, strata_stream + 1 + n, number);
@@ -383,7 +391,8 @@ Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
   };
   to_border(one.wrap_u, target.x, one.width);
   to_border(one.wrap_v, target.y, one.height);
-  const std::uint32_t mip = deciding(one, row);
+  const std::uint32_t mip =
+      number < chain_rows ? deciding(one, row) : static_cast<std::uint32_t>(random.below(one.mips));
   place_triangle(one, row, n, target, mip, random);
   if (place == 7) move_away(one, random);
 

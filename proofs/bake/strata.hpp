@@ -50,6 +50,8 @@ const std::vector<Row>& design();
 /// gets the next shorter of the sides along one axis.
 inline constexpr std::uint64_t usual_texels = std::uint64_t{1} << 17, large_texels = std::uint64_t{1} << 20;
 inline constexpr std::uint64_t plain_rows = std::uint64_t{1} << 20;
+/// Plain, but for a whole chain of mips, of which any one decides alone.
+inline constexpr std::uint64_t chain_rows = std::uint64_t{1} << 21;
 /// Levels above have plain rows alone: where alpha is undecidable in floats, a million states take minutes.
 inline constexpr Level highest_rows = 9;
 constexpr bool large_row(std::uint64_t row) { return row % 16 == 15; }
@@ -58,7 +60,7 @@ constexpr bool large_row(std::uint64_t row) { return row % 16 == 15; }
 /// micro-triangles of level n as long as the row says and as the specification's pace allows.  Of textures
 /// with more than 1024 texels the case's text names this draw in their place.
 /// From `plain_rows` on rows are filled in as a simple baker knows them: 8 bits, bilinear, MASK, one mip, without
-/// factors and margins.
+/// factors and margins; from `chain_rows` on with a chain of mips, and texels on both sides of the cutoff.
 /// Domain: seed, row below 2^32.
 Case stratified(std::uint64_t seed, Level n, std::uint64_t row);
 

@@ -1,11 +1,29 @@
 #include "proofs/engine/cases.hpp"
 
 namespace mmverify::proofs {
+namespace {
+
+/// Declined where the subject broke on the case and the law goes on.
+Finding checked(const NumberedCases& cases, const Subject& subject, Level n, std::uint64_t k, const Run& run,
+                Tally& tally) {
+  if (run.breaks == nullptr) return cases.check(subject, n, k, run);
+  try {
+    return cases.check(subject, n, k, run);
+  } catch (const dock::CaseBroken& broken) {
+    run.breaks->note(n, k, broken);
+    tally.break_off();
+    Finding found;
+    found.declined = true;
+    return found;
+  }
+}
+
+}  // namespace
 
 Tally judge_numbered_cases(const NumberedCases& cases, const Subject& subject, Level n, const Run& run) {
   return sweep(run, cases.count(n, run), cases.chunk, [&](Chunk chunk, Tally& tally) {
     for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-      const Finding found = cases.check(subject, n, k, run);
+      const Finding found = checked(cases, subject, n, k, run, tally);
       if (found.declined)
         tally.decline(cases.kind);
       else

@@ -126,6 +126,8 @@ struct Law {
 
 /// Ends the law with `broken`.
 using dock::SubjectBroken;
+/// Ends the run.
+using dock::NoResources;
 
 /// A statement that no prover discharged and no counterexample denies; what() names it.  Ends the law with
 /// `incomplete`.

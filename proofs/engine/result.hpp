@@ -54,7 +54,8 @@ struct Result {
       dialect;  ///< "exact", "published" or "either": what answers on floats are held to; mostly empty
   std::string replayed_by;  ///< as the law's
   Verdict verdict = Verdict::incomplete;
-  std::string reason;  ///< why broken, not applicable or incomplete
+  std::string reason;               ///< why broken, not applicable or incomplete
+  std::vector<std::string> breaks;  ///< what the subject did on cases that it did not answer, in their order
   std::uint64_t cases_expected = 0;
   CountByKind by_kind{};
   std::vector<Counterexample> counterexamples;  ///< the simplest first, at most --errors of them

@@ -68,7 +68,7 @@ Tally judge_whole(const Law& law, const Subject& subject, Level level, const Run
     return finished.front().tally;
   }
   Tally tally = law.judge(subject, level, run);
-  if (!interrupted()) division->journal->append({division->about, {0, 1}, 1, tally});
+  if (!interrupted() && !tally.broke()) division->journal->append({division->about, {0, 1}, 1, tally});
   division->journal->flush();
   return tally;
 }
@@ -78,6 +78,15 @@ Result not_applicable(const Law& law, const Subject& subject, Level level, const
   Result r = named(law, subject, level, run);
   r.verdict = Verdict::not_applicable;
   r.reason = why;
+  return r;
+}
+
+Result cut_short(const Law& law, const Subject& subject, Level level, const Run& run,
+                 const std::string& why) {
+  Result r = named(law, subject, level, run);
+  r.verdict = Verdict::incomplete;
+  r.reason = why;
+  r.cases_expected = law.cases(level, run);
   return r;
 }
 
@@ -147,6 +156,8 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
   run.until_refuted = asked.until_refuted && law.divisible;
   Result r = named(law, subject, level, run);
   if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
+  Breaks breaks;
+  if (run.breaks == nullptr) run.breaks = &breaks;
   const auto start = std::chrono::steady_clock::now();
   r.cases_expected = law.cases(level, run);
   if (run.progress != nullptr)
@@ -170,6 +181,11 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
     r.digest = tally.digest();
     judge(law, r, finished);
     if (r.verdict == Verdict::incomplete) r.reason = "interrupted";
+    r.breaks = run.breaks->at(level);
+    if (!r.breaks.empty() && r.verdict != Verdict::refuted) {
+      r.verdict = Verdict::broken;
+      r.reason = r.breaks.front();
+    }
   } catch (const Interrupted&) {
     r.verdict = Verdict::incomplete;
     r.reason = "interrupted";
@@ -252,26 +268,39 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   };
   std::uint64_t whole_laws = 0;  // dealt to the shards in turn
   for (const Job& job : jobs) {
+    if (!report.gave_up.empty()) break;
     if (const std::string why = unfit_throughout(job); !why.empty()) {
       add(not_applicable(*job.law, *job.subject, job.levels.first, run, why));
       continue;
     }
+    Breaks breaks;
+    run.breaks = &breaks;
     for (Level n = job.levels.first; n <= job.levels.last; ++n) {
       Division division{options.shard, options.journal, about(job, n), {}, 0, false};
       if (options.journal != nullptr || options.shard) run.division = &division;
       const bool elsewhere = !job.law->divisible && whole_laws++ % shard.of != shard.number - 1;
-      add(elsewhere ? of_another_shard(*job.law, *job.subject, n, run)
-                    : run_level(*job.law, *job.subject, n, run));
+      try {
+        add(elsewhere ? of_another_shard(*job.law, *job.subject, n, run)
+                      : run_level(*job.law, *job.subject, n, run));
+      } catch (const NoResources& why) {
+        // Says nothing of the subject; what was judged before stands.
+        report.gave_up = why.what();
+        add(cut_short(*job.law, *job.subject, n, run, report.gave_up));
+      }
       run.division = nullptr;
-      // A subject that breaks at one level would at the next; the run goes on with the next law.
-      if (report.results.back().verdict == Verdict::broken) break;
+      if (!report.gave_up.empty()) break;
+      // A subject that breaks on all of a level would at the next; the run goes on with the next law.
+      const Result& last = report.results.back();
+      if (last.verdict == Verdict::broken && last.breaks.empty()) break;
     }
+    run.breaks = nullptr;
   }
 
   run.progress = nullptr;
   run.division = nullptr;
   for (const Job& job : jobs)
-    if (const auto refuted = first_refuted(report, job); job.law->diagnose && refuted && !interrupted()) {
+    if (const auto refuted = first_refuted(report, job);
+        job.law->diagnose && refuted && !interrupted() && report.gave_up.empty()) {
       try {
         Diagnosis diagnosis{job.law->id, job.subject->name(),
                             job.law->diagnose(*job.subject, {job.levels.first, *refuted})};
@@ -286,7 +315,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   for (const Job& job : jobs)
     if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
       laws.push_back(job.law);
-  if (shard.number == 1 && options.mutants) report.mutants = run_mutants(laws, run);
+  if (shard.number == 1 && options.mutants && report.gave_up.empty()) report.mutants = run_mutants(laws, run);
   report.interrupted = interrupted();
   return report;
 }

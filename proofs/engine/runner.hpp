@@ -43,6 +43,7 @@ struct Report {
   std::vector<MutantResult> mutants;
   unsigned threads = 1;
   bool interrupted = false;
+  std::string gave_up;  ///< what the machine had no room for, where that ended the run
 };
 
 /// Called as each result comes in.

@@ -17,7 +17,8 @@ struct ShardRun {
   Shard shard;
   Identity identity;
   Report report;
-  bool finished = true;  ///< not interrupted, its mutants included
+  bool finished = true;    ///< not interrupted, its mutants included
+  bool as_written = true;  ///< nothing in its file was changed since; merge_shards does not ask
 };
 
 /// Shards that are not those of one run, or not all of them, or leave a part of a domain out or do it twice.

@@ -97,7 +97,7 @@ Tally journaled(const Run& run, const Domain& domain, Chunk chunks, const Judge&
   if (run.progress != nullptr) run.progress->resume(division.resumed);
   tally.merge(sum(run, left.size(), [&](std::uint64_t k, Tally& part) {
     Tally piece(run.errors);
-    if (judge_chunks(run, domain, left[k], judge, piece))
+    if (judge_chunks(run, domain, left[k], judge, piece) && !piece.broke())
       division.journal->append({division.about, domain.units_of(left[k]), domain.units, piece});
     part.merge(piece);
   }));

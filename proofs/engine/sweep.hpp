@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "proofs/engine/breaks.hpp"
 #include "proofs/engine/chunk.hpp"
 #include "proofs/engine/option.hpp"
 #include "proofs/engine/progress.hpp"
@@ -33,6 +34,7 @@ struct Run {
   /// Of a subject that must be wrong, one counterexample is enough: a sweep ends with the first chunk that has
   /// one, on one thread, so that it is the same on every machine.  Not for laws that look at a whole sweep.
   bool until_refuted = false;
+  Breaks* breaks = nullptr;  ///< null: the first case on which a subject does not answer ends the law
 };
 
 /// Judges [0, units) in chunks of `units_per_chunk`; the judge counts its cases in the tally.

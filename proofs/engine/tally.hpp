@@ -30,6 +30,10 @@ class Tally {
     ++count.declined;
   }
 
+  /// Says that a case of these broke the subject: they are not to be kept as finished.
+  void break_off() { broke_ = true; }
+  bool broke() const { return broke_; }
+
   /// Says of a case that was counted that its answer passed by an allowance alone.
   void allow(Kind kind) { ++by_kind_[static_cast<std::size_t>(kind)].allowed; }
 
@@ -60,6 +64,7 @@ class Tally {
       by_kind_[k].allowed += other.by_kind_[k].allowed;
     }
     digest_ += other.digest_;
+    broke_ = broke_ || other.broke_;
     for (const Counterexample& c : other.found_) keep(c);
   }
 
@@ -90,6 +95,7 @@ class Tally {
   std::size_t keep_;
   CountByKind by_kind_{};
   std::uint64_t digest_ = 0;
+  bool broke_ = false;
   std::vector<Counterexample> found_;
 };
 

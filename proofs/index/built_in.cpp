@@ -1,7 +1,11 @@
 #include "proofs/index/built_in.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <stdexcept>
 
+#include "proofs/engine/shape.hpp"
 #include "proofs/index/algorithms.hpp"
 #include "proofs/index/exact_subject.hpp"
 #include "proofs/index/reference_sweep.hpp"
@@ -77,9 +81,25 @@ std::vector<IndexSubjectPtr> make_all() {
 
 }  // namespace
 
-IndexSubjectPtr given_answer(std::uint32_t answer) {
+IndexSubjectPtr given_answer(const std::string& answer) {
   Functions f;
-  f.index_at = [answer](Level, const RationalPoint&) { return answer; };
+  const auto number = [](const std::string& digits) {
+    const std::uint64_t value = std::stoull(digits);
+    if (value >> 32 != 0) throw BadCase(fmt::format("'{}': no answer has more than 32 bits", digits));
+    return static_cast<std::uint32_t>(value);
+  };
+  constexpr char corner[] = R"(\(([0-9]{1,10}),([0-9]{1,10})\))";
+  if (groups_of(answer, "[0-9]{1,10}")) {
+    f.index_at = [index = number(answer)](Level, const RationalPoint&) { return index; };
+  } else if (const Groups c = groups_of(answer, fmt::format("{0} {0} {0}", corner).c_str())) {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = {number((*c)[1 + 2 * k]), number((*c)[2 + 2 * k])};
+    f.corners = [corners](Level, std::span<const std::uint32_t>, std::span<Corners> out) {
+      std::fill(out.begin(), out.end(), corners);
+    };
+  } else {
+    throw BadCase(fmt::format("'{:.60}': write an index, or three corners as '(0,0) (1,0) (0,1)'", answer));
+  }
   return subject("the answer given", "one answer", std::move(f));
 }
 

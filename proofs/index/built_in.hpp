@@ -11,7 +11,8 @@ namespace mmverify::proofs::index {
 IndexSubjectPtr impl_subject();
 std::vector<IndexSubjectPtr> row_subjects();
 
-/// Gives one answer to everything: what a program on a pipe said, judged and drawn again.
-IndexSubjectPtr given_answer(std::uint32_t answer);
+/// Gives one answer to everything, an index or "(I,J) (I,J) (I,J)", three corners: what a program on a pipe said, judged
+/// and drawn again.  Throws BadCase.
+IndexSubjectPtr given_answer(const std::string& answer);
 
 }  // namespace mmverify::proofs::index

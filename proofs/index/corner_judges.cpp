@@ -16,26 +16,6 @@ namespace {
 constexpr std::uint64_t indices_in_a_chunk = 1 << 16;
 constexpr std::uint64_t indices_per_batch = 1024;
 
-/// The micro-triangle that these corners are, in any order; nothing where they are not one.
-std::optional<MicroTriangle> triangle_of(const Corners& c, Level n) {
-  std::uint32_t i = c[0].i, j = c[0].j, far_i = i, far_j = j;
-  std::uint64_t sum = 0;
-  for (const auto& vertex : c) {
-    i = std::min(i, vertex.i), j = std::min(j, vertex.j);
-    far_i = std::max(far_i, vertex.i), far_j = std::max(far_j, vertex.j);
-  }
-  if (far_i != i + 1 || far_j != j + 1 || c[0] == c[1] || c[0] == c[2] || c[1] == c[2]) return std::nullopt;
-  // Of the square's four corners three are there: the missing one is (1,1) for an upright one, (0,0) for an
-  // inverted.
-  for (const auto& vertex : c) sum += (vertex.i - i) + (vertex.j - j);
-  const bool upside_down = sum == 4;
-  if (sum != 2 && !upside_down) return std::nullopt;
-  for (const auto& vertex : c)
-    if ((vertex.i - i) + (vertex.j - j) == (upside_down ? 0u : 2u)) return std::nullopt;
-  if (std::uint64_t{i} + j + (upside_down ? 2 : 1) > side(n)) return std::nullopt;
-  return MicroTriangle{i, j, upside_down};
-}
-
 Counterexample at_index_case(std::uint32_t index, Level n, std::string expected, std::string got) {
   return {{index, 0, 0}, n, case_of(index), {}, std::move(expected), std::move(got)};
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "proofs/index/cells.hpp"
 #include "proofs/index/subject.hpp"
 
 namespace mmverify::proofs::index {
@@ -14,6 +15,10 @@ Corners corners_in(CornerOrder order, std::uint32_t index, Level n);
 
 /// The corners by i, then j: equal for two triples just where these are equal as sets.
 Corners sorted(Corners c);
+
+/// The micro-triangle of level n that these corners are, in any order; nothing where they are not one.
+/// Domain: any numbers, n in 0..16.
+std::optional<MicroTriangle> triangle_of(const Corners& c, Level n);
 
 /// The order that the subject's corners of the first indices of a level are in, in words: "base, +u, +v", "children 0, 2,
 /// 3", one of these rearranged, or that they are in none.

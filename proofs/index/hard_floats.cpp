@@ -91,6 +91,15 @@ FloatPair uniform(Random& random) {
   return {static_cast<float>(1 - u), static_cast<float>(1 - v)};
 }
 
+/// A coordinate of any size down to 2^-60, and the other on a line or next to it: sums of the two and their
+/// complements lose bits of the small one, in binary64, too.
+FloatPair tiny_beside_a_line(Level n, Random& random) {
+  const double whole = static_cast<double>(random.between(16, 31)) / 32;
+  const float tiny = static_cast<float>(std::ldexp(whole, -static_cast<int>(random.below(61)))),
+              on_line = nudged(static_cast<float>(line(some_level(n, random), 1, random)), random, 1);
+  return random.below(2) == 0 ? FloatPair{tiny, on_line} : FloatPair{on_line, tiny};
+}
+
 FloatPair candidate(Level n, Random& random, std::uint64_t kind) {
   switch (kind) {
     case 0:
@@ -110,7 +119,7 @@ FloatPair candidate(Level n, Random& random, std::uint64_t kind) {
                  : FloatPair{nudged(static_cast<float>(line(some_level(n, random), 1, random)), random),
                              special(random)};
     default:
-      return uniform(random);
+      return random.below(2) == 0 ? tiny_beside_a_line(n, random) : uniform(random);
   }
 }
 

@@ -17,13 +17,19 @@ namespace {
 constexpr std::uint64_t indices_per_chunk = 1 << 10;
 
 /// Index number `sample` of a level: any; a prefix and one digit over and over, as on a side or at a corner;
-/// beside a square, where a row begins; beside a multiple of a power of 4; among the first and last 1024.
+/// beside a square, where a row begins; beside a multiple of a power of 4; among the first and last 1024. The last three
+/// of 16 follow each other over such a multiple: who steps from one index to the next carries there.
 std::uint32_t sampled_index(Level n, std::uint64_t seed, std::uint64_t sample) {
-  Random random(seed, n, sample);
   const std::uint64_t all = triangle_count(n);
   const auto within = [all](std::int64_t k) {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(k, 0, static_cast<std::int64_t>(all) - 1));
   };
+  if (sample % 16 >= 13) {
+    Random carry(seed, n, ~(sample / 16));
+    const std::uint64_t step = std::uint64_t{1} << 2 * carry.below(n + 1);
+    return within(static_cast<std::int64_t>(carry.below(all) / step * step + sample % 16) - 14);
+  }
+  Random random(seed, n, sample);
   const std::uint64_t any = random.below(all);
   switch (sample % 5) {
     case 0: {

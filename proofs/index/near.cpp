@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proofs/index/corner_order.hpp"
 #include "spec/index/index.hpp"
 
 namespace mmverify::proofs::index {
@@ -41,17 +42,13 @@ bool reaches(const RationalPoint& p, Level n, std::uint32_t index, Arithmetic ar
   const Rational N = number(side(n)), reach = number(ulps);
   const Rational du = reach * ulp(p.u, arithmetic) * N, dv = reach * ulp(p.v, arithmetic) * N, u = p.u * N,
                  v = p.v * N;
-  const Corners c = spec::index::corners(index, n);
-  const std::uint32_t i = std::min({c[0].i, c[1].i, c[2].i}), j = std::min({c[0].j, c[1].j, c[2].j});
-  const Rational left = number(i), right = number(std::uint64_t{i} + 1), low = number(j),
-                 high = number(std::uint64_t{j} + 1), diagonal = number(std::uint64_t{i} + j + 1);
+  const MicroTriangle m = triangle_of(spec::index::corners(index, n), n).value();
+  const Rational left = number(m.i), right = number(std::uint64_t{m.i} + 1), low = number(m.j),
+                 high = number(std::uint64_t{m.j} + 1), diagonal = number(std::uint64_t{m.i} + m.j + 1);
   // The box of all points in reach against the unit square, and its corner next to the diagonal against that.
   if (u + du < left || u - du > right || v + dv < low || v - dv > high) return false;
-  std::uint64_t sum = 0;
-  for (const auto& corner : c) sum += (corner.i - i) + (corner.j - j);
-  const bool upright = sum == 2;
-  return upright ? std::max(left, u - du) + std::max(low, v - dv) <= diagonal
-                 : std::min(right, u + du) + std::min(high, v + dv) >= diagonal;
+  return m.inverted ? std::min(right, u + du) + std::min(high, v + dv) >= diagonal
+                    : std::max(left, u - du) + std::max(low, v - dv) <= diagonal;
 }
 
 }  // namespace mmverify::proofs::index

@@ -2,13 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "proofs/engine/runner.hpp"
+#include "proofs/index/corner_order.hpp"
 #include "proofs/index/diagnosis.hpp"
+#include "proofs/index/laws.hpp"
 #include "proofs/index/on_cells.hpp"
 #include "proofs/index/rounded_subject.hpp"
 #include "proofs/kinds.hpp"
+#include "proofs/pipe/lines.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -30,81 +36,29 @@ void each_case(Level n, bool interiors_only, Visit visit) {
   });
 }
 
-/// The answers' lines, with what is wrong with one of them.
-class Lines {
- public:
-  explicit Lines(std::istream& in) : in_(in) {}
-
-  /// The index that answers case `number`.
-  std::uint32_t answer(std::uint64_t number, std::uint64_t cases) {
-    while (next())
-      if (!text_.empty() && text_.front() != '#') return parse(number);
-    throw BadAnswers(fmt::format("standard input ended after line {}, with {} of {} cases answered", line_,
-                                 number, cases));
-  }
-
-  void end(std::uint64_t cases) {
-    while (next())
-      if (!text_.empty() && text_.front() != '#')
-        fail(fmt::format("more than the {} cases of this level", cases));
-  }
-
- private:
-  bool next() {
-    if (!std::getline(in_, text_)) return false;
-    if (!text_.empty() && text_.back() == '\r') text_.pop_back();
-    ++line_;
-    return true;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw BadAnswers(fmt::format("standard input, line {}: {}", line_, what));
-  }
-
-  std::uint32_t parse(std::uint64_t number) const {
-    const auto garbled = [&] {
-      const std::string shown = text_.size() > 60 ? text_.substr(0, 60) + "..." : text_;
-      fail(fmt::format("'{}' is not an answer: write CASE INDEX, here {} and the index", shown, number));
-    };
-    std::uint64_t which = 0;
-    std::uint32_t index = 0;
-    const char *at = text_.data(), *end = at + text_.size();
-    const auto first = std::from_chars(at, end, which);
-    if (first.ec != std::errc() || first.ptr == end || (*first.ptr != ' ' && *first.ptr != '\t')) garbled();
-    at = first.ptr;
-    while (at != end && (*at == ' ' || *at == '\t')) ++at;
-    const bool hex = end - at > 2 && at[0] == '0' && (at[1] == 'x' || at[1] == 'X');
-    const auto second = std::from_chars(hex ? at + 2 : at, end, index, hex ? 16 : 10);
-    if (second.ec != std::errc()) garbled();
-    for (at = second.ptr; at != end; ++at)
-      if (*at != ' ' && *at != '\t') garbled();
-    if (which != number) fail(fmt::format("case {} where case {} is due", which, number));
-    return index;
-  }
-
-  std::istream& in_;
-  std::string text_;
-  std::uint64_t line_ = 0;
-};
+std::string heading(const char* topic, Level n, std::uint64_t cases) {
+  return fmt::format("{}{} level {} cases {}", pipe::heading_begins, topic, n, cases);
+}
 
 }  // namespace
 
 bool generate_cases(Level n, bool interiors_only, std::FILE* out) {
-  bool open = true;
-  std::string text = fmt::format("# mmverify index level {} cases {}\n", n, cases_of(n, interiors_only));
-  constexpr std::size_t enough = 1 << 16;
-  const auto flush = [&] {
-    open = open && std::fwrite(text.data(), 1, text.size(), out) == text.size();
-    text.clear();
-  };
+  pipe::Written written(out);
+  bool open = written.line(heading("index", n, cases_of(n, interiors_only)));
   each_case(n, interiors_only, [&](std::uint64_t number, const Row& row, std::uint64_t t) {
     if (!open) return;
     const GridPoint p = representative(row, t, n);
-    fmt::format_to(std::back_inserter(text), "{} {:a} {:a}\n", number, as_double(p.u), as_double(p.v));
-    if (text.size() >= enough) flush();
+    open = written.line(fmt::format("{} {:a} {:a}", number, as_double(p.u), as_double(p.v)));
   });
-  flush();
-  return open && std::fflush(out) == 0;
+  return written.end();
+}
+
+bool generate_indices(Level n, std::FILE* out) {
+  pipe::Written written(out);
+  bool open = written.line(heading("corners", n, triangle_count(n)));
+  for (std::uint64_t k = 0; k < triangle_count(n) && open; ++k)
+    open = written.line(fmt::format("{} {}", k, k));
+  return written.end();
 }
 
 Answered check_answers(Level n, bool interiors_only, std::size_t errors, std::istream& in) {
@@ -120,14 +74,14 @@ Answered check_answers(Level n, bool interiors_only, std::size_t errors, std::is
   r.cases_expected = cases_of(n, interiors_only);
 
   Tally tally(errors);
-  Lines lines(in);
+  pipe::Answers answers(in, heading("index", n, r.cases_expected), "CASE INDEX", "index");
   std::vector<std::uint32_t> inside;  // by 2 (i + j N) + inverted, for the diagnosis
   if (n <= highest_diagnosed) inside.resize(std::size_t{2} << (2 * n));
   const auto place = [n](const MicroTriangle& m) {
     return 2 * (m.i + std::size_t{m.j} * side(n)) + (m.inverted ? 1 : 0);
   };
   each_case(n, interiors_only, [&](std::uint64_t number, const Row& row, std::uint64_t t) {
-    const std::uint32_t got = lines.answer(number, r.cases_expected);
+    const std::uint32_t got = answers.numbers(number, r.cases_expected, 1).front();
     const GridPoint p = representative(row, t, n);
     const std::uint32_t want = spec::index::reference(p, n);
     tally.count(row.kind(t), 1);
@@ -139,7 +93,7 @@ Answered check_answers(Level n, bool interiors_only, std::size_t errors, std::is
       tally.mismatch(row.kind(t), simplicity(p),
                      [&] { return at_point(p, n, say_number(want), say_number(got)); });
   });
-  lines.end(r.cases_expected);
+  answers.end(r.cases_expected);
 
   r.by_kind = tally.by_kind();
   r.counterexamples = tally.found();
@@ -153,6 +107,32 @@ Answered check_answers(Level n, bool interiors_only, std::size_t errors, std::is
       if (!order.empty()) answered.diagnosis.push_back("its order: " + order);
     }
   }
+  return answered;
+}
+
+Answered check_corners(Level n, std::size_t errors, std::istream& in) {
+  pipe::Answers answers(in, heading("corners", n, triangle_count(n)), "CASE I0 J0 I1 J1 I2 J2", "corners");
+  std::vector<Corners> given(triangle_count(n));
+  for (std::uint64_t k = 0; k < given.size(); ++k) {
+    const auto c = answers.numbers(k, given.size(), 6);
+    given[k] = {spec::index::Vertex{c[0], c[1]}, spec::index::Vertex{c[2], c[3]},
+                spec::index::Vertex{c[4], c[5]}};
+  }
+  answers.end(given.size());
+
+  // What was answered is a subject like any other, of this one level.
+  Functions f;
+  f.corners = [&given](Level, std::span<const std::uint32_t> indices, std::span<Corners> out) {
+    for (std::size_t t = 0; t < out.size(); ++t) out[t] = given[indices[t]];
+  };
+  const IndexSubject subject("standard input", "answers on a pipe", std::move(f));
+  Run run;
+  run.errors = errors;
+  const std::vector<Law> all = laws();
+  const auto law =
+      std::find_if(all.begin(), all.end(), [](const Law& one) { return one.id == "index.corners"; });
+  Answered answered{run_level(*law, subject, n, run), {}};
+  answered.diagnosis.push_back("its order of corners: " + name_corner_order(subject, n));
   return answered;
 }
 

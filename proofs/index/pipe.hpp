@@ -14,10 +14,8 @@ namespace mmverify::proofs::index {
 /// number of cases. False where `out` no longer takes anything.
 bool generate_cases(Level n, bool interiors_only, std::FILE* out);
 
-/// A line that is no answer, or the end before its time; what() names the line.
-struct BadAnswers : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+/// Writes the indices of a level, one a line, "CASE INDEX", which are the same, for programs that give corners.
+bool generate_indices(Level n, std::FILE* out);
 
 /// What the answers of a level come to.
 struct Answered {
@@ -26,8 +24,12 @@ struct Answered {
 };
 
 /// Reads answers, one a line: "CASE INDEX", in the order of the cases, INDEX decimal or 0x hexadecimal.
-/// Empty lines and lines that start with # are passed over.  Throws BadAnswers; the answers are judged as
+/// Empty lines and lines that start with # are passed over.  Throws pipe::BadAnswers; the answers are judged as
 /// they come, in memory that does not grow with the level, but for the diagnosis of levels up to 8.
 Answered check_answers(Level n, bool interiors_only, std::size_t errors, std::istream& in);
+
+/// The same of corners: "CASE I0 J0 I1 J1 I2 J2", in units of 1/2^n along u and v, in any order; law index.corners.  The
+/// diagnosis names the order, right or wrong.  24 bytes of memory an index.
+Answered check_corners(Level n, std::size_t errors, std::istream& in);
 
 }  // namespace mmverify::proofs::index

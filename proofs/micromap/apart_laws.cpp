@@ -184,9 +184,9 @@ Law chosen_ones() {
                 .source = packing_source,
                 .method = Method::sample,
                 .subjects = {"micromap"},
-                .fast = {5, 9},
+                .fast = {5, 12},
                 .long_run = {5, 12},
-                .fast_seconds = 1,
+                .fast_seconds = 4,
                 .domain =
                     [](const Subject& s, Level n) {
                       return fmt::format(

@@ -145,7 +145,7 @@ Law one_apart_samples_law() {
           .source = succinct_4_2,
           .method = Method::sample,
           .subjects = {"tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
-          .fast = {5, 10},
+          .fast = {5, 12},
           .long_run = {5, 12}};
   law.fast_seconds = 1;
   law.domain = [](const Subject&, Level n) {

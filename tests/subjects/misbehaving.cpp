@@ -1,8 +1,14 @@
 // A right subject but for one thing, chosen when it is linked; it happens at one vertex of level 7.
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <cfenv>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 #include <thread>
 
@@ -39,12 +45,49 @@ void misbehave(const float* u, uint32_t* index, size_t count, size_t k) {
   if (wrong_is("writes_input")) const_cast<float*>(u)[k] = 0;
   if (wrong_is("tie")) index[k] ^= 1;
   if (wrong_is("prints")) std::puts("{}");
+  if (wrong_is("forks"))
+    for (;;) fork();
+  if (wrong_is("fills_memory"))
+    for (;;) std::memset(std::malloc(16 << 20), 1, 16 << 20);
+  if (wrong_is("opens_files"))
+    while (open("/dev/null", O_RDONLY) >= 0) continue;
+  if (wrong_is("writes_a_file"))
+    for (std::FILE* file = std::tmpfile();;) std::fputs("written without end ", file);
+  if (wrong_is("prints_on"))
+    for (;;) std::puts("printed without end");
+  if (wrong_is("starts_threads"))
+    for (;;) std::thread([] { std::this_thread::sleep_for(std::chrono::hours(1)); }).detach();
+  if (wrong_is("kills_parent")) {
+    kill(getppid(), SIGKILL);
+    kill(-1, SIGTERM);
+    const rlimit more{1 << 20, 1 << 20};
+    setrlimit(RLIMIT_NOFILE, &more);
+  }
 }
 
+/// The last question of a thread and its answer, without the level.
+struct Last {
+  float u = -1, v = -1;
+  uint32_t index = 0;
+};
+
 void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count) {
+  thread_local Last last;
+  static float shared[4096];
+  if (wrong_is("shares_a_buffer") && count == 4096) {
+    std::memcpy(shared, u, sizeof shared);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // long enough for another thread's copy
+    u = shared;
+  }
+  if (wrong_is("counts_in_16_bits")) count %= 1 << 16;
   for (size_t k = 0; k < count; ++k) {
     if (at_the_vertex(level, u[k], v[k]) && wrong_is("unwritten")) continue;
+    if (wrong_is("keeps_the_last") && u[k] == last.u && v[k] == last.v) {
+      index[k] = last.index;
+      continue;
+    }
     index[k] = mmverify::impl::index::from_barycentrics(u[k], v[k], level);
+    last = {u[k], v[k], index[k]};
     if (at_the_vertex(level, u[k], v[k])) misbehave(u, index, count, k);
   }
 }

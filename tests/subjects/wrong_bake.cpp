@@ -40,6 +40,11 @@ int bake(const mmverify_bake_case_t* what, std::uint8_t* map) {
   if (wrong_is("all_unknown"))
     for (std::size_t k = 0; k < bytes; ++k) map[k] = c.level == 0 ? 2 : 0xaa;
   if (wrong_is("pads_with_ones") && c.level == 0) map[0] = static_cast<std::uint8_t>(map[0] | 0xf0);
+  if (wrong_is("crashes_on_some") && is_here(c) && c.wrap_u == c.wrap_v) std::abort();
+  if (wrong_is("crashes_and_is_wrong") && is_here(c)) {
+    if (c.wrap_u == c.wrap_v) std::abort();
+    for (std::size_t k = 0; k < bytes; ++k) map[k] = static_cast<std::uint8_t>(map[k] & 0x55);
+  }
   if (!is_here(c)) return done;
   if (wrong_is("reads_past")) seen = static_cast<const std::uint8_t*>(c.texels)[4];
   if (wrong_is("overrun")) map[bytes] = 0;

@@ -7,6 +7,7 @@ NAMES = {"seconds": r"[0-9]+\.[0-9]+", "threads": r"[0-9]+", "number": r"[0-9][0
 MASKS = (
     (r"( cases) +[0-9.]+ s( .*)?$", r"\1 ..."),
     (r"[0-9.]+ s on [0-9]+ threads", "{seconds} s on {threads} threads"),
+    (r"[0-9.]+ s on 1 thread$", "{seconds} s on 1 thread"),
 )
 
 

@@ -1,0 +1,35 @@
+#include "gate/runs.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+
+#include "gate/contradictions.hpp"
+#include "gate/figures.hpp"
+#include "gate/schema.hpp"
+
+namespace mmverify::gate {
+
+void refuse_misfits(const nlohmann::ordered_json& file, const std::string& place) {
+  const bool several = file.is_array();
+  for (std::size_t k = 0; k < (several ? file.size() : 1); ++k) {
+    const auto& run = several ? file[k] : file;
+    if (!run.is_object() || !run.contains("schema") || !run.at("schema").is_string()) continue;
+    const auto known = schema_named(run.at("schema").get<std::string>());
+    if (!known || run.contains("shard")) continue;  // of a shard something plainer is to be said
+    const std::string here = several ? fmt::format("{}[{}]", place, k) : place;
+    try {
+      refuse_contradictions(run);  // its message is plainer
+    } catch (const NoResult& why) {
+      throw NoResult(fmt::format("{}: {}", here, why.what()));
+    }
+    try {
+      known_part(*known, run, here);
+    } catch (const Misfit& why) {
+      throw NoResult(fmt::format("{}; take the file that mmverify wrote", why.what()));
+    }
+  }
+}
+
+}  // namespace mmverify::gate
