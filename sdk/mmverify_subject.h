@@ -139,7 +139,9 @@ typedef struct mmverify_subject {
    * corner from which the other two lie along u and along v; the steps are +1, in inverted ones -1. */
   void (*corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
-  /* The same two in row order (Gruen et al.; Color and Attribute Micromaps, figure 4). */
+  /* The same two in row order (Gruen et al.; Color and Attribute Micromaps, figure 4): a point on an edge belongs where
+   * that figure's rows, columns and diagonals put it, floor((1-w)N), floor(vN), floor((1-u)N). Corners come in any
+   * order. */
   void (*row_index_f32)(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
   void (*row_corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 

@@ -1,75 +1,79 @@
-#include <fmt/format.h>
+#include "cli/bench/plot.hpp"
 
+#include "bench/picture.hpp"
 #include "cli/scene/scene.hpp"
 
 namespace mmverify::cli {
 namespace {
 
+using namespace bench::picture;
 using mmverify::scene::Footprint;
 
 /// A curve: bytes by level.
 struct Curve {
   const char* name;
-  const char* colour;  // Okabe and Ito's
-  int shape;
-  double (*of)(const Footprint&);
+  const char* colour;
+  Shape shape;
+  double (*bytes)(const Footprint&);
 };
 
 constexpr Curve curves[] = {
-    {"micromaps, 4-state", "#0072B2", 7,
+    {"micromaps, 4-state", blue, Shape::disc,
      [](const Footprint& f) { return static_cast<double>(f.mode[1].data); }},
-    {"micromaps, 2-state", "#0072B2", 6,
+    {"micromaps, 2-state", blue, Shape::circle,
      [](const Footprint& f) { return static_cast<double>(f.mode[0].data); }},
-    {"tree, 4-state", "#D55E00", 5, [](const Footprint& f) { return static_cast<double>(f.mode[1].tree); }},
-    {"tree, 2-state", "#D55E00", 4, [](const Footprint& f) { return static_cast<double>(f.mode[0].tree); }},
-    {"tree for random access, 4-state", "#009E73", 9,
+    {"tree, 4-state", vermilion, Shape::square,
+     [](const Footprint& f) { return static_cast<double>(f.mode[1].tree); }},
+    {"tree, 2-state", vermilion, Shape::open_square,
+     [](const Footprint& f) { return static_cast<double>(f.mode[0].tree); }},
+    {"ranked tree, 4-state", green, Shape::triangle,
      [](const Footprint& f) { return static_cast<double>(f.mode[1].our_tree); }},
-    {"bitmask, 4-state", "#888888", 12,
+    {"bitmask, 4-state", grey, Shape::triangle_down,
      [](const Footprint& f) { return static_cast<double>(f.mode[1].bitmask); }},
-    {"texture", "#444444", 13, [](const Footprint& f) { return static_cast<double>(f.texture); }},
-    {"records and indices", "#CC79A7", 11,
+    {"texture", orange, Shape::diamond, [](const Footprint& f) { return static_cast<double>(f.texture); }},
+    {"records and indices", purple, Shape::circle,
      [](const Footprint& f) { return static_cast<double>(f.record_bytes + f.index_bytes); }},
 };
+
+Axis levels() { return {.title = "level of every triangle", .whole = true}; }
+
+Panel memory(const SceneFigures& figures) {
+  Panel panel{.title = "Memory by level",
+              .x = levels(),
+              .y = {.title = "bytes", .logarithmic = true},
+              .key = Key::outside};
+  for (const Curve& curve : curves) {
+    Series series{.name = curve.name, .colour = curve.colour, .shape = curve.shape};
+    for (const auto& at : figures.at_levels)
+      if (const double y = curve.bytes(at.sizes.footprint); y > 0)
+        series.points.push_back({static_cast<double>(at.level), y});
+    if (!series.points.empty()) panel.series.push_back(series);
+  }
+  return panel;
+}
+
+Panel savings(const SceneFigures& figures) {
+  Panel panel{.title = "How often smaller the tree is",
+              .x = levels(),
+              .y = {.title = "micromaps / tree", .least = 0},
+              .key = Key::outside};
+  for (const std::size_t mode : {0, 1}) {
+    Series series{.name = mode == 0 ? "2 states" : "4 states",
+                  .colour = vermilion,
+                  .shape = mode == 0 ? Shape::open_square : Shape::square};
+    for (const auto& at : figures.at_levels)
+      if (const auto& m = at.sizes.footprint.mode[mode]; m.tree != 0)
+        series.points.push_back(
+            {static_cast<double>(at.level), static_cast<double>(m.data) / static_cast<double>(m.tree)});
+    if (!series.points.empty()) panel.series.push_back(series);
+  }
+  return panel;
+}
 
 }  // namespace
 
 std::string sizes_plot_script(const SceneFigures& figures) {
-  std::string script =
-      "set terminal svg size 1000,900 font 'sans-serif,13' background rgb 'white'\n"
-      "set border lc rgb '#444444'\nset tics nomirror\nset grid lc rgb '#dddddd' lw 0.5\nset key outside "
-      "right\n"
-      "set xtics 1\nset xlabel 'level of every triangle'\nset format y '10^{%L}'\n";
-  std::string bytes, ratios;
-  for (std::size_t k = 0; k < std::size(curves); ++k) {
-    const Curve& c = curves[k];
-    std::string points;
-    for (const auto& at : figures.at_levels)
-      if (const double y = c.of(at.sizes.footprint); y > 0) points += fmt::format("{} {:.6g}\n", at.level, y);
-    if (points.empty()) continue;
-    script += fmt::format("$c{} << EOD\n{}EOD\n", k, points);
-    bytes += fmt::format("{}$c{} with linespoints pt {} ps 0.9 lw 1.2 lc rgb '{}' title '{}'",
-                         bytes.empty() ? "" : ", ", k, c.shape, c.colour, c.name);
-  }
-  for (std::size_t mode = 0; mode < 2; ++mode) {
-    std::string points;
-    for (const auto& at : figures.at_levels)
-      if (const auto& m = at.sizes.footprint.mode[mode]; m.tree != 0)
-        points +=
-            fmt::format("{} {:.6g}\n", at.level, static_cast<double>(m.data) / static_cast<double>(m.tree));
-    if (points.empty()) continue;
-    script += fmt::format("$r{} << EOD\n{}EOD\n", mode, points);
-    ratios += fmt::format("{}$r{} with linespoints pt {} ps 0.9 lw 1.2 lc rgb '#D55E00' title '{} states'",
-                          ratios.empty() ? "" : ", ", mode, mode == 0 ? 4 : 5, mode == 0 ? 2 : 4);
-  }
-  script += "set multiplot layout 2,1\n";
-  if (!bytes.empty())
-    script += "set logscale y\nset ylabel 'bytes'\nset title 'Memory by level'\nplot " + bytes + "\n";
-  if (!ratios.empty())
-    script +=
-        "unset logscale y\nset format y '%g'\nset ylabel 'micromaps / tree'\nset title 'How often smaller "
-        "the tree is'\nplot " +
-        ratios + "\n";
-  return script + "unset multiplot\n";
+  return plot_script({.width = 1000, .height = 900, .rows = {{memory(figures)}, {savings(figures)}}});
 }
 
 }  // namespace mmverify::cli
