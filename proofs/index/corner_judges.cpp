@@ -169,7 +169,8 @@ Tally row_corners(const IndexSubject& s, Level n, const Run& run) {
 Replayed replay_row_corners(const IndexSubject& s, Level n, const std::string& at) {
   const std::uint32_t index = parse_index(at, n);
   const Corners want = spec::index::w_minor_corners(index), got = row_corners_at(s, n, index);
-  return {sorted(want) == sorted(got), text(want), text(got), picture(n, middle_of(want, n), index, index, Order::rows)};
+  return {sorted(want) == sorted(got), text(want), text(got),
+          picture(n, middle_of(want, n), index, index, Order::rows)};
 }
 
 }  // namespace mmverify::proofs::index

@@ -27,7 +27,7 @@ Tally contiguous(const IndexSubject&, Level, const Run&);
 Tally inverse(const IndexSubject&, Level, const Run&);
 Tally corners_as_sets(const IndexSubject&, Level, const Run&);
 Tally corners_in_order(const IndexSubject&, Level, const Run&);  // the declared one
-Tally row_corners(const IndexSubject&, Level, const Run&);      // as sets
+Tally row_corners(const IndexSubject&, Level, const Run&);       // as sets
 
 // On sampled indices: all that the subject has, its corners in any order; and those in the order that it declares.
 Tally on_samples(const IndexSubject&, Level, const Run&, std::uint64_t samples);

@@ -310,7 +310,8 @@ Law row_corners_law() {
   return {
       .id = "index.row_corners",
       .topic = "index",
-      .says = "the corners of a row-order index are those of figure 4 with a root in whole numbers, in any order",
+      .says =
+          "the corners of a row-order index are those of figure 4 with a root in whole numbers, in any order",
       .source = attribute_4,
       .method = Method::exhaustive,
       .subjects = {"impl", "w-minor-f64"},
