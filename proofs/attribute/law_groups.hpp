@@ -9,6 +9,8 @@ namespace mmverify::proofs::attribute {
 
 /// Where vertices and faces lie in a map.
 std::vector<Law> order_laws();
+/// How orders and levels are related: those of order_laws() in a file of their own.
+std::vector<Law> order_relation_laws();
 /// A point's triplet and weights, and the values between vertices.
 std::vector<Law> lookup_laws();
 /// Edges beside a neighbour of one level less.

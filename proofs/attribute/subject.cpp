@@ -21,13 +21,36 @@ AttributeSubjectPtr specified() {
 AttributeSubjectPtr library() {
   Functions f;
   f.exact = false;
+  f.orders = library_orders();
   return subject("attribute", "this project's library, in batches and binary32", f);
+}
+
+AttributeSubjectPtr library_one_by_one() {
+  Functions f;
+  f.exact = false;
+  f.orders = library_orders_one_by_one();
+  return subject("attribute-single", "this project's library, one value at a time", f);
+}
+
+AttributeSubjectPtr of_orders(const char* name, const char* about, Orders orders) {
+  Functions f;
+  f.orders = std::move(orders);
+  return subject(name, about, f);
 }
 
 }  // namespace
 
 const std::vector<AttributeSubjectPtr>& built_in_subjects() {
-  static const std::vector<AttributeSubjectPtr> all{specified(), library()};
+  static const std::vector<AttributeSubjectPtr> all{
+      specified(),
+      library(),
+      library_one_by_one(),
+      of_orders("attribute-32-bit", "W-minor and U-major with every product in 32 bits", orders_in_32_bits()),
+      of_orders("attribute-figure-4", "triplets of rows by figure 4, its root in binary32",
+                figure_4_triplets(false)),
+      of_orders("attribute-short-root", "the same, the root one number short, as Vulkan lets it be",
+                figure_4_triplets(true)),
+  };
   return all;
 }
 

@@ -6,5 +6,13 @@
 namespace mmverify::proofs::attribute {
 
 Orders specified_orders();
+/// impl/attribute/order.hpp, its spans and its single values.
+Orders library_orders();
+Orders library_orders_one_by_one();
+/// W-minor and U-major with every product in 32 bits.
+Orders orders_in_32_bits();
+/// The rows' triplets in W-minor order as figure 4 has them, with a binary32 root; `short_root` takes the number before
+/// it.
+Orders figure_4_triplets(bool short_root);
 
 }  // namespace mmverify::proofs::attribute
