@@ -18,7 +18,7 @@ namespace mmverify::impl::attribute {
 namespace HWY_NAMESPACE {
 
 // Whole vectors in place; what is left over goes through buffers, as a vector must not touch memory beyond the spans.
-// `run(inputs, outputs)` takes a vector of each.
+// `run(inputs, outputs)` takes a vector from each input and writes one to each output.
 template <std::size_t ins, std::size_t outs, class Run>
 HWY_INLINE void each(const std::array<const std::uint32_t*, ins>& in,
                      const std::array<std::uint32_t*, outs>& out, std::size_t count, Run run) {

@@ -13,6 +13,10 @@ std::vector<Law> order_laws();
 std::vector<Law> order_relation_laws();
 /// A point's triplet and weights, and the values between vertices.
 std::vector<Law> lookup_laws();
+/// Of those, in files of their own: on base edges, of the remaps, and on binary32 numbers.
+std::vector<Law> edge_lookup_laws();
+std::vector<Law> remap_laws();
+std::vector<Law> float_lookup_laws();
 /// Edges beside a neighbour of one level less.
 std::vector<Law> decimation_laws();
 /// Mip chains and levels of detail.

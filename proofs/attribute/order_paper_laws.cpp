@@ -99,8 +99,6 @@ Triplet printed(std::uint32_t row, std::uint32_t col) {
   return {to_index(row, c), to_index(row + 1, c + 1), to_index(row, c + 1)};
 }
 
-std::string words_of(const Triplet& t) { return fmt::format("{} {} {}", t[0], t[1], t[2]); }
-
 /// Of a face in rows, the triplet that is wanted.
 using Wanted = Triplet (*)(Level, const MicroTriangle&, std::uint32_t index);
 
@@ -126,7 +124,7 @@ Batches<MicroTriangle> triplets_of_rows(Wanted wanted) {
   cases.words = [wanted, ask](const AttributeSubject& s, Level n, std::size_t, const MicroTriangle& at) {
     std::vector<std::uint32_t> index;
     const auto got = ask(s, n, {&at, 1}, index);
-    return Words{words_of(wanted(n, at, index[0])), words_of(got[0])};
+    return Words{text_of(wanted(n, at, index[0])), text_of(got[0])};
   };
   return cases;
 }

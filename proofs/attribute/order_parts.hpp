@@ -100,6 +100,8 @@ auto on_face_index(FaceOrder of, Change change) {
 inline std::string vertices_in_orders(const Subject&, Level) { return "the V(n) vertices, in 3 orders"; }
 inline std::string faces_in_orders(const Subject&, Level) { return "the 4^n faces, in 3 orders"; }
 
+inline std::string text_of(const Triplet& x) { return fmt::format("{} {} {}", x[0], x[1], x[2]); }
+
 /// Bird's vertices that level n adds.
 inline bool new_at(Level n, const Vertex& at) { return n != 0 && (at.i % 2 != 0 || at.j % 2 != 0); }
 

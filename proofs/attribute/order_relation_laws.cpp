@@ -315,8 +315,6 @@ Law convert_faces_law() {
 // attribute.triangle_vertices
 // ---------------------------------------------------------------------------------------------------------------------
 
-std::string text_of(const Triplet& t) { return fmt::format("{} {} {}", t[0], t[1], t[2]); }
-
 Law triangle_vertices_law() {
   const auto of = pairs(face_orders, vertex_orders);
   struct Found {

@@ -11,7 +11,7 @@ namespace fast = mmverify::impl::attribute;
 
 namespace {
 
-using Words = std::span<const std::uint32_t>;
+using Numbers = std::span<const std::uint32_t>;
 using Out = std::span<std::uint32_t>;
 
 std::uint32_t word(std::uint64_t index) { return static_cast<std::uint32_t>(index); }
@@ -49,24 +49,24 @@ Orders specified_orders() {
   f.vertex_index = [](VertexOrder order, Level n, std::span<const Vertex> at, Out out) {
     each(at, out, [&](const Vertex& v) { return word(slow::vertex_index(order, v, n)); });
   };
-  f.vertex_at = [](VertexOrder order, Level n, Words index, std::span<Vertex> out) {
+  f.vertex_at = [](VertexOrder order, Level n, Numbers index, std::span<Vertex> out) {
     each(index, out, [&](std::uint32_t x) { return slow::vertex_at(order, x, n); });
   };
   f.face_index = [](FaceOrder order, Level n, std::span<const MicroTriangle> at, Out out) {
     each(at, out, [&](const MicroTriangle& t) { return word(slow::face_index(order, t, n)); });
   };
-  f.face_at = [](FaceOrder order, Level n, Words index, std::span<MicroTriangle> out) {
+  f.face_at = [](FaceOrder order, Level n, Numbers index, std::span<MicroTriangle> out) {
     each(index, out, [&](std::uint32_t x) { return slow::triangle_at(order, x, n); });
   };
-  f.convert_vertices = [](VertexOrder from, VertexOrder to, Level n, Words index, Out out) {
+  f.convert_vertices = [](VertexOrder from, VertexOrder to, Level n, Numbers index, Out out) {
     each(index, out,
          [&](std::uint32_t x) { return word(slow::vertex_index(to, slow::vertex_at(from, x, n), n)); });
   };
-  f.convert_faces = [](FaceOrder from, FaceOrder to, Level n, Words index, Out out) {
+  f.convert_faces = [](FaceOrder from, FaceOrder to, Level n, Numbers index, Out out) {
     each(index, out,
          [&](std::uint32_t x) { return word(slow::face_index(to, slow::triangle_at(from, x, n), n)); });
   };
-  f.triplet = [](FaceOrder faces, VertexOrder vertices, Level n, Words face, std::span<Triplet> out) {
+  f.triplet = [](FaceOrder faces, VertexOrder vertices, Level n, Numbers face, std::span<Triplet> out) {
     each(face, out, [&](std::uint32_t x) {
       const slow::Triplet t = slow::triplet(vertices, slow::triangle_at(faces, x, n), n);
       return Triplet{word(t[0]), word(t[1]), word(t[2])};
@@ -90,7 +90,7 @@ Orders library_orders() {
     }
     fast::vertex_index(to_fast(order), in[0], in[1], n, out);
   };
-  f.vertex_at = [](VertexOrder order, Level n, Words index, std::span<Vertex> out) {
+  f.vertex_at = [](VertexOrder order, Level n, Numbers index, std::span<Vertex> out) {
     Apart<2> found(out.size());
     fast::vertex_at(to_fast(order), index, n, {found[0], found[1]});
     for (std::size_t k = 0; k < out.size(); ++k) out[k] = {found[0][k], found[1][k]};
@@ -104,18 +104,18 @@ Orders library_orders() {
     }
     fast::face_index(to_fast(order), in[0], in[1], in[2], n, out);
   };
-  f.face_at = [](FaceOrder order, Level n, Words index, std::span<MicroTriangle> out) {
+  f.face_at = [](FaceOrder order, Level n, Numbers index, std::span<MicroTriangle> out) {
     Apart<3> found(out.size());
     fast::face_at(to_fast(order), index, n, {found[0], found[1], found[2]});
     for (std::size_t k = 0; k < out.size(); ++k) out[k] = {found[0][k], found[1][k], found[2][k] != 0};
   };
-  f.convert_vertices = [](VertexOrder from, VertexOrder to, Level n, Words index, Out out) {
+  f.convert_vertices = [](VertexOrder from, VertexOrder to, Level n, Numbers index, Out out) {
     fast::convert(to_fast(from), to_fast(to), index, n, out);
   };
-  f.convert_faces = [](FaceOrder from, FaceOrder to, Level n, Words index, Out out) {
+  f.convert_faces = [](FaceOrder from, FaceOrder to, Level n, Numbers index, Out out) {
     fast::convert(to_fast(from), to_fast(to), index, n, out);
   };
-  f.triplet = [](FaceOrder faces, VertexOrder vertices, Level n, Words face, std::span<Triplet> out) {
+  f.triplet = [](FaceOrder faces, VertexOrder vertices, Level n, Numbers face, std::span<Triplet> out) {
     Apart<3> found(out.size());
     fast::triplets(to_fast(faces), to_fast(vertices), face, n, {found[0], found[1], found[2]});
     for (std::size_t k = 0; k < out.size(); ++k) out[k] = {found[0][k], found[1][k], found[2][k]};
@@ -136,16 +136,16 @@ Orders library_orders_one_by_one() {
   f.vertex_index = [](VertexOrder order, Level n, std::span<const Vertex> at, Out out) {
     each(at, out, [&](const Vertex& v) { return fast::vertex_index(to_fast(order), v.i, v.j, n); });
   };
-  f.vertex_at = [](VertexOrder order, Level n, Words index, std::span<Vertex> out) {
+  f.vertex_at = [](VertexOrder order, Level n, Numbers index, std::span<Vertex> out) {
     each(index, out, [&](std::uint32_t x) { return from_fast(fast::vertex_at(to_fast(order), x, n)); });
   };
   f.face_index = [](FaceOrder order, Level n, std::span<const MicroTriangle> at, Out out) {
     each(at, out, [&](const MicroTriangle& t) { return fast::face_index(to_fast(order), to_fast(t), n); });
   };
-  f.face_at = [](FaceOrder order, Level n, Words index, std::span<MicroTriangle> out) {
+  f.face_at = [](FaceOrder order, Level n, Numbers index, std::span<MicroTriangle> out) {
     each(index, out, [&](std::uint32_t x) { return from_fast(fast::face_at(to_fast(order), x, n)); });
   };
-  f.triplet = [](FaceOrder faces, VertexOrder vertices, Level n, Words face, std::span<Triplet> out) {
+  f.triplet = [](FaceOrder faces, VertexOrder vertices, Level n, Numbers face, std::span<Triplet> out) {
     each(face, out, [&](std::uint32_t x) {
       return fast::triplet(to_fast(vertices), fast::face_at(to_fast(faces), x, n), n);
     });
@@ -171,7 +171,7 @@ Orders orders_in_32_bits() {
 
 Orders figure_4_triplets(bool short_root) {
   Orders f;
-  f.triplet = [short_root](FaceOrder, VertexOrder, Level, Words face, std::span<Triplet> out) {
+  f.triplet = [short_root](FaceOrder, VertexOrder, Level, Numbers face, std::span<Triplet> out) {
     each(face, out, [&](std::uint32_t index) {
       float root = std::sqrt(static_cast<float>(index));
       if (short_root) root = std::nextafter(root, 0.0f);

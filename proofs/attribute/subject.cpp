@@ -15,6 +15,7 @@ AttributeSubjectPtr subject(const char* name, const char* about, const Functions
 AttributeSubjectPtr specified() {
   Functions f;
   f.orders = specified_orders();
+  f.lookup = specified_lookup();
   return subject("attribute-spec", "the specification, in whole numbers and rationals", f);
 }
 
@@ -22,6 +23,7 @@ AttributeSubjectPtr library() {
   Functions f;
   f.exact = false;
   f.orders = library_orders();
+  f.lookup = library_lookup();
   return subject("attribute", "this project's library, in batches and binary32", f);
 }
 
@@ -29,12 +31,20 @@ AttributeSubjectPtr library_one_by_one() {
   Functions f;
   f.exact = false;
   f.orders = library_orders_one_by_one();
+  f.lookup = library_lookup_one_by_one();
   return subject("attribute-single", "this project's library, one value at a time", f);
 }
 
 AttributeSubjectPtr of_orders(const char* name, const char* about, Orders orders) {
   Functions f;
   f.orders = std::move(orders);
+  return subject(name, about, f);
+}
+
+AttributeSubjectPtr of_remap(const char* name, const char* about, Remap way) {
+  Functions f;
+  f.exact = false;
+  f.lookup = rounded_lookup(way);
   return subject(name, about, f);
 }
 
@@ -50,6 +60,9 @@ const std::vector<AttributeSubjectPtr>& built_in_subjects() {
                 figure_4_triplets(false)),
       of_orders("attribute-short-root", "the same, the root one number short, as Vulkan lets it be",
                 figure_4_triplets(true)),
+      of_remap("attribute-cramer-f32", "weights by the 3x3 system and Cramer's rule, in binary32",
+               Remap::cramer),
+      of_remap("attribute-two-f32", "weights by two of its equations, in binary32", Remap::two),
   };
   return all;
 }

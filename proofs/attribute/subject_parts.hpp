@@ -15,4 +15,11 @@ Orders orders_in_32_bits();
 /// it.
 Orders figure_4_triplets(bool short_root);
 
+Lookup specified_lookup();
+/// impl/attribute/lookup.hpp, its spans and its single values.
+Lookup library_lookup();
+Lookup library_lookup_one_by_one();
+/// The library's micro-triangle, and the specification's formula of one remap with each operation rounded to binary32.
+Lookup rounded_lookup(Remap way);
+
 }  // namespace mmverify::proofs::attribute
