@@ -192,6 +192,8 @@ Law not_closest_law() {
                           on_triplet_of(1, 0, {0, 1, 3})),
                    mutant("the v-corner's three are others", "attribute-spec", {2, 2},
                           on_triplet_of(2, 15, {9, 13, 12})),
+                   mutant("the v-corner's three are others, at level 4", "attribute-spec", {4, 4},
+                          on_triplet_of(4, 255, {135, 151, 150})),
                    mutant("the nearest three in level 1's middle", "attribute-spec", {1, 1},
                           on_triplet_of(1, 1, {4, 2, 3}))},
        .general = false},

@@ -73,7 +73,7 @@ Law remaps_agree_law() {
                "the point's micro-triangle and in others",
        .source = "Color and Attribute Micromaps, 4.1, items 1 to 4, and what it omits",
        .subjects = {"attribute-spec"},
-       .fast = {0, 3},
+       .fast = {0, 4},
        .long_run = {0, 8},
        .fast_seconds = 0.5,
        .domain = every_point,
@@ -92,7 +92,7 @@ Law remaps_agree_law() {
                    {4, 4},
                    on_remap(Remap::cramer,
                             [](Level n, const MicroTriangle& t, const RationalPoint&, RationalWeights& w) {
-                              if (n == 3 && t == MicroTriangle{0, 7, false})
+                              if (n == 4 && t == MicroTriangle{0, 15, false})
                                 for (spec::Rational& q : w) q /= spec::Integer(4);
                             }))}},
       needing({entry::remap}), cases);
