@@ -15,12 +15,16 @@ AttributeSubjectPtr subject(const char* name, const char* about, const Functions
 AttributeSubjectPtr specified() {
   Functions f;
   f.orders = specified_orders();
+  f.decimation = specified_decimation();
+  f.mips = specified_mips();
   return subject("attribute-spec", "the specification, in whole numbers and rationals", f);
 }
 
 AttributeSubjectPtr library() {
   Functions f;
   f.exact = false;
+  f.decimation = library_decimation();
+  f.mips = library_mips();
   return subject("attribute", "this project's library, in batches and binary32", f);
 }
 

@@ -6,5 +6,9 @@
 namespace mmverify::proofs::attribute {
 
 Orders specified_orders();
+Decimation specified_decimation();
+Decimation library_decimation();
+Mips specified_mips();
+Mips library_mips();
 
 }  // namespace mmverify::proofs::attribute
