@@ -1,8 +1,44 @@
 // What a subject of topic attribute may have of mip chains and levels of detail.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "proofs/engine/law.hpp"
+#include "spec/attribute/mip.hpp"
+
 namespace mmverify::proofs::attribute {
 
-struct Mips {};
+using spec::attribute::Rounding;
+using spec::attribute::VertexOrder;
+
+/// What a level of a chain is made from: the codes of the level above, or the sums of the base's codes.
+enum class ChainOf : std::uint32_t { level_above, exact_sums };
+
+/// Level `level` with the weight 1 - blend, level + 1 with blend.
+struct LevelOfDetail {
+  Level level;
+  double blend;
+};
+
+/// RGBA8 values are words, a code each byte; face maps lie in the order of the curve.
+struct Mips {
+  /// The map one level below: four children each parent.
+  std::function<void(Rounding, std::span<const std::uint32_t> children, std::span<std::uint32_t> parents)>
+      face_mip = {};
+  /// All levels below a base of level n, the coarsest first.  Domain: n in 0..12; exact sums have no halves_up.
+  std::function<void(Level n, Rounding, ChainOf, std::span<const std::uint32_t> base,
+                     std::span<std::uint32_t> chain)>
+      face_chain = {};
+  /// Values of the levels below m, of faces and of vertices.
+  std::function<std::uint64_t(Level m)> face_chain_size = {}, vertex_chain_size = {};
+  /// Where the value of vertex k of level m lies in the map of level n.
+  std::function<std::uint32_t(VertexOrder, std::uint32_t k, Level m, Level n)> vertex_mip_source = {};
+  /// The level that a cone's area asks for of a triangle's, for each pair.  Domain: n in 0..16.
+  std::function<void(Level n, std::span<const float> cone, std::span<const float> triangle, std::span<Level>)>
+      lod_level = {};
+  std::function<LevelOfDetail(Level n, float cone, float triangle)> lod = {};
+};
 
 }  // namespace mmverify::proofs::attribute

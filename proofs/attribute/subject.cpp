@@ -16,6 +16,8 @@ AttributeSubjectPtr specified() {
   Functions f;
   f.orders = specified_orders();
   f.lookup = specified_lookup();
+  f.decimation = specified_decimation();
+  f.mips = specified_mips();
   return subject("attribute-spec", "the specification, in whole numbers and rationals", f);
 }
 
@@ -24,6 +26,8 @@ AttributeSubjectPtr library() {
   f.exact = false;
   f.orders = library_orders();
   f.lookup = library_lookup();
+  f.decimation = library_decimation();
+  f.mips = library_mips();
   return subject("attribute", "this project's library, in batches and binary32", f);
 }
 

@@ -21,5 +21,9 @@ Lookup library_lookup();
 Lookup library_lookup_one_by_one();
 /// The library's micro-triangle, and the specification's formula of one remap with each operation rounded to binary32.
 Lookup rounded_lookup(Remap way);
+Decimation specified_decimation();
+Decimation library_decimation();
+Mips specified_mips();
+Mips library_mips();
 
 }  // namespace mmverify::proofs::attribute

@@ -1,0 +1,95 @@
+// Edge decimation of micro-vertex maps: exact for binary32 input, one at a time.
+//
+//   snapped             the vertex that a value is read from, where edges have a neighbour of level n-1
+//   averaged            the other meaning: the two vertices whose mean is the value
+//   mean_rgba8          that mean, in codes
+//   decimated_lookup    three vertices and their weights at a point, with the edges decimated
+//
+// They need IEEE arithmetic rounded to nearest, the default (no -ffast-math).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "impl/index/index.hpp"
+
+namespace mmverify::impl::attribute {
+
+using index::Level;
+using index::max_level;
+using index::Vertex;
+
+/// A bit for each edge whose neighbour has level n-1: 1 edge w-u (v = 0), 2 edge u-v (w = 0), 4 edge v-w (u = 0); other
+/// bits say nothing.
+using EdgeFlags = std::uint32_t;
+
+namespace detail {
+/// Whether the vertex lies on level n, and n has odd vertices on its edges.
+constexpr bool may_move(Vertex x, std::uint32_t N) noexcept { return N > 1 && x.i <= N && x.j <= N - x.i; }
+}  // namespace detail
+
+/// The vertex from which the value of x is read: an odd vertex of a flagged edge goes to its even neighbour away from
+/// the edge's middle, the middle of level 1 to w, u, v on edges w-u, u-v, v-w.  With k = N-i-j:
+///   v = 0: i+1 if k < N/2, else i-1     w = 0: (i-1, j+1) if i < N/2, else (i+1, j-1)     u = 0: j+1 if j >= N/2, else j-1
+/// Domain: level in 0..16, more is 16; a vertex outside the triangle stays.
+/// Source: BaryFile's rule; Color and Attribute Micromaps, figure 3.
+constexpr Vertex snapped(Vertex x, Level level, EdgeFlags flags) noexcept {
+  const std::uint32_t N = std::uint32_t{1} << std::min(level, max_level), middle = N / 2;
+  if (!detail::may_move(x, N)) return x;
+  const std::uint32_t k = N - x.i - x.j;
+  const bool odd_i = x.i % 2 != 0, odd_j = x.j % 2 != 0;
+  if ((flags & 1) != 0 && x.j == 0 && odd_i) return {k < middle ? x.i + 1 : x.i - 1, 0};
+  if ((flags & 2) != 0 && k == 0 && odd_j)
+    return x.i < middle ? Vertex{x.i - 1, x.j + 1} : Vertex{x.i + 1, x.j - 1};
+  if ((flags & 4) != 0 && x.i == 0 && odd_j) return {0, x.j < middle ? x.j - 1 : x.j + 1};
+  return x;
+}
+
+/// The two vertices whose mean is the value of x where edges are decimated by means: an odd vertex's neighbours on its
+/// flagged edge, else x twice.  Domain: as snapped.
+constexpr std::array<Vertex, 2> averaged(Vertex x, Level level, EdgeFlags flags) noexcept {
+  const std::uint32_t N = std::uint32_t{1} << std::min(level, max_level);
+  if (!detail::may_move(x, N)) return {x, x};
+  const std::uint32_t k = N - x.i - x.j;
+  const bool odd_i = x.i % 2 != 0, odd_j = x.j % 2 != 0;
+  if ((flags & 1) != 0 && x.j == 0 && odd_i) return {Vertex{x.i - 1, 0}, Vertex{x.i + 1, 0}};
+  if ((flags & 2) != 0 && k == 0 && odd_j) return {Vertex{x.i + 1, x.j - 1}, Vertex{x.i - 1, x.j + 1}};
+  if ((flags & 4) != 0 && x.i == 0 && odd_j) return {Vertex{0, x.j + 1}, Vertex{0, x.j - 1}};
+  return {x, x};
+}
+
+/// The mean of two RGBA8 values, halves up in each of the four codes, which are the bytes of a word in any order:
+/// (x + y + 1) / 2.  It is within half a code of the exact mean.
+constexpr std::uint32_t mean_rgba8(std::uint32_t x, std::uint32_t y) noexcept {
+  return (x | y) - ((x ^ y) >> 1 & 0x7f7f7f7f);  // x + y = 2 (x | y) - (x ^ y), byte by byte
+}
+
+/// Writes the means into a map of level n: the value of each odd vertex on a flagged edge becomes the mean of its even
+/// neighbours', where index_of(Vertex) is its place in `values`.  N/2 values an edge.
+/// Domain: level in 0..16, more is 16; values has all that index_of may give.
+template <class IndexOf>
+void decimate_by_means(std::span<std::uint32_t> values, Level level, EdgeFlags flags, IndexOf index_of) {
+  const std::uint32_t N = std::uint32_t{1} << std::min(level, max_level);
+  for (std::uint32_t at = 1; at < N; at += 2)
+    for (const Vertex x : {Vertex{at, 0}, Vertex{N - at, at}, Vertex{0, at}}) {
+      const auto [a, b] = averaged(x, level, flags);
+      if (a != b) values[index_of(x)] = mean_rgba8(values[index_of(a)], values[index_of(b)]);
+    }
+}
+
+/// Three vertices and the weights of their values.
+struct VertexWeights {
+  std::array<Vertex, 3> vertices;
+  std::array<float, 3> weights;
+};
+
+/// Which values to interpolate at a point, and with which weights, once the flagged edges' odd vertices have snapped.
+/// The three vertices are those of a micro-triangle that holds the point, exactly, for the very floats u and v; each
+/// weight is within 2^-24 of the exact one.
+/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  A point outside the triangle
+/// gets the micro-triangle next to it, and a weight below 0.  level in 0..16, more is 16.
+/// Source: ours: docs/ATTRIBUTE.md, "Decimation"; spec::attribute::decimated_place.
+VertexWeights decimated_lookup(float u, float v, Level level, EdgeFlags flags) noexcept;
+
+}  // namespace mmverify::impl::attribute
