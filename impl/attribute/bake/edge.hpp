@@ -38,19 +38,19 @@ inline Four edge_integral(const RowSums<Sum>& sums, Point p, Point q) noexcept {
   if (p.y == q.y) return integral;
   const double sign = p.y < q.y ? 1 : -1;
   if (q.y < p.y) std::swap(p, q);
-  const double dx = q.x - p.x, dy = q.y - p.y, least = std::min(p.x, q.x), greatest = std::max(p.x, q.x);
+  const double dx = q.x - p.x, dy = q.y - p.y, across = dx / dy, down = dy / dx, least = std::min(p.x, q.x), greatest = std::max(p.x, q.x);
   const auto last = static_cast<std::int32_t>(q.y);
   double x = p.x, y = p.y;
   for (auto j = static_cast<std::int32_t>(p.y); j <= last; ++j) {
     const bool ends = j == last;
     const double next_y = ends ? q.y : j + 1.0,
-                 next_x = ends ? q.x : std::clamp(p.x + (next_y - p.y) / dy * dx, least, greatest);
+                 next_x = ends ? q.x : std::clamp(p.x + (next_y - p.y) * across, least, greatest);
     const Sum* const row = sums.first + 4 * sums.pitch * static_cast<std::size_t>(j);
     auto i = static_cast<std::int32_t>(x);
     const auto to = static_cast<std::int32_t>(next_x);
     while (i != to) {
       const double crossed = i < to ? i + 1.0 : i;
-      const double at = std::clamp(p.y + (crossed - p.x) / dx * dy, y, next_y);
+      const double at = std::clamp(p.y + (crossed - p.x) * down, y, next_y);
       add_piece(row, i, x, crossed, (at - y) * sign, integral);
       x = crossed;
       y = at;
