@@ -12,7 +12,7 @@
 namespace mmverify::dock {
 
 /// Whose laws ask.
-enum class Topic : std::uint32_t { index, tree, micromap, vq, bake };
+enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute };
 
 // A row is ROW(name, topic, values, arguments), in the order of the header:
 //   name       of the pointer in mmverify_subject_t;

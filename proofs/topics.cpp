@@ -1,5 +1,7 @@
 #include "proofs/topics.hpp"
 
+#include "proofs/attribute/laws.hpp"
+#include "proofs/attribute/plugin_subject.hpp"
 #include "proofs/bake/dialogue.hpp"
 #include "proofs/bake/laws.hpp"
 #include "proofs/bake/plugin_subject.hpp"
@@ -59,6 +61,9 @@ const std::vector<Topic> table{
     {"bake", {"bake"}, bake::laws, all<bake::built_in_subjects>, {"bake"},
      [](const LibraryPtr& l, bool first) { return one<bake::plugin_subject>(l, "bake", first); },
      Call::bake, 12, "bake", &bake::dialogue},
+    {"attribute", {"attribute", "paper"}, attribute::laws, all<attribute::built_in_subjects>, {"attribute"},
+     [](const LibraryPtr& l, bool first) { return one<attribute::plugin_subject>(l, "attribute", first); },
+     static_cast<Call>(dock::calls), 16},
 };
 // clang-format on
 

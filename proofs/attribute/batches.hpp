@@ -1,0 +1,104 @@
+// A law whose cases are the elements of a level, each under several settings (orders, pairs of orders), asked in
+// batches.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proofs/attribute/elements.hpp"
+#include "proofs/attribute/law_parts.hpp"
+
+namespace mmverify::proofs::attribute {
+
+/// What a check found of one element: a number for the digest, and whether the law holds.
+struct Outcome {
+  std::uint64_t answer = 0;
+  bool holds = true;
+};
+
+/// The cases: setting 0 with all elements, setting 1 with all, and so on.
+template <class Element>
+struct Batches {
+  std::vector<std::string> settings;          ///< their names: the text of a case is "SETTING:ELEMENT"
+  std::function<std::uint64_t(Level)> count;  ///< of elements
+  /// One outcome an element.
+  std::function<void(const AttributeSubject&, Level, std::size_t setting, std::span<const Element>,
+                     std::span<Outcome>)>
+      check;
+  /// What is wrong with one that is.
+  std::function<Words(const AttributeSubject&, Level, std::size_t setting, const Element&)> words;
+  Kind kind;
+};
+
+/// Many enough to spread the cost of a call, few enough for the cache.
+inline constexpr std::uint64_t elements_per_chunk = 4096;
+
+/// Calls visit(setting, first, count) for a chunk of the cases, cut where a setting ends.
+template <class Visit>
+void each_setting(Chunk chunk, std::uint64_t elements, Visit visit) {
+  for (std::uint64_t k = chunk.begin; k < chunk.end;) {
+    const std::uint64_t setting = k / elements, to = std::min(chunk.end, (setting + 1) * elements);
+    visit(static_cast<std::size_t>(setting), k - setting * elements, static_cast<std::size_t>(to - k));
+    k = to;
+  }
+}
+
+template <class Element>
+Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
+  law.topic = "attribute";
+  law.unfit = unfit_by(std::move(lacks));
+  law.divisible = true;
+  if (!law.how)
+    law.how = [method = law.method](const Subject&, Level) { return std::string(to_string(method)); };
+  law.cases = [cases](Level n, const Run&) { return cases.settings.size() * cases.count(n); };
+  law.judge = [cases](const Subject& subject, Level n, const Run& run) {
+    const AttributeSubject& s = of_attribute(subject);
+    const std::uint64_t count = cases.count(n);
+    return sweep(run, cases.settings.size() * count, elements_per_chunk, [&](Chunk chunk, Tally& tally) {
+      std::vector<Element> elements;
+      std::vector<Outcome> outcomes;
+      each_setting(chunk, count, [&](std::size_t setting, std::uint64_t first, std::size_t size) {
+        elements.resize(size);
+        outcomes.assign(size, {});
+        fill(n, first, std::span(elements));
+        cases.check(s, n, setting, elements, outcomes);
+        tally.count(cases.kind, size);
+        for (std::size_t t = 0; t < size; ++t) {
+          tally.digest(setting * count + first + t, outcomes[t].answer);
+          if (outcomes[t].holds) continue;
+          const Simplicity simplicity{n, first + t, setting};
+          tally.mismatch(cases.kind, simplicity, [&] {
+            const Words words = cases.words(s, n, setting, elements[t]);
+            return Counterexample{
+                simplicity,     n,        cases.settings[setting] + ":" + text_of(elements[t]), {},
+                words.expected, words.got};
+          });
+        }
+      });
+    });
+  };
+  law.replay = [cases](const Subject& subject, Level n, const std::string& at) -> Replayed {
+    const AttributeSubject& s = of_attribute(subject);
+    const auto colon = at.find(':');
+    const auto setting = std::find(cases.settings.begin(), cases.settings.end(), at.substr(0, colon));
+    if (colon == std::string::npos || setting == cases.settings.end())
+      throw BadCase(
+          fmt::format("'{:.60}': begin with one of {}, then a colon", at, fmt::join(cases.settings, ", ")));
+    Element element{};
+    read(n, at.substr(colon + 1), element);
+    const auto number = static_cast<std::size_t>(setting - cases.settings.begin());
+    Outcome outcome;
+    cases.check(s, n, number, {&element, 1}, {&outcome, 1});
+    if (outcome.holds) return {true, "ok", "ok", {}};
+    const Words words = cases.words(s, n, number, element);
+    return {false, words.expected, words.got, {}};
+  };
+  return law;
+}
+
+}  // namespace mmverify::proofs::attribute

@@ -1,0 +1,67 @@
+// What the laws of topic attribute are put together from: a check of one case, and the cases that it is run on.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "proofs/attribute/subject.hpp"
+#include "proofs/engine/cases.hpp"
+#include "proofs/kinds.hpp"
+
+namespace mmverify::proofs::attribute {
+
+inline constexpr char cam_2[] = "Color and Attribute Micromaps, 3.1, figure 2";
+inline constexpr char cam_3[] = "Color and Attribute Micromaps, 3.2, figure 3";
+inline constexpr char cam_4[] = "Color and Attribute Micromaps, 4.1, figure 4";
+
+/// Domain: a subject of this topic.
+const AttributeSubject& of_attribute(const Subject& s);
+
+/// Why a subject does not fit, if so: most often an entry point that it has not.
+using Lacks = std::function<std::optional<std::string>(const AttributeSubject&)>;
+
+/// An entry point that must be there, as messages call it.
+struct Entry {
+  const char* name;
+  bool (*there)(const Functions&);
+};
+Lacks needing(std::vector<Entry> entries);
+
+/// Why a law does not apply to a subject at a level: another topic, a level beyond the subject's, or what it lacks.
+std::function<std::optional<std::string>(const Subject&, Level)> unfit_by(Lacks lacks);
+
+/// Cases by number: how many, which, the text of one, the case of a text (or BadCase), and how one is judged.
+template <class Case>
+struct Cases {
+  std::function<std::uint64_t(Level, const Run&)> count;
+  std::function<Case(Level, std::uint64_t k, std::uint64_t seed)> number;
+  std::function<std::string(Level, const Case&)> text;
+  std::function<Case(Level, const std::string&)> read;
+  std::function<Finding(const AttributeSubject&, Level, const Case&)> check;
+  std::uint64_t chunk = 256;
+  Kind kind = Kind::interior;
+};
+
+/// The law, case by case.
+template <class Case>
+Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
+  law.topic = "attribute";
+  law.unfit = unfit_by(std::move(lacks));
+  return on_numbered_cases(std::move(law),
+                           {cases.count,
+                            [cases](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+                              return cases.check(of_attribute(s), n, cases.number(n, k, run.seed));
+                            },
+                            [cases](const Subject&, Level n, std::uint64_t k, const Run& run) {
+                              return cases.text(n, cases.number(n, k, run.seed));
+                            },
+                            [cases](const Subject& s, Level n, const std::string& at) {
+                              return cases.check(of_attribute(s), n, cases.read(n, at));
+                            },
+                            cases.chunk, cases.kind});
+}
+
+}  // namespace mmverify::proofs::attribute

@@ -1,0 +1,44 @@
+// What a subject of topic attribute may have of orders: index <-> place, of vertices and of faces.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "proofs/engine/law.hpp"
+#include "spec/attribute/order.hpp"
+
+namespace mmverify::proofs::attribute {
+
+using spec::attribute::FaceOrder;
+using spec::attribute::MicroTriangle;
+using spec::attribute::Vertex;
+using spec::attribute::VertexOrder;
+
+/// Indices of three vertices, as subjects give them: they fit 32 bits up to level 16.
+using Triplet = std::array<std::uint32_t, 3>;
+
+/// Batches: answer k is that of element k, and as many are asked for as there are elements.  Domain: level n in 0..16,
+/// elements of that level.
+struct Orders {
+  std::function<void(VertexOrder, Level n, std::span<const Vertex>, std::span<std::uint32_t> index)>
+      vertex_index = {};
+  std::function<void(VertexOrder, Level n, std::span<const std::uint32_t> index, std::span<Vertex>)>
+      vertex_at = {};
+  std::function<void(FaceOrder, Level n, std::span<const MicroTriangle>, std::span<std::uint32_t> index)>
+      face_index = {};
+  std::function<void(FaceOrder, Level n, std::span<const std::uint32_t> index, std::span<MicroTriangle>)>
+      face_at = {};
+  /// The vertices of faces, both by index: the base, and one step along u and along v from there (an upper one's are
+  /// backwards).
+  std::function<void(FaceOrder, VertexOrder, Level n, std::span<const std::uint32_t> face,
+                     std::span<Triplet>)>
+      triplet = {};
+  /// And back.
+  std::function<void(FaceOrder, VertexOrder, Level n, std::span<const Triplet>,
+                     std::span<std::uint32_t> face)>
+      face_of = {};
+};
+
+}  // namespace mmverify::proofs::attribute

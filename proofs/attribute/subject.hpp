@@ -1,0 +1,56 @@
+// An implementation of topic attribute in the dock: orders, lookups, decimation, mips and baking, a function each.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "proofs/attribute/baking_functions.hpp"
+#include "proofs/attribute/decimation_functions.hpp"
+#include "proofs/attribute/lookup_functions.hpp"
+#include "proofs/attribute/mips_functions.hpp"
+#include "proofs/attribute/orders_functions.hpp"
+#include "proofs/engine/law.hpp"
+
+namespace mmverify::proofs::attribute {
+
+/// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads at
+/// once.
+struct Functions {
+  Level max_level = 16;  ///< the highest that it is defined at
+  bool exact = true;     ///< it computes in exact arithmetic: its answers on cells decide all points
+  Orders orders = {};
+  Lookup lookup = {};
+  Decimation decimation = {};
+  Mips mips = {};
+  Baking baking = {};
+};
+
+class AttributeSubject : public Subject {
+ public:
+  AttributeSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
+      : Subject("attribute", std::move(name), std::move(about)),
+        functions(std::move(functions)),
+        fingerprint_(std::move(fingerprint)) {}
+  bool exact() const override { return functions.exact; }
+  std::string fingerprint() const override { return fingerprint_; }
+
+  const Functions functions;
+
+ private:
+  std::string fingerprint_;
+};
+using AttributeSubjectPtr = std::shared_ptr<const AttributeSubject>;
+
+/// attribute-spec, the specification; attribute, this project's library, batch by batch.
+const std::vector<AttributeSubjectPtr>& built_in_subjects();
+
+/// The built-in subject of that name.  Domain: there is one.
+AttributeSubjectPtr built_in(const std::string& name);
+
+/// A subject with one thing broken on purpose.
+Mutant mutant(const char* name, const std::string& base, Levels levels,
+              const std::function<void(Functions&)>& change);
+
+}  // namespace mmverify::proofs::attribute
