@@ -15,12 +15,14 @@ AttributeSubjectPtr subject(const char* name, const char* about, const Functions
 AttributeSubjectPtr specified() {
   Functions f;
   f.orders = specified_orders();
+  f.baking = specified_baking();
   return subject("attribute-spec", "the specification, in whole numbers and rationals", f);
 }
 
 AttributeSubjectPtr library() {
   Functions f;
   f.exact = false;
+  f.baking = library_baking();
   return subject("attribute", "this project's library, in batches and binary32", f);
 }
 

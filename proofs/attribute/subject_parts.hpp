@@ -7,4 +7,7 @@ namespace mmverify::proofs::attribute {
 
 Orders specified_orders();
 
+Baking specified_baking();
+Baking library_baking();
+
 }  // namespace mmverify::proofs::attribute
