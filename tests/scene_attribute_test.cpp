@@ -227,7 +227,9 @@ TEST(AttributeAtlas, GivesEachTexelToTheFirstTriangleThatShowsIt) {
   const std::vector<TexelTriangle> shifted{{{{-4, 4}, {0, 4}, {-4, 8}}}};
   const auto again = first_triangles(image, samplers, shifted);
   for (std::size_t k = 0; k < again.size(); ++k) EXPECT_EQ(again[k], first[k] == 0 ? 0 : no_triangle);
-  EXPECT_EQ(texels_of_box({{{0, 0}, {0x1p40, 0}, {0, 0x1p40}}}), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_TRUE(within_reach({{{0, 0}, {4000, 0}, {0, 4000}}}));
+  EXPECT_FALSE(within_reach({{{0, 0}, {4100, 0}, {0, 4100}}}));
+  EXPECT_FALSE(within_reach({{{0, 0}, {33000, 0}, {0, 1}}}));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -274,6 +276,16 @@ TEST(AttributeMeasure, OneColourIsOneMapAndNoError) {
       EXPECT_EQ(at(figures, level, kind).error.rmse, 0);
       EXPECT_EQ(at(figures, level, kind).error.flip, 0);
     }
+}
+
+TEST(AttributeMeasure, NormalsAreHeldAgainstNormalsOfUnitLength) {
+  // (0.25, 0.25, 0.25) and a little about it, half as long as it should be: faces within texels have the direction.
+  const AttributeScene scene = square_scene(
+      drawn(2, 2, [](auto x, auto y, auto c) { return 160 + 8 * (x + y + c); }), set_of(Attribute::normal));
+  EXPECT_EQ(at(measure(scene, {.first = 1, .last = 1}), 1, MapKind::faces).error.rmse, 0);
+  EXPECT_EQ(at(measure(scene, {.first = 1, .last = 1, .averaging = Averaging::codes}), 1, MapKind::faces)
+                .error.rmse,
+            0);
 }
 
 TEST(AttributeMeasure, IsTheSameForAnyNumberOfThreads) {

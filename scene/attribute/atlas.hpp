@@ -10,18 +10,20 @@
 
 namespace mmverify::scene {
 
-/// The box of a triangle's texels beyond which it is not looked at: a wall that repeats its texture a hundred times.
-inline constexpr std::uint64_t most_texels_of_triangle = std::uint64_t{1} << 24;
+/// The box of a triangle's texels beyond which it is not looked at, as MapBaker says: a wall that repeats its texture a
+/// hundred times.
+inline constexpr double most_texels_of_triangle = 0x1p24, longest_triangle = 0x1p15;
+bool within_reach(const TexelTriangle& corners);
+
+/// The texel that (x, y) is, wrapped.  Domain: |x|, |y| < 2^40.
+std::size_t wrapped_texel(const ColourImage& image, const Sampler& sampler, std::int64_t x, std::int64_t y);
 
 /// Calls visit(texel, u, v) for each texel whose centre lies on the triangle, border included, by its barycentrics; a
 /// texel more than once where the triangle repeats it.
-/// Domain: texels_of_box(corners) <= most_texels_of_triangle.  A triangle without area shows none.
+/// Domain: within_reach(corners).  A triangle without area shows none.
 template <class Visit>
 void for_each_texel(const ColourImage& image, const Sampler& sampler, const TexelTriangle& corners,
                     Visit visit);
-
-/// Texels of the box of a triangle; the greatest number where they are more than that.
-std::uint64_t texels_of_box(const TexelTriangle& corners);
 
 /// The first triangle that shows each texel; no_triangle where none does.
 inline constexpr std::uint32_t no_triangle = std::numeric_limits<std::uint32_t>::max();

@@ -92,7 +92,7 @@ class SetMeasurement {
     const bool near = std::all_of(map.uvs.begin(), map.uvs.end(), [](const Uv& uv) {
       return std::abs(uv[0]) < 0x1p20f && std::abs(uv[1]) < 0x1p20f;
     });
-    if (near && texels_of_box(texels_of(map)) <= most_texels_of_triangle)
+    if (near && within_reach(texels_of(map)))
       all_.push_back(map);
     else
       ++far_;
@@ -128,7 +128,7 @@ class SetMeasurement {
     std::transform(first.begin(), first.end(), shown.begin(),
                    [](std::uint32_t triangle) { return std::uint8_t{triangle != no_triangle}; });
     figures_.shown += static_cast<std::uint64_t>(std::count(shown.begin(), shown.end(), 1));
-    const std::vector<std::uint8_t> original = rgb_of(image);
+    const std::vector<std::uint8_t> original = original_of(image, maps);
     for (unsigned level = options_.first; level <= options_.last; ++level) {
       AttributePicture picture{image, set_, level, original, original, original, {}, {}};
       std::vector<std::uint8_t> nearest = original;
@@ -152,6 +152,19 @@ class SetMeasurement {
       }
       if (options_.picture && is_srgb(set_)) options_.picture(picture);
     }
+  }
+
+  /// What maps are held against: the texture, its normals made one unit long as theirs are.
+  std::vector<std::uint8_t> original_of(const ColourImage& image,
+                                        const std::vector<std::size_t>& maps) const {
+    std::vector<std::uint8_t> rgb = rgb_of(image);
+    if (maps.empty() || !has(set_, Attribute::normal)) return rgb;
+    const CodeMeaning& meaning = bakers_.at(all_[maps.front()].texture).meaning();
+    for (std::size_t texel = 0; texel < rgb.size() / 3; ++texel)
+      paint(rgb, texel,
+            meaning.code_of(meaning.mean_of({rgb[3 * texel], rgb[3 * texel + 1], rgb[3 * texel + 2], 0})),
+            channels_);
+    return rgb;
   }
 
   /// Paints the texels that the triangle is the first to show.  Returns how many of its micro-triangles have a texel's

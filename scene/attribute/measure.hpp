@@ -11,7 +11,8 @@
 
 namespace mmverify::scene {
 
-/// The difference of a texture and what its maps show, over the texels whose centre a triangle shows.
+/// The difference of a texture and what its maps show, over the texels whose centre a triangle shows.  Normals are made
+/// one unit long in both, where they are averaged as such.
 struct MapError {
   double rmse = 0;             ///< of the channels in use, in codes of 8 bits
   std::optional<double> flip;  ///< mean FLIP in texture space; of sRGB textures alone
@@ -43,7 +44,7 @@ struct AttributeFigures {
   std::uint64_t images = 0;         ///< in use, each once
   std::uint64_t texture_bytes = 0;  ///< of these
   std::vector<AttributeSetFigures> sets;
-  std::uint64_t far = 0;  ///< triangles left out: boxes of more than most_texels_of_triangle
+  std::uint64_t far = 0;  ///< triangles left out: not within_reach()
 
   /// Of all sets.  Domain: a level that was measured.
   std::uint64_t bytes(unsigned level, MapKind kind) const;
