@@ -287,7 +287,8 @@ int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& 
 /// Attributes in the place of opacity.
 int attributes(const SceneOptions& options) {
   check_options(options);
-  if (!(options.glb + options.sizes + options.journal + options.replay + options.subject).empty())
+  if (!(options.glb + options.sizes + options.journal + options.replay + options.subject).empty() ||
+      options.states != 4 || options.margin != 0 || options.exhaustive)
     throw UsageError(
         "--attributes: it measures and writes --json, --plot and --pictures; leave the others out");
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
