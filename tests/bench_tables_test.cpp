@@ -10,6 +10,7 @@
 #include "bench/bake/tables.hpp"
 #include "bench/baker/tables.hpp"
 #include "bench/index/tables.hpp"
+#include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/tables.hpp"
 #include "bench/subject/tables.hpp"
 #include "bench/sweep/tables.hpp"
@@ -33,10 +34,25 @@ std::vector<Result> all_results() {
   bake.levels.resize(1);
   VqFigures vq;
   vq.rows.resize(1);
-  return {index_tables({index}, {}), tree_tables({TreeFigures{}}, {}),
-          vq_tables(vq, {}),         bake_tables(bake, {}),
-          sweep_tables({}),          subject_tables({}),
-          scene_bake_tables({}, {}), baker_tables({"b", "f", {{}}})};
+  mmverify::scene::AttributeFigures attributes;
+  attributes.texture_bytes = 4;
+  attributes.sets.resize(1);
+  attributes.sets[0].set = mmverify::scene::set_of(mmverify::scene::Attribute::base_color);
+  attributes.sets[0].texels = attributes.sets[0].texture_bytes = 4;
+  attributes.sets[0].levels.resize(2);
+  attributes.sets[0].levels[1].kind = mmverify::scene::MapKind::vertices;
+  attributes.sets[0].levels[1].nearest.emplace();
+  mmverify::scene::AttributeScene read;
+  read.left_out.push_back({.why = "no texture"});
+  return {index_tables({index}, {}),
+          tree_tables({TreeFigures{}}, {}),
+          vq_tables(vq, {}),
+          bake_tables(bake, {}),
+          sweep_tables({}),
+          subject_tables({}),
+          scene_bake_tables({}, {}),
+          baker_tables({"b", "f", {{}}}),
+          scene_attribute_tables(attributes, read, {})};
 }
 
 /// What the schema says of one place, and of the places that it lies in.

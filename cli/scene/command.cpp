@@ -16,6 +16,7 @@
 #include "cli/json.hpp"
 #include "cli/output_file.hpp"
 #include "cli/run_identity.hpp"
+#include "cli/scene/attributes.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/scene/scene.hpp"
 #include "cli/text.hpp"
@@ -41,11 +42,11 @@ using proofs::Result;
 using proofs::RunOptions;
 
 struct SceneOptions {
-  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject;
+  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject, pictures;
   double timeout = 10;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
-  bool exhaustive = false, quiet = false;
+  bool exhaustive = false, quiet = false, attributes = false, codes = false;
   float margin = 0;
   int states = 4;
 };
@@ -283,7 +284,20 @@ int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& 
   return exit_code(report);
 }
 
+/// Attributes in the place of opacity.
+int attributes(const SceneOptions& options) {
+  check_options(options);
+  if (!(options.glb + options.sizes + options.journal + options.replay + options.subject).empty() ||
+      options.states != 4 || options.margin != 0 || options.exhaustive)
+    throw UsageError(
+        "--attributes: it measures and writes --json, --plot and --pictures; leave the others out");
+  return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
+                           options.codes, options.quiet, options.threads});
+}
+
 int scene(const SceneOptions& options) {
+  if (options.attributes) return attributes(options);
+  if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -345,7 +359,10 @@ Action add_scene(CLI::App& program) {
       ->add_option("-o,--output", options->glb,
                    "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
       ->type_name("OUT.glb");
-  command->add_option("--level", options->level, "of every triangle; auto: each its highest useful one")
+  command
+      ->add_option(
+          "--level", options->level,
+          "of every triangle; auto: each its highest useful one; of --attributes also A..B, auto: 0..5")
       ->type_name("N|auto");
   command
       ->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
@@ -367,9 +384,20 @@ Action add_scene(CLI::App& program) {
   command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
       ->check(whole_within(1, std::uint64_t{1} << 40));
   command->add_flag("--exhaustive", options->exhaustive, "run the laws of baking on all micro-triangles");
+  command->add_flag(
+      "--attributes", options->attributes,
+      "measure micromaps of colours, normals and roughness in the place of opacity: how many, how large, "
+      "how far from the textures");
+  command->add_flag("--codes", options->codes,
+                    "of --attributes: average codes, as the paper's pixels, not light and directions");
+  command
+      ->add_option("--pictures", options->pictures,
+                   "of --attributes: write each base colour beside its maps and their FLIP, a PNG a level")
+      ->type_name("FOLDER");
   command->add_option("--sizes", options->sizes, "also the sizes with every triangle at each of these levels")
       ->type_name("A..B");
-  command->add_option("--plot", options->plot, "draw the sizes as SVG; needs --sizes")->type_name("FILE.svg");
+  command->add_option("--plot", options->plot, "draw the sizes as SVG; needs --sizes or --attributes")
+      ->type_name("FILE.svg");
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command
       ->add_option("--journal", options->journal,

@@ -1,8 +1,253 @@
-// Maps from textures.
+// Maps from textures: all of a family, and samples in binary32's numbers.
+#include <array>
+#include <memory>
+#include <mutex>
+
+#include "proofs/attribute/bake_parts.hpp"
+#include "proofs/attribute/bake_truth.hpp"
 #include "proofs/attribute/law_groups.hpp"
+#include "spec/attribute/order.hpp"
 
 namespace mmverify::proofs::attribute {
+namespace {
 
-std::vector<Law> bake_laws() { return {}; }
+namespace slow = spec::attribute;
+using spec::Rational128;
+using Shares = std::vector<slow::Shares<Rational128>>;
+
+/// A case of the family by its numbers, or one that was read.
+struct Case {
+  BakeCase one;
+  std::uint64_t spot = 0;
+  bool of_family = false;
+};
+
+/// What a spot's textures share: worked out once.
+const Shares& shares_of(MapForm form, Level n, const Case& c) {
+  struct Slot {
+    std::once_flag once;
+    Shares shares;
+  };
+  constexpr std::size_t levels = 6, kinds = 3;  // faces; vertices, bilinear and nearest
+  static const auto slots = std::make_unique<Slot[]>(kinds * levels * family_spots());
+  const std::size_t kind = form == MapForm::faces ? 0 : c.one.picture.filter == Filter::bilinear ? 1 : 2;
+  Slot& slot = slots[(kind * levels + n) * family_spots() + c.spot];
+  std::call_once(slot.once, [&] {
+    slot.shares = form == MapForm::faces ? face_shares<Rational128>(c.one, n) : vertex_shares<Rational128>(c.one, n);
+  });
+  return slot.shares;
+}
+
+std::vector<Rgba> truth(MapForm form, Level n, const Case& c) {
+  if (!c.of_family) return form == MapForm::faces ? true_faces(c.one, n) : true_vertices(c.one, n);
+  std::vector<Rgba> map;
+  const Filter filter = form == MapForm::faces ? Filter::nearest : c.one.picture.filter;
+  for (const auto& shares : shares_of(form, n, c))
+    map.push_back(true_codes(c.one.picture, filter, [&](const auto& t) { return slow::mean(t, shares); }));
+  return map;
+}
+
+Cases<Case> family_of(MapForm form) {
+  Cases<Case> cases;
+  const std::uint64_t filters = form == MapForm::faces ? 1 : 2;
+  cases.count = [=](Level, const Run&) { return family_textures * filters * family_spots(); };
+  cases.number = [=](Level, std::uint64_t k, std::uint64_t) {
+    const std::uint64_t texture = k % family_textures, rest = k / family_textures;
+    const Filter filter = rest % filters == 0 && form == MapForm::vertices ? Filter::bilinear : Filter::nearest;
+    return Case{family_case(rest / filters, texture, filter), rest / filters, true};
+  };
+  cases.text = [](Level, const Case& c) { return text_of(c.one); };
+  cases.read = [](Level, const std::string& text) { return Case{read_bake_case(text)}; };
+  cases.check = [form](const AttributeSubject& s, Level n, const Case& c) {
+    return compared(form, truth(form, n, c), map_baker(s.functions.baking, form)(c.one, n));
+  };
+  cases.chunk = 27;
+  return cases;
+}
+
+const auto srgb_as_codes = [](BakeCase& one) {
+  if (one.picture.meaning == Meaning::srgb) one.picture.meaning = Meaning::linear;
+};
+/// By remainders that keep the sign, and the size taken: texel -1 is texel 1, as with mirrored repeats of that size.
+const auto negative_mirrored = [](BakeCase& one) {
+  if (one.uv[0] < 0 && one.picture.wrap_u == Wrap::repeat) one.picture.wrap_u = Wrap::mirrored_repeat;
+};
+const auto centres_at_corners = [](BakeCase& one) {
+  if (one.picture.filter == Filter::nearest) return;
+  for (std::size_t k = 0; k < 6; ++k)
+    one.uv[k] += 0.5f / static_cast<float>(k % 2 == 0 ? one.picture.width : one.picture.height);
+};
+const auto without_border = [](BakeCase& one) { one.picture.border = {0, 0, 0, 0}; };
+const auto mirrors_once_as_clamp = [](BakeCase& one) {
+  if (one.picture.wrap_v == Wrap::mirror_once) one.picture.wrap_v = Wrap::clamp_to_edge;
+};
+const auto rows_from_below = [](BakeCase& one) {
+  Picture& p = one.picture;
+  if (p.wrap_u != Wrap::repeat || p.wrap_v != Wrap::clamp_to_edge) return;
+  std::swap(p.texels[0], p.texels[2]);
+  std::swap(p.texels[1], p.texels[3]);
+};
+
+Law vertex_law() {
+  return on_cases({.id = "attribute.bake_vertex",
+                   .topic = "attribute",
+                   .says = "a micro-vertex has what the sampler gives there, bilinear or nearest, as the code it is "
+                           "rounded to, half up",
+                   .source = cam_5,
+                   .subjects = {"attribute"},
+                   .fast = {0, 2},
+                   .long_run = {0, 4},
+                   .fast_seconds = 1,
+                   .domain = [](const Subject&, Level) { return std::string(family_domain()); },
+                   .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+                   .mutants = {mutant("texel centres at whole numbers", "attribute", {0, 0},
+                                      bakes_another(MapForm::vertices, centres_at_corners)),
+                               mutant("sRGB interpolated as codes", "attribute", {1, 1},
+                                      bakes_another(MapForm::vertices, srgb_as_codes)),
+                               mutant("repeat mirrors below 0", "attribute", {0, 0},
+                                      bakes_another(MapForm::vertices, negative_mirrored)),
+                               mutant("what lies in the middle is rounded down", "attribute", {1, 1},
+                                      rounds_half_down(MapForm::vertices)),
+                               mutant("the border is black", "attribute", {0, 0},
+                                      bakes_another(MapForm::vertices, without_border)),
+                               mutant("mirror once clamps along v", "attribute", {0, 0},
+                                      bakes_another(MapForm::vertices, mirrors_once_as_clamp))}},
+                  needing({bakes_vertices}), family_of(MapForm::vertices));
+}
+
+Law face_law() {
+  return on_cases({.id = "attribute.bake_face",
+                   .topic = "attribute",
+                   .says = "a face has the mean of the texels under it, each by its share of the area, as the code it is "
+                           "rounded to, half up",
+                   .source = cam_5,
+                   .subjects = {"attribute"},
+                   .fast = {0, 2},
+                   .long_run = {0, 4},
+                   .fast_seconds = 1,
+                   .domain = [](const Subject&, Level) { return std::string(family_domain()); },
+                   .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+                   .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute", {2, 2},
+                                      averages_centres()),
+                               mutant("sRGB averaged as codes", "attribute", {1, 1},
+                                      bakes_another(MapForm::faces, srgb_as_codes)),
+                               mutant("repeat mirrors below 0", "attribute", {0, 0},
+                                      bakes_another(MapForm::faces, negative_mirrored)),
+                               mutant("what lies in the middle is rounded down", "attribute", {1, 1},
+                                      rounds_half_down(MapForm::faces)),
+                               mutant("along a segment all parts weigh the same", "attribute", {0, 0}, spreads_evenly()),
+                               mutant("rows counted from below, repeated and clamped", "attribute", {0, 0},
+                                      bakes_another(MapForm::faces, rows_from_below))}},
+                  needing({bakes_faces}), family_of(MapForm::faces));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Samples
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Some elements of a map, other ones for another case: the first, the last and up to six between.
+std::vector<std::uint32_t> judged_at(std::uint64_t count, std::uint64_t salt) {
+  std::vector<std::uint32_t> at;
+  const std::uint64_t step = count <= 8 ? 1 : count / 7;
+  for (std::uint64_t k = count <= 8 ? 0 : salt % step; k < count; k += step) at.push_back(static_cast<std::uint32_t>(k));
+  return at;
+}
+
+template <class Q>
+Rgba true_at(MapForm form, const BakeCase& one, Level n, std::uint32_t k) {
+  const auto uv = base_triangle<Q>(one.uv);
+  const std::uint32_t width = one.picture.width, height = one.picture.height;
+  const Filter filter = form == MapForm::faces ? Filter::nearest : one.picture.filter;
+  const auto shares =
+      form == MapForm::faces
+          ? slow::shares_on(spec::bake::micro_triangle(uv, n, k, width, height), filter)
+          : slow::shares_at(slow::micro_vertex(uv, n, slow::vertex_at(slow::VertexOrder::w_minor, k, n), width, height),
+                            filter);
+  return true_codes(one.picture, filter, [&](const auto& texture) { return slow::mean(texture, shares); });
+}
+
+Finding sampled(const AttributeSubject& s, Level n, const BakeCase& one) {
+  std::uint64_t digest = 0;
+  for (const MapForm form : {MapForm::faces, MapForm::vertices}) {
+    const std::vector<Rgba> got = map_baker(s.functions.baking, form)(one, n);
+    const std::uint64_t count = form == MapForm::faces ? slow::face_count(n) : slow::vertex_count(n);
+    if (got.size() != count) return wrong(fmt::format("{} values", count), fmt::format("{}", got.size()));
+    const std::uint64_t salt = one.picture.texels[0][0] + 7u * one.picture.width;
+    for (const std::uint32_t k : judged_at(count, salt)) {
+      Rgba expected;
+      try {
+        expected = true_at<Rational128>(form, one, n, k);
+      } catch (const std::overflow_error&) {
+        expected = true_at<Rational>(form, one, n, k);
+      }
+      if (got[k] != expected)
+        return wrong(fmt::format("{} at {}", text_of(expected), name_of(form, k)), text_of(got[k]));
+      digest = digest * 31 + std::bit_cast<std::uint32_t>(got[k]);
+    }
+  }
+  return {digest};
+}
+
+/// A direction's codes as the plain mean of the stored ones.
+std::function<void(Functions&)> not_renormalised() {
+  return [](Functions& f) {
+    f.baking.faces = [real = f.baking.faces](const BakeCase& one, Level n) {
+      BakeCase other = one;
+      if (other.picture.meaning == Meaning::normal) other.picture.meaning = Meaning::linear;
+      return real(other, n);
+    };
+  };
+}
+
+Law floats_law() {
+  Cases<BakeCase> cases;
+  cases.count = [](Level n, const Run& run) {
+    return std::uint64_t{run.tier == Tier::fast ? (n < 5 ? 120u : 40u) : 8'000u};
+  };
+  cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) { return sample_case(seed, n, k); };
+  cases.text = [](Level, const BakeCase& one) { return text_of(one); };
+  cases.read = [](Level, const std::string& text) { return read_bake_case(text); };
+  cases.check = sampled;
+  cases.chunk = 4;
+  const auto rounded_uv = [](BakeCase& one) {
+    for (float& x : one.uv) x = std::nearbyint(x * 65536) / 65536;
+  };
+  const auto length_lost = [](BakeCase& one) {
+    if (one.picture.meaning == Meaning::normal_and_length) one.picture.meaning = Meaning::normal;
+  };
+  return on_cases(
+      {.id = "attribute.bake_on_floats",
+       .topic = "attribute",
+       .says = "micro-vertices and faces are exact on binary32's coordinates, directions are made one unit long again "
+               "and the mean's length is kept",
+       .source = std::string(cam_5) + "; glTF 2.0, normalTexture",
+       .method = Method::sample,
+       .subjects = {"attribute"},
+       .fast = {0, 7},
+       .long_run = {0, 9},
+       .fast_seconds = 1,
+       .domain =
+           [](const Subject&, Level) {
+             return std::string("textures of up to 9x7 texels, all modes and meanings; up to 8 values of each map");
+           },
+       .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3}, not_renormalised()),
+                   mutant("coordinates kept in 16 bits below the point", "attribute", {0, 4},
+                          bakes_another(MapForm::vertices, rounded_uv)),
+                   mutant("the length lost, alpha in its place", "attribute", {0, 2},
+                          bakes_another(MapForm::vertices, length_lost)),
+                   mutant("the mean of the corners' texels", "attribute", {1, 2}, averages_corners())}},
+      needing({bakes_vertices, bakes_faces}), cases);
+}
+
+}  // namespace
+
+std::vector<Law> bake_map_laws() { return {vertex_law(), face_law(), floats_law()}; }
+
+std::vector<Law> bake_laws() {
+  std::vector<Law> all;
+  for (const auto& group : {bake_map_laws(), bake_relation_laws(), bake_error_laws(), plan_laws()})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
+}
 
 }  // namespace mmverify::proofs::attribute

@@ -1,8 +1,78 @@
 // What a subject of topic attribute may have of baking from textures.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+#include "spec/attribute/bake.hpp"
+#include "spec/attribute/plan.hpp"
+
 namespace mmverify::proofs::attribute {
 
-struct Baking {};
+using spec::Rational;
+using spec::attribute::Filter;
+using spec::attribute::Neighbours;
+using spec::bake::Wrap;
+
+using Rgba = std::array<std::uint8_t, 4>;
+
+/// What codes mean, and so what is averaged; alpha is linear.
+enum class Meaning : std::uint8_t { linear, srgb, normal, normal_and_length };
+
+/// Texel (x, y) at x + width y.
+struct Picture {
+  std::uint32_t width = 1, height = 1;
+  std::vector<Rgba> texels = {};
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  Filter filter = Filter::bilinear;
+  Meaning meaning = Meaning::linear;
+  Rgba border{};
+};
+
+/// u, v of a base triangle's vertices: any three points.
+using UvTriangle = std::array<float, 6>;
+
+struct BakeCase {
+  Picture picture;
+  UvTriangle uv{};
+};
+
+enum class MapForm : std::uint8_t { faces, vertices };
+
+/// The largest error and the mean square of a channel's error, as numbers from 0 to 1, or bounds on them.
+struct ChannelError {
+  Rational largest, square;
+};
+
+/// What a plan is made of: which triangles keep their error at which level, with which edges decimated.
+struct PlanCase {
+  std::vector<Neighbours> neighbours;
+  Level highest = 0;
+  std::vector<bool> special;  ///< one value shows it
+  std::function<bool(std::size_t triangle, Level, std::uint8_t decimated)> keeps;
+};
+
+struct PlannedTriangle {
+  Level level = 0;
+  std::uint8_t decimated = 0;
+  bool kept = true;
+};
+
+/// Maps: vertices in W-minor order, faces on the curve.
+struct Baking {
+  std::function<std::vector<Rgba>(const BakeCase&, Level)> vertices = {}, faces = {};
+  /// The mean of a channel over face `index`, exactly.
+  std::function<Rational(const BakeCase&, Level, std::size_t channel, std::uint32_t index)> face_mean = {};
+  /// Of the texture sampled bilinearly against a map; bounds that are above it by `slack` at most.
+  std::function<std::array<ChannelError, 4>(const BakeCase&, Level, MapForm, const std::vector<Rgba>&)> error = {};
+  double slack = 0;
+  /// Linear light at m / 510 in units of 2^-24, m in 0..510.
+  std::function<std::uint32_t(std::uint32_t m)> light = {};
+  std::function<std::vector<PlannedTriangle>(const PlanCase&)> plan = {};
+};
 
 }  // namespace mmverify::proofs::attribute

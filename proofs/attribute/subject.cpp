@@ -18,6 +18,7 @@ AttributeSubjectPtr specified() {
   f.lookup = specified_lookup();
   f.decimation = specified_decimation();
   f.mips = specified_mips();
+  f.baking = specified_baking();
   return subject("attribute-spec", "the specification, in whole numbers and rationals", f);
 }
 
@@ -28,6 +29,7 @@ AttributeSubjectPtr library() {
   f.lookup = library_lookup();
   f.decimation = library_decimation();
   f.mips = library_mips();
+  f.baking = library_baking();
   return subject("attribute", "this project's library, in batches and binary32", f);
 }
 

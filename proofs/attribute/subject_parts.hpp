@@ -26,4 +26,7 @@ Decimation library_decimation();
 Mips specified_mips();
 Mips library_mips();
 
+Baking specified_baking();
+Baking library_baking();
+
 }  // namespace mmverify::proofs::attribute

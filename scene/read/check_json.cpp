@@ -217,4 +217,20 @@ void check_json(const Json& json, const std::string& file) {
   for (const Rule& rule : rules) checker.check(rule);
 }
 
+void check_texture_json(const Json& json, const std::string& file) {
+  const Checker checker(json, file);
+  for (const char* texture : {"pbrMetallicRoughness/metallicRoughnessTexture", "normalTexture",
+                              "occlusionTexture", "emissiveTexture"}) {
+    const std::string at = "materials/*/" + std::string(texture),
+                      transform = at + "/extensions/KHR_texture_transform/";
+    for (const auto& [path, kind] : {std::pair{at + "/texCoord", Kind::whole},
+                                     {transform + "offset", Kind::numbers_2},
+                                     {transform + "scale", Kind::numbers_2},
+                                     {transform + "rotation", Kind::number},
+                                     {transform + "texCoord", Kind::whole}})
+      checker.check({path.c_str(), kind});
+    checker.check({(at + "/index").c_str(), Kind::index, required, "textures"});
+  }
+}
+
 }  // namespace mmverify::scene

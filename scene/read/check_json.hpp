@@ -14,4 +14,8 @@ bool nests_at_most(const std::string& json, int deepest);
 /// is missing.
 void check_json(const nlohmann::json& json, const std::string& file);
 
+/// The same of a material's textures other than that of the base colour, which check_json leaves alone: whoever bakes
+/// opacity reads none of them.
+void check_texture_json(const nlohmann::json& json, const std::string& file);
+
 }  // namespace mmverify::scene

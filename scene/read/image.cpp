@@ -18,16 +18,18 @@ bool begins_with(ImageBytes bytes, std::string_view magic) {
 }
 
 template <class Sample>
-std::vector<Sample> alpha_of(Sample* rgba, std::size_t texels) {
-  const std::unique_ptr<Sample, void (*)(void*)> owner(rgba, stbi_image_free);
+std::vector<Sample> alpha_of(const Sample* rgba, std::size_t texels) {
   std::vector<Sample> alpha(texels);
   for (std::size_t k = 0; k < texels; ++k) alpha[k] = rgba[4 * k + 3];
   return alpha;
 }
 
-}  // namespace
+/// What is read of a PNG of 16 bits.
+enum class Depth { own, eight };
 
-void decode_alpha(ImageBytes bytes, Image& image, const std::string& file, const std::string& place) {
+/// Decodes and calls take(rgba, width, height); rgba is of 8 or 16 bits, four of them a texel.
+template <class Take>
+void decode(ImageBytes bytes, const std::string& file, const std::string& place, Depth depth, Take take) {
   using namespace std::string_view_literals;
   const auto bad = [&](const std::string& what) { throw BadScene(file, place, what); };
   const bool png = begins_with(bytes, "\x89PNG\r\n\x1a\n"sv), jpeg = begins_with(bytes, "\xff\xd8\xff"sv);
@@ -59,18 +61,39 @@ void decode_alpha(ImageBytes bytes, Image& image, const std::string& file, const
   if (width <= 0 || height <= 0 || width > longest || height > longest)
     bad("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " texels; 1 to " +
         std::to_string(longest) + " a side are read");
-  const std::size_t texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const auto decoded = [&](auto* rgba) {
     if (rgba == nullptr)
       bad(std::string("cannot be decoded (") + stbi_failure_reason() + "); truncated file?");
-    return alpha_of(rgba, texels);
+    const std::unique_ptr<std::remove_pointer_t<decltype(rgba)>, void (*)(void*)> owner(rgba,
+                                                                                        stbi_image_free);
+    take(rgba, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
   };
-  if (png && stbi_is_16_bit_from_memory(bytes.data(), size) != 0)
-    image.alpha = decoded(stbi_load_16_from_memory(bytes.data(), size, &width, &height, &channels, 4));
+  if (depth == Depth::own && png && stbi_is_16_bit_from_memory(bytes.data(), size) != 0)
+    decoded(stbi_load_16_from_memory(bytes.data(), size, &width, &height, &channels, 4));
   else
-    image.alpha = decoded(stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4));
-  image.width = static_cast<std::uint32_t>(width);
-  image.height = static_cast<std::uint32_t>(height);
+    decoded(stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4));
+}
+
+}  // namespace
+
+void decode_alpha(ImageBytes bytes, Image& image, const std::string& file, const std::string& place) {
+  decode(bytes, file, place, Depth::own,
+         [&image](const auto* rgba, std::uint32_t width, std::uint32_t height) {
+           image.width = width;
+           image.height = height;
+           image.alpha = alpha_of(rgba, std::size_t{width} * height);
+         });
+}
+
+void decode_colour(ImageBytes bytes, ColourImage& image, const std::string& file, const std::string& place) {
+  decode(bytes, file, place, Depth::eight,
+         [&image](const auto* rgba, std::uint32_t width, std::uint32_t height) {
+           image.width = width;
+           image.height = height;
+           image.rgba.resize(std::size_t{4} * width * height);
+           std::transform(rgba, rgba + image.rgba.size(), image.rgba.begin(),
+                          [](auto sample) { return static_cast<std::uint8_t>(sample); });
+         });
 }
 
 }  // namespace mmverify::scene

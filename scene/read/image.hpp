@@ -1,8 +1,10 @@
-// Alpha out of PNG and JPEG.
+// Texels out of PNG and JPEG.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "scene/scene.hpp"
 
@@ -17,5 +19,18 @@ inline constexpr std::uint32_t longest_side = 16384;
 /// longest_side.
 void decode_alpha(std::span<const unsigned char> bytes, Image& image, const std::string& file,
                   const std::string& place);
+
+/// A picture's texels: red, green, blue and alpha of texel (x, y) begin at rgba[4 (x + width y)], rows from the top.
+struct ColourImage {
+  std::string name;  ///< its URI or name; for messages
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+
+  bool decoded() const { return width != 0; }
+};
+
+/// Decodes all four channels: of a PNG of 16 bits the upper 8 of each.  Errors: as above.
+void decode_colour(std::span<const unsigned char> bytes, ColourImage& image, const std::string& file,
+                   const std::string& place);
 
 }  // namespace mmverify::scene

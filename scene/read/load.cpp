@@ -24,29 +24,12 @@ std::set<std::size_t> alpha_tested_images(const Scene& scene) {
   return images;
 }
 
-/// Several missing ones are named at once: whoever copies them needs all.
-void check_all_there(const Document& document, const nlohmann::json& images) {
-  constexpr std::size_t most_named = 20;
-  std::string names;
-  std::size_t missing = 0;
-  for (std::size_t k = 0; k < images.size(); ++k) {
-    const std::string uri = images[k].value("uri", std::string());
-    if (uri.empty() || images[k].contains("bufferView") || !is_missing(document, uri, place("image", k, uri)))
-      continue;
-    if (++missing <= most_named) names += (names.empty() ? "'" : ", '") + shown(uri) + "'";
-  }
-  if (missing > most_named) names += " and " + std::to_string(missing - most_named) + " more";
-  if (missing > 1)
-    throw BadScene(document.file, "images",
-                   "there are no files " + names + " beside it; is the folder complete?");
-}
-
 /// All images: that each is there; those of `to_decode`, what is in it.
 std::vector<Image> read_images(const Document& document, const Buffers& buffers,
                                const std::set<std::size_t>& to_decode) {
   std::vector<Image> images;
   const nlohmann::json& listed = member(document.json, "images");
-  check_all_there(document, listed);
+  check_images_there(document);
   for (std::size_t k = 0; k < listed.size(); ++k) {
     const nlohmann::json& given = listed[k];
     const bool decode = to_decode.contains(k);

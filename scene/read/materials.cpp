@@ -96,30 +96,12 @@ class MaterialReader {
           document_.file, at,
           "baseColorFactor's alpha " + std::to_string(material.base_color_alpha) + " is not from 0 to 1");
     const nlohmann::json& texture = member(member(json, "pbrMetallicRoughness"), "baseColorTexture");
-    if (!texture.empty()) material.texture = base_color(texture, at);
+    if (!texture.empty()) material.texture = read_texture(document_, texture, at);
     material.specular_glossiness = member(json, "extensions").contains("KHR_materials_pbrSpecularGlossiness");
     return material;
   }
 
  private:
-  BaseColorTexture base_color(const nlohmann::json& info, const std::string& at) const {
-    BaseColorTexture result;
-    const tinygltf::Texture& texture = document_.model.textures[info["index"].get<std::size_t>()];
-    if (texture.source >= 0) result.image = static_cast<std::size_t>(texture.source);
-    if (texture.sampler >= 0) {
-      const auto sampler = static_cast<std::size_t>(texture.sampler);
-      result.sampler = read_sampler(document_.model.samplers[sampler], document_.file,
-                                    at + ": " + place("sampler", sampler));
-    }
-    result.uv_set = info.value("texCoord", 0u);
-    const nlohmann::json& transform = extension(info, "KHR_texture_transform");
-    result.uv_set = transform.value("texCoord", result.uv_set);
-    result.transform.offset = transform.value("offset", result.transform.offset);
-    result.transform.scale = transform.value("scale", result.transform.scale);
-    result.transform.rotation = transform.value("rotation", result.transform.rotation);
-    return result;
-  }
-
   const Document& document_;
 };
 
@@ -140,6 +122,24 @@ void note_animation(const std::string& pointer, std::vector<Material>& materials
 }
 
 }  // namespace
+
+BaseColorTexture read_texture(const Document& document, const nlohmann::json& info, const std::string& at) {
+  BaseColorTexture result;
+  const tinygltf::Texture& texture = document.model.textures[info["index"].get<std::size_t>()];
+  if (texture.source >= 0) result.image = static_cast<std::size_t>(texture.source);
+  if (texture.sampler >= 0) {
+    const auto sampler = static_cast<std::size_t>(texture.sampler);
+    result.sampler =
+        read_sampler(document.model.samplers[sampler], document.file, at + ": " + place("sampler", sampler));
+  }
+  result.uv_set = info.value("texCoord", 0u);
+  const nlohmann::json& transform = extension(info, "KHR_texture_transform");
+  result.uv_set = transform.value("texCoord", result.uv_set);
+  result.transform.offset = transform.value("offset", result.transform.offset);
+  result.transform.scale = transform.value("scale", result.transform.scale);
+  result.transform.rotation = transform.value("rotation", result.transform.rotation);
+  return result;
+}
 
 std::vector<Material> read_materials(const Document& document) {
   std::vector<Material> materials;

@@ -13,4 +13,8 @@ namespace mmverify::scene {
 /// baseColorFactor's alpha is out of range (0 <= cutoff; 0 <= alpha <= 1).
 std::vector<Material> read_materials(const Document& document);
 
+/// What a textureInfo of the JSON names, with KHR_texture_transform; `at` is the material, for messages.
+/// Errors: BadScene for a filter or wrap mode that is none of glTF's.
+BaseColorTexture read_texture(const Document& document, const nlohmann::json& info, const std::string& at);
+
 }  // namespace mmverify::scene

@@ -38,9 +38,13 @@ class PrimitiveReader {
         quantised_ |= name == "KHR_mesh_quantization";
   }
 
+  std::vector<Uv> uvs_of(const Primitive& primitive, const BaseColorTexture& texture) {
+    name(primitive.mesh, primitive.number);
+    return uvs(primitive, texture);
+  }
+
   Primitive primitive(std::size_t mesh, std::size_t number) {
-    given_ = &document_.model.meshes[mesh].primitives[number];
-    at_ = place("mesh", mesh, document_.model.meshes[mesh].name) + " " + place("primitive", number);
+    name(mesh, number);
     const nlohmann::json& json = document_.json["meshes"][mesh]["primitives"][number];
     check_compression(json);
     Primitive primitive;
@@ -69,6 +73,11 @@ class PrimitiveReader {
   }
 
  private:
+  void name(std::size_t mesh, std::size_t number) {
+    given_ = &document_.model.meshes[mesh].primitives[number];
+    at_ = place("mesh", mesh, document_.model.meshes[mesh].name) + " " + place("primitive", number);
+  }
+
   const int* attribute(const std::string& name) const {
     const auto found = given_->attributes.find(name);
     return found == given_->attributes.end() ? nullptr : &found->second;
@@ -116,7 +125,10 @@ class PrimitiveReader {
 
   std::vector<Uv> uvs(const Primitive& primitive) const {
     if (!primitive.material || !materials_[*primitive.material].texture) return {};
-    const BaseColorTexture& texture = *materials_[*primitive.material].texture;
+    return uvs(primitive, *materials_[*primitive.material].texture);
+  }
+
+  std::vector<Uv> uvs(const Primitive& primitive, const BaseColorTexture& texture) const {
     const std::string name = "TEXCOORD_" + std::to_string(texture.uv_set);
     const int* const accessor = attribute(name);
     if (accessor == nullptr) return {};
@@ -216,6 +228,11 @@ std::vector<Primitive> read_primitives(const Document& document, const Buffers& 
     for (std::size_t number = 0; number < document.model.meshes[mesh].primitives.size(); ++number)
       primitives.push_back(reader.primitive(mesh, number));
   return primitives;
+}
+
+std::vector<Uv> read_uvs(const Document& document, const Buffers& buffers, const Primitive& primitive,
+                         const BaseColorTexture& texture) {
+  return PrimitiveReader(document, buffers, {}).uvs_of(primitive, texture);
 }
 
 }  // namespace mmverify::scene

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "scene/read/document.hpp"
+#include "scene/read/buffers.hpp"
 
 namespace mmverify::scene {
 
@@ -21,5 +21,14 @@ bool is_missing(const Document& document, const std::string& uri, const std::str
 
 /// The same errors as of reading, but for what a data URI holds, without reading.
 void check_resource(const Document& document, const std::string& uri, const std::string& place);
+
+/// Errors: BadScene where files of images are missing; several are named at once, as whoever copies them needs all.
+void check_images_there(const Document& document);
+
+/// The bytes of images[image]; `at` is its place, for messages.  Errors: BadScene where there are none.
+Bytes image_bytes(const Document& document, const Buffers& buffers, std::size_t image, const std::string& at);
+
+/// Its name; else its URI, unless that holds its bytes.
+std::string image_name(const Document& document, std::size_t image);
 
 }  // namespace mmverify::scene

@@ -1,0 +1,172 @@
+#include "bench/scene/attribute_tables.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace mmverify::bench {
+namespace {
+
+using scene::AttributeFigures;
+using scene::AttributeSetFigures;
+using scene::MapKind;
+using scene::MapsAtLevel;
+
+/// Both kinds of an attribute set at a level.
+struct SetLevel {
+  std::string set;
+  unsigned level;
+  std::uint64_t texture_bytes;
+  const MapsAtLevel *faces, *vertices;
+};
+
+/// All sets at a level.
+struct AllAtLevel {
+  unsigned level;
+  std::uint64_t texture_bytes, faces, vertices;
+};
+
+struct LeftOutFigures {
+  std::string why;
+  std::uint64_t primitives = 0, triangles = 0;
+};
+
+double share_of(std::uint64_t bytes, std::uint64_t of) {
+  return static_cast<double>(bytes) / static_cast<double>(of);
+}
+
+Value optional(const std::optional<double>& x) { return x ? Value(*x) : Value(); }
+
+Fields<SetLevel> fields_of(MapKind kind) {
+  const bool of_faces = kind == MapKind::faces;
+  const std::string group = of_faces ? "faces" : "vertices", key = group + ".";
+  const auto at = [of_faces](const SetLevel& s) -> const MapsAtLevel& {
+    return of_faces ? *s.faces : *s.vertices;
+  };
+  Fields<SetLevel> fields{
+      {{key + "maps", "maps", "", {}, group}, [at](const SetLevel& s) { return at(s).maps.distinct; }},
+      {{key + "constant", "constant", "", {}, group},
+       [at](const SetLevel& s) { return at(s).maps.constant; }},
+      {{key + "bytes", "bytes", "", {}, group}, [at](const SetLevel& s) { return at(s).bytes(); }},
+      {{key + "of_textures", "of textures", "", {2, 'f', per_cent, "%"}, group},
+       [at](const SetLevel& s) { return share_of(at(s).bytes(), s.texture_bytes); }},
+      {{key + "rmse", "RMSE", "codes", {.digits = 3}, group},
+       [at](const SetLevel& s) { return at(s).error.rmse; }},
+      {{key + "flip", "FLIP", "", {.digits = 4}, group},
+       [at](const SetLevel& s) { return optional(at(s).error.flip); }},
+  };
+  if (of_faces) {
+    fields.push_back({{key + "unseen", "no centre", "", {1, 'f', per_cent, "%"}, group},
+                      [at](const SetLevel& s) { return optional(at(s).unseen); }});
+  } else {
+    fields.push_back({{key + "nearest_rmse", "RMSE", "codes", {.digits = 3}, "nearest vertex"},
+                      [at](const SetLevel& s) { return at(s).nearest->rmse; }});
+    fields.push_back({{key + "nearest_flip", "FLIP", "", {.digits = 4}, "nearest vertex"},
+                      [at](const SetLevel& s) { return optional(at(s).nearest->flip); }});
+  }
+  return fields;
+}
+
+std::vector<SetLevel> set_levels(const AttributeFigures& figures) {
+  std::vector<SetLevel> all;
+  for (const AttributeSetFigures& set : figures.sets)
+    for (std::size_t k = 0; k + 1 < set.levels.size(); k += 2)
+      all.push_back(
+          {scene::name(set.set), set.levels[k].level, set.texture_bytes, &set.levels[k], &set.levels[k + 1]});
+  return all;
+}
+
+std::vector<AllAtLevel> all_levels(const AttributeFigures& figures) {
+  std::vector<AllAtLevel> all;
+  for (const MapsAtLevel& at : figures.sets.front().levels)
+    if (at.kind == MapKind::faces)
+      all.push_back({at.level, figures.texture_bytes, figures.bytes(at.level, MapKind::faces),
+                     figures.bytes(at.level, MapKind::vertices)});
+  return all;
+}
+
+std::vector<LeftOutFigures> left_out(const scene::AttributeScene& read) {
+  std::map<std::string, LeftOutFigures> by_reason;
+  for (const scene::AttributeLeftOut& one : read.left_out) {
+    LeftOutFigures& all = by_reason[one.why];
+    all.why = one.why;
+    ++all.primitives;
+    all.triangles += one.triangles;
+  }
+  std::vector<LeftOutFigures> list;
+  for (const auto& [why, all] : by_reason) list.push_back(all);
+  return list;
+}
+
+}  // namespace
+
+Result scene_attribute_tables(const AttributeFigures& figures, const scene::AttributeScene& read,
+                              const scene::AttributeOptions& options) {
+  using F = AttributeFigures;
+  using S = AttributeSetFigures;
+  const auto beyond = [](MapKind kind) {
+    return [kind](const F& f) { return std::uint64_t{f.level_beyond_textures(kind)}; };
+  };
+  const Fields<F> whole{
+      {{"file"}, [](const F& f) { return f.file; }},
+      {{"triangles", "triangles"}, [](const F& f) { return f.triangles; }},
+      {{"images", "textures"}, [](const F& f) { return f.images; }},
+      {{"texture_bytes", "bytes of textures, 4 a texel, no mips"},
+       [](const F& f) { return f.texture_bytes; }},
+      {{"far", "triangles left out, which span over 2^24 texels"}, [](const F& f) { return f.far; }},
+      {{"beyond_textures.faces", "level from which on faces take more than the textures"},
+       beyond(MapKind::faces)},
+      {{"beyond_textures.vertices", "the same of vertices"}, beyond(MapKind::vertices)},
+  };
+  const Fields<S> sets{
+      {{.key = "set", .heading = "attributes", .leads = true}, [](const S& s) { return scene::name(s.set); }},
+      {{"triangles", "triangles"}, [](const S& s) { return s.triangles; }},
+      {{"images", "textures"}, [](const S& s) { return s.images; }},
+      {{"texture_bytes", "bytes"}, [](const S& s) { return s.texture_bytes; }},
+      {{"shown", "shown", "", {1, 'f', per_cent, "%"}},
+       [](const S& s) { return share_of(s.shown, s.texels); }},
+  };
+  Fields<SetLevel> rows{
+      {{.key = "set", .heading = "attributes", .leads = true}, [](const SetLevel& s) { return s.set; }},
+      {{.key = "level", .heading = "level", .leads = true},
+       [](const SetLevel& s) { return std::uint64_t{s.level}; }}};
+  for (const MapKind kind : scene::map_kinds)
+    for (const Field<SetLevel>& field : fields_of(kind)) rows.push_back(field);
+  using A = AllAtLevel;
+  const auto share = [](std::uint64_t A::*bytes) {
+    return [bytes](const A& a) { return share_of(a.*bytes, a.texture_bytes); };
+  };
+  const Print per_cents{2, 'f', per_cent, "%"};
+  const Fields<A> all{
+      {{.key = "level", .heading = "level", .leads = true},
+       [](const A& a) { return std::uint64_t{a.level}; }},
+      {{"faces.bytes", "bytes", "", {}, "faces"}, [](const A& a) { return a.faces; }},
+      {{"faces.of_textures", "of textures", "", per_cents, "faces"}, share(&A::faces)},
+      {{"vertices.bytes", "bytes", "", {}, "vertices"}, [](const A& a) { return a.vertices; }},
+      {{"vertices.of_textures", "of textures", "", per_cents, "vertices"}, share(&A::vertices)},
+  };
+  const Fields<LeftOutFigures> reasons{
+      {{.key = "why", .heading = "left out", .leads = true}, [](const LeftOutFigures& l) { return l.why; }},
+      {{"primitives", "primitives"}, [](const LeftOutFigures& l) { return l.primitives; }},
+      {{"triangles", "triangles"}, [](const LeftOutFigures& l) { return l.triangles; }},
+  };
+  const std::string averaging = options.averaging == scene::Averaging::codes ? "codes" : "meaning";
+  Result result{
+      .topic = "scene_attributes",
+      .settings = {{"averaging", averaging}},
+      .about = figures.file +
+               ": each triangle's textures as micromaps, all of one level, 4 bytes a value. maps: after "
+               "equal ones are "
+               "shared; constant: of those, such as need none. Errors are in texture space, of the texels "
+               "shown. no "
+               "centre: faces without a texel's",
+      .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
+                 table_of<S>({.key = "sets"}, sets, figures.sets),
+                 table_of<SetLevel>({.key = "rows"}, rows, set_levels(figures)),
+                 table_of<A>({.key = "totals", .caption = "all attributes"}, all, all_levels(figures))},
+      .drawn = scene_attribute_picture(figures)};
+  if (!read.left_out.empty())
+    result.tables.push_back(table_of<LeftOutFigures>({.key = "left_out"}, reasons, left_out(read)));
+  return result;
+}
+
+}  // namespace mmverify::bench

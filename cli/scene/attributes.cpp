@@ -1,0 +1,106 @@
+#include "cli/scene/attributes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "bench/scene/attribute_tables.hpp"
+#include "cli/arguments.hpp"
+#include "cli/bench/plot.hpp"
+#include "cli/bench/tables.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/gnuplot.hpp"
+#include "cli/output_file.hpp"
+#include "cli/scene/loaded.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "scene/attribute/measure.hpp"
+#include "scene/attribute/picture.hpp"
+#include "scene/sample/scene.hpp"
+#include "scene/write/png.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace mmverify::scene;
+
+/// A tile of a picture is no wider.
+constexpr std::uint32_t longest_tile = 1024;
+
+/// A file's name that an image's name makes: letters, digits, '-' and '_' stay.
+std::string file_name(const AttributePicture& picture) {
+  std::string stem = std::filesystem::path(picture.image.name).stem().string();
+  std::replace_if(
+      stem.begin(), stem.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '-' && c != '_'; },
+      '_');
+  return fmt::format("{}_level{}.png", stem.empty() ? "image" : stem, picture.level);
+}
+
+void write_picture(const std::string& folder, const AttributePicture& picture) {
+  const RgbPicture all = side_by_side(picture, longest_tile);
+  const std::vector<unsigned char> bytes = png(all.width, all.height, all.rgb);
+  OutputFile file((std::filesystem::path(folder) / file_name(picture)).string());
+  file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+AttributeScene loaded_attributes(const std::string& file) {
+  if (file.empty()) return load_attributes(sample_name, sample_scene());
+  if (std::error_code none; std::filesystem::is_directory(file, none))
+    throw UsageError("--attributes: a folder of textures has no triangles of its own; name a glTF file");
+  return load_attributes(file);
+}
+
+proofs::Levels levels_of(const std::string& text) {
+  if (text == "auto") return {AttributeOptions{}.first, AttributeOptions{}.last};
+  const proofs::Levels levels = parse_levels(text);
+  if (levels.last > finest_attribute_level)
+    throw UsageError(
+        fmt::format("--level {}: attributes are measured up to level {}", text, finest_attribute_level));
+  return levels;
+}
+
+}  // namespace
+
+int scene_attributes(const AttributeArguments& arguments) {
+  const proofs::Levels levels = levels_of(arguments.levels);
+  std::optional<OutputFile> json, plot;
+  if (!arguments.json.empty() && arguments.json != "-") json.emplace(arguments.json);
+  if (!arguments.plot.empty()) plot.emplace(arguments.plot);
+  if (std::error_code error; !arguments.pictures.empty()) {
+    std::filesystem::create_directories(arguments.pictures, error);
+    if (!std::filesystem::is_directory(arguments.pictures, error))
+      throw EnvironmentError(
+          fmt::format("--pictures {}: no folder, and none can be made", arguments.pictures));
+  }
+  const proofs::InterruptGuard guard;
+  AttributeOptions options{.first = levels.first, .last = levels.last, .threads = arguments.threads};
+  options.averaging = arguments.codes ? Averaging::codes : Averaging::meaning;
+  options.stop = [] {
+    if (proofs::interrupted()) throw proofs::Interrupted();
+  };
+  if (!arguments.quiet)
+    options.progress = [](const std::string& what) { fmt::print(stderr, "attributes: {}\n", what); };
+  if (!arguments.pictures.empty())
+    options.picture = [&arguments](const AttributePicture& picture) {
+      write_picture(arguments.pictures, picture);
+    };
+  const AttributeScene read = loaded_attributes(arguments.file);
+  std::FILE* const out = arguments.json == "-" ? stderr : stdout;
+  if (read.textures.empty()) {
+    fmt::print(out, "{}: no triangle has a texture of an attribute: nothing to measure\n", read.file);
+    for (const AttributeLeftOut& left : read.left_out)
+      fmt::print(out, "  left out  mesh {} primitive {}, {} triangles: {}\n", left.mesh, left.primitive,
+                 left.triangles, left.why);
+    if (!arguments.json.empty() || plot) throw UsageError("--json, --plot: there is nothing to write");
+    return complete;
+  }
+  const bench::Result result = bench::scene_attribute_tables(measure(read, options), read, options);
+  print_result(out, result);
+  if (plot) plot->commit(run_gnuplot(plot_script(*result.drawn)));
+  if (json) json->commit(result_json(result));
+  if (arguments.json == "-") fmt::print("{}", result_json(result));
+  return complete;
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,18 @@
+// mmverify scene --attributes: micromaps in the place of textures.
+#pragma once
+
+#include <string>
+
+namespace mmverify::cli {
+
+struct AttributeArguments {
+  std::string file;  ///< none: the suite's own scene
+  std::string levels, json, plot, pictures;
+  bool codes = false, quiet = false;
+  unsigned threads = 0;
+};
+
+/// Prints the tables, writes JSON, the picture of the figures and pictures of the textures.  Returns the exit code.
+int scene_attributes(const AttributeArguments& arguments);
+
+}  // namespace mmverify::cli

@@ -1,0 +1,91 @@
+// Attribute micromaps from textures: 8-bit RGBA codes at micro-vertices and of micro-triangles, each the exact number
+// rounded half up.
+//
+//   vertices   what the sampler gives at the micro-vertex, bilinear or nearest
+//   faces      the mean of the texels under the micro-triangle, each by its share of the area
+//
+// Source: spec/attribute/bake.hpp, which says what a triangle without an area in the texture gives.
+// How: error-bounded binary64, a value that lies too near the middle between two codes in whole numbers wide enough to
+// be exact.  A face is the integral of F dy around it, F(x, y) the sum of the row's texels up to x: a line of sums a
+// row, each micro-edge once for both of its sides.
+// They need IEEE arithmetic rounded to nearest, the default.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "impl/bake/triangles.hpp"
+
+namespace mmverify::impl::attribute {
+
+using bake::BaseTriangle;
+using bake::Filter;
+using bake::TexturePoint;
+using bake::Wrap;
+
+using Rgba = std::array<std::uint8_t, 4>;
+
+/// Not owned: texel (x, y) is the four bytes from texels[4 (x + pitch y)], rows from the top.
+struct RgbaView {
+  const std::uint8_t* texels;
+  std::uint32_t width, height;
+  std::size_t pitch;  ///< in texels
+};
+
+/// What codes mean, and so what is averaged.  Alpha is linear in all of them.
+enum class Meaning : std::uint8_t {
+  linear,            ///< code / 255; of sRGB codes, the paper's own reading
+  srgb,              ///< RGB on the sRGB curve, averaged in linear light
+  normal,            ///< RGB a direction, 2 code / 255 - 1, made one unit long again
+  normal_and_length  ///< the same, and the mean's own length in the place of alpha
+};
+
+struct AttributeSampling {
+  Wrap u = Wrap::repeat, v = Wrap::repeat;
+  Filter filter = Filter::bilinear;  ///< of vertices
+  Meaning meaning = Meaning::linear;
+  Rgba border{};  ///< outside, with clamp_to_border
+};
+
+/// What a bake took.
+struct AttributeCounts {
+  std::uint64_t values = 0;  ///< micro-vertices or micro-triangles
+  std::uint64_t exact = 0;   ///< those that took whole numbers
+};
+
+inline constexpr std::uint32_t max_attribute_level = 12;
+
+namespace detail {
+class Source;
+}
+
+/// A texture, or one mip level of it, made ready for any number of triangles; one may be used by many threads at once.
+class AttributeBaker {
+ public:
+  /// The texels must outlive it.
+  /// Errors: std::invalid_argument for no texels, or more than 16384 a side.
+  explicit AttributeBaker(const RgbaView& texture, const AttributeSampling& sampling = {});
+  ~AttributeBaker();
+  AttributeBaker(AttributeBaker&&) noexcept;
+  AttributeBaker& operator=(AttributeBaker&&) noexcept;
+
+  /// Micro-triangle k of the curve (impl/index/index.hpp) at out[k].
+  /// Domain: coordinates finite and below 2^20 in size, in any order, on a line or in a point as well; over 2^24 texels
+  /// at most, and 2^15 along an axis; level in 0..max_attribute_level; out.size() = 4^level.
+  /// Memory: 16 bytes a texel of the triangle's box, with sRGB 32; where the box has more than 2^16 texels and does not
+  /// leave the picture, that of the whole texture, kept from then on.
+  /// Errors: std::invalid_argument where the domain does not hold; nothing is written.
+  AttributeCounts faces(const BaseTriangle& uv, std::uint32_t level, std::span<Rgba> out) const;
+
+  /// Micro-vertex (i, j) at out[r (r + 1) / 2 + j], r = i + j: row order, rows from the first vertex.
+  /// Domain, errors: the same, but for the number of texels; out.size() = (2^level + 1)(2^level + 2) / 2.
+  AttributeCounts vertices(const BaseTriangle& uv, std::uint32_t level, std::span<Rgba> out) const;
+
+ private:
+  std::unique_ptr<const detail::Source> source_;
+};
+
+}  // namespace mmverify::impl::attribute

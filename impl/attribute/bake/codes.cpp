@@ -1,0 +1,87 @@
+#include "impl/attribute/bake/codes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mmverify::impl::attribute::detail {
+namespace {
+
+constexpr double full_light = 0x1p24;
+
+/// 2^24 light(m / 510), to nearest.  Of no m is it near enough to a half for binary64 to err: a law holds every one
+/// against exact powers.
+std::int32_t light(int m) {
+  const double y = m / 510.0, x = y <= 0.04045 ? y / 12.92 : std::pow((y + 0.055) / 1.055, 2.4);
+  return static_cast<std::int32_t>(std::floor(x * full_light + 0.5));
+}
+
+}  // namespace
+
+const Curve& Curve::linear() {
+  static const Curve curve = [] {
+    Curve c;
+    for (int k = 0; k < 256; ++k) {
+      c.number[static_cast<std::size_t>(k)] = k;
+      c.twice_least[static_cast<std::size_t>(k)] = k == 0 ? 0 : 2 * k - 1;
+    }
+    c.twice_least[256] = 512;
+    return c;
+  }();
+  return curve;
+}
+
+const Curve& Curve::srgb() {
+  static const Curve curve = [] {
+    Curve c;
+    for (int k = 0; k < 256; ++k) {
+      c.number[static_cast<std::size_t>(k)] = light(2 * k);
+      c.twice_least[static_cast<std::size_t>(k)] = k == 0 ? 0 : 2 * light(2 * k - 1);
+    }
+    c.twice_least[256] = std::numeric_limits<std::int32_t>::max();
+    c.full = full_light;
+    c.to_guess = static_cast<double>(c.guess.size() - 1) / full_light;
+    std::uint32_t code = 0;
+    for (std::size_t k = 0; k < c.guess.size(); ++k) {
+      const double least = static_cast<double>(k) / c.to_guess;
+      while (code < 255 && 0.5 * c.twice_least[code + 1] <= least) ++code;
+      c.guess[k] = static_cast<std::uint8_t>(code);
+    }
+    return c;
+  }();
+  return curve;
+}
+
+Rgba encoded(const std::array<double, 4>& means, const std::array<double, 4>& bound, Meaning meaning,
+             const Curves& curves, bool& sure) noexcept {
+  Rgba codes{};
+  if (!is_normal(meaning)) {
+    for (std::size_t k = 0; k < 4; ++k) codes[k] = curves[k]->code(means[k], bound[k], sure);
+    return codes;
+  }
+  // m = 2 mean - 255, each within twice the bound, so its length within 4 bounds, and m / |m| within 8 bounds / |m|
+  // where |m| is far beyond them.
+  const double b = std::max({bound[0], bound[1], bound[2]});
+  const double x = 2 * means[0] - 255, y = 2 * means[1] - 255, z = 2 * means[2] - 255,
+               length = std::sqrt(x * x + y * y + z * z);
+  if (!(length > 64 * b + 0x1p-20)) {
+    sure = false;
+    return codes;
+  }
+  const double direction_bound = 0x1p-40 + 127.5 * 8 * (2 * b) / length;
+  if (!(direction_bound < 0.25)) {
+    sure = false;
+    return codes;
+  }
+  const Curve& line = Curve::linear();
+  const double scale = 127.5 / length;
+  codes[0] = line.code(x * scale + 127.5, direction_bound, sure);
+  codes[1] = line.code(y * scale + 127.5, direction_bound, sure);
+  codes[2] = line.code(z * scale + 127.5, direction_bound, sure);
+  codes[3] = meaning == Meaning::normal ? curves[3]->code(means[3], bound[3], sure)
+             : length >= 255            ? std::uint8_t{255}
+                                        : line.code(length, 0x1p-40 + 4 * b, sure);
+  return codes;
+}
+
+}  // namespace mmverify::impl::attribute::detail

@@ -1,0 +1,39 @@
+// One micro-vertex or micro-triangle in whole numbers: the last word, and the slowest.  Internal to impl/attribute.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "impl/attribute/bake/source.hpp"
+#include "impl/common/binary.hpp"
+#include "impl/index/index.hpp"
+
+namespace mmverify::impl::attribute::detail {
+
+/// A base triangle, for exact answers.
+class Exact {
+ public:
+  /// Domain: that of AttributeBaker; faces over 2^15 texels along an axis at most.
+  Exact(const Source& source, const BaseTriangle& uv, std::uint32_t level);
+
+  Rgba vertex(const index::Vertex& at) const;
+  Rgba face(const index::Corners& corners) const;
+
+ private:
+  using Axis = std::array<bake::detail::Binary, 3>;
+
+  template <class Int>
+  Int along(const Axis& axis, std::uint32_t texels, const index::Vertex& at) const;
+  template <class Int>
+  Rgba vertex_in(const index::Vertex& at) const;
+  template <class Int>
+  Rgba face_in(const index::Corners& corners) const;
+
+  const Source& source_;
+  Axis u_, v_;
+  int level_;
+  int below_point_ = 1;  ///< bits of u and v there, and at least the one of half a texel
+  int cell_bits_;        ///< of the texels that a micro-triangle spans, at most
+};
+
+}  // namespace mmverify::impl::attribute::detail

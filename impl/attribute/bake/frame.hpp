@@ -1,0 +1,67 @@
+// A base triangle in texels, in binary64, with what its rounding may amount to.  Internal to impl/attribute.
+//
+// Micro-vertex (i, j) is origin + i across + j down, of coordinates from a corner `left`, `top` near by, so that none is
+// below 1 nor beyond the box.  With E the box's greater side and u = 2^-53:
+//   width x U, less left, is exact or rounds once, u E; (difference) / N rounds once, u E / N; i times that once, and two
+//   sums once each, of numbers up to E.  So a position is within 8 u E of the true one, with room.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "impl/attribute/bake/source.hpp"
+
+namespace mmverify::impl::attribute::detail {
+
+inline constexpr double half_ulp = 0x1p-53;
+
+struct Point {
+  double x, y;
+};
+
+struct Frame {
+  std::int64_t left, top, width, height;  ///< of the box: all texels that corners, or cells, of the triangle reach
+  Point origin, across, down;
+  double extent;    ///< E
+  double position;  ///< how far off a coordinate may be
+  double area;      ///< of a micro-triangle, twice, signed
+  double area_off;  ///< how far off that may be
+
+  Frame(const Source& source, const BaseTriangle& uv, std::uint32_t level) {
+    std::array<double, 3> x, y;
+    for (std::size_t k = 0; k < 3; ++k) {
+      x[k] = double{uv[k].u} * source.texture().width;  // 24 and 14 bits: exact
+      y[k] = double{uv[k].v} * source.texture().height;
+    }
+    const auto span = [](const std::array<double, 3>& at, std::int64_t& from, std::int64_t& count) {
+      const auto [least, greatest] = std::minmax({at[0], at[1], at[2]});
+      // One more on either side: rounding, and the cells' other texels.
+      from = static_cast<std::int64_t>(std::floor(least)) - 2;
+      count = static_cast<std::int64_t>(std::floor(greatest)) + 3 - from;
+    };
+    span(x, left, width);
+    span(y, top, height);
+    const auto side = static_cast<double>(std::uint32_t{1} << level);
+    origin = {x[0] - static_cast<double>(left), y[0] - static_cast<double>(top)};
+    across = {(x[1] - x[0]) / side, (y[1] - y[0]) / side};
+    down = {(x[2] - x[0]) / side, (y[2] - y[0]) / side};
+    extent = static_cast<double>(std::max(width, height));
+    position = 8 * half_ulp * extent;
+    const double p = across.x * down.y, q = across.y * down.x;
+    area = p - q;
+    // Each factor is within 2 u of itself, relatively; the products and their difference round once.
+    area_off = 8 * half_ulp * (std::fabs(p) + std::fabs(q));
+  }
+
+  Point at(std::uint32_t i, std::uint32_t j) const noexcept {
+    return {origin.x + i * across.x + j * down.x, origin.y + i * across.y + j * down.y};
+  }
+  TexelBox box() const noexcept { return {left, top, width, height}; }
+};
+
+/// Throws std::invalid_argument where the domain of AttributeBaker does not hold; `count`: of values, the right one.
+void check(const BaseTriangle& uv, std::uint32_t level, std::size_t room, std::size_t count);
+
+}  // namespace mmverify::impl::attribute::detail

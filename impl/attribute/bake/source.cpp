@@ -1,0 +1,78 @@
+#include "impl/attribute/bake/source.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <type_traits>
+
+namespace mmverify::impl::attribute::detail {
+
+Source::Source(const RgbaView& texture, const AttributeSampling& sampling)
+    : texture_(texture), sampling_(sampling), curves_(curves_of(sampling.meaning)) {
+  if (texture.width == 0 || texture.width > 16384 || texture.height == 0 || texture.height > 16384)
+    throw std::invalid_argument("attribute: a texture has 1 to 16384 texels along each side");
+}
+
+std::optional<Source::InPicture> Source::in_picture(const TexelBox& box) const noexcept {
+  const auto moved = [](Wrap wrap, std::int64_t at, std::int64_t n) {
+    return wrap == Wrap::repeat && (at < 0 || at >= n) ? bake::detail::modulo(at, n) : at;
+  };
+  const std::int64_t x = moved(sampling_.u, box.left, texture_.width), y = moved(sampling_.v, box.top, texture_.height);
+  if (x < 0 || x + box.width > texture_.width || y < 0 || y + box.height > texture_.height) return std::nullopt;
+  return InPicture{x, y};
+}
+
+template <class Sum>
+void Source::add_row(std::int64_t y, std::int64_t left, std::int64_t width, Sum* to) const {
+  std::array<Sum, 4> sum{};
+  const auto put = [&](const std::uint8_t* texel) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      *to++ = sum[k];
+      if constexpr (std::is_same_v<Sum, float>)
+        sum[k] += static_cast<Sum>(texel[k]);  // linear: the code is the number
+      else
+        sum[k] += static_cast<Sum>(number(texel, k));
+    }
+  };
+  if (y >= 0 && left >= 0 && left + width <= texture_.width) {
+    const std::uint8_t* const from = bytes(left, y);
+    for (std::int64_t i = 0; i < width; ++i) put(from + 4 * i);
+  } else {
+    for (std::int64_t i = 0; i < width; ++i) put(bytes(column(left + i), y));
+  }
+  for (std::size_t k = 0; k < 4; ++k) *to++ = sum[k];
+}
+
+template <class Sum>
+RowSums<Sum> Source::sums(const TexelBox& box, std::vector<Sum>& room) const {
+  const auto pitch = static_cast<std::size_t>(box.width) + 1, rows = static_cast<std::size_t>(box.height);
+  if (room.size() < 4 * pitch * rows) room.resize(4 * pitch * rows);
+  const std::optional<InPicture> at = in_picture(box);
+  for (std::size_t j = 0; j < rows; ++j) {
+    const auto down = static_cast<std::int64_t>(j);
+    add_row(at ? at->y + down : row(box.top + down), at ? at->x : box.left, box.width, room.data() + 4 * pitch * j);
+  }
+  return {room.data(), pitch};
+}
+template RowSums<float> Source::sums(const TexelBox&, std::vector<float>&) const;
+template RowSums<double> Source::sums(const TexelBox&, std::vector<double>&) const;
+
+template <class Sum>
+std::vector<Sum>& Source::kept() const {
+  if constexpr (std::is_same_v<Sum, float>)
+    return floats_;
+  else
+    return doubles_;
+}
+
+template <class Sum>
+RowSums<Sum> Source::sums_from(const InPicture& at) const {
+  std::call_once(once_, [&] {
+    sums(TexelBox{0, 0, std::int64_t{texture_.width}, std::int64_t{texture_.height}}, kept<Sum>());
+  });
+  const std::size_t pitch = std::size_t{texture_.width} + 1;
+  return {kept<Sum>().data() + 4 * (static_cast<std::size_t>(at.x) + static_cast<std::size_t>(at.y) * pitch), pitch};
+}
+template RowSums<float> Source::sums_from(const InPicture&) const;
+template RowSums<double> Source::sums_from(const InPicture&) const;
+
+}  // namespace mmverify::impl::attribute::detail

@@ -1,0 +1,43 @@
+#include "scene/attribute/atlas.hpp"
+
+namespace mmverify::scene {
+
+namespace {
+
+std::uint32_t wrapped(std::int64_t x, std::uint32_t side, Wrap wrap) {
+  const std::int64_t n = side;
+  if (wrap == Wrap::clamp_to_edge) return static_cast<std::uint32_t>(std::clamp<std::int64_t>(x, 0, n - 1));
+  const std::int64_t period = wrap == Wrap::repeat ? n : 2 * n;
+  const std::int64_t r = (x % period + period) % period;
+  return static_cast<std::uint32_t>(r < n ? r : period - 1 - r);
+}
+
+}  // namespace
+
+bool within_reach(const TexelTriangle& corners) {
+  double box = 1;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto [least, most] = std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
+    const double side = std::ceil(most) - std::floor(least) + 1;
+    if (side > longest_triangle) return false;
+    box *= side;
+  }
+  return box <= most_texels_of_triangle;
+}
+
+std::size_t wrapped_texel(const ColourImage& image, const Sampler& sampler, std::int64_t x, std::int64_t y) {
+  return wrapped(x, image.width, sampler.wrap_u) +
+         std::size_t{wrapped(y, image.height, sampler.wrap_v)} * image.width;
+}
+
+std::vector<std::uint32_t> first_triangles(const ColourImage& image, std::span<const Sampler> samplers,
+                                           std::span<const TexelTriangle> triangles) {
+  std::vector<std::uint32_t> first(std::size_t{image.width} * image.height, no_triangle);
+  for (std::uint32_t k = 0; k < triangles.size(); ++k)
+    for_each_texel(image, samplers[k], triangles[k], [&](std::size_t texel, double, double) {
+      if (first[texel] == no_triangle) first[texel] = k;
+    });
+  return first;
+}
+
+}  // namespace mmverify::scene

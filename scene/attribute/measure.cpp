@@ -1,0 +1,298 @@
+#include "scene/attribute/measure.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "flip/flip.hpp"
+#include "scene/attribute/atlas.hpp"
+#include "scene/attribute/map_reading.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+/// A triangle in one attribute set.
+struct MapOfTriangle {
+  std::size_t texture;  ///< of the scene
+  UvTriangle uvs;
+};
+
+using MapValues = std::vector<MapValue>;
+
+/// Sums over texels.
+struct ErrorSums {
+  double squares = 0, flip = 0;
+};
+
+std::vector<std::uint8_t> rgb_of(const ColourImage& image) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(image.rgba.size() / 4 * 3);
+  for (std::size_t k = 0; k < image.rgba.size(); k += 4)
+    rgb.insert(rgb.end(), image.rgba.begin() + static_cast<std::ptrdiff_t>(k),
+               image.rgba.begin() + static_cast<std::ptrdiff_t>(k + 3));
+  return rgb;
+}
+
+void paint(std::vector<std::uint8_t>& rgb, std::size_t texel, const MapValue& value, std::uint8_t channels) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if ((channels >> c & 1) != 0) rgb[3 * texel + c] = value[c];
+}
+
+/// One attribute set of a scene: its maps, image by image.
+class SetMeasurement {
+ public:
+  SetMeasurement(const AttributeScene& scene, AttributeSet set, const AttributeOptions& options)
+      : scene_(scene), options_(options), set_(set), channels_(channels_of(set)) {
+    figures_.set = set;
+    for (std::size_t k = 0; k < scene.textures.size(); ++k)
+      if (scene.textures[k].set == set)
+        bakers_.emplace(
+            k, MapBaker(scene.images[scene.textures[k].image], scene.textures[k], options.averaging));
+    for (const AttributePrimitive& primitive : scene.primitives)
+      for (const AttributeUse& use : primitive.uses)
+        if (bakers_.contains(use.texture))
+          for (const Triangle& t : primitive.triangles)
+            add({use.texture, {use.uvs[t[0]], use.uvs[t[1]], use.uvs[t[2]]}});
+    figures_.triangles = all_.size();
+    const unsigned levels = options.last - options.first + 1;
+    keys_.assign(levels * std::size(map_kinds), std::vector<MapKey>(all_.size()));
+    sums_.assign(keys_.size(), {});
+    nearest_sums_ = sums_;
+    seen_faces_.assign(levels, 0);
+  }
+
+  AttributeSetFigures measured() {
+    std::set<std::size_t> images;
+    for (const auto& [number, baker] : bakers_) images.insert(scene_.textures[number].image);
+    for (const std::size_t image : images) measure_image(image);
+    for (unsigned level = options_.first; level <= options_.last; ++level)
+      for (const MapKind kind : map_kinds) figures_.levels.push_back(at_level(level, kind));
+    return figures_;
+  }
+
+  std::uint64_t far() const { return far_; }
+
+ private:
+  const ColourImage& image_of(const MapOfTriangle& map) const {
+    return scene_.images[scene_.textures[map.texture].image];
+  }
+
+  TexelTriangle texels_of(const MapOfTriangle& map) const {
+    return in_texels(map.uvs, image_of(map).width, image_of(map).height);
+  }
+
+  void add(const MapOfTriangle& map) {
+    const bool near = std::all_of(map.uvs.begin(), map.uvs.end(), [](const Uv& uv) {
+      return std::abs(uv[0]) < 0x1p20f && std::abs(uv[1]) < 0x1p20f;
+    });
+    if (near && within_reach(texels_of(map)))
+      all_.push_back(map);
+    else
+      ++far_;
+  }
+
+  std::size_t place_of(unsigned level, MapKind kind) const {
+    return std::size_t{level - options_.first} * std::size(map_kinds) + static_cast<std::size_t>(kind);
+  }
+
+  void bake(const MapOfTriangle& map, MapKind kind, unsigned level, MapValues& values) const {
+    if (options_.stop) options_.stop();
+    values.resize(values_of_map(kind, level));
+    bakers_.at(map.texture).bake(map.uvs, kind, level, values);
+  }
+
+  void measure_image(std::size_t number) {
+    const ColourImage& image = scene_.images[number];
+    if (options_.progress) options_.progress(name(set_) + ", " + (image.name.empty() ? "image" : image.name));
+    ++figures_.images;
+    figures_.texels += std::uint64_t{image.width} * image.height;
+    figures_.texture_bytes += bytes_of_value * image.width * image.height;
+    std::vector<std::size_t> maps;
+    std::vector<TexelTriangle> triangles;
+    std::vector<Sampler> samplers;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      if (scene_.textures[all_[k].texture].image != number) continue;
+      maps.push_back(k);
+      triangles.push_back(texels_of(all_[k]));
+      samplers.push_back(scene_.textures[all_[k].texture].sampler);
+    }
+    const std::vector<std::uint32_t> first = first_triangles(image, samplers, triangles);
+    std::vector<std::uint8_t> shown(first.size());
+    std::transform(first.begin(), first.end(), shown.begin(),
+                   [](std::uint32_t triangle) { return std::uint8_t{triangle != no_triangle}; });
+    figures_.shown += static_cast<std::uint64_t>(std::count(shown.begin(), shown.end(), 1));
+    const std::vector<std::uint8_t> original = original_of(image, maps);
+    for (unsigned level = options_.first; level <= options_.last; ++level) {
+      AttributePicture picture{image, set_, level, original, original, original, {}, {}};
+      std::vector<std::uint8_t> nearest = original;
+      for (const MapKind kind : map_kinds) {
+        std::vector<std::uint8_t>& rgb = kind == MapKind::faces ? picture.faces : picture.vertices;
+        std::atomic<std::uint64_t> seen{0};
+        oneapi::tbb::parallel_for(std::size_t{0}, maps.size(), [&](std::size_t k) {
+          thread_local MapValues values;
+          bake(all_[maps[k]], kind, level, values);
+          keys_[place_of(level, kind)][maps[k]] = key_of(values);
+          seen += show(all_[maps[k]], triangles[k], kind, level, values, rgb, nearest,
+                       [&, k](std::size_t texel) { return first[texel] == k; });
+        });
+        if (kind == MapKind::faces) seen_faces_[level - options_.first] += seen;
+        std::vector<float>& errors = kind == MapKind::faces ? picture.face_errors : picture.vertex_errors;
+        sum(image, original, rgb, shown, sums_[place_of(level, kind)], errors);
+        if (kind == MapKind::vertices) {
+          std::vector<float> unused;
+          sum(image, original, nearest, shown, nearest_sums_[place_of(level, kind)], unused);
+        }
+      }
+      if (options_.picture && is_srgb(set_)) options_.picture(picture);
+    }
+  }
+
+  /// What maps are held against: the texture, its normals made one unit long as theirs are.
+  std::vector<std::uint8_t> original_of(const ColourImage& image,
+                                        const std::vector<std::size_t>& maps) const {
+    std::vector<std::uint8_t> rgb = rgb_of(image);
+    if (maps.empty() || !has(set_, Attribute::normal)) return rgb;
+    const CodeMeaning& meaning = bakers_.at(all_[maps.front()].texture).meaning();
+    for (std::size_t texel = 0; texel < rgb.size() / 3; ++texel)
+      paint(rgb, texel,
+            meaning.code_of(meaning.mean_of({rgb[3 * texel], rgb[3 * texel + 1], rgb[3 * texel + 2], 0})),
+            channels_);
+    return rgb;
+  }
+
+  /// Paints the texels that the triangle is the first to show.  Returns how many of its micro-triangles have a texel's
+  /// centre.
+  template <class Own>
+  std::uint64_t show(const MapOfTriangle& map, const TexelTriangle& corners, MapKind kind, unsigned level,
+                     const MapValues& values, std::vector<std::uint8_t>& rgb,
+                     std::vector<std::uint8_t>& nearest, Own own) const {
+    const MapBaker& baker = bakers_.at(map.texture);
+    std::vector<bool> has_centre(kind == MapKind::faces ? values.size() : 0);
+    for_each_texel(image_of(map), scene_.textures[map.texture].sampler, corners,
+                   [&](std::size_t texel, double u, double v) {
+                     if (kind == MapKind::faces) {
+                       const std::size_t face = face_index(level, u, v);
+                       has_centre[face] = true;
+                       if (own(texel)) paint(rgb, texel, values[face], channels_);
+                     } else if (own(texel)) {
+                       const auto read = [&](MapReading reading) {
+                         return vertex_value(values, level, u, v, reading, baker.meaning());
+                       };
+                       paint(rgb, texel, read(MapReading::interpolated), channels_);
+                       paint(nearest, texel, read(MapReading::nearest), channels_);
+                     }
+                   });
+    return static_cast<std::uint64_t>(std::count(has_centre.begin(), has_centre.end(), true));
+  }
+
+  void sum(const ColourImage& image, const std::vector<std::uint8_t>& original,
+           const std::vector<std::uint8_t>& rgb, const std::vector<std::uint8_t>& shown, ErrorSums& sums,
+           std::vector<float>& errors) const {
+    for (std::size_t texel = 0; texel < shown.size(); ++texel)
+      for (std::size_t c = 3 * texel; shown[texel] != 0 && c < 3 * texel + 3; ++c) {
+        const double difference = rgb[c] - original[c];
+        sums.squares += difference * difference;
+      }
+    if (!is_srgb(set_)) return;
+    errors = flip::error_map({image.width, image.height, original}, {image.width, image.height, rgb},
+                             {.threads = options_.threads});
+    for (std::size_t texel = 0; texel < shown.size(); ++texel)
+      if (shown[texel] != 0) sums.flip += errors[texel];
+  }
+
+  MapError error_of(const ErrorSums& sums) const {
+    const auto shown = static_cast<double>(std::max<std::uint64_t>(figures_.shown, 1));
+    const int channels = std::popcount(channels_);
+    MapError error{std::sqrt(sums.squares / (shown * channels)), {}};
+    if (is_srgb(set_)) error.flip = sums.flip / shown;
+    return error;
+  }
+
+  MapsAtLevel at_level(unsigned level, MapKind kind) const {
+    const std::size_t place = place_of(level, kind);
+    MapsAtLevel at;
+    at.level = level;
+    at.kind = kind;
+    at.maps = shared(keys_[place], [&](std::size_t k) {
+      MapValues values;
+      bake(all_[k], kind, level, values);
+      return values;
+    });
+    at.error = error_of(sums_[place]);
+    if (kind == MapKind::vertices) {
+      at.nearest = error_of(nearest_sums_[place]);
+    } else {
+      const double faces = static_cast<double>(all_.size()) * static_cast<double>(values_of_map(kind, level));
+      at.unseen = faces == 0 ? 0 : 1 - static_cast<double>(seen_faces_[level - options_.first]) / faces;
+    }
+    return at;
+  }
+
+  const AttributeScene& scene_;
+  const AttributeOptions& options_;
+  AttributeSet set_;
+  std::uint8_t channels_;
+  AttributeSetFigures figures_;
+  std::map<std::size_t, MapBaker> bakers_;  ///< by textures of the scene
+  std::vector<MapOfTriangle> all_;
+  std::uint64_t far_ = 0;
+  // By place_of(): a key a map; sums.
+  std::vector<std::vector<MapKey>> keys_;
+  std::vector<ErrorSums> sums_, nearest_sums_;
+  std::vector<std::uint64_t> seen_faces_;
+};
+
+}  // namespace
+
+std::uint64_t AttributeFigures::bytes(unsigned level, MapKind kind) const {
+  std::uint64_t sum = 0;
+  for (const AttributeSetFigures& set : sets)
+    for (const MapsAtLevel& at : set.levels)
+      if (at.level == level && at.kind == kind) sum += at.bytes();
+  return sum;
+}
+
+unsigned AttributeFigures::level_beyond_textures(MapKind kind) const {
+  if (sets.empty()) return no_level;
+  const unsigned first = sets.front().levels.front().level, last = sets.front().levels.back().level;
+  for (unsigned level = first; level <= last; ++level)
+    if (bytes(level, kind) > texture_bytes) return level;
+  const std::uint64_t maps = bytes(last, kind) / bytes_of_maps(1, kind, last);
+  return std::max(last + 1, level_beyond(maps, kind, texture_bytes));
+}
+
+AttributeFigures measure(const AttributeScene& scene, const AttributeOptions& options) {
+  if (options.first > options.last || options.last > finest_attribute_level)
+    throw std::invalid_argument("attributes: levels up to " + std::to_string(finest_attribute_level));
+  AttributeFigures figures;
+  figures.file = scene.file;
+  figures.triangles = scene.triangles;
+  std::set<AttributeSet> sets;
+  std::set<std::size_t> images;
+  for (const AttributeTexture& texture : scene.textures) {
+    sets.insert(texture.set);
+    images.insert(texture.image);
+  }
+  figures.images = images.size();
+  for (const std::size_t k : images)
+    figures.texture_bytes += bytes_of_value * scene.images[k].width * scene.images[k].height;
+  oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
+                                                     : static_cast<int>(options.threads));
+  arena.execute([&] {
+    for (const AttributeSet set : sets) {
+      SetMeasurement measurement(scene, set, options);
+      figures.sets.push_back(measurement.measured());
+      figures.far += measurement.far();
+    }
+  });
+  return figures;
+}
+
+}  // namespace mmverify::scene

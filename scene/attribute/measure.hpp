@@ -1,0 +1,80 @@
+// Attribute micromaps of a scene, level by level: how many, how large, how far from their textures.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/attribute/baker.hpp"
+#include "scene/attribute/shared_maps.hpp"
+
+namespace mmverify::scene {
+
+/// The difference of a texture and what its maps show, over the texels whose centre a triangle shows.  Normals are made
+/// one unit long in both, where they are averaged as such.
+struct MapError {
+  double rmse = 0;             ///< of the channels in use, in codes of 8 bits
+  std::optional<double> flip;  ///< mean FLIP in texture space; of sRGB textures alone
+};
+
+/// All maps of an attribute set at a level, of one kind.
+struct MapsAtLevel {
+  unsigned level = 0;
+  MapKind kind = MapKind::faces;
+  SharedMaps maps;
+  MapError error;                   ///< interpolated between micro-vertices
+  std::optional<MapError> nearest;  ///< of vertices: the nearest micro-vertex instead
+  std::optional<double> unseen;     ///< of faces: the share of micro-triangles without a texel's centre
+
+  std::uint64_t bytes() const { return bytes_of_maps(maps.distinct, kind, level); }
+};
+
+struct AttributeSetFigures {
+  AttributeSet set = 0;
+  std::uint64_t triangles = 0, images = 0;
+  std::uint64_t texture_bytes = 0;  ///< 4 a texel, without mips
+  std::uint64_t texels = 0, shown = 0;
+  std::vector<MapsAtLevel> levels;  ///< by level, faces before vertices
+};
+
+struct AttributeFigures {
+  std::string file;
+  std::uint64_t triangles = 0;      ///< of the file
+  std::uint64_t images = 0;         ///< in use, each once
+  std::uint64_t texture_bytes = 0;  ///< of these
+  std::vector<AttributeSetFigures> sets;
+  std::uint64_t far = 0;  ///< triangles left out: not within_reach()
+
+  /// Of all sets.  Domain: a level that was measured.
+  std::uint64_t bytes(unsigned level, MapKind kind) const;
+  /// The first level of which all maps take more than the textures; beyond the last that was measured, with as many maps
+  /// as there.
+  unsigned level_beyond_textures(MapKind kind) const;
+};
+
+/// What a level makes of an image: rows of RGB.
+struct AttributePicture {
+  const ColourImage& image;
+  AttributeSet set;
+  unsigned level;
+  std::vector<std::uint8_t> original, faces, vertices;
+  std::vector<float> face_errors, vertex_errors;  ///< FLIP, a texel each
+};
+
+struct AttributeOptions {
+  unsigned first = 0, last = 5;
+  Averaging averaging = Averaging::meaning;
+  unsigned threads = 0;
+  std::function<void(const std::string&)> progress = {};  ///< told what begins
+  std::function<void()> stop = {};  ///< asked before each triangle, from any thread; may throw
+  std::function<void(const AttributePicture&)> picture = {};  ///< told of each level of each sRGB image
+};
+
+/// Each triangle has a map of its own in each of its sets, all of one level.  Equal maps of a set are counted once.
+/// A texel that several triangles show is the first one's; what no triangle shows stays the texture's, and is not counted.
+/// Domain: a scene of load_attributes(); first <= last <= finest_attribute_level, else std::invalid_argument.
+/// Source: Color and Attribute Micromaps, 5.1 and 5.2, table 2, figures 9 and 11, in texture space.
+AttributeFigures measure(const AttributeScene& scene, const AttributeOptions& options);
+
+}  // namespace mmverify::scene

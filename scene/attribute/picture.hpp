@@ -1,0 +1,24 @@
+// What a level makes of a texture, side by side.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/attribute/measure.hpp"
+
+namespace mmverify::scene {
+
+struct RgbPicture {
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// Above the texture, faces, vertices; below a scale of errors, from 0 on the left to 1, and the errors of both.  Each
+/// tile is the texture made smaller by the least whole number that leaves no side above `longest`, as means of codes.
+/// Domain: longest > 0.
+RgbPicture side_by_side(const AttributePicture& picture, std::uint32_t longest);
+
+/// The colour of an error in [0, 1]: black, blue, purple, orange, yellow, white, in equal steps, between them linearly.
+std::array<std::uint8_t, 3> colour_of_error(float error);
+
+}  // namespace mmverify::scene

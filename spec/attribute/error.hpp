@@ -1,0 +1,109 @@
+// Attribute micromaps: the exact error of a map against its texture.
+//
+// On each texel, or cell between four centres, the sampled texture is a + b x + c y + d x y, and what a map shows is
+// affine in (s, t): their difference e is of degree 2 on a convex part of the micro-triangle, with no other second
+// derivative than that of d x y.
+//   Largest |e|.  Where x and y are independent, d x y is a saddle, and e has no extreme inside.  Where they are not
+//   (a triangle that is a segment in the texture), x and y depend on one affine l(s, t) alone, so that e is k l^2 and
+//   an affine function: where its gradient vanishes it does so along a whole line l = const, which ends on the part's
+//   edges.  So the extremes are at corners and where e stands still along an edge, all rational.
+//   Mean of e^2.  A triangle's integral of the square of a quadratic is a form in its values at corners and middles of
+//   edges, the mass matrix of quadratic finite elements.
+// Source: Color and Attribute Micromaps, 6.3, which has images and FLIP in its place.  The form: Zienkiewicz, Taylor,
+// The Finite Element Method, six-node triangle.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "spec/attribute/bake.hpp"
+
+namespace mmverify::spec::attribute {
+
+/// Over a micro-triangle.
+template <class Q>
+struct Error {
+  Q largest;         ///< |e|, at the most; with nearest filtering the supremum
+  Place<Q> at;       ///< (s, t) of where it is so
+  Q square;          ///< the mean of e^2
+};
+
+/// 2 integral of e^2 over a triangle.  Domain: e of degree 2 at most.
+///   area / 180 x (6 e_k^2 - 2 e_k e_l - 8 e_k m_k + 32 m_k^2 + 32 m_k m_l),  m_k in the middle of the edge opposite k
+template <class Q, class F>
+Q square_integral(const Place<Q>& p, const Place<Q>& q, const Place<Q>& r, F e) {
+  const Q half = fraction<Q>(1, 2);
+  const auto middle = [&](const Place<Q>& a, const Place<Q>& b) {
+    return Place<Q>{(a.x + b.x) * half, (a.y + b.y) * half};
+  };
+  const std::array<Q, 3> c{e(p), e(q), e(r)}, m{e(middle(q, r)), e(middle(r, p)), e(middle(p, q))};
+  Q form(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3;
+    form += fraction<Q>(6, 1) * c[k] * c[k] - fraction<Q>(2, 1) * c[k] * c[l] - fraction<Q>(8, 1) * c[k] * m[k] +
+            fraction<Q>(32, 1) * m[k] * m[k] + fraction<Q>(32, 1) * m[k] * m[l];
+  }
+  return double_area(Polygon<Q>{p, q, r}) * form * fraction<Q>(1, 180);
+}
+
+/// What is shown at the three corners; linear between.  A face shows the same at all of them.
+template <class Q>
+using Shown = std::array<Q, 3>;
+
+/// Of what is shown on a triangle (corners in texels) against a channel of the texture.
+/// Errors: std::out_of_range without three corners.
+template <class Q, class Texel>
+Error<Q> error_on(const TextureOf<Texel>& t, const Polygon<Q>& corners, const Shown<Q>& shown) {
+  const Image<Q> image(corners);
+  Error<Q> error{Q(-1), {Q(0), Q(0)}, Q(0)};
+  const auto judge = [&](const Polygon<Q>& part, auto texture) {
+    const auto e = [&](const Place<Q>& p) {
+      return Q(texture(Place<Q>{image.x(p), image.y(p)}) -
+               (shown[0] + p.x * (shown[1] - shown[0]) + p.y * (shown[2] - shown[0])));
+    };
+    const auto take = [&](const Place<Q>& p) {
+      const Q here = e(p), size = here < 0 ? Q(-here) : here;
+      if (size > error.largest) error.largest = size, error.at = p;
+    };
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const Place<Q>&p = part[k], &q = part[(k + 1) % part.size()];
+      const auto along = [&](const Q& f) { return Place<Q>{p.x + f * (q.x - p.x), p.y + f * (q.y - p.y)}; };
+      take(p);
+      // e = e0 + l f + k f^2 on the edge.
+      const Q e0 = e(p), em = e(along(fraction<Q>(1, 2))), e1 = e(q), two(2);
+      const Q bend = two * (e0 - two * em + e1), slope = e1 - e0 - bend;
+      if (bend == 0) continue;
+      const Q f = -slope / (two * bend);
+      if (f > 0 && f < 1) take(along(f));
+    }
+    for (std::size_t k = 2; k < part.size(); ++k) error.square += square_integral(part[0], part[k - 1], part[k], e);
+  };
+  for_each_part(image, square_offset<Q>(t.filter), [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) {
+    if (t.filter == Filter::nearest) {
+      const Q c = bake::texel<Q>(t, i, j);
+      judge(part, [&](const Place<Q>&) { return c; });
+    } else {
+      const bake::Cell<Q> cell(t, i, j);
+      judge(part, [&](const Place<Q>& p) { return cell.alpha(cell.local(p)); });
+    }
+  });
+  return error;
+}
+
+/// Of a map of faces, at micro-triangle `index` of the curve.
+template <class Q, class Texel>
+Error<Q> face_error(const TextureOf<Texel>& t, const BaseTriangle<Q>& uv, Level n, std::uint32_t index,
+                    const Q& shown) {
+  return error_on(t, bake::micro_triangle(uv, n, index, t.width, t.height), Shown<Q>{shown, shown, shown});
+}
+
+/// Of a map of vertices; `value(vertex)` is what it has at one.
+template <class Q, class Texel, class Value>
+Error<Q> vertex_error(const TextureOf<Texel>& t, const BaseTriangle<Q>& uv, Level n, std::uint32_t index,
+                      Value value) {
+  const auto corners = index::corners(index, n);
+  return error_on(t, bake::micro_triangle(uv, n, index, t.width, t.height),
+                  Shown<Q>{value(corners[0]), value(corners[1]), value(corners[2])});
+}
+
+}  // namespace mmverify::spec::attribute

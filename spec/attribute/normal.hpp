@@ -1,0 +1,58 @@
+// Attribute micromaps of normals: a mean direction and how long the mean is, rounded exactly.
+//
+// A texel's normal is taken as a sampler gives it, not made one unit long first.  The mean m of such is divided by its
+// length, which is irrational; but whether a / |m| is a threshold t or more is a comparison of squares,
+//   a >= t |m|   where   a, t >= 0 and a^2 >= t^2 |m|^2, or t <= 0 <= a, or a, t < 0 and a^2 <= t^2 |m|^2.
+// Source: glTF 2.0, normalTexture (2 code / 255 - 1, then normalised); the length as a measure of how the normals
+// spread: Toksvig, Mipmapping Normal Maps.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "spec/attribute/colour.hpp"
+
+namespace mmverify::spec::attribute {
+
+template <class Q>
+using Vector3 = std::array<Q, 3>;
+
+template <class Q>
+Q squared_length(const Vector3<Q>& v) {
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
+/// Whether a >= t sqrt(square), exactly.  Domain: square >= 0.
+template <class Q>
+bool reaches(const Q& a, const Q& t, const Q& square) {
+  if (a >= 0) return t <= 0 || a * a >= t * t * square;
+  return t < 0 && a * a <= t * t * square;
+}
+
+/// The codes of m / |m|, half up:  floor(255 (m_i / |m| + 1) / 2 + 1/2).
+/// The mean of no direction, m = 0, is the surface's own normal (0, 0, 1): (128, 128, 255).
+template <class Q>
+std::array<Normal8, 3> direction(const Vector3<Q>& m) {
+  const Q square = squared_length(m);
+  if (square == 0) return {Normal8{128}, Normal8{128}, Normal8{255}};
+  std::array<Normal8, 3> codes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::uint8_t code = 0;
+    // Code c begins where 255 (x + 1) / 2 = c - 1/2, x = (2 c - 256) / 255.
+    while (code < 255 && reaches(m[k], fraction<Q>(2 * (code + 1) - 256, 255), square)) ++code;
+    codes[k] = {code};
+  }
+  return codes;
+}
+
+/// The code of |m|, half up, at most 255:  floor(255 |m| + 1/2).  What 255 lacks of it is the normals' spread.
+template <class Q>
+std::uint8_t length_code(const Vector3<Q>& m) {
+  const Q square = squared_length(m);
+  std::uint8_t code = 0;
+  const auto begins = [](int c) { return fraction<Q>(2 * c - 1, 510); };
+  while (code < 255 && square >= begins(code + 1) * begins(code + 1)) ++code;
+  return code;
+}
+
+}  // namespace mmverify::spec::attribute
