@@ -13,7 +13,7 @@ namespace mmverify::proofs::attribute {
 // of colours, seen by seven triangles.  Texture t of the 81 gives its channels the textures t, t+20, t+40, t+60, so that
 // each channel has them all.
 inline constexpr std::uint64_t family_textures = 81;
-std::uint64_t family_spots();      ///< addressing, meaning, triangle
+std::uint64_t family_spots();  ///< addressing, meaning, triangle
 BakeCase family_case(std::uint64_t spot, std::uint64_t texture, Filter filter);
 const char* family_domain();
 

@@ -33,7 +33,8 @@ const Shares& shares_of(MapForm form, Level n, const Case& c) {
   const std::size_t kind = form == MapForm::faces ? 0 : c.one.picture.filter == Filter::bilinear ? 1 : 2;
   Slot& slot = slots[(kind * levels + n) * family_spots() + c.spot];
   std::call_once(slot.once, [&] {
-    slot.shares = form == MapForm::faces ? face_shares<Rational128>(c.one, n) : vertex_shares<Rational128>(c.one, n);
+    slot.shares =
+        form == MapForm::faces ? face_shares<Rational128>(c.one, n) : vertex_shares<Rational128>(c.one, n);
   });
   return slot.shares;
 }
@@ -53,7 +54,8 @@ Cases<Case> family_of(MapForm form) {
   cases.count = [=](Level, const Run&) { return family_textures * filters * family_spots(); };
   cases.number = [=](Level, std::uint64_t k, std::uint64_t) {
     const std::uint64_t texture = k % family_textures, rest = k / family_textures;
-    const Filter filter = rest % filters == 0 && form == MapForm::vertices ? Filter::bilinear : Filter::nearest;
+    const Filter filter =
+        rest % filters == 0 && form == MapForm::vertices ? Filter::bilinear : Filter::nearest;
     return Case{family_case(rest / filters, texture, filter), rest / filters, true};
   };
   cases.text = [](Level, const Case& c) { return text_of(c.one); };
@@ -89,56 +91,58 @@ const auto rows_from_below = [](BakeCase& one) {
 };
 
 Law vertex_law() {
-  return on_cases({.id = "attribute.bake_vertex",
-                   .topic = "attribute",
-                   .says = "a micro-vertex has what the sampler gives there, bilinear or nearest, as the code it is "
-                           "rounded to, half up",
-                   .source = cam_5,
-                   .subjects = {"attribute"},
-                   .fast = {0, 2},
-                   .long_run = {0, 4},
-                   .fast_seconds = 1,
-                   .domain = [](const Subject&, Level) { return std::string(family_domain()); },
-                   .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
-                   .mutants = {mutant("texel centres at whole numbers", "attribute", {0, 0},
-                                      bakes_another(MapForm::vertices, centres_at_corners)),
-                               mutant("sRGB interpolated as codes", "attribute", {1, 1},
-                                      bakes_another(MapForm::vertices, srgb_as_codes)),
-                               mutant("repeat mirrors below 0", "attribute", {0, 0},
-                                      bakes_another(MapForm::vertices, negative_mirrored)),
-                               mutant("what lies in the middle is rounded down", "attribute", {1, 1},
-                                      rounds_half_down(MapForm::vertices)),
-                               mutant("the border is black", "attribute", {0, 0},
-                                      bakes_another(MapForm::vertices, without_border)),
-                               mutant("mirror once clamps along v", "attribute", {0, 0},
-                                      bakes_another(MapForm::vertices, mirrors_once_as_clamp))}},
-                  needing({bakes_vertices}), family_of(MapForm::vertices));
+  return on_cases(
+      {.id = "attribute.bake_vertex",
+       .topic = "attribute",
+       .says = "a micro-vertex has what the sampler gives there, bilinear or nearest, as the code it is "
+               "rounded to, half up",
+       .source = cam_5,
+       .subjects = {"attribute"},
+       .fast = {0, 2},
+       .long_run = {0, 4},
+       .fast_seconds = 1,
+       .domain = [](const Subject&, Level) { return std::string(family_domain()); },
+       .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+       .mutants = {mutant("texel centres at whole numbers", "attribute", {0, 0},
+                          bakes_another(MapForm::vertices, centres_at_corners)),
+                   mutant("sRGB interpolated as codes", "attribute", {1, 1},
+                          bakes_another(MapForm::vertices, srgb_as_codes)),
+                   mutant("repeat mirrors below 0", "attribute", {0, 0},
+                          bakes_another(MapForm::vertices, negative_mirrored)),
+                   mutant("what lies in the middle is rounded down", "attribute", {1, 1},
+                          rounds_half_down(MapForm::vertices)),
+                   mutant("the border is black", "attribute", {0, 0},
+                          bakes_another(MapForm::vertices, without_border)),
+                   mutant("mirror once clamps along v", "attribute", {0, 0},
+                          bakes_another(MapForm::vertices, mirrors_once_as_clamp))}},
+      needing({bakes_vertices}), family_of(MapForm::vertices));
 }
 
 Law face_law() {
-  return on_cases({.id = "attribute.bake_face",
-                   .topic = "attribute",
-                   .says = "a face has the mean of the texels under it, each by its share of the area, as the code it is "
-                           "rounded to, half up",
-                   .source = cam_5,
-                   .subjects = {"attribute"},
-                   .fast = {0, 2},
-                   .long_run = {0, 4},
-                   .fast_seconds = 1,
-                   .domain = [](const Subject&, Level) { return std::string(family_domain()); },
-                   .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
-                   .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute", {2, 2},
-                                      averages_centres()),
-                               mutant("sRGB averaged as codes", "attribute", {1, 1},
-                                      bakes_another(MapForm::faces, srgb_as_codes)),
-                               mutant("repeat mirrors below 0", "attribute", {0, 0},
-                                      bakes_another(MapForm::faces, negative_mirrored)),
-                               mutant("what lies in the middle is rounded down", "attribute", {1, 1},
-                                      rounds_half_down(MapForm::faces)),
-                               mutant("along a segment all parts weigh the same", "attribute", {0, 0}, spreads_evenly()),
-                               mutant("rows counted from below, repeated and clamped", "attribute", {0, 0},
-                                      bakes_another(MapForm::faces, rows_from_below))}},
-                  needing({bakes_faces}), family_of(MapForm::faces));
+  return on_cases(
+      {.id = "attribute.bake_face",
+       .topic = "attribute",
+       .says = "a face has the mean of the texels under it, each by its share of the area, as the code it is "
+               "rounded to, half up",
+       .source = cam_5,
+       .subjects = {"attribute"},
+       .fast = {0, 2},
+       .long_run = {0, 4},
+       .fast_seconds = 1,
+       .domain = [](const Subject&, Level) { return std::string(family_domain()); },
+       .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+       .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute", {2, 2},
+                          averages_centres()),
+                   mutant("sRGB averaged as codes", "attribute", {1, 1},
+                          bakes_another(MapForm::faces, srgb_as_codes)),
+                   mutant("repeat mirrors below 0", "attribute", {0, 0},
+                          bakes_another(MapForm::faces, negative_mirrored)),
+                   mutant("what lies in the middle is rounded down", "attribute", {1, 1},
+                          rounds_half_down(MapForm::faces)),
+                   mutant("along a segment all parts weigh the same", "attribute", {0, 0}, spreads_evenly()),
+                   mutant("rows counted from below, repeated and clamped", "attribute", {0, 0},
+                          bakes_another(MapForm::faces, rows_from_below))}},
+      needing({bakes_faces}), family_of(MapForm::faces));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -149,7 +153,8 @@ Law face_law() {
 std::vector<std::uint32_t> judged_at(std::uint64_t count, std::uint64_t salt) {
   std::vector<std::uint32_t> at;
   const std::uint64_t step = count <= 8 ? 1 : count / 7;
-  for (std::uint64_t k = count <= 8 ? 0 : salt % step; k < count; k += step) at.push_back(static_cast<std::uint32_t>(k));
+  for (std::uint64_t k = count <= 8 ? 0 : salt % step; k < count; k += step)
+    at.push_back(static_cast<std::uint32_t>(k));
   return at;
 }
 
@@ -161,8 +166,9 @@ Rgba true_at(MapForm form, const BakeCase& one, Level n, std::uint32_t k) {
   const auto shares =
       form == MapForm::faces
           ? slow::shares_on(spec::bake::micro_triangle(uv, n, k, width, height), filter)
-          : slow::shares_at(slow::micro_vertex(uv, n, slow::vertex_at(slow::VertexOrder::w_minor, k, n), width, height),
-                            filter);
+          : slow::shares_at(
+                slow::micro_vertex(uv, n, slow::vertex_at(slow::VertexOrder::w_minor, k, n), width, height),
+                filter);
   return true_codes(one.picture, filter, [&](const auto& texture) { return slow::mean(texture, shares); });
 }
 
@@ -218,7 +224,8 @@ Law floats_law() {
   return on_cases(
       {.id = "attribute.bake_on_floats",
        .topic = "attribute",
-       .says = "micro-vertices and faces are exact on binary32's coordinates, directions are made one unit long again "
+       .says = "micro-vertices and faces are exact on binary32's coordinates, directions are made one unit "
+               "long again "
                "and the mean's length is kept",
        .source = std::string(cam_5) + "; glTF 2.0, normalTexture",
        .method = Method::sample,
@@ -228,7 +235,8 @@ Law floats_law() {
        .fast_seconds = 1,
        .domain =
            [](const Subject&, Level) {
-             return std::string("textures of up to 9x7 texels, all modes and meanings; up to 8 values of each map");
+             return std::string(
+                 "textures of up to 9x7 texels, all modes and meanings; up to 8 values of each map");
            },
        .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3}, not_renormalised()),
                    mutant("coordinates kept in 16 bits below the point", "attribute", {0, 4},

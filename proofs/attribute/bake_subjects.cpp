@@ -17,7 +17,8 @@ namespace {
 namespace slow = spec::attribute;
 namespace fast = impl::attribute;
 
-std::array<ChannelError, 4> specified_error(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map) {
+std::array<ChannelError, 4> specified_error(const BakeCase& one, Level n, MapForm form,
+                                            const std::vector<Rgba>& map) {
   std::array<ChannelError, 4> error;
   const auto uv = base_triangle<Rational>(one.uv);
   const Picture& p = one.picture;
@@ -109,7 +110,8 @@ Baking specified_baking() {
   f.face_mean = [](const BakeCase& one, Level n, std::size_t channel, std::uint32_t index) {
     const auto uv = base_triangle<Rational>(one.uv);
     if (one.picture.meaning == Meaning::srgb && channel < 3)
-      return slow::face_value(channel_of<slow::Srgb8>(one.picture, channel, one.picture.filter), uv, n, index);
+      return slow::face_value(channel_of<slow::Srgb8>(one.picture, channel, one.picture.filter), uv, n,
+                              index);
     return slow::face_value(channel_of<std::uint8_t>(one.picture, channel, one.picture.filter), uv, n, index);
   };
   f.error = specified_error;
@@ -134,9 +136,9 @@ Baking library_baking() {
   };
   f.error = [](const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map) {
     const Taken taken(one);
-    const fast::MapError error = fast::map_error(taken.view, taken.sampling, taken.uv, n,
-                                                 form == MapForm::faces ? fast::MapForm::faces : fast::MapForm::vertices,
-                                                 map);
+    const fast::MapError error =
+        fast::map_error(taken.view, taken.sampling, taken.uv, n,
+                        form == MapForm::faces ? fast::MapForm::faces : fast::MapForm::vertices, map);
     std::array<ChannelError, 4> exactly;
     for (std::size_t c = 0; c < 4; ++c) exactly[c] = {exact(error.largest[c]), exact(error.square[c])};
     return exactly;

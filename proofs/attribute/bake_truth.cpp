@@ -12,10 +12,12 @@ namespace slow = spec::attribute;
 
 /// Of numbers of any size: codes from shares.
 template <class Q>
-std::vector<Rgba> from_shares(const BakeCase& one, Filter filter, const std::vector<slow::Shares<Q>>& shares) {
+std::vector<Rgba> from_shares(const BakeCase& one, Filter filter,
+                              const std::vector<slow::Shares<Q>>& shares) {
   std::vector<Rgba> map;
   for (const slow::Shares<Q>& s : shares)
-    map.push_back(true_codes(one.picture, filter, [&](const auto& texture) { return slow::mean(texture, s); }));
+    map.push_back(
+        true_codes(one.picture, filter, [&](const auto& texture) { return slow::mean(texture, s); }));
   return map;
 }
 
@@ -58,9 +60,8 @@ template std::vector<slow::Shares<spec::Rational128>> vertex_shares(const BakeCa
 template std::vector<slow::Shares<spec::Rational128>> face_shares(const BakeCase&, Level);
 
 std::vector<Rgba> true_vertices(const BakeCase& one, Level n) {
-  return in_few_bits([&](auto q) {
-    return from_shares(one, one.picture.filter, vertex_shares<decltype(q)>(one, n));
-  });
+  return in_few_bits(
+      [&](auto q) { return from_shares(one, one.picture.filter, vertex_shares<decltype(q)>(one, n)); });
 }
 
 std::vector<Rgba> true_faces(const BakeCase& one, Level n) {

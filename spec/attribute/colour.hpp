@@ -122,8 +122,8 @@ struct Rounded<Srgb8> {
   template <class Q>
   static Srgb8 of(const Q& q) {
     std::uint8_t code = 0;
-    while (code < 255 && q >= fraction<Q>(least_light(static_cast<std::uint8_t>(code + 1)),
-                                          std::int64_t{1} << light_bits))
+    while (code < 255 &&
+           q >= fraction<Q>(least_light(static_cast<std::uint8_t>(code + 1)), std::int64_t{1} << light_bits))
       ++code;
     return {code};
   }

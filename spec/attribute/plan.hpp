@@ -24,7 +24,8 @@ using Neighbours = std::array<std::int32_t, 3>;
 
 /// level(t) of each triangle.  Domain: as many triangles as wanted levels; neighbours of one another.
 /// By all shortest paths (Floyd, Algorithm 97): for reading and small meshes.
-inline std::vector<Level> graded(const std::vector<Level>& wanted, const std::vector<Neighbours>& neighbours) {
+inline std::vector<Level> graded(const std::vector<Level>& wanted,
+                                 const std::vector<Neighbours>& neighbours) {
   const std::size_t n = wanted.size();
   constexpr std::uint32_t far = std::numeric_limits<std::uint32_t>::max() / 2;
   std::vector<std::vector<std::uint32_t>> distance(n, std::vector<std::uint32_t>(n, far));
@@ -45,7 +46,8 @@ inline std::vector<Level> graded(const std::vector<Level>& wanted, const std::ve
 }
 
 /// Bit k where the neighbour across edge k has one level less: the edge is to be decimated.
-inline std::uint8_t decimated_edges(const std::vector<Level>& levels, const Neighbours& neighbours, std::size_t t) {
+inline std::uint8_t decimated_edges(const std::vector<Level>& levels, const Neighbours& neighbours,
+                                    std::size_t t) {
   std::uint8_t flags = 0;
   for (std::size_t k = 0; k < 3; ++k)
     if (neighbours[k] >= 0 && levels[static_cast<std::size_t>(neighbours[k])] + 1 == levels[t])

@@ -38,7 +38,8 @@ inline Four edge_integral(const RowSums<Sum>& sums, Point p, Point q) noexcept {
   if (p.y == q.y) return integral;
   const double sign = p.y < q.y ? 1 : -1;
   if (q.y < p.y) std::swap(p, q);
-  const double dx = q.x - p.x, dy = q.y - p.y, across = dx / dy, down = dy / dx, least = std::min(p.x, q.x), greatest = std::max(p.x, q.x);
+  const double dx = q.x - p.x, dy = q.y - p.y, across = dx / dy, down = dy / dx, least = std::min(p.x, q.x),
+               greatest = std::max(p.x, q.x);
   const auto last = static_cast<std::int32_t>(q.y);
   double x = p.x, y = p.y;
   for (auto j = static_cast<std::int32_t>(p.y); j <= last; ++j) {

@@ -34,7 +34,8 @@ class Strips {
       : source_(source), frame_(frame), sums_(sums), side_(std::uint32_t{1} << level) {
     const auto size = [](const Point& p) { return std::fabs(p.x) + std::fabs(p.y); };
     const Point slant{frame.down.x - frame.across.x, frame.down.y - frame.across.y};
-    const double longest_edge = std::max({size(frame.across), size(frame.down), size(slant)}) + frame.position,
+    const double longest_edge =
+                     std::max({size(frame.across), size(frame.down), size(slant)}) + frame.position,
                  around = size(frame.across) + size(frame.down) + size(slant) + 4 * frame.position;
     const double area = std::fabs(frame.area), off = frame.area_off;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -44,8 +45,7 @@ class Strips {
     }
     scale_ = 2 / frame.area;
     known_ = area > 4 * off;
-    for (std::size_t k = 0; k < 4; ++k)
-      known_ = known_ && bound_[k] < 0.125 * source.curves()[k]->full / 255;
+    for (std::size_t k = 0; k < 4; ++k) known_ = known_ && bound_[k] < 0.125 * source.curves()[k]->full / 255;
   }
 
   /// Whether floats can tell anything.
@@ -98,12 +98,14 @@ class Strips {
 };
 
 index::Corners corners_of(std::uint32_t iu, std::uint32_t iv, std::uint32_t upper) {
-  if (upper != 0) return {index::Vertex{iu + 1, iv + 1}, index::Vertex{iu, iv + 1}, index::Vertex{iu + 1, iv}};
+  if (upper != 0)
+    return {index::Vertex{iu + 1, iv + 1}, index::Vertex{iu, iv + 1}, index::Vertex{iu + 1, iv}};
   return {index::Vertex{iu, iv}, index::Vertex{iu + 1, iv}, index::Vertex{iu, iv + 1}};
 }
 
 template <class Sum>
-AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uint32_t level, std::span<Rgba> out) {
+AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uint32_t level,
+                          std::span<Rgba> out) {
   const Frame frame(source, uv, level);
   const TexelBox box = frame.box();
   if (box.width > longest || box.height > longest)
@@ -115,8 +117,9 @@ AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uin
   AttributeCounts counts;
   counts.values = out.size();
   thread_local std::vector<Sum> room;
-  const RowSums<Sum> sums = box.width * box.height > small_box && in_picture ? source.sums_from<Sum>(*in_picture)
-                                                                           : source.sums(box, room);
+  const RowSums<Sum> sums = box.width * box.height > small_box && in_picture
+                                ? source.sums_from<Sum>(*in_picture)
+                                : source.sums(box, room);
   const Strips<Sum> strips(source, frame, sums, level);
   if (!strips.known()) {
     for (std::uint32_t k = 0; k < out.size(); ++k) out[k] = exact.face(index::corners(k, level));
@@ -137,7 +140,8 @@ AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uin
 
 }  // namespace
 
-AttributeCounts bake_faces(const Source& source, const BaseTriangle& uv, std::uint32_t level, std::span<Rgba> out) {
+AttributeCounts bake_faces(const Source& source, const BaseTriangle& uv, std::uint32_t level,
+                           std::span<Rgba> out) {
   // 255 x 2^15 < 2^24: floats hold every sum of codes.
   if (source.sampling().meaning == Meaning::srgb) return bake_with<double>(source, uv, level, out);
   return bake_with<float>(source, uv, level, out);
