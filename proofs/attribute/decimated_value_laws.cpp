@@ -25,9 +25,9 @@ std::uint64_t digest_of_hats(const Hats& hats) {
   return sum;
 }
 
-using Place = std::function<WeightedVertices(Level, EdgeFlags, const DyadicPoint&)>;
+using WeighedPoint = std::function<WeightedVertices(Level, EdgeFlags, const DyadicPoint&)>;
 std::function<void(Functions&)> placing(
-    std::function<WeightedVertices(const Place& real, Level, EdgeFlags, const DyadicPoint&)> by) {
+    std::function<WeightedVertices(const WeighedPoint& real, Level, EdgeFlags, const DyadicPoint&)> by) {
   return [by](Functions& f) {
     f.decimation.place = [by, real = f.decimation.place](Level n, EdgeFlags flags, const DyadicPoint& p) {
       return by(real, n, flags, p);
@@ -50,14 +50,14 @@ WeightedVertices looked_up_as_printed(Level n, EdgeFlags flags, const DyadicPoin
 
 Mutant printed_lookup(const char* name, bool remapped, Levels levels = {0, 3}) {
   return mutant(name, "attribute-spec", levels,
-                placing([remapped](const Place&, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                placing([remapped](const WeighedPoint&, Level n, EdgeFlags flags, const DyadicPoint& p) {
                   return looked_up_as_printed(n, flags, p, remapped);
                 }));
 }
 
 Mutant one_flag_dropped(const char* name, Levels levels, EdgeFlags flag) {
   return mutant(name, "attribute", levels,
-                placing([flag](const Place& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                placing([flag](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
                   return real(n, n % 2 == 0 ? flags : flags & ~flag, p);
                 }));
 }
@@ -104,11 +104,11 @@ Law decimation_neighbours_law() {
        .mutants = {printed_lookup("the vertices are adjusted, the weights are not", false, {1, 3}),
                    one_flag_dropped("the flag of v-w is not seen at odd levels", {1, 5}, 4),
                    mutant("the flag of u-v is that of v-w, and the other way round", "attribute-spec", {1, 3},
-                          placing([](const Place& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                          placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
                             return real(n, (flags & 1) | (flags >> 1 & 2) | (flags & 2) << 1, p);
                           })),
                    mutant("one vertex of level 6 stays", "attribute-spec", {6, 6},
-                          placing([](const Place& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                          placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
                             const bool there =
                                 n == 6 && p.u == spec::Fixed64::dyadic(21, 6) && p.v == spec::Fixed64(0);
                             return real(n, there ? flags & ~1u : flags, p);
@@ -199,12 +199,12 @@ Law decimated_lookup_law() {
        .mutants = {printed_lookup("the vertices are adjusted, the lookup is as it was", true),
                    printed_lookup("the vertices are adjusted, the weights are not", false),
                    mutant("no second try beside the v-corner of level 5", "attribute-spec", {5, 5},
-                          placing([](const Place& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                          placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
                             const bool there = n == 5 && spec::Fixed64::dyadic(31, 5) < p.v;
                             return there ? looked_up_as_printed(n, flags, p, true) : real(n, flags, p);
                           })),
                    mutant("level 0 is decimated", "attribute-spec", {0, 0},
-                          placing([](const Place& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                          placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
                             WeightedVertices w = real(n, flags, p);
                             if (n == 0 && flags == 7)
                               for (Vertex& x : w.corners) x = {0, 0};

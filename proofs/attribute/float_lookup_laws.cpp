@@ -67,7 +67,7 @@ Triplet exact_triplet(VertexOrder order, Level n, const MicroTriangle& t) {
           static_cast<std::uint32_t>(x[2])};
 }
 
-std::string floats_of(const Subject&, Level) {
+std::string float_points(const Subject&, Level) {
   return "binary32 pairs near grid lines, diagonals and corners";
 }
 
@@ -109,7 +109,7 @@ Law triplets_law() {
        .fast = {0, 16},
        .long_run = {0, 16},
        .fast_seconds = 1,
-       .domain = floats_of,
+       .domain = float_points,
        .mutants = {mutant(
                        "the carry is a rounded sum", "attribute", {6, 16},
                        on_triplet_of_floats([](VertexOrder order, Level n, const FloatCase& p, Triplet& x) {
@@ -181,7 +181,7 @@ Law weights_law() {
        .fast = {0, 16},
        .long_run = {0, 16},
        .fast_seconds = 1,
-       .domain = floats_of,
+       .domain = float_points,
        .mutants = {mutant("Cramer's rule at level 4", "attribute", {4, 4},
                           on_weights_of_floats([](Level n, const FloatCase& p, FloatWeights& w) {
                             if (n == 4)
@@ -275,7 +275,7 @@ Law rgba8_law() {
        .fast = {0, 8},
        .long_run = {0, 10},
        .fast_seconds = 1,
-       .domain = floats_of,
+       .domain = float_points,
        .mutants = {mutant("values are cut, not rounded, in the last channel", "attribute", {0, 5},
                           on_rgba8([](VertexOrder order, Level n, const FloatCase& p, std::uint32_t got) {
                             const MicroTriangle t = exact_holder(n, p);

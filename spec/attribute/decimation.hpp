@@ -110,7 +110,7 @@ constexpr void around(Vertex x, Level n, F f) {
 
 /// A point on a triangle of micro-vertices: its weights are shares[c] / area.
 template <Coordinate Q>
-struct Place {
+struct WeighedPoint {
   Corners corners;
   std::array<Q, 3> shares;
   std::int64_t area;  ///< doubled_area(corners)
@@ -132,7 +132,7 @@ constexpr Q times_step(std::uint32_t to, std::uint32_t from, const Q& q) {
 /// The point on a triangle: shares[c] is twice the area of the triangle that the point makes with the two corners after
 /// c.  Domain: corners of level n.
 template <Coordinate Q>
-constexpr Place<Q> place_on(const Corners& c, const Point<Q>& p, Level n) {
+constexpr WeighedPoint<Q> place_on(const Corners& c, const Point<Q>& p, Level n) {
   const Q x = times(side(n), p.u), y = times(side(n), p.v);
   const auto share = [&](Vertex a, Vertex b) {
     return detail::times_step(b.i, a.i, y - Q(a.j)) - detail::times_step(b.j, a.j, x - Q(a.i));
@@ -147,14 +147,14 @@ constexpr Place<Q> place_on(const Corners& c, const Point<Q>& p, Level n) {
 /// Source: ours; Color and Attribute Micromaps, 3.2, adjusts the mapping and leaves the lookup of 4.1 as it is, see
 /// docs/ERRATA.md.  Law: attribute.decimation_lookup.
 template <Number Q>
-constexpr Place<Q> decimated_place(const Point<Q>& p, Level n, EdgeFlags flags) {
+constexpr WeighedPoint<Q> decimated_place(const Point<Q>& p, Level n, EdgeFlags flags) {
   const MicroTriangle before = triangle_before(p, n);
-  Place<Q> found = place_on(snapped(before, n, flags), p, n);
+  WeighedPoint<Q> found = place_on(snapped(before, n, flags), p, n);
   for (const Vertex& corner : corners_of(before)) {
     if (found.holds() || snapped(corner, n, flags) == corner) continue;
     around(corner, n, [&](const MicroTriangle& t) {
       if (found.holds()) return;
-      if (const Place<Q> other = place_on(snapped(t, n, flags), p, n); other.holds()) found = other;
+      if (const WeighedPoint<Q> other = place_on(snapped(t, n, flags), p, n); other.holds()) found = other;
     });
   }
   return found;
