@@ -32,8 +32,14 @@ struct Batches {
       check;
   /// What is wrong with one that is.
   std::function<Words(const AttributeSubject&, Level, std::size_t setting, const Element&)> words;
-  Kind kind;
+  Kind kind;  ///< that all are counted by, unless an element has its own
 };
+
+/// The kind that an element is counted by.
+template <class Element>
+Kind kind_of(const Element&, Kind of_all) {
+  return of_all;
+}
 
 /// Many enough to spread the cost of a call, few enough for the cache.
 inline constexpr std::uint64_t elements_per_chunk = 4096;
@@ -67,12 +73,13 @@ Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
         outcomes.assign(size, {});
         fill(n, first, std::span(elements));
         cases.check(s, n, setting, elements, outcomes);
-        tally.count(cases.kind, size);
         for (std::size_t t = 0; t < size; ++t) {
+          const Kind kind = kind_of(elements[t], cases.kind);
+          tally.count(kind, 1);
           tally.digest(setting * count + first + t, outcomes[t].answer);
           if (outcomes[t].holds) continue;
           const Simplicity simplicity{n, first + t, setting};
-          tally.mismatch(cases.kind, simplicity, [&] {
+          tally.mismatch(kind, simplicity, [&] {
             const Words words = cases.words(s, n, setting, elements[t]);
             return Counterexample{
                 simplicity,     n,        cases.settings[setting] + ":" + text_of(elements[t]), {},

@@ -28,7 +28,10 @@ std::array<std::uint32_t, 2> numbers_of(const std::vector<std::string>& groups, 
 
 void fill(Level n, std::uint64_t first, std::span<Vertex> out) {
   if (out.empty()) return;
-  Vertex at = spec::attribute::u_major_vertex(first, n);
+  // Column i has N+1-i vertices.  Counted one by one: the laws hold closed forms against these numbers.
+  Vertex at{0, 0};
+  for (; first >= side(n) + 1 - at.i; ++at.i) first -= side(n) + 1 - at.i;
+  at.j = static_cast<std::uint32_t>(first);
   for (Vertex& v : out) {
     v = at;
     at = at.i + at.j == side(n) ? Vertex{at.i + 1, 0} : Vertex{at.i, at.j + 1};
@@ -37,7 +40,11 @@ void fill(Level n, std::uint64_t first, std::span<Vertex> out) {
 
 void fill(Level n, std::uint64_t first, std::span<MicroTriangle> out) {
   if (out.empty()) return;
-  MicroTriangle at = spec::attribute::u_major_triangle(first, n);
+  // Strip iu has 2(N-iu) - 1 faces.
+  MicroTriangle at{0, 0, false};
+  for (; first >= 2 * (side(n) - at.iu) - 1; ++at.iu) first -= 2 * (side(n) - at.iu) - 1;
+  at.iv = static_cast<std::uint32_t>(first / 2);
+  at.upper = first % 2 != 0;
   for (MicroTriangle& t : out) {
     t = at;
     const bool last = at.iu + at.iv == side(n) - 1;

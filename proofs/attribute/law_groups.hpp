@@ -9,8 +9,14 @@ namespace mmverify::proofs::attribute {
 
 /// Where vertices and faces lie in a map.
 std::vector<Law> order_laws();
+/// How orders and levels are related: those of order_laws() in a file of their own.
+std::vector<Law> order_relation_laws();
 /// A point's triplet and weights, and the values between vertices.
 std::vector<Law> lookup_laws();
+/// Of those, in files of their own: on base edges, of the remaps, and on binary32 numbers.
+std::vector<Law> edge_lookup_laws();
+std::vector<Law> remap_laws();
+std::vector<Law> float_lookup_laws();
 /// Edges beside a neighbour of one level less.
 std::vector<Law> decimation_laws();
 /// Mip chains and levels of detail.

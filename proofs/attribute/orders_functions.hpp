@@ -30,6 +30,13 @@ struct Orders {
       face_index = {};
   std::function<void(FaceOrder, Level n, std::span<const std::uint32_t> index, std::span<MicroTriangle>)>
       face_at = {};
+  /// Index to index, from one order to another.
+  std::function<void(VertexOrder from, VertexOrder to, Level n, std::span<const std::uint32_t> index,
+                     std::span<std::uint32_t>)>
+      convert_vertices = {};
+  std::function<void(FaceOrder from, FaceOrder to, Level n, std::span<const std::uint32_t> index,
+                     std::span<std::uint32_t>)>
+      convert_faces = {};
   /// The vertices of faces, both by index: the base, and one step along u and along v from there (an upper one's are
   /// backwards).
   std::function<void(FaceOrder, VertexOrder, Level n, std::span<const std::uint32_t> face,

@@ -43,7 +43,7 @@ class AttributeSubject : public Subject {
 };
 using AttributeSubjectPtr = std::shared_ptr<const AttributeSubject>;
 
-/// attribute-spec, the specification; attribute, this project's library, batch by batch.
+/// attribute-spec, the specification; attribute, this project's library, batch by batch; and readings of the paper.
 const std::vector<AttributeSubjectPtr>& built_in_subjects();
 
 /// The built-in subject of that name.  Domain: there is one.
