@@ -81,8 +81,8 @@ TEST(ImplDecimation, every_bit_pattern_has_three_vertices_of_the_level) {
           const std::uint32_t N = 1u << std::min(n, max_level);
           for (const Vertex& x : w.vertices) EXPECT_LE(x.i + x.j, N);
           EXPECT_TRUE(std::isfinite(sum(w)));
-          const double of_point = static_cast<double>(u) + static_cast<double>(v);
-          if (!(u >= 0 && v >= 0 && of_point <= 1)) continue;
+          const auto du = static_cast<double>(u), dv = static_cast<double>(v);
+          if (!(u >= 0 && v >= 0 && du <= 1 - dv && dv <= 1 - du)) continue;
           EXPECT_NEAR(sum(w), 1, 2e-7) << u << ' ' << v << ' ' << n << ' ' << flags;
           for (const float weight : w.weights)
             EXPECT_GE(weight, 0.0f) << u << ' ' << v << ' ' << n << ' ' << flags;

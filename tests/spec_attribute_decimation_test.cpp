@@ -122,7 +122,7 @@ TEST(SpecDecimation, a_vertex_has_the_micro_triangles_around_it) {
 /// The point of level 1 that loses its micro-triangle: (1/4, 1/8) lay in the one at w, which is a line now.
 TEST(SpecDecimation, finds_the_micro_triangle_that_took_over) {
   const Point<Fixed64> p{Fixed64::dyadic(2, 3), Fixed64::dyadic(1, 3)};
-  const MicroTriangle before = triangle_before(p, 1);
+  const MicroTriangle before = vulkan_triangle(p, 1);
   EXPECT_EQ(doubled_area(snapped(before, 1, 1)), 0);
   const auto place = decimated_place(p, 1, 1);
   EXPECT_TRUE(place.holds());

@@ -54,11 +54,6 @@ Shares shares_of(const std::array<Vertex, 3>& c, const Located& p) noexcept {
   return {{share(c[1], c[2]), share(c[2], c[0]), share(c[0], c[1])}, area};
 }
 
-std::array<Vertex, 3> corners_of(std::uint32_t i, std::uint32_t j, bool upper) noexcept {
-  if (upper) return {Vertex{i + 1, j + 1}, Vertex{i, j + 1}, Vertex{i + 1, j}};
-  return {Vertex{i, j}, Vertex{i + 1, j}, Vertex{i, j + 1}};
-}
-
 std::array<Vertex, 3> moved(std::array<Vertex, 3> c, Level n, EdgeFlags flags) noexcept {
   for (Vertex& x : c) x = snapped(x, n, flags);
   return c;
@@ -70,7 +65,7 @@ VertexWeights decimated_lookup(float u, float v, Level level, EdgeFlags flags) n
   const Level n = std::min(level, max_level);
   const std::uint32_t N = std::uint32_t{1} << n;
   const Located p = locate(u, v, N);
-  const std::array<Vertex, 3> before = corners_of(p.iu, p.iv, p.upper);
+  const std::array<Vertex, 3> before = corners_of(MicroTriangle{p.iu, p.iv, p.upper});
 
   std::array<Vertex, 3> found = moved(before, n, flags);
   Shares best = shares_of(found, p);
@@ -79,7 +74,7 @@ VertexWeights decimated_lookup(float u, float v, Level level, EdgeFlags flags) n
     // It was held by a micro-triangle that shrank to a line or moved away: one around a corner that moved has it now.
     const auto consider = [&](std::uint32_t i, std::uint32_t j, bool upper) {
       if (i + j + (upper ? 1 : 0) >= N) return false;
-      const std::array<Vertex, 3> c = moved(corners_of(i, j, upper), n, flags);
+      const std::array<Vertex, 3> c = moved(corners_of(MicroTriangle{i, j, upper}), n, flags);
       const Shares s = shares_of(c, p);
       if (s.area <= 0) return false;
       // Outside the triangle none has it: the one next to it.

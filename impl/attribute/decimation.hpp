@@ -12,13 +12,9 @@
 #include <cstdint>
 #include <span>
 
-#include "impl/index/index.hpp"
+#include "impl/attribute/order.hpp"
 
 namespace mmverify::impl::attribute {
-
-using index::Level;
-using index::max_level;
-using index::Vertex;
 
 /// A bit for each edge whose neighbour has level n-1: 1 edge w-u (v = 0), 2 edge u-v (w = 0), 4 edge v-w (u = 0); other
 /// bits say nothing.

@@ -12,12 +12,9 @@
 #include <cstdint>
 #include <span>
 
-#include "impl/index/index.hpp"
+#include "impl/attribute/order.hpp"
 
 namespace mmverify::impl::attribute {
-
-using index::Level;
-using index::max_level;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Mips
@@ -49,6 +46,16 @@ constexpr std::uint64_t face_chain_size(Level m) noexcept { return ((std::uint64
 constexpr std::uint64_t vertex_chain_size(Level m) noexcept {
   const std::uint64_t M = std::uint64_t{1} << m;
   return (face_chain_size(m) + 3 * (M - 1) + 2 * m) / 2;
+}
+
+/// Where the value of vertex k of level m lies in the map of level n: in the Bird order at k, in the others at the index of
+/// (i 2^(n-m), j 2^(n-m)), where (i, j) is the vertex.  No mip of vertices is stored.
+/// Domain: m <= n <= 16, k a vertex of level m.
+/// Source: Color and Attribute Micromaps, 4.4.1.
+inline std::uint32_t vertex_mip_source(VertexOrder order, std::uint32_t k, Level m, Level n) noexcept {
+  if (order == VertexOrder::bird) return k;
+  const Vertex x = vertex_at(order, k, m);
+  return vertex_index(order, x.i << (n - m), x.j << (n - m), n);
 }
 
 /// What a level of a chain is made from.

@@ -38,7 +38,7 @@ std::function<void(Functions&)> placing(
 /// The lookup of the paper's section 4.1, with the vertices adjusted as in 3.2: the micro-triangle as it was, its weights
 /// by the triangle that its vertices are now, or, where that is degenerate, as they were.
 WeightedVertices looked_up_as_printed(Level n, EdgeFlags flags, const DyadicPoint& p, bool remapped) {
-  const MicroTriangle t = spec::attribute::triangle_before(p, n);
+  const MicroTriangle t = spec::attribute::vulkan_triangle(p, n);
   const Corners after = spec::attribute::snapped(t, n, flags);
   auto place = spec::attribute::place_on(after, p, n);
   if (!remapped || place.area == 0) place = spec::attribute::place_on(spec::attribute::corners_of(t), p, n);

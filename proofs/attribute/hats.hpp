@@ -63,7 +63,7 @@ double as_number(const spec::Fixed<Word, F>& q) {
 template <class Q>
 std::vector<Hats> all_that_hold(const spec::Point<Q>& p, Level n, EdgeFlags flags) {
   std::vector<Hats> found;
-  const spec::attribute::MicroTriangle at = spec::attribute::triangle_before(p, n);
+  const spec::attribute::MicroTriangle at = spec::attribute::vulkan_triangle(p, n);
   const auto low = [](std::uint32_t x) { return x < 2 ? 0 : x - 2; };
   for (std::uint32_t iu = low(at.iu); iu <= at.iu + 2; ++iu)
     for (std::uint32_t iv = low(at.iv); iv <= at.iv + 2; ++iv)

@@ -296,7 +296,7 @@ Law vertex_mip_law() {
                "values, in the others "
                "they are read at a stride of 2^(n-m) along rows or columns",
        .source = cam_441,
-       .subjects = {"attribute-spec"},
+       .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 7},
        .long_run = {0, 11},
        .fast_seconds = 0.3,

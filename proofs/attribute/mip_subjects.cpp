@@ -95,6 +95,9 @@ Mips library_mips() {
   };
   f.face_chain_size = fast::face_chain_size;
   f.vertex_chain_size = fast::vertex_chain_size;
+  f.vertex_mip_source = [](VertexOrder order, std::uint32_t k, Level m, Level n) {
+    return fast::vertex_mip_source(static_cast<fast::VertexOrder>(order), k, m, n);
+  };
   f.lod_level = [](Level n, std::span<const float> cone, std::span<const float> triangle,
                    std::span<Level> out) { fast::lod_level(cone, triangle, n, out); };
   f.lod = [](Level n, float cone, float triangle) -> LevelOfDetail {

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-#include "spec/attribute/order.hpp"
+#include "spec/attribute/lookup.hpp"
 
 namespace mmverify::spec::attribute {
 
@@ -89,13 +89,6 @@ constexpr std::int64_t doubled_area(const Corners& c) {
   return along(c[1].i, c[0].i) * along(c[2].j, c[0].j) - along(c[2].i, c[0].i) * along(c[1].j, c[0].j);
 }
 
-/// The micro-triangle of level n that holds the point, ties as in the Vulkan reference.  Domain: u, v >= 0, u+v <= 1.
-template <Number Q>
-constexpr MicroTriangle triangle_before(const Point<Q>& p, Level n) {
-  const auto q = index::quantise<std::uint32_t>(p, n);
-  return {q.iu, q.iv, q.iw != ~(q.iu + q.iv)};
-}
-
 /// The micro-triangles that have the vertex for a corner, up to six: f(MicroTriangle).
 template <class F>
 constexpr void around(Vertex x, Level n, F f) {
@@ -148,7 +141,7 @@ constexpr WeighedPoint<Q> place_on(const Corners& c, const Point<Q>& p, Level n)
 /// docs/ERRATA.md.  Law: attribute.decimation_lookup.
 template <Number Q>
 constexpr WeighedPoint<Q> decimated_place(const Point<Q>& p, Level n, EdgeFlags flags) {
-  const MicroTriangle before = triangle_before(p, n);
+  const MicroTriangle before = vulkan_triangle(p, n);
   WeighedPoint<Q> found = place_on(snapped(before, n, flags), p, n);
   for (const Vertex& corner : corners_of(before)) {
     if (found.holds() || snapped(corner, n, flags) == corner) continue;
