@@ -30,12 +30,14 @@ AttributeBaker::~AttributeBaker() = default;
 AttributeBaker::AttributeBaker(AttributeBaker&&) noexcept = default;
 AttributeBaker& AttributeBaker::operator=(AttributeBaker&&) noexcept = default;
 
-AttributeCounts AttributeBaker::faces(const BaseTriangle& uv, std::uint32_t level, std::span<Rgba> out) const {
+AttributeCounts AttributeBaker::faces(const BaseTriangle& uv, std::uint32_t level,
+                                      std::span<Rgba> out) const {
   detail::check(uv, level, out.size(), level > max_attribute_level ? 0 : std::size_t{1} << 2 * level);
   return detail::bake_faces(*source_, uv, level, out);
 }
 
-AttributeCounts AttributeBaker::vertices(const BaseTriangle& uv, std::uint32_t level, std::span<Rgba> out) const {
+AttributeCounts AttributeBaker::vertices(const BaseTriangle& uv, std::uint32_t level,
+                                         std::span<Rgba> out) const {
   const std::size_t side = level > max_attribute_level ? 0 : std::size_t{1} << level;
   detail::check(uv, level, out.size(), (side + 1) * (side + 2) / 2);
   return detail::bake_vertices(*source_, uv, level, out);

@@ -65,7 +65,8 @@ void each_strip(const Part& part, Coordinate coordinate, Visit visit) {
 class Difference {
  public:
   /// Texture a + b x + c y + d x y from the cell's least corner, less shown0 + s shown_s + t shown_t.
-  Difference(double column, double row, const std::array<double, 4>& texels, const std::array<double, 3>& shown)
+  Difference(double column, double row, const std::array<double, 4>& texels,
+             const std::array<double, 3>& shown)
       : column_(column),
         row_(row),
         a_(texels[0]),
@@ -95,7 +96,8 @@ void judge(const Part& part, const Difference& e, double& largest, double& squar
   }
   for (std::size_t k = 2; k < part.size; ++k) {
     const std::array<Corner, 3> c{part.at[0], part.at[k - 1], part.at[k]};
-    const double area = std::fabs((c[1].s - c[0].s) * (c[2].t - c[0].t) - (c[1].t - c[0].t) * (c[2].s - c[0].s));
+    const double area =
+        std::fabs((c[1].s - c[0].s) * (c[2].t - c[0].t) - (c[1].t - c[0].t) * (c[2].s - c[0].s));
     double form = 0;
     std::array<double, 3> at, middle;
     for (std::size_t m = 0; m < 3; ++m) {
@@ -140,20 +142,27 @@ MapError map_error(const RgbaView& texture, const AttributeSampling& sampling, c
       const Point p = frame.at(corners[c].i, corners[c].j);
       triangle.add({p.x, p.y, c == 1 ? 1.0 : 0.0, c == 2 ? 1.0 : 0.0});
     }
-    each_strip(triangle, [](const Corner& c) { return c.y; }, [&](std::int64_t j, const Part& row) {
-      each_strip(row, [](const Corner& c) { return c.x; }, [&](std::int64_t i, const Part& part) {
-        const std::int64_t x = source.column(frame.left + i), right = source.column(frame.left + i + 1),
-                           y = source.row(frame.top + j), below = source.row(frame.top + j + 1);
-        const std::array<const std::uint8_t*, 4> texels{source.bytes(x, y), source.bytes(right, y),
-                                                        source.bytes(x, below), source.bytes(right, below)};
-        for (std::size_t c = 0; c < 4; ++c) {
-          const Difference e(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5,
-                             {number(texels[0], c), number(texels[1], c), number(texels[2], c), number(texels[3], c)},
-                             {number(shown[0], c), number(shown[1], c), number(shown[2], c)});
-          judge(part, e, error.largest[c], error.square[c]);
-        }
-      });
-    });
+    each_strip(
+        triangle, [](const Corner& c) { return c.y; },
+        [&](std::int64_t j, const Part& row) {
+          each_strip(
+              row, [](const Corner& c) { return c.x; },
+              [&](std::int64_t i, const Part& part) {
+                const std::int64_t x = source.column(frame.left + i),
+                                   right = source.column(frame.left + i + 1), y = source.row(frame.top + j),
+                                   below = source.row(frame.top + j + 1);
+                const std::array<const std::uint8_t*, 4> texels{source.bytes(x, y), source.bytes(right, y),
+                                                                source.bytes(x, below),
+                                                                source.bytes(right, below)};
+                for (std::size_t c = 0; c < 4; ++c) {
+                  const Difference e(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5,
+                                     {number(texels[0], c), number(texels[1], c), number(texels[2], c),
+                                      number(texels[3], c)},
+                                     {number(shown[0], c), number(shown[1], c), number(shown[2], c)});
+                  judge(part, e, error.largest[c], error.square[c]);
+                }
+              });
+        });
   }
   // Positions within 8 u E of the true ones, where the texture changes by 1 a texel along each axis at most, and what is
   // cut off by as little; (s, t) and sums round by less than 2^-40 of numbers up to 1.
@@ -173,16 +182,17 @@ void decimate_edges(std::uint32_t level, std::uint8_t edges, Meaning meaning, st
   for (std::uint32_t edge = 0; edge < 3; ++edge) {
     if ((edges >> edge & 1) == 0) continue;
     const auto at = [&](std::uint32_t k) -> Rgba& {  // from vertex `edge` to the next
-      const index::Vertex v = edge == 0 ? index::Vertex{k, 0} : edge == 1 ? index::Vertex{side - k, k}
-                                                                          : index::Vertex{0, side - k};
+      const index::Vertex v = edge == 0   ? index::Vertex{k, 0}
+                              : edge == 1 ? index::Vertex{side - k, k}
+                                          : index::Vertex{0, side - k};
       return vertices[vertex_number(v)];
     };
     for (std::uint32_t k = 1; k < side; k += 2) {
       const Rgba &a = at(k - 1), &b = at(k + 1);
       Rgba& middle = at(k);
       for (std::size_t c = 0; c < 4; ++c)
-        middle[c] = curves[c]->exact_code(
-            std::int64_t{curves[c]->number[a[c]]} + curves[c]->number[b[c]], std::int64_t{2});
+        middle[c] = curves[c]->exact_code(std::int64_t{curves[c]->number[a[c]]} + curves[c]->number[b[c]],
+                                          std::int64_t{2});
     }
   }
 }

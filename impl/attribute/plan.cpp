@@ -52,7 +52,8 @@ class Planner {
   void each_neighbour(std::size_t t, Visit visit) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t s = of_.neighbours[t][k];
-      if (s != no_neighbour && !plans_[static_cast<std::size_t>(s)].special) visit(k, static_cast<std::size_t>(s));
+      if (s != no_neighbour && !plans_[static_cast<std::size_t>(s)].special)
+        visit(k, static_cast<std::size_t>(s));
     }
   }
 

@@ -38,7 +38,8 @@ struct TrianglePlan {
 struct PlanRequest {
   std::span<const Neighbours> neighbours;  ///< of one another; of a triangle each
   std::uint32_t highest = 5;               ///< level
-  std::function<bool(std::size_t triangle)> special = {};  ///< whether one value keeps the error; empty: none does
+  std::function<bool(std::size_t triangle)> special =
+      {};  ///< whether one value keeps the error; empty: none does
   /// Whether a triangle's map of a level, with those edges decimated, keeps it.
   std::function<bool(std::size_t triangle, std::uint32_t level, std::uint8_t decimated)> keeps = {};
 };

@@ -18,17 +18,15 @@ namespace {
 constexpr std::array<const char*, 5> wrap_names{"repeat", "mirror", "clamp", "border", "mirror-once"};
 constexpr std::array<const char*, 2> filter_names{"bilinear", "nearest"};
 constexpr std::array<const char*, 4> meaning_names{"linear", "srgb", "normal", "normal+length"};
-constexpr std::array<std::uint8_t, 3> alphabet{0, 101, 255};
 
-constexpr std::array<std::pair<Wrap, Wrap>, 8> family_wraps{
-    {{Wrap::repeat, Wrap::repeat},
-     {Wrap::mirrored_repeat, Wrap::mirrored_repeat},
-     {Wrap::clamp_to_edge, Wrap::clamp_to_edge},
-     {Wrap::clamp_to_border, Wrap::clamp_to_border},
-     {Wrap::mirror_once, Wrap::mirror_once},
-     {Wrap::repeat, Wrap::clamp_to_edge},
-     {Wrap::mirrored_repeat, Wrap::repeat},
-     {Wrap::clamp_to_border, Wrap::mirror_once}}};
+constexpr std::array<std::pair<Wrap, Wrap>, 8> family_wraps{{{Wrap::repeat, Wrap::repeat},
+                                                             {Wrap::mirrored_repeat, Wrap::mirrored_repeat},
+                                                             {Wrap::clamp_to_edge, Wrap::clamp_to_edge},
+                                                             {Wrap::clamp_to_border, Wrap::clamp_to_border},
+                                                             {Wrap::mirror_once, Wrap::mirror_once},
+                                                             {Wrap::repeat, Wrap::clamp_to_edge},
+                                                             {Wrap::mirrored_repeat, Wrap::repeat},
+                                                             {Wrap::clamp_to_border, Wrap::mirror_once}}};
 
 // Inside; half of the square, on the grid; beyond all sides; clockwise and thin; far left above; a segment; a point.
 constexpr std::array<UvTriangle, 7> family_triangles{{{0.125f, 0.25f, 0.875f, 0.375f, 0.5f, 0.8125f},
@@ -51,7 +49,8 @@ std::vector<Rgba> unhexed(const std::string& text) {
   std::vector<Rgba> texels(text.size() / 8);
   for (std::size_t k = 0; k < texels.size(); ++k)
     for (std::size_t c = 0; c < 4; ++c)
-      texels[k][c] = static_cast<std::uint8_t>(std::strtoul(text.substr(8 * k + 2 * c, 2).c_str(), nullptr, 16));
+      texels[k][c] =
+          static_cast<std::uint8_t>(std::strtoul(text.substr(8 * k + 2 * c, 2).c_str(), nullptr, 16));
   return texels;
 }
 
@@ -86,12 +85,12 @@ BakeCase family_case(std::uint64_t spot, std::uint64_t texture, Filter filter) {
   std::tie(p.wrap_u, p.wrap_v) = family_wraps[spot / family_meanings];
   p.width = p.height = 2;
   p.filter = filter;
-  p.border = {101, 255, 0, 101};
+  p.border = {101, 101, 101, 101};
   p.texels.resize(4);
-  for (std::uint64_t c = 0; c < 4; ++c) {
-    std::uint64_t t = (texture + 20 * c) % family_textures;
+  for (std::size_t c = 0; c < 4; ++c) {
+    std::uint64_t t = family_texture(texture, c);
     for (Rgba& texel : p.texels) {
-      texel[c] = alphabet[t % 3];
+      texel[c] = family_alphabet[t % 3];
       t /= 3;
     }
   }
@@ -99,7 +98,8 @@ BakeCase family_case(std::uint64_t spot, std::uint64_t texture, Filter filter) {
 }
 
 const char* family_domain() {
-  return "all 81 2x2 textures over 0, 101, 255 in each channel, 8 pairs of addressing modes, linear and sRGB, 7 "
+  return "all 81 2x2 textures over 0, 101, 255 in each channel, 8 pairs of addressing modes, linear and "
+         "sRGB, 7 "
          "triangles";
 }
 
@@ -146,7 +146,8 @@ std::string text_of(const BakeCase& one) {
   std::string uv;
   for (const float x : one.uv) uv += fmt::format("{}{:a}", uv.empty() ? "" : ",", x);
   return fmt::format("{}x{}:{}:{},{},{},{},{}:{}", p.width, p.height, hex(p.texels),
-                     wrap_names[static_cast<std::size_t>(p.wrap_u)], wrap_names[static_cast<std::size_t>(p.wrap_v)],
+                     wrap_names[static_cast<std::size_t>(p.wrap_u)],
+                     wrap_names[static_cast<std::size_t>(p.wrap_v)],
                      filter_names[static_cast<std::size_t>(p.filter)],
                      meaning_names[static_cast<std::size_t>(p.meaning)], hex({p.border}), uv);
 }
@@ -155,8 +156,10 @@ BakeCase read_bake_case(const std::string& text) {
   const Groups groups = groups_of(
       text, "([1-9]|1[0-6])x([1-9]|1[0-6]):((?:[0-9a-f]{8})+):([a-z,+-]+),([0-9a-f]{8}):([0-9a-fxp.,+-]+)");
   if (!groups)
-    throw BadCase(fmt::format("'{:.60}': write WxH:TEXELS:WRAP,WRAP,FILTER,MEANING,BORDER:U,V,U,V,U,V, texels and border "
-                              "eight hexadecimal digits each", text));
+    throw BadCase(fmt::format(
+        "'{:.60}': write WxH:TEXELS:WRAP,WRAP,FILTER,MEANING,BORDER:U,V,U,V,U,V, texels and border "
+        "eight hexadecimal digits each",
+        text));
   BakeCase one;
   Picture& p = one.picture;
   p.width = static_cast<std::uint32_t>(std::stoul((*groups)[1]));

@@ -27,35 +27,45 @@ struct ErrorCase {
 constexpr std::int64_t points_to_a_side = 24;  // no power of 2, so that they fall beside micro-edges as well
 
 /// The texture sampled bilinearly at (u, v) of the triangle, less what the map shows there.
-Rational difference(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map, std::size_t c,
-                    const Rational& u, const Rational& v) {
-  const auto uv = base_triangle<Rational>(one.uv);
-  const auto along = [&](Rational slow::Place<Rational>::*axis, std::uint32_t size) {
-    return Rational((uv[0].*axis + u * (uv[1].*axis - uv[0].*axis) + v * (uv[2].*axis - uv[0].*axis)) *
-                    Rational(size));
+template <class Q>
+Q difference_in(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map, std::size_t c,
+                const Q& u, const Q& v) {
+  const auto uv = base_triangle<Q>(one.uv);
+  const auto along = [&](Q slow::Place<Q>::*axis, std::uint32_t size) {
+    return Q((uv[0].*axis + u * (uv[1].*axis - uv[0].*axis) + v * (uv[2].*axis - uv[0].*axis)) * Q(size));
   };
-  const auto shares = slow::shares_at(slow::Place<Rational>{along(&slow::Place<Rational>::x, one.picture.width),
-                                                            along(&slow::Place<Rational>::y, one.picture.height)},
+  const auto shares = slow::shares_at(slow::Place<Q>{along(&slow::Place<Q>::x, one.picture.width),
+                                                     along(&slow::Place<Q>::y, one.picture.height)},
                                       Filter::bilinear);
-  const Rational texture = one.picture.meaning == Meaning::srgb && c < 3
-                               ? slow::mean(channel_of<slow::Srgb8>(one.picture, c, Filter::bilinear), shares)
-                               : slow::mean(channel_of<std::uint8_t>(one.picture, c, Filter::bilinear), shares);
-  const std::uint32_t index = spec::index::reference(spec::Point<Rational>{u, v}, n);
-  if (form == MapForm::faces) return texture - number_of(one.picture, c, map[index][c]);
+  const Q texture = one.picture.meaning == Meaning::srgb && c < 3
+                        ? slow::mean(channel_of<slow::Srgb8>(one.picture, c, Filter::bilinear), shares)
+                        : slow::mean(channel_of<std::uint8_t>(one.picture, c, Filter::bilinear), shares);
+  const std::uint32_t index = spec::index::reference(spec::Point<Rational>{wide(u), wide(v)}, n);
+  if (form == MapForm::faces) return texture - number_of<Q>(one.picture, c, map[index][c]);
   // Linear between the corners p, q, r: by areas.
   const auto corners = spec::index::corners(index, n);
-  const Rational N(spec::side(n));
+  const Q N(spec::side(n));
   const auto area = [&](std::size_t k) {
     const auto &p = corners[(k + 1) % 3], &q = corners[(k + 2) % 3];
-    return Rational((Rational(q.i) - Rational(p.i)) * (v * N - Rational(p.j)) -
-                    (Rational(q.j) - Rational(p.j)) * (u * N - Rational(p.i)));
+    return Q((Q(q.i) - Q(p.i)) * (v * N - Q(p.j)) - (Q(q.j) - Q(p.j)) * (u * N - Q(p.i)));
   };
-  const Rational whole = area(0) + area(1) + area(2);
-  Rational shown(0);
+  const Q whole = area(0) + area(1) + area(2);
+  Q shown(0);
   for (std::size_t k = 0; k < 3; ++k)
-    shown += area(k) / whole *
-             number_of(one.picture, c, map[slow::vertex_index(slow::VertexOrder::w_minor, corners[k], n)][c]);
+    shown +=
+        area(k) / whole *
+        number_of<Q>(one.picture, c, map[slow::vertex_index(slow::VertexOrder::w_minor, corners[k], n)][c]);
   return texture - shown;
+}
+
+/// At u = a / side, v = b / side.
+Rational difference(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map, std::size_t c,
+                    std::int64_t a, std::int64_t b, std::int64_t side) {
+  return in_few_bits([&](auto q) {
+    using Q = decltype(q);
+    return wide(
+        difference_in<Q>(one, n, form, map, c, slow::fraction<Q>(a, side), slow::fraction<Q>(b, side)));
+  });
 }
 
 double about(const Rational& q) {
@@ -71,9 +81,8 @@ Finding is_bound(const AttributeSubject& s, Level n, const ErrorCase& e) {
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::int64_t a = 0; a <= points_to_a_side; ++a)
       for (std::int64_t b = (a + static_cast<std::int64_t>(c)) % 4; a + b <= points_to_a_side; b += 4) {
-        const Rational u = slow::fraction<Rational>(a, points_to_a_side),
-                       v = slow::fraction<Rational>(b, points_to_a_side),
-                       here = difference(e.one, n, e.form, map, c, u, v), size = here < 0 ? Rational(-here) : here;
+        const Rational here = difference(e.one, n, e.form, map, c, a, b, points_to_a_side),
+                       size = here < 0 ? Rational(-here) : here;
         if (size > got[c].largest)
           return wrong(fmt::format("{:.9g} at the least: channel {} at u={}/{}, v={}/{}", about(size), c, a,
                                    points_to_a_side, b, points_to_a_side),
@@ -82,7 +91,8 @@ Finding is_bound(const AttributeSubject& s, Level n, const ErrorCase& e) {
     for (const auto& [what, mine, of] : {std::tuple{"largest", got[c].largest, truth[c].largest},
                                          std::tuple{"mean square", got[c].square, truth[c].square}})
       if (mine < of || mine > of + slack)
-        return wrong(fmt::format("{} error {:.12g} of channel {}", what, about(of), c), fmt::format("{:.12g}", about(mine)));
+        return wrong(fmt::format("{} error {:.12g} of channel {}", what, about(of), c),
+                     fmt::format("{:.12g}", about(mine)));
   }
   return {static_cast<std::uint64_t>(about(truth[0].largest) * 0x1p40)};
 }
@@ -90,7 +100,8 @@ Finding is_bound(const AttributeSubject& s, Level n, const ErrorCase& e) {
 /// Looks for the largest error at the corners of micro-triangles alone.
 std::function<void(Functions&)> at_corners_alone() {
   return [](Functions& f) {
-    f.baking.error = [real = f.baking.error](const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map) {
+    f.baking.error = [real = f.baking.error](const BakeCase& one, Level n, MapForm form,
+                                             const std::vector<Rgba>& map) {
       auto error = real(one, n, form, map);
       if (form == MapForm::faces) return error;
       for (std::size_t c = 0; c < 4; ++c) {
@@ -98,8 +109,7 @@ std::function<void(Functions&)> at_corners_alone() {
         for (std::uint64_t k = 0; k < slow::vertex_count(n); ++k) {
           const auto at = slow::vertex_at(slow::VertexOrder::w_minor, k, n);
           const auto N = static_cast<std::int64_t>(spec::side(n));
-          const Rational here = difference(one, n, form, map, c, slow::fraction<Rational>(at.i, N),
-                                           slow::fraction<Rational>(at.j, N));
+          const Rational here = difference(one, n, form, map, c, at.i, at.j, N);
           error[c].largest = std::max(error[c].largest, here < 0 ? Rational(-here) : here);
         }
       }
@@ -140,14 +150,16 @@ Law error_law() {
     const std::string form = text.substr(0, colon);
     if (colon == std::string::npos || (form != "faces" && form != "vertices"))
       throw BadCase(fmt::format("'{:.60}': begin with faces: or vertices:", text));
-    return ErrorCase{read_bake_case(text.substr(colon + 1)), form == "faces" ? MapForm::faces : MapForm::vertices};
+    return ErrorCase{read_bake_case(text.substr(colon + 1)),
+                     form == "faces" ? MapForm::faces : MapForm::vertices};
   };
   cases.check = is_bound;
   cases.chunk = 1;
   return on_cases(
       {.id = "attribute.error_is_bound",
        .topic = "attribute",
-       .says = "no point of a map is further from the texture than its stated largest error, which is the exact one, as "
+       .says = "no point of a map is further from the texture than its stated largest error, which is the "
+               "exact one, as "
                "is the mean square, up to the slack that is declared",
        .source = "spec/attribute/error.hpp; Color and Attribute Micromaps, 6.3",
        .method = Method::sample,
@@ -159,13 +171,15 @@ Law error_law() {
            [](const Subject&, Level) {
              return std::string("faces and vertices of sampled cases, 2x2 to 5x5 texels, each at 337 points");
            },
-       .mutants = {mutant("looked for at the corners of micro-triangles", "attribute-spec", {0, 0}, at_corners_alone()),
+       .mutants = {mutant("looked for at the corners of micro-triangles", "attribute-spec", {0, 0},
+                          at_corners_alone()),
                    mutant("sRGB compared as codes", "attribute", {0, 0}, errors_of_another([](BakeCase& one) {
                             if (one.picture.meaning == Meaning::srgb) one.picture.meaning = Meaning::linear;
                           })),
                    mutant("the mean of |e| squared", "attribute", {0, 0},
                           [](Functions& f) {
-                            f.baking.error = [real = f.baking.error](const BakeCase& one, Level n, MapForm form,
+                            f.baking.error = [real = f.baking.error](const BakeCase& one, Level n,
+                                                                     MapForm form,
                                                                      const std::vector<Rgba>& map) {
                               auto error = real(one, n, form, map);
                               for (auto& c : error) c.square = c.square * slow::fraction<Rational>(3, 4);
@@ -173,7 +187,8 @@ Law error_law() {
                             };
                           }),
                    mutant("mirrored as repeated", "attribute", {0, 0}, errors_of_another([](BakeCase& one) {
-                            if (one.picture.wrap_u == Wrap::mirrored_repeat) one.picture.wrap_u = Wrap::repeat;
+                            if (one.picture.wrap_u == Wrap::mirrored_repeat)
+                              one.picture.wrap_u = Wrap::repeat;
                           }))}},
       needing({bounds_errors}), cases);
 }
@@ -214,7 +229,8 @@ Law light_law() {
   return on_cases(
       {.id = "attribute.srgb_table",
        .topic = "attribute",
-       .says = "linear light of each code, and of each middle between two, is the nearest of 2^24 to the sRGB curve: "
+       .says = "linear light of each code, and of each middle between two, is the nearest of 2^24 to the "
+               "sRGB curve: "
                "x >= r^(12/5) where x^5 >= r^12",
        .source = "IEC 61966-2-1; spec/attribute/colour.hpp",
        .subjects = {"attribute-spec", "attribute"},
@@ -226,12 +242,14 @@ Law light_law() {
        .mutants = {mutant("the exponent is 2.2 beyond the line", "attribute", {0, 0},
                           light([](std::uint32_t m, std::uint32_t x) {
                             return m <= 20 ? x
-                                           : static_cast<std::uint32_t>(
-                                                 std::floor(std::pow((m / 510.0 + 0.055) / 1.055, 2.2) * 0x1p24 + 0.5));
+                                           : static_cast<std::uint32_t>(std::floor(
+                                                 std::pow((m / 510.0 + 0.055) / 1.055, 2.2) * 0x1p24 + 0.5));
                           })),
                    mutant("the line ends one code later", "attribute", {0, 0},
                           light([](std::uint32_t m, std::uint32_t x) {
-                            return m == 22 ? static_cast<std::uint32_t>(std::floor(m / 510.0 / 12.92 * 0x1p24 + 0.5)) : x;
+                            return m == 22 ? static_cast<std::uint32_t>(
+                                                 std::floor(m / 510.0 / 12.92 * 0x1p24 + 0.5))
+                                           : x;
                           })),
                    mutant("truncated between codes 200 and 201", "attribute", {0, 0},
                           light([](std::uint32_t m, std::uint32_t x) { return m == 401 ? x - 1 : x; }))}},

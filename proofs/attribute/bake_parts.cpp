@@ -48,7 +48,8 @@ std::function<void(Functions&)> bakes_another(MapForm form, std::function<void(B
 namespace {
 
 /// The mean, or value, of a channel of colours.
-Rational128 colour(const BakeCase& one, std::size_t c, Filter filter, const slow::Shares<Rational128>& shares) {
+Rational128 colour(const BakeCase& one, std::size_t c, Filter filter,
+                   const slow::Shares<Rational128>& shares) {
   if (one.picture.meaning == Meaning::srgb && c < 3)
     return slow::mean(channel_of<slow::Srgb8>(one.picture, c, filter), shares);
   return slow::mean(channel_of<std::uint8_t>(one.picture, c, filter), shares);
@@ -91,9 +92,9 @@ std::function<void(Functions&)> of_faces(
     f.baking.faces = with_shares(Filter::nearest, each_face(of_face));
     f.baking.face_mean = [=](const BakeCase& one, Level n, std::size_t c, std::uint32_t k) {
       const auto uv = base_triangle<Rational128>(one.uv);
-      const auto mean = colour(one, c, Filter::nearest, of_face(spec::bake::micro_triangle(
-                                                            uv, n, k, one.picture.width, one.picture.height)));
-      return Rational(spec::Integer(mean.numerator()), spec::Integer(mean.denominator()));
+      return wide(
+          colour(one, c, Filter::nearest,
+                 of_face(spec::bake::micro_triangle(uv, n, k, one.picture.width, one.picture.height))));
     };
   };
 }
@@ -106,7 +107,8 @@ std::function<void(Functions&)> rounds_half_down(MapForm form) {
     baker = [=, real = baker](const BakeCase& one, Level n) {
       std::vector<Rgba> map = real(one, n);
       const Filter filter = form == MapForm::faces ? Filter::nearest : one.picture.filter;
-      const auto shares = form == MapForm::faces ? face_shares<Rational128>(one, n) : vertex_shares<Rational128>(one, n);
+      const auto shares =
+          form == MapForm::faces ? face_shares<Rational128>(one, n) : vertex_shares<Rational128>(one, n);
       for (std::size_t k = 0; k < map.size(); ++k)
         for (std::size_t c = one.picture.meaning == Meaning::linear ? 0 : 3; c < 4; ++c) {
           const auto twice = slow::fraction<Rational128>(510, 1) * colour(one, c, filter, shares[k]);
@@ -121,20 +123,19 @@ std::function<void(Functions&)> averages_centres() {
   return of_faces([](const slow::Polygon<Rational128>& corners) {
     std::vector<slow::Place<Rational128>> centres;
     const auto half = slow::fraction<Rational128>(1, 2);
-    slow::for_each_part(slow::Image<Rational128>(corners), Rational128(0),
-                        [&](std::int64_t i, std::int64_t j, const auto&) {
-                          const slow::Place<Rational128> centre{slow::fraction<Rational128>(i, 1) + half,
-                                                                slow::fraction<Rational128>(j, 1) + half};
-                          bool left = true, right = true;
-                          for (std::size_t k = 0; k < 3; ++k) {
-                            const auto &p = corners[k], &q = corners[(k + 1) % 3];
-                            const Rational128 side =
-                                (q.x - p.x) * (centre.y - p.y) - (q.y - p.y) * (centre.x - p.x);
-                            left = left && side >= 0;
-                            right = right && side <= 0;
-                          }
-                          if (left || right) centres.push_back(centre);
-                        });
+    slow::for_each_part(
+        slow::Image<Rational128>(corners), Rational128(0), [&](std::int64_t i, std::int64_t j, const auto&) {
+          const slow::Place<Rational128> centre{slow::fraction<Rational128>(i, 1) + half,
+                                                slow::fraction<Rational128>(j, 1) + half};
+          bool left = true, right = true;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const auto &p = corners[k], &q = corners[(k + 1) % 3];
+            const Rational128 side = (q.x - p.x) * (centre.y - p.y) - (q.y - p.y) * (centre.x - p.x);
+            left = left && side >= 0;
+            right = right && side <= 0;
+          }
+          if (left || right) centres.push_back(centre);
+        });
     return even(centres.empty() ? std::vector{spec::bake::centroid(corners)} : centres);
   });
 }
@@ -175,8 +176,9 @@ std::function<void(Functions&)> places_in_floats() {
           const float p = one.uv[axis], q = one.uv[axis + 2], r = one.uv[axis + 4];
           return exact((p + (q - p) * s + (r - p) * t) * static_cast<float>(size));
         };
-        const auto shares = slow::shares_at(
-            slow::Place<Rational>{along(0, one.picture.width), along(1, one.picture.height)}, one.picture.filter);
+        const auto shares =
+            slow::shares_at(slow::Place<Rational>{along(0, one.picture.width), along(1, one.picture.height)},
+                            one.picture.filter);
         map.push_back(true_codes(one.picture, one.picture.filter,
                                  [&](const auto& texture) { return slow::mean(texture, shares); }));
       }

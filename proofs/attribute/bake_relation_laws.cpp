@@ -62,9 +62,13 @@ Law edge_law() {
     Random random(seed, 0x656467 + n, k);
     const auto any = [&] { return static_cast<float>(random.between(-4096, 8192)) / 4096; };
     EdgeCase c{sample_case(seed, n, k), any(), any(), static_cast<std::uint32_t>(k % 6)};
+    if (k % 8 < 6)  // in all of binary32's bits
+      for (float& x : c.one.uv) x = static_cast<float>(random.between(-(1 << 24), 1 << 25)) / (1 << 24);
     return c;
   };
-  cases.text = [](Level, const EdgeCase& c) { return fmt::format("{}:{:a},{:a},{}", text_of(c.one), c.u, c.v, c.turn); };
+  cases.text = [](Level, const EdgeCase& c) {
+    return fmt::format("{}:{:a},{:a},{}", text_of(c.one), c.u, c.v, c.turn);
+  };
   cases.read = [](Level, const std::string& text) {
     const auto colon = text.rfind(':');
     if (colon == std::string::npos) throw BadCase(fmt::format("'{:.60}': end with :U,V,TURN", text));
@@ -94,8 +98,9 @@ Law edge_law() {
   return on_cases(
       {.id = "attribute.bake_edge_agrees",
        .topic = "attribute",
-       .says = "two triangles with the same coordinates at both ends of an edge have the same codes on its N+1 "
-               "micro-vertices",
+       .says =
+           "two triangles with the same coordinates at both ends of an edge have the same codes on its N+1 "
+           "micro-vertices",
        .source = "Color and Attribute Micromaps, 3.2; continuity across base triangles",
        .method = Method::sample,
        .subjects = {"attribute"},
@@ -133,7 +138,9 @@ struct FaceCase {
 
 constexpr Entry means_faces{"face_mean", [](const Functions& f) { return bool(f.baking.face_mean); }};
 
-std::string ratio(const Rational& q) { return fmt::format("{}/{}", q.numerator().str(), q.denominator().str()); }
+std::string ratio(const Rational& q) {
+  return fmt::format("{}/{}", q.numerator().str(), q.denominator().str());
+}
 
 /// Channel c is texel c alone: a mean is linear in the texels, so that these four say all.
 BakeCase lone_texels(std::uint64_t spot, Filter filter) {
@@ -149,9 +156,11 @@ Finding is_parent(const AttributeSubject& s, Level n, const FaceCase& f) {
   for (std::size_t c = 0; c < 4; ++c) {
     const Rational parent = s.functions.baking.face_mean(f.one, n, c, f.index);
     Rational children(0);
-    for (std::uint32_t k = 0; k < 4; ++k) children += s.functions.baking.face_mean(f.one, n + 1, c, 4 * f.index + k);
+    for (std::uint32_t k = 0; k < 4; ++k)
+      children += s.functions.baking.face_mean(f.one, n + 1, c, 4 * f.index + k);
     if (children != parent * 4)
-      return wrong(fmt::format("{} of channel {} at face {}, the mean of its children", ratio(children / 4), c, f.index),
+      return wrong(fmt::format("{} of channel {} at face {}, the mean of its children", ratio(children / 4),
+                               c, f.index),
                    ratio(parent));
     digest = digest * 31 + static_cast<std::uint64_t>(spec::Integer(parent.numerator() % 65521));
   }
@@ -180,7 +189,8 @@ Law parent_law() {
   return on_cases(
       {.id = "attribute.face_mean_is_parent",
        .topic = "attribute",
-       .says = "before rounding, a face's mean is the mean of its four children, also where the triangle is a segment "
+       .says = "before rounding, a face's mean is the mean of its four children, also where the triangle is "
+               "a segment "
                "or a point in the texture",
        .source = "Color and Attribute Micromaps, 4.4 and 5.1",
        .subjects = {"attribute-spec"},
@@ -189,13 +199,15 @@ Law parent_law() {
        .fast_seconds = 1,
        .domain =
            [](const Subject&, Level) {
-             return std::string("each texel of 2x2 alone, nearest and bilinear, 8 pairs of addressing modes, 7 "
-                                "triangles, all faces");
+             return std::string(
+                 "each texel of 2x2 alone, nearest and bilinear, 8 pairs of addressing modes, 7 "
+                 "triangles, all faces");
            },
        .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute-spec", {0, 1},
                           averages_centres()),
                    mutant("the mean of the corners' texels", "attribute-spec", {0, 0}, averages_corners()),
-                   mutant("along a segment all parts weigh the same", "attribute-spec", {0, 0}, spreads_evenly())}},
+                   mutant("along a segment all parts weigh the same", "attribute-spec", {0, 0},
+                          spreads_evenly())}},
       needing({means_faces}), cases);
 }
 
@@ -206,7 +218,8 @@ Law parent_law() {
 Finding is_constant(const AttributeSubject& s, Level n, const BakeCase& one) {
   const Rgba colour = one.picture.texels[0];
   for (const MapForm form : {MapForm::vertices, MapForm::faces}) {
-    const std::vector<Rgba> expected(form == MapForm::faces ? slow::face_count(n) : slow::vertex_count(n), colour);
+    const std::vector<Rgba> expected(form == MapForm::faces ? slow::face_count(n) : slow::vertex_count(n),
+                                     colour);
     if (Finding found = compared(form, expected, map_baker(s.functions.baking, form)(one, n)); !found.holds)
       return found;
   }
@@ -255,14 +268,16 @@ Law constant_law() {
        .fast_seconds = 0.5,
        .domain =
            [](const Subject&, Level) {
-             return std::string("256 colours with all codes in each channel, 8 pairs of addressing modes, linear and "
-                                "sRGB, 7 triangles");
+             return std::string(
+                 "256 colours with all codes in each channel, 8 pairs of addressing modes, linear and "
+                 "sRGB, 7 triangles");
            },
        .mutants = {mutant("white is 254 on the sRGB curve", "attribute", {0, 1},
                           spoilt(
                               MapForm::faces,
                               [](const BakeCase& one) {
-                                return one.picture.meaning == Meaning::srgb && one.picture.texels[0][0] == 255;
+                                return one.picture.meaning == Meaning::srgb &&
+                                       one.picture.texels[0][0] == 255;
                               },
                               0)),
                    mutant("code 11, the first beyond the line, is 10", "attribute", {1, 1},

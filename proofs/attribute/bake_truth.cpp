@@ -12,21 +12,13 @@ namespace slow = spec::attribute;
 
 /// Of numbers of any size: codes from shares.
 template <class Q>
-std::vector<Rgba> from_shares(const BakeCase& one, Filter filter, const std::vector<slow::Shares<Q>>& shares) {
+std::vector<Rgba> from_shares(const BakeCase& one, Filter filter,
+                              const std::vector<slow::Shares<Q>>& shares) {
   std::vector<Rgba> map;
   for (const slow::Shares<Q>& s : shares)
-    map.push_back(true_codes(one.picture, filter, [&](const auto& texture) { return slow::mean(texture, s); }));
+    map.push_back(
+        true_codes(one.picture, filter, [&](const auto& texture) { return slow::mean(texture, s); }));
   return map;
-}
-
-/// f(Q), in 127 bits where they hold what it makes.
-template <class F>
-auto in_few_bits(F f) {
-  try {
-    return f(spec::Rational128());
-  } catch (const std::overflow_error&) {
-    return f(Rational());
-  }
 }
 
 }  // namespace
@@ -58,19 +50,13 @@ template std::vector<slow::Shares<spec::Rational128>> vertex_shares(const BakeCa
 template std::vector<slow::Shares<spec::Rational128>> face_shares(const BakeCase&, Level);
 
 std::vector<Rgba> true_vertices(const BakeCase& one, Level n) {
-  return in_few_bits([&](auto q) {
-    return from_shares(one, one.picture.filter, vertex_shares<decltype(q)>(one, n));
-  });
+  return in_few_bits(
+      [&](auto q) { return from_shares(one, one.picture.filter, vertex_shares<decltype(q)>(one, n)); });
 }
 
 std::vector<Rgba> true_faces(const BakeCase& one, Level n) {
   return in_few_bits(
       [&](auto q) { return from_shares(one, Filter::nearest, face_shares<decltype(q)>(one, n)); });
-}
-
-Rational number_of(const Picture& p, std::size_t channel, std::uint8_t code) {
-  if (p.meaning == Meaning::srgb && channel < 3) return slow::number<Rational>(slow::Srgb8{code});
-  return slow::number<Rational>(code);
 }
 
 }  // namespace mmverify::proofs::attribute

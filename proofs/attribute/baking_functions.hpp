@@ -68,7 +68,8 @@ struct Baking {
   /// The mean of a channel over face `index`, exactly.
   std::function<Rational(const BakeCase&, Level, std::size_t channel, std::uint32_t index)> face_mean = {};
   /// Of the texture sampled bilinearly against a map; bounds that are above it by `slack` at most.
-  std::function<std::array<ChannelError, 4>(const BakeCase&, Level, MapForm, const std::vector<Rgba>&)> error = {};
+  std::function<std::array<ChannelError, 4>(const BakeCase&, Level, MapForm, const std::vector<Rgba>&)>
+      error = {};
   double slack = 0;
   /// Linear light at m / 510 in units of 2^-24, m in 0..510.
   std::function<std::uint32_t(std::uint32_t m)> light = {};

@@ -40,8 +40,8 @@ struct NamedMesh {
   Mesh mesh;
 };
 const std::vector<NamedMesh>& meshes() {
-  static const std::vector<NamedMesh> all{{"strip", strip(6)}, {"fan", fan(5)}, {"tetrahedron", tetrahedron()},
-                                          {"octahedron", octahedron()}};
+  static const std::vector<NamedMesh> all{
+      {"strip", strip(6)}, {"fan", fan(5)}, {"tetrahedron", tetrahedron()}, {"octahedron", octahedron()}};
   return all;
 }
 
@@ -78,7 +78,8 @@ Finding is_graded(const AttributeSubject& s, Level n, const GradedCase& g) {
   for (std::size_t t = 0; t < wanted.size(); ++t) {
     one.special.push_back(wanted[t] == no_map);
     for (std::int32_t& k : apart[t])
-      if (one.special[t] || (k >= 0 && g.wanted[static_cast<std::size_t>(k)] == no_map)) k = slow::no_neighbour;
+      if (one.special[t] || (k >= 0 && g.wanted[static_cast<std::size_t>(k)] == no_map))
+        k = slow::no_neighbour;
   }
   for (Level& l : wanted)
     if (l == no_map) l = 0;
@@ -88,12 +89,14 @@ Finding is_graded(const AttributeSubject& s, Level n, const GradedCase& g) {
   std::vector<Level> levels;
   for (const PlannedTriangle& p : got) levels.push_back(p.level);
   if (levels != expected)
-    return wrong(fmt::format("levels {} of wanted {}", levels_text(expected), levels_text(g.wanted)), levels_text(levels));
+    return wrong(fmt::format("levels {} of wanted {}", levels_text(expected), levels_text(g.wanted)),
+                 levels_text(levels));
   std::uint64_t digest = 0;
   for (std::size_t t = 0; t < got.size(); ++t) {
     const std::uint8_t flags = slow::decimated_edges(expected, apart[t], t);
     if (got[t].decimated != flags || !got[t].kept)
-      return wrong(fmt::format("edges {:03b} of triangle {} of levels {}, its error kept", flags, t, levels_text(expected)),
+      return wrong(fmt::format("edges {:03b} of triangle {} of levels {}, its error kept", flags, t,
+                               levels_text(expected)),
                    fmt::format("{:03b}{}", got[t].decimated, got[t].kept ? "" : ", not kept"));
     digest = digest * 31 + expected[t] * 8 + flags;
   }
@@ -101,7 +104,8 @@ Finding is_graded(const AttributeSubject& s, Level n, const GradedCase& g) {
 }
 
 /// The plan of a subject, changed afterwards.
-std::function<void(Functions&)> replanned(std::function<void(const PlanCase&, std::vector<PlannedTriangle>&)> change) {
+std::function<void(Functions&)> replanned(
+    std::function<void(const PlanCase&, std::vector<PlannedTriangle>&)> change) {
   return [=](Functions& f) {
     f.baking.plan = [=, real = f.baking.plan](const PlanCase& one) {
       auto plan = real(one);
@@ -142,13 +146,15 @@ Law graded_law() {
       }
       return g;
     }
-    throw BadCase(fmt::format("'{:.60}': strip, fan, tetrahedron or octahedron, a colon, a level each", text));
+    throw BadCase(
+        fmt::format("'{:.60}': strip, fan, tetrahedron or octahedron, a colon, a level each", text));
   };
   cases.check = is_graded;
   return on_cases(
       {.id = "attribute.plan_graded",
        .topic = "attribute",
-       .says = "where levels suffice from a wanted one on, each triangle gets the greatest of wanted(s) less the edges "
+       .says = "where levels suffice from a wanted one on, each triangle gets the greatest of wanted(s) less "
+               "the edges "
                "between, neighbours differ by one at most, and flags say on which edges",
        .source = "Color and Attribute Micromaps, 3.2; spec/attribute/plan.hpp",
        .subjects = {"attribute"},
@@ -157,50 +163,54 @@ Law graded_law() {
        .fast_seconds = 0.5,
        .domain =
            [](const Subject&, Level n) {
-             return fmt::format("a strip of 6, a fan of 5, tetrahedron and octahedron: every triangle wants 0..{} or no "
-                                "map, all ways", n);
+             return fmt::format(
+                 "a strip of 6, a fan of 5, tetrahedron and octahedron: every triangle wants 0..{} or no "
+                 "map, all ways",
+                 n);
            },
-       .mutants =
-           {mutant("triangle 0 has one level less", "attribute", {2, 2},
-                   replanned([](const PlanCase&, std::vector<PlannedTriangle>& p) {
-                     if (p[0].level == 2 && p[1].level == 2) --p[0].level;
-                   })),
-            mutant("a flag on the edge of the coarser side", "attribute", {1, 1},
-                   replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
-                     for (std::size_t t = 0; t < p.size(); ++t)
-                       for (std::size_t k = 0; k < 3; ++k) {
-                         const std::int32_t s = one.neighbours[t][k];
-                         if (s >= 0 && !one.special[t] && !one.special[static_cast<std::size_t>(s)] &&
-                             p[static_cast<std::size_t>(s)].level == p[t].level + 1)
-                           p[t].decimated = static_cast<std::uint8_t>(p[t].decimated | 1u << k);
-                       }
-                   })),
-            mutant("what has no map bounds its neighbours", "attribute", {1, 2},
-                   [](Functions& f) {
-                     f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
-                       PlanCase other = one;
-                       other.special.assign(one.special.size(), false);
-                       return real(other);
-                     };
-                   }),
-            mutant("each is raised by its neighbours' own wishes alone", "attribute", {2, 2},
-                   [](Functions& f) {
-                     f.baking.plan = [](const PlanCase& one) {
-                       const std::size_t count = one.neighbours.size();
-                       std::vector<Level> wanted(count, 0), levels;
-                       for (std::size_t t = 0; t < count; ++t)
-                         while (!one.special[t] && wanted[t] < one.highest && !one.keeps(t, wanted[t], 0)) ++wanted[t];
-                       levels = wanted;
-                       for (std::size_t t = 0; t < count; ++t)
-                         for (const std::int32_t s : one.neighbours[t])
-                           if (s >= 0 && !one.special[t] && !one.special[static_cast<std::size_t>(s)])
-                             levels[t] = std::max(levels[t], std::max(wanted[static_cast<std::size_t>(s)], 1u) - 1);
-                       std::vector<PlannedTriangle> plan(count);
-                       for (std::size_t t = 0; t < count; ++t)
-                         plan[t] = {levels[t], slow::decimated_edges(levels, one.neighbours[t], t), true};
-                       return plan;
-                     };
-                   })}},
+       .mutants = {mutant("triangle 0 has one level less", "attribute", {2, 2},
+                          replanned([](const PlanCase&, std::vector<PlannedTriangle>& p) {
+                            if (p[0].level == 2 && p[1].level == 2) --p[0].level;
+                          })),
+                   mutant("a flag on the edge of the coarser side", "attribute", {1, 1},
+                          replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
+                            for (std::size_t t = 0; t < p.size(); ++t)
+                              for (std::size_t k = 0; k < 3; ++k) {
+                                const std::int32_t s = one.neighbours[t][k];
+                                if (s >= 0 && !one.special[t] && !one.special[static_cast<std::size_t>(s)] &&
+                                    p[static_cast<std::size_t>(s)].level == p[t].level + 1)
+                                  p[t].decimated = static_cast<std::uint8_t>(p[t].decimated | 1u << k);
+                              }
+                          })),
+                   mutant("what has no map bounds its neighbours", "attribute", {1, 2},
+                          [](Functions& f) {
+                            f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
+                              PlanCase other = one;
+                              other.special.assign(one.special.size(), false);
+                              return real(other);
+                            };
+                          }),
+                   mutant(
+                       "each is raised by its neighbours' own wishes alone", "attribute", {2, 2},
+                       [](Functions& f) {
+                         f.baking.plan = [](const PlanCase& one) {
+                           const std::size_t count = one.neighbours.size();
+                           std::vector<Level> wanted(count, 0), levels;
+                           for (std::size_t t = 0; t < count; ++t)
+                             while (!one.special[t] && wanted[t] < one.highest && !one.keeps(t, wanted[t], 0))
+                               ++wanted[t];
+                           levels = wanted;
+                           for (std::size_t t = 0; t < count; ++t)
+                             for (const std::int32_t s : one.neighbours[t])
+                               if (s >= 0 && !one.special[t] && !one.special[static_cast<std::size_t>(s)])
+                                 levels[t] = std::max(levels[t],
+                                                      std::max(wanted[static_cast<std::size_t>(s)], 1u) - 1);
+                           std::vector<PlannedTriangle> plan(count);
+                           for (std::size_t t = 0; t < count; ++t)
+                             plan[t] = {levels[t], slow::decimated_edges(levels, one.neighbours[t], t), true};
+                           return plan;
+                         };
+                       })}},
       needing({plans}), cases);
 }
 
@@ -224,7 +234,8 @@ Finding keeps_error(const AttributeSubject& s, Level n, const ErrorTable& e) {
   one.neighbours = meshes()[e.mesh].mesh;
   one.highest = n;
   const std::size_t count = one.neighbours.size();
-  for (std::size_t t = 0; t < count; ++t) one.special.push_back(Random(e.seed, 0x737065, e.number * 64 + t).below(8) == 0);
+  for (std::size_t t = 0; t < count; ++t)
+    one.special.push_back(Random(e.seed, 0x737065, e.number * 64 + t).below(8) == 0);
   one.keeps = [&](std::size_t t, Level level, std::uint8_t edges) { return kept(e, t, level, edges); };
   const auto plan = s.functions.baking.plan(one);
   std::uint64_t digest = 0;
@@ -240,12 +251,14 @@ Finding keeps_error(const AttributeSubject& s, Level n, const ErrorTable& e) {
       if (across < 0 || one.special[static_cast<std::size_t>(across)]) continue;
       const Level other = plan[static_cast<std::size_t>(across)].level;
       if (other > p.level + 1 || p.level > other + 1)
-        return wrong(fmt::format("{}: a level within one of it across edge {}", where, k), fmt::format("level {}", other));
+        return wrong(fmt::format("{}: a level within one of it across edge {}", where, k),
+                     fmt::format("level {}", other));
       if (other < p.level) flags = static_cast<std::uint8_t>(flags | 1u << k);
     }
     if (flags != p.decimated) return wrong(fmt::format("edges {:03b}", flags), where);
     if (p.kept != kept(e, t, p.level, p.decimated))
-      return wrong(fmt::format("{}: error {}", where, p.kept ? "not kept" : "kept"), p.kept ? "kept" : "not kept");
+      return wrong(fmt::format("{}: error {}", where, p.kept ? "not kept" : "kept"),
+                   p.kept ? "kept" : "not kept");
     if (!p.kept && (p.level < n || (flags != 0 && kept(e, t, p.level, 0))))
       return wrong("an error that a higher level around would keep, kept", where);
   }
@@ -254,7 +267,9 @@ Finding keeps_error(const AttributeSubject& s, Level n, const ErrorTable& e) {
 
 Law keeps_law() {
   Cases<ErrorTable> cases;
-  cases.count = [](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 4'000u : 400'000u}; };
+  cases.count = [](Level, const Run& run) {
+    return std::uint64_t{run.tier == Tier::fast ? 4'000u : 400'000u};
+  };
   cases.number = [](Level, std::uint64_t k, std::uint64_t seed) {
     return ErrorTable{k % meshes().size(), seed, k / meshes().size()};
   };
@@ -265,14 +280,16 @@ Law keeps_law() {
     const Groups groups = groups_of(text, "([a-z]+):seed=(\\d{1,18}),table=(\\d{1,12})");
     if (groups)
       for (std::size_t m = 0; m < meshes().size(); ++m)
-        if ((*groups)[1] == meshes()[m].name) return ErrorTable{m, std::stoull((*groups)[2]), std::stoull((*groups)[3])};
+        if ((*groups)[1] == meshes()[m].name)
+          return ErrorTable{m, std::stoull((*groups)[2]), std::stoull((*groups)[3])};
     throw BadCase(fmt::format("'{:.60}': write MESH:seed=1,table=2", text));
   };
   cases.check = keeps_error;
   return on_cases(
       {.id = "attribute.plan_keeps_error",
        .topic = "attribute",
-       .says = "whatever keeps the error: each triangle of a plan keeps it, with its edges as they are, or has the "
+       .says = "whatever keeps the error: each triangle of a plan keeps it, with its edges as they are, or "
+               "has the "
                "highest level and does not keep it undecimated; neighbours differ by one level at most",
        .source = "Color and Attribute Micromaps, 3.2",
        .method = Method::sample,
@@ -282,33 +299,38 @@ Law keeps_law() {
        .fast_seconds = 0.5,
        .domain =
            [](const Subject&, Level n) {
-             return fmt::format("a strip of 6, a fan of 5, tetrahedron and octahedron, levels up to {}, drawn tables of "
-                                "what keeps the error", n);
+             return fmt::format(
+                 "a strip of 6, a fan of 5, tetrahedron and octahedron, levels up to {}, drawn tables of "
+                 "what keeps the error",
+                 n);
            },
-       .mutants =
-           {mutant("decimated edges not asked about", "attribute", {1, 4},
-                   [](Functions& f) {
-                     f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
-                       PlanCase other = one;
-                       other.keeps = [&](std::size_t t, Level level, std::uint8_t) { return one.keeps(t, level, 0); };
-                       return real(other);
-                     };
-                   }),
-            mutant("a raised triangle is not judged again", "attribute", {1, 4},
-                   [](Functions& f) {
-                     f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
-                       PlanCase other = one;
-                       std::vector<Level> wanted(one.neighbours.size(), 0);
-                       for (std::size_t t = 0; t < wanted.size(); ++t)
-                         while (wanted[t] < one.highest && !one.keeps(t, wanted[t], 0)) ++wanted[t];
-                       other.keeps = [&](std::size_t t, Level level, std::uint8_t) { return level >= wanted[t]; };
-                       return real(other);
-                     };
-                   }),
-            mutant("what is lost at the highest level is called kept", "attribute", {0, 4},
-                   replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
-                     for (PlannedTriangle& t : p) t.kept = t.kept || t.level == one.highest;
-                   }))}},
+       .mutants = {mutant("decimated edges not asked about", "attribute", {1, 4},
+                          [](Functions& f) {
+                            f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
+                              PlanCase other = one;
+                              other.keeps = [&](std::size_t t, Level level, std::uint8_t) {
+                                return one.keeps(t, level, 0);
+                              };
+                              return real(other);
+                            };
+                          }),
+                   mutant("a raised triangle is not judged again", "attribute", {1, 4},
+                          [](Functions& f) {
+                            f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
+                              PlanCase other = one;
+                              std::vector<Level> wanted(one.neighbours.size(), 0);
+                              for (std::size_t t = 0; t < wanted.size(); ++t)
+                                while (wanted[t] < one.highest && !one.keeps(t, wanted[t], 0)) ++wanted[t];
+                              other.keeps = [&](std::size_t t, Level level, std::uint8_t) {
+                                return level >= wanted[t];
+                              };
+                              return real(other);
+                            };
+                          }),
+                   mutant("what is lost at the highest level is called kept", "attribute", {0, 4},
+                          replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
+                            for (PlannedTriangle& t : p) t.kept = t.kept || t.level == one.highest;
+                          }))}},
       needing({plans}), cases);
 }
 

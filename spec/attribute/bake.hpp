@@ -61,7 +61,10 @@ Shares<Q> shares_at(const Place<Q>& p, Filter filter) {
   if (filter == Filter::nearest) return {{bake::floored(p.x), bake::floored(p.y), Q(1)}};
   const std::int64_t i = bake::cell_at(p.x), j = bake::cell_at(p.y);
   const Q x = p.x - fraction<Q>(2 * i + 1, 2), y = p.y - fraction<Q>(2 * j + 1, 2), one(1);
-  return {{i, j, (one - x) * (one - y)}, {i + 1, j, x * (one - y)}, {i, j + 1, (one - x) * y}, {i + 1, j + 1, x * y}};
+  return {{i, j, (one - x) * (one - y)},
+          {i + 1, j, x * (one - y)},
+          {i, j + 1, (one - x) * y},
+          {i + 1, j + 1, x * y}};
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -112,7 +115,8 @@ void for_each_strip(const Polygon<Q>& polygon, Height height, const Q& offset, V
     const Q low = fraction<Q>(k, 1) + offset, high = fraction<Q>(k + 1, 1) + offset;
     const Polygon<Q> above = bake::clipped(polygon, [&](const Place<Q>& p) { return Q(height(p) - low); });
     const Polygon<Q> part = bake::clipped(above, [&](const Place<Q>& p) { return Q(high - height(p)); });
-    if (std::any_of(part.begin(), part.end(), [&](const Place<Q>& p) { return whole(p) <= k; })) visit(k, part);
+    if (std::any_of(part.begin(), part.end(), [&](const Place<Q>& p) { return whole(p) <= k; }))
+      visit(k, part);
   }
 }
 
@@ -169,7 +173,7 @@ Shares<Q> shares_on(const Polygon<Q>& corners, Filter filter) {
     const auto x = [&](const Place<Q>& p) { return Q(image.x(p) - column); };
     const auto y = [&](const Place<Q>& p) { return Q(image.y(p) - row); };
     const Q right = integral(part, x), below = integral(part, y),
-            across = integral(part, [&](const Place<Q>& p) { return Q(x(p) * y(p)); });
+            across = integral(part, [&](const Place<Q>&p) { return Q(x(p) * y(p)); });
     shares.push_back({i, j, all - right - below + across});
     shares.push_back({i + 1, j, right - across});
     shares.push_back({i, j + 1, below - across});

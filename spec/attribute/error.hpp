@@ -23,9 +23,9 @@ namespace mmverify::spec::attribute {
 /// Over a micro-triangle.
 template <class Q>
 struct Error {
-  Q largest;         ///< |e|, at the most; with nearest filtering the supremum
-  Place<Q> at;       ///< (s, t) of where it is so
-  Q square;          ///< the mean of e^2
+  Q largest;    ///< |e|, at the most; with nearest filtering the supremum
+  Place<Q> at;  ///< (s, t) of where it is so
+  Q square;     ///< the mean of e^2
 };
 
 /// 2 integral of e^2 over a triangle.  Domain: e of degree 2 at most.
@@ -40,8 +40,9 @@ Q square_integral(const Place<Q>& p, const Place<Q>& q, const Place<Q>& r, F e) 
   Q form(0);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t l = (k + 1) % 3;
-    form += fraction<Q>(6, 1) * c[k] * c[k] - fraction<Q>(2, 1) * c[k] * c[l] - fraction<Q>(8, 1) * c[k] * m[k] +
-            fraction<Q>(32, 1) * m[k] * m[k] + fraction<Q>(32, 1) * m[k] * m[l];
+    form += fraction<Q>(6, 1) * c[k] * c[k] - fraction<Q>(2, 1) * c[k] * c[l] -
+            fraction<Q>(8, 1) * c[k] * m[k] + fraction<Q>(32, 1) * m[k] * m[k] +
+            fraction<Q>(32, 1) * m[k] * m[l];
   }
   return double_area(Polygon<Q>{p, q, r}) * form * fraction<Q>(1, 180);
 }
@@ -76,17 +77,19 @@ Error<Q> error_on(const TextureOf<Texel>& t, const Polygon<Q>& corners, const Sh
       const Q f = -slope / (two * bend);
       if (f > 0 && f < 1) take(along(f));
     }
-    for (std::size_t k = 2; k < part.size(); ++k) error.square += square_integral(part[0], part[k - 1], part[k], e);
+    for (std::size_t k = 2; k < part.size(); ++k)
+      error.square += square_integral(part[0], part[k - 1], part[k], e);
   };
-  for_each_part(image, square_offset<Q>(t.filter), [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) {
-    if (t.filter == Filter::nearest) {
-      const Q c = bake::texel<Q>(t, i, j);
-      judge(part, [&](const Place<Q>&) { return c; });
-    } else {
-      const bake::Cell<Q> cell(t, i, j);
-      judge(part, [&](const Place<Q>& p) { return cell.alpha(cell.local(p)); });
-    }
-  });
+  for_each_part(image, square_offset<Q>(t.filter),
+                [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) {
+                  if (t.filter == Filter::nearest) {
+                    const Q c = bake::texel<Q>(t, i, j);
+                    judge(part, [&](const Place<Q>&) { return c; });
+                  } else {
+                    const bake::Cell<Q> cell(t, i, j);
+                    judge(part, [&](const Place<Q>& p) { return cell.alpha(cell.local(p)); });
+                  }
+                });
   return error;
 }
 

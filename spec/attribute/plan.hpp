@@ -24,28 +24,31 @@ using Neighbours = std::array<std::int32_t, 3>;
 
 /// level(t) of each triangle.  Domain: as many triangles as wanted levels; neighbours of one another.
 /// By all shortest paths (Floyd, Algorithm 97): for reading and small meshes.
-inline std::vector<Level> graded(const std::vector<Level>& wanted, const std::vector<Neighbours>& neighbours) {
+inline std::vector<Level> graded(const std::vector<Level>& wanted,
+                                 const std::vector<Neighbours>& neighbours) {
   const std::size_t n = wanted.size();
   constexpr std::uint32_t far = std::numeric_limits<std::uint32_t>::max() / 2;
-  std::vector<std::vector<std::uint32_t>> distance(n, std::vector<std::uint32_t>(n, far));
+  std::vector<std::uint32_t> distances(n * n, far);
+  const auto distance = [&](std::size_t s, std::size_t t) -> std::uint32_t& { return distances[s * n + t]; };
   for (std::size_t t = 0; t < n; ++t) {
-    distance[t][t] = 0;
+    distance(t, t) = 0;
     for (const std::int32_t s : neighbours[t])
-      if (s >= 0 && static_cast<std::size_t>(s) != t) distance[t][static_cast<std::size_t>(s)] = 1;
+      if (s >= 0 && static_cast<std::size_t>(s) != t) distance(t, static_cast<std::size_t>(s)) = 1;
   }
   for (std::size_t via = 0; via < n; ++via)
     for (std::size_t s = 0; s < n; ++s)
       for (std::size_t t = 0; t < n; ++t)
-        distance[s][t] = std::min(distance[s][t], distance[s][via] + distance[via][t]);
+        distance(s, t) = std::min(distance(s, t), distance(s, via) + distance(via, t));
   std::vector<Level> levels(n, 0);
   for (std::size_t t = 0; t < n; ++t)
     for (std::size_t s = 0; s < n; ++s)
-      if (wanted[s] > distance[s][t]) levels[t] = std::max(levels[t], wanted[s] - distance[s][t]);
+      if (wanted[s] > distance(s, t)) levels[t] = std::max(levels[t], wanted[s] - distance(s, t));
   return levels;
 }
 
 /// Bit k where the neighbour across edge k has one level less: the edge is to be decimated.
-inline std::uint8_t decimated_edges(const std::vector<Level>& levels, const Neighbours& neighbours, std::size_t t) {
+inline std::uint8_t decimated_edges(const std::vector<Level>& levels, const Neighbours& neighbours,
+                                    std::size_t t) {
   std::uint8_t flags = 0;
   for (std::size_t k = 0; k < 3; ++k)
     if (neighbours[k] >= 0 && levels[static_cast<std::size_t>(neighbours[k])] + 1 == levels[t])

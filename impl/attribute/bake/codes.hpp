@@ -36,7 +36,8 @@ struct Curve {
     const double inside = mean < 0 ? 0 : mean > full ? full : mean;
     std::uint32_t k = guess[static_cast<std::size_t>(inside * to_guess)];
     while (inside >= 0.5 * twice_least[k + 1]) ++k;
-    sure = sure && (k == 0 || mean - 0.5 * twice_least[k] >= bound) && 0.5 * twice_least[k + 1] - mean >= bound;
+    sure =
+        sure && (k == 0 || mean - 0.5 * twice_least[k] >= bound) && 0.5 * twice_least[k + 1] - mean >= bound;
     return static_cast<std::uint8_t>(k);
   }
 
@@ -47,7 +48,8 @@ struct Curve {
     int low = 0, high = 256;
     while (high - low > 1) {
       const int middle = (low + high) / 2;
-      (Int(std::int64_t{twice_least[static_cast<std::size_t>(middle)]}) * count <= twice ? low : high) = middle;
+      (Int(std::int64_t{twice_least[static_cast<std::size_t>(middle)]}) * count <= twice ? low : high) =
+          middle;
     }
     return static_cast<std::uint8_t>(low);
   }
@@ -75,7 +77,8 @@ bool reaches(const Int& a, const Int& t, const Int& square) {
 
 /// The codes of sums / count, exactly.  Domain: count > 0; of normals Int has twice the sums' bits and 32 more.
 template <class Int>
-Rgba exactly_encoded(const std::array<Int, 4>& sums, const Int& count, Meaning meaning, const Curves& curves) {
+Rgba exactly_encoded(const std::array<Int, 4>& sums, const Int& count, Meaning meaning,
+                     const Curves& curves) {
   Rgba codes{};
   for (std::size_t k = 0; k < 4; ++k) codes[k] = curves[k]->exact_code(sums[k], count);
   if (!is_normal(meaning)) return codes;

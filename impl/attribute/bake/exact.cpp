@@ -108,7 +108,8 @@ Rgba Exact::vertex(const index::Vertex& at) const {
   const int fraction = below_point_ + level_;
   // Two fractions, a number of 25 bits, codes of 9; positions, of 20 bits of u, 14 of size and 3 for sums.
   const int values = 2 * fraction + 25 + 9 + 4;
-  const int bits = std::max(is_normal(source_.sampling().meaning) ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
+  const int bits =
+      std::max(is_normal(source_.sampling().meaning) ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
   if (bits <= 128) return vertex_in<Int128>(at);
   if (bits <= 384) return vertex_in<Wide<6>>(at);
   // The most that can be: 150 + 12 below the point.
@@ -119,7 +120,8 @@ Rgba Exact::vertex(const index::Vertex& at) const {
 Rgba Exact::face(const index::Corners& corners) const {
   const int fraction = below_point_ + level_, position = fraction + cell_bits_ + 1;
   const int values = 8 * position + 66 + 10;
-  const int bits = std::max(is_normal(source_.sampling().meaning) ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
+  const int bits =
+      std::max(is_normal(source_.sampling().meaning) ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
   if (bits <= 256) return face_in<Wide<4>>(corners);
   if (bits <= 512) return face_in<Wide<8>>(corners);
   if (bits <= 1024) return face_in<Wide<16>>(corners);

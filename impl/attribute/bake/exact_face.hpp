@@ -41,9 +41,15 @@ class ExactFace {
   using Sums = std::array<Int, 4>;
 
   /// Corners in units of 2^-fraction_bits from texel (column, row), none below 0 nor beyond `cells` texels.
-  ExactFace(const Source& source, std::int64_t column, std::int64_t row, std::int64_t cells, int fraction_bits,
-            const std::array<Int, 3>& x, const std::array<Int, 3>& y)
-      : source_(source), column_(column), row_(row), cells_(cells), unit_(Int(1) << fraction_bits), x_(x), y_(y) {}
+  ExactFace(const Source& source, std::int64_t column, std::int64_t row, std::int64_t cells,
+            int fraction_bits, const std::array<Int, 3>& x, const std::array<Int, 3>& y)
+      : source_(source),
+        column_(column),
+        row_(row),
+        cells_(cells),
+        unit_(Int(1) << fraction_bits),
+        x_(x),
+        y_(y) {}
 
   /// The mean is sums / count, count > 0.
   std::pair<Sums, Int> mean() {
@@ -89,7 +95,8 @@ class ExactFace {
     const Int beyond = x + next_x - Int(2 * i) * column;
     const auto at = static_cast<std::size_t>(i);
     for (std::size_t c = 0; c < 4; ++c)
-      to[c] = to[c] + (Int(2 * before_[at][c]) * column + Int(before_[at + 1][c] - before_[at][c]) * beyond) * dy;
+      to[c] =
+          to[c] + (Int(2 * before_[at][c]) * column + Int(before_[at + 1][c] - before_[at][c]) * beyond) * dy;
   }
 
   /// The pieces of an edge, times the sign of its direction; returns D H.
@@ -100,7 +107,8 @@ class ExactFace {
     const Int dx = x_[to] - x_[from], dy = y_[to] - y_[from], wide = or_one(size(dx)), high = or_one(dy);
     if (dy == Int(0)) return wide * high;
     const Int column = unit_ * high, line = unit_ * wide;  // a texel's side, of X and of Y
-    const Int start_x = x_[from] * high, start_y = y_[from] * wide, end_x = x_[to] * high, end_y = y_[to] * wide;
+    const Int start_x = x_[from] * high, start_y = y_[from] * wide, end_x = x_[to] * high,
+              end_y = y_[to] * wide;
     const std::int64_t last = whole(end_y, line, cells_ + 1);
     Int x = start_x, y = start_y;
     for (std::int64_t j = whole(start_y, line, cells_ + 1); j <= last; ++j) {

@@ -7,6 +7,7 @@ namespace mmverify::impl::attribute::detail {
 
 /// Domain: what check() of frame.hpp lets pass.
 /// Errors: std::invalid_argument for a triangle over too many texels.
-AttributeCounts bake_faces(const Source& source, const BaseTriangle& uv, std::uint32_t level, std::span<Rgba> out);
+AttributeCounts bake_faces(const Source& source, const BaseTriangle& uv, std::uint32_t level,
+                           std::span<Rgba> out);
 
 }  // namespace mmverify::impl::attribute::detail

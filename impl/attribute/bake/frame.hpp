@@ -22,7 +22,8 @@ struct Point {
 };
 
 struct Frame {
-  std::int64_t left, top, width, height;  ///< of the box: all texels that corners, or cells, of the triangle reach
+  std::int64_t left, top, width,
+      height;  ///< of the box: all texels that corners, or cells, of the triangle reach
   Point origin, across, down;
   double extent;    ///< E
   double position;  ///< how far off a coordinate may be

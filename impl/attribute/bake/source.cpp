@@ -16,8 +16,10 @@ std::optional<Source::InPicture> Source::in_picture(const TexelBox& box) const n
   const auto moved = [](Wrap wrap, std::int64_t at, std::int64_t n) {
     return wrap == Wrap::repeat && (at < 0 || at >= n) ? bake::detail::modulo(at, n) : at;
   };
-  const std::int64_t x = moved(sampling_.u, box.left, texture_.width), y = moved(sampling_.v, box.top, texture_.height);
-  if (x < 0 || x + box.width > texture_.width || y < 0 || y + box.height > texture_.height) return std::nullopt;
+  const std::int64_t x = moved(sampling_.u, box.left, texture_.width),
+                     y = moved(sampling_.v, box.top, texture_.height);
+  if (x < 0 || x + box.width > texture_.width || y < 0 || y + box.height > texture_.height)
+    return std::nullopt;
   return InPicture{x, y};
 }
 
@@ -49,7 +51,8 @@ RowSums<Sum> Source::sums(const TexelBox& box, std::vector<Sum>& room) const {
   const std::optional<InPicture> at = in_picture(box);
   for (std::size_t j = 0; j < rows; ++j) {
     const auto down = static_cast<std::int64_t>(j);
-    add_row(at ? at->y + down : row(box.top + down), at ? at->x : box.left, box.width, room.data() + 4 * pitch * j);
+    add_row(at ? at->y + down : row(box.top + down), at ? at->x : box.left, box.width,
+            room.data() + 4 * pitch * j);
   }
   return {room.data(), pitch};
 }
@@ -70,7 +73,8 @@ RowSums<Sum> Source::sums_from(const InPicture& at) const {
     sums(TexelBox{0, 0, std::int64_t{texture_.width}, std::int64_t{texture_.height}}, kept<Sum>());
   });
   const std::size_t pitch = std::size_t{texture_.width} + 1;
-  return {kept<Sum>().data() + 4 * (static_cast<std::size_t>(at.x) + static_cast<std::size_t>(at.y) * pitch), pitch};
+  return {kept<Sum>().data() + 4 * (static_cast<std::size_t>(at.x) + static_cast<std::size_t>(at.y) * pitch),
+          pitch};
 }
 template RowSums<float> Source::sums_from(const InPicture&) const;
 template RowSums<double> Source::sums_from(const InPicture&) const;

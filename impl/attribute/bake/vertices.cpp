@@ -13,7 +13,8 @@ namespace {
 
 class Row {
  public:
-  Row(const Source& source, const Frame& frame) : source_(source), frame_(frame), in_picture_(source.in_picture(frame.box())) {
+  Row(const Source& source, const Frame& frame)
+      : source_(source), frame_(frame), in_picture_(source.in_picture(frame.box())) {
     for (std::size_t k = 0; k < 4; ++k)
       bound_[k] = source.curves()[k]->full * (2 * frame.position + 8 * half_ulp);
   }
@@ -34,7 +35,8 @@ class Row {
     const auto i = static_cast<std::int64_t>(p.x), j = static_cast<std::int64_t>(p.y);
     const double f = p.x - static_cast<double>(i), h = p.y - static_cast<double>(j), near = frame_.position;
     if (f < near || f > 1 - near || h < near || h > 1 - near) sure = false;
-    const std::uint8_t* const texel = source_.bytes(source_.column(frame_.left + i), source_.row(frame_.top + j));
+    const std::uint8_t* const texel =
+        source_.bytes(source_.column(frame_.left + i), source_.row(frame_.top + j));
     return encoded({number(texel, 0), number(texel, 1), number(texel, 2), number(texel, 3)}, bound_,
                    source_.sampling().meaning, source_.curves(), sure);
   }
@@ -50,7 +52,8 @@ class Row {
     }
     const std::int64_t x = source_.column(frame_.left + i), right = source_.column(frame_.left + i + 1),
                        y = source_.row(frame_.top + j), below = source_.row(frame_.top + j + 1);
-    return {source_.bytes(x, y), source_.bytes(right, y), source_.bytes(x, below), source_.bytes(right, below)};
+    return {source_.bytes(x, y), source_.bytes(right, y), source_.bytes(x, below),
+            source_.bytes(right, below)};
   }
 
   const Source& source_;
@@ -61,7 +64,8 @@ class Row {
 
 }  // namespace
 
-AttributeCounts bake_vertices(const Source& source, const BaseTriangle& uv, std::uint32_t level, std::span<Rgba> out) {
+AttributeCounts bake_vertices(const Source& source, const BaseTriangle& uv, std::uint32_t level,
+                              std::span<Rgba> out) {
   const Frame frame(source, uv, level);
   const Row row(source, frame);
   const Exact exact(source, uv, level);

@@ -6,6 +6,7 @@
 namespace mmverify::impl::attribute::detail {
 
 /// Domain: what check() of frame.hpp lets pass.
-AttributeCounts bake_vertices(const Source& source, const BaseTriangle& uv, std::uint32_t level, std::span<Rgba> out);
+AttributeCounts bake_vertices(const Source& source, const BaseTriangle& uv, std::uint32_t level,
+                              std::span<Rgba> out);
 
 }  // namespace mmverify::impl::attribute::detail
