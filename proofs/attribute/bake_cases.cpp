@@ -18,7 +18,6 @@ namespace {
 constexpr std::array<const char*, 5> wrap_names{"repeat", "mirror", "clamp", "border", "mirror-once"};
 constexpr std::array<const char*, 2> filter_names{"bilinear", "nearest"};
 constexpr std::array<const char*, 4> meaning_names{"linear", "srgb", "normal", "normal+length"};
-constexpr std::array<std::uint8_t, 3> alphabet{0, 101, 255};
 
 constexpr std::array<std::pair<Wrap, Wrap>, 8> family_wraps{{{Wrap::repeat, Wrap::repeat},
                                                              {Wrap::mirrored_repeat, Wrap::mirrored_repeat},
@@ -86,12 +85,12 @@ BakeCase family_case(std::uint64_t spot, std::uint64_t texture, Filter filter) {
   std::tie(p.wrap_u, p.wrap_v) = family_wraps[spot / family_meanings];
   p.width = p.height = 2;
   p.filter = filter;
-  p.border = {101, 255, 0, 101};
+  p.border = {101, 101, 101, 101};
   p.texels.resize(4);
-  for (std::uint64_t c = 0; c < 4; ++c) {
-    std::uint64_t t = (texture + 20 * c) % family_textures;
+  for (std::size_t c = 0; c < 4; ++c) {
+    std::uint64_t t = family_texture(texture, c);
     for (Rgba& texel : p.texels) {
-      texel[c] = alphabet[t % 3];
+      texel[c] = family_alphabet[t % 3];
       t /= 3;
     }
   }

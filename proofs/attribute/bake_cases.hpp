@@ -1,6 +1,7 @@
 // Cases of baking: families that are enumerated whole, samples, and how they are named.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,11 @@ namespace mmverify::proofs::attribute {
 // of colours, seen by seven triangles.  Texture t of the 81 gives its channels the textures t, t+20, t+40, t+60, so that
 // each channel has them all.
 inline constexpr std::uint64_t family_textures = 81;
+inline constexpr std::array<std::uint8_t, 3> family_alphabet{0, 101, 255};
+/// The texture of a channel.
+constexpr std::uint64_t family_texture(std::uint64_t texture, std::size_t channel) {
+  return (texture + 20 * channel) % family_textures;
+}
 std::uint64_t family_spots();  ///< addressing, meaning, triangle
 BakeCase family_case(std::uint64_t spot, std::uint64_t texture, Filter filter);
 const char* family_domain();

@@ -27,37 +27,45 @@ struct ErrorCase {
 constexpr std::int64_t points_to_a_side = 24;  // no power of 2, so that they fall beside micro-edges as well
 
 /// The texture sampled bilinearly at (u, v) of the triangle, less what the map shows there.
-Rational difference(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map, std::size_t c,
-                    const Rational& u, const Rational& v) {
-  const auto uv = base_triangle<Rational>(one.uv);
-  const auto along = [&](Rational slow::Place<Rational>::*axis, std::uint32_t size) {
-    return Rational((uv[0].*axis + u * (uv[1].*axis - uv[0].*axis) + v * (uv[2].*axis - uv[0].*axis)) *
-                    Rational(size));
+template <class Q>
+Q difference_in(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map, std::size_t c,
+                const Q& u, const Q& v) {
+  const auto uv = base_triangle<Q>(one.uv);
+  const auto along = [&](Q slow::Place<Q>::*axis, std::uint32_t size) {
+    return Q((uv[0].*axis + u * (uv[1].*axis - uv[0].*axis) + v * (uv[2].*axis - uv[0].*axis)) * Q(size));
   };
-  const auto shares =
-      slow::shares_at(slow::Place<Rational>{along(&slow::Place<Rational>::x, one.picture.width),
-                                            along(&slow::Place<Rational>::y, one.picture.height)},
-                      Filter::bilinear);
-  const Rational texture =
-      one.picture.meaning == Meaning::srgb && c < 3
-          ? slow::mean(channel_of<slow::Srgb8>(one.picture, c, Filter::bilinear), shares)
-          : slow::mean(channel_of<std::uint8_t>(one.picture, c, Filter::bilinear), shares);
-  const std::uint32_t index = spec::index::reference(spec::Point<Rational>{u, v}, n);
-  if (form == MapForm::faces) return texture - number_of(one.picture, c, map[index][c]);
+  const auto shares = slow::shares_at(slow::Place<Q>{along(&slow::Place<Q>::x, one.picture.width),
+                                                     along(&slow::Place<Q>::y, one.picture.height)},
+                                      Filter::bilinear);
+  const Q texture = one.picture.meaning == Meaning::srgb && c < 3
+                        ? slow::mean(channel_of<slow::Srgb8>(one.picture, c, Filter::bilinear), shares)
+                        : slow::mean(channel_of<std::uint8_t>(one.picture, c, Filter::bilinear), shares);
+  const std::uint32_t index = spec::index::reference(spec::Point<Rational>{wide(u), wide(v)}, n);
+  if (form == MapForm::faces) return texture - number_of<Q>(one.picture, c, map[index][c]);
   // Linear between the corners p, q, r: by areas.
   const auto corners = spec::index::corners(index, n);
-  const Rational N(spec::side(n));
+  const Q N(spec::side(n));
   const auto area = [&](std::size_t k) {
     const auto &p = corners[(k + 1) % 3], &q = corners[(k + 2) % 3];
-    return Rational((Rational(q.i) - Rational(p.i)) * (v * N - Rational(p.j)) -
-                    (Rational(q.j) - Rational(p.j)) * (u * N - Rational(p.i)));
+    return Q((Q(q.i) - Q(p.i)) * (v * N - Q(p.j)) - (Q(q.j) - Q(p.j)) * (u * N - Q(p.i)));
   };
-  const Rational whole = area(0) + area(1) + area(2);
-  Rational shown(0);
+  const Q whole = area(0) + area(1) + area(2);
+  Q shown(0);
   for (std::size_t k = 0; k < 3; ++k)
-    shown += area(k) / whole *
-             number_of(one.picture, c, map[slow::vertex_index(slow::VertexOrder::w_minor, corners[k], n)][c]);
+    shown +=
+        area(k) / whole *
+        number_of<Q>(one.picture, c, map[slow::vertex_index(slow::VertexOrder::w_minor, corners[k], n)][c]);
   return texture - shown;
+}
+
+/// At u = a / side, v = b / side.
+Rational difference(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map, std::size_t c,
+                    std::int64_t a, std::int64_t b, std::int64_t side) {
+  return in_few_bits([&](auto q) {
+    using Q = decltype(q);
+    return wide(
+        difference_in<Q>(one, n, form, map, c, slow::fraction<Q>(a, side), slow::fraction<Q>(b, side)));
+  });
 }
 
 double about(const Rational& q) {
@@ -73,9 +81,7 @@ Finding is_bound(const AttributeSubject& s, Level n, const ErrorCase& e) {
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::int64_t a = 0; a <= points_to_a_side; ++a)
       for (std::int64_t b = (a + static_cast<std::int64_t>(c)) % 4; a + b <= points_to_a_side; b += 4) {
-        const Rational u = slow::fraction<Rational>(a, points_to_a_side),
-                       v = slow::fraction<Rational>(b, points_to_a_side),
-                       here = difference(e.one, n, e.form, map, c, u, v),
+        const Rational here = difference(e.one, n, e.form, map, c, a, b, points_to_a_side),
                        size = here < 0 ? Rational(-here) : here;
         if (size > got[c].largest)
           return wrong(fmt::format("{:.9g} at the least: channel {} at u={}/{}, v={}/{}", about(size), c, a,
@@ -103,8 +109,7 @@ std::function<void(Functions&)> at_corners_alone() {
         for (std::uint64_t k = 0; k < slow::vertex_count(n); ++k) {
           const auto at = slow::vertex_at(slow::VertexOrder::w_minor, k, n);
           const auto N = static_cast<std::int64_t>(spec::side(n));
-          const Rational here = difference(one, n, form, map, c, slow::fraction<Rational>(at.i, N),
-                                           slow::fraction<Rational>(at.j, N));
+          const Rational here = difference(one, n, form, map, c, at.i, at.j, N);
           error[c].largest = std::max(error[c].largest, here < 0 ? Rational(-here) : here);
         }
       }

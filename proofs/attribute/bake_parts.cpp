@@ -92,10 +92,9 @@ std::function<void(Functions&)> of_faces(
     f.baking.faces = with_shares(Filter::nearest, each_face(of_face));
     f.baking.face_mean = [=](const BakeCase& one, Level n, std::size_t c, std::uint32_t k) {
       const auto uv = base_triangle<Rational128>(one.uv);
-      const auto mean =
+      return wide(
           colour(one, c, Filter::nearest,
-                 of_face(spec::bake::micro_triangle(uv, n, k, one.picture.width, one.picture.height)));
-      return Rational(spec::Integer(mean.numerator()), spec::Integer(mean.denominator()));
+                 of_face(spec::bake::micro_triangle(uv, n, k, one.picture.width, one.picture.height))));
     };
   };
 }

@@ -17,30 +17,48 @@ namespace {
 namespace slow = spec::attribute;
 namespace fast = impl::attribute;
 
+template <class Q, class Texture>
+ChannelError channel_error(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map,
+                           std::size_t c, const Texture& texture) {
+  const auto uv = base_triangle<Q>(one.uv);
+  const auto number = [&](const Rgba& codes) { return number_of<Q>(one.picture, c, codes[c]); };
+  const auto shown = [&](const slow::Vertex& at) {
+    return number(map[slow::vertex_index(slow::VertexOrder::w_minor, at, n)]);
+  };
+  Q largest(0), square(0);
+  for (std::uint32_t k = 0; k < slow::face_count(n); ++k) {
+    const auto here = form == MapForm::faces ? slow::face_error(texture, uv, n, k, number(map[k]))
+                                             : slow::vertex_error(texture, uv, n, k, shown);
+    largest = std::max(largest, here.largest);
+    square += here.square;
+  }
+  return {wide(largest), wide(square) / Rational(slow::face_count(n))};
+}
+
 std::array<ChannelError, 4> specified_error(const BakeCase& one, Level n, MapForm form,
                                             const std::vector<Rgba>& map) {
   std::array<ChannelError, 4> error;
-  const auto uv = base_triangle<Rational>(one.uv);
-  const Picture& p = one.picture;
   const auto judge = [&](std::size_t c, const auto& texture) {
-    for (std::uint32_t k = 0; k < slow::face_count(n); ++k) {
-      const auto shown = [&](const slow::Vertex& at) {
-        return number_of(p, c, map[slow::vertex_index(slow::VertexOrder::w_minor, at, n)][c]);
-      };
-      const auto here = form == MapForm::faces
-                            ? slow::face_error(texture, uv, n, k, number_of(p, c, map[k][c]))
-                            : slow::vertex_error(texture, uv, n, k, shown);
-      error[c].largest = std::max(error[c].largest, here.largest);
-      error[c].square += here.square;
-    }
-    error[c].square /= Rational(slow::face_count(n));
+    error[c] = in_few_bits([&](auto q) { return channel_error<decltype(q)>(one, n, form, map, c, texture); });
   };
   for (std::size_t c = 0; c < 4; ++c)
-    if (p.meaning == Meaning::srgb && c < 3)
-      judge(c, channel_of<slow::Srgb8>(p, c, Filter::bilinear));
+    if (one.picture.meaning == Meaning::srgb && c < 3)
+      judge(c, channel_of<slow::Srgb8>(one.picture, c, Filter::bilinear));
     else
-      judge(c, channel_of<std::uint8_t>(p, c, Filter::bilinear));
+      judge(c, channel_of<std::uint8_t>(one.picture, c, Filter::bilinear));
   return error;
+}
+
+Rational specified_mean(const BakeCase& one, Level n, std::size_t c, std::uint32_t index) {
+  const auto mean = [&](const auto& texture) {
+    return in_few_bits([&](auto q) {
+      using Q = decltype(q);
+      return wide(slow::face_value(texture, base_triangle<Q>(one.uv), n, index));
+    });
+  };
+  const Picture& p = one.picture;
+  return p.meaning == Meaning::srgb && c < 3 ? mean(channel_of<slow::Srgb8>(p, c, p.filter))
+                                             : mean(channel_of<std::uint8_t>(p, c, p.filter));
 }
 
 /// By the specification's distances, and by trying: every triangle has the least level that is graded, and is raised
@@ -107,13 +125,7 @@ Baking specified_baking() {
   Baking f;
   f.vertices = true_vertices;
   f.faces = true_faces;
-  f.face_mean = [](const BakeCase& one, Level n, std::size_t channel, std::uint32_t index) {
-    const auto uv = base_triangle<Rational>(one.uv);
-    if (one.picture.meaning == Meaning::srgb && channel < 3)
-      return slow::face_value(channel_of<slow::Srgb8>(one.picture, channel, one.picture.filter), uv, n,
-                              index);
-    return slow::face_value(channel_of<std::uint8_t>(one.picture, channel, one.picture.filter), uv, n, index);
-  };
+  f.face_mean = specified_mean;
   f.error = specified_error;
   f.light = [](std::uint32_t m) { return slow::light_table()[m]; };
   f.plan = specified_plan;

@@ -21,16 +21,6 @@ std::vector<Rgba> from_shares(const BakeCase& one, Filter filter,
   return map;
 }
 
-/// f(Q), in 127 bits where they hold what it makes.
-template <class F>
-auto in_few_bits(F f) {
-  try {
-    return f(spec::Rational128());
-  } catch (const std::overflow_error&) {
-    return f(Rational());
-  }
-}
-
 }  // namespace
 
 template <class Q>
@@ -67,11 +57,6 @@ std::vector<Rgba> true_vertices(const BakeCase& one, Level n) {
 std::vector<Rgba> true_faces(const BakeCase& one, Level n) {
   return in_few_bits(
       [&](auto q) { return from_shares(one, Filter::nearest, face_shares<decltype(q)>(one, n)); });
-}
-
-Rational number_of(const Picture& p, std::size_t channel, std::uint8_t code) {
-  if (p.meaning == Meaning::srgb && channel < 3) return slow::number<Rational>(slow::Srgb8{code});
-  return slow::number<Rational>(code);
 }
 
 }  // namespace mmverify::proofs::attribute

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <stdexcept>
 #include <type_traits>
 
 #include "proofs/attribute/baking_functions.hpp"
@@ -66,11 +68,30 @@ std::vector<spec::attribute::Shares<Q>> vertex_shares(const BakeCase& one, Level
 template <class Q>
 std::vector<spec::attribute::Shares<Q>> face_shares(const BakeCase& one, Level n);
 
+/// f(Q()), in 127 bits where they hold what it makes, else in as many as it takes.
+template <class F>
+auto in_few_bits(F f) {
+  try {
+    return f(spec::Rational128());
+  } catch (const std::overflow_error&) {
+    return f(Rational());
+  }
+}
+inline Rational wide(const Rational& q) { return q; }
+inline Rational wide(const spec::Rational128& q) {
+  return Rational(spec::Integer(q.numerator()), spec::Integer(q.denominator()));
+}
+
 /// The map of a case.
 std::vector<Rgba> true_vertices(const BakeCase& one, Level n);
 std::vector<Rgba> true_faces(const BakeCase& one, Level n);
 
 /// A channel's number in a picture's meaning: linear light, or code / 255 as it is stored.
-Rational number_of(const Picture& p, std::size_t channel, std::uint8_t code);
+template <class Q>
+Q number_of(const Picture& p, std::size_t channel, std::uint8_t code) {
+  if (p.meaning == Meaning::srgb && channel < 3)
+    return spec::attribute::number<Q>(spec::attribute::Srgb8{code});
+  return spec::attribute::number<Q>(code);
+}
 
 }  // namespace mmverify::proofs::attribute

@@ -103,16 +103,18 @@ Law decimation_neighbours_law() {
            },
        .mutants = {printed_lookup("the vertices are adjusted, the weights are not", false, {1, 3}),
                    one_flag_dropped("the flag of v-w is not seen at odd levels", {1, 5}, 4),
-                   mutant("the flag of u-v is that of v-w, and the other way round", "attribute-spec", {1, 3},
-                          placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                            return real(n, (flags & 1) | (flags >> 1 & 2) | (flags & 2) << 1, p);
-                          })),
-                   mutant("one vertex of level 6 stays", "attribute-spec", {6, 6},
-                          placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                            const bool there =
-                                n == 6 && p.u == spec::Fixed64::dyadic(21, 6) && p.v == spec::Fixed64(0);
-                            return real(n, there ? flags & ~1u : flags, p);
-                          }))},
+                   mutant(
+                       "the flag of u-v is that of v-w, and the other way round", "attribute-spec", {1, 3},
+                       placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                         return real(n, (flags & 1) | (flags >> 1 & 2) | (flags & 2) << 1, p);
+                       })),
+                   mutant(
+                       "one vertex of level 6 stays", "attribute-spec", {6, 6},
+                       placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                         const bool there =
+                             n == 6 && p.u == spec::Fixed64::dyadic(21, 6) && p.v == spec::Fixed64(0);
+                         return real(n, there ? flags & ~1u : flags, p);
+                       }))},
        .companion = "attribute.decimation_lookup_on_floats"},
       needing({place_entry}), std::move(cases));
   law.unfit = [unfit = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
@@ -198,18 +200,20 @@ Law decimated_lookup_law() {
                     Level) { return std::string("the 3N^2+3N+1 representatives, 8 sets of flags"); },
        .mutants = {printed_lookup("the vertices are adjusted, the lookup is as it was", true),
                    printed_lookup("the vertices are adjusted, the weights are not", false),
-                   mutant("no second try beside the v-corner of level 5", "attribute-spec", {5, 5},
-                          placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                            const bool there = n == 5 && spec::Fixed64::dyadic(31, 5) < p.v;
-                            return there ? looked_up_as_printed(n, flags, p, true) : real(n, flags, p);
-                          })),
-                   mutant("level 0 is decimated", "attribute-spec", {0, 0},
-                          placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                            WeightedVertices w = real(n, flags, p);
-                            if (n == 0 && flags == 7)
-                              for (Vertex& x : w.corners) x = {0, 0};
-                            return w;
-                          }))},
+                   mutant(
+                       "no second try beside the v-corner of level 5", "attribute-spec", {5, 5},
+                       placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                         const bool there = n == 5 && spec::Fixed64::dyadic(31, 5) < p.v;
+                         return there ? looked_up_as_printed(n, flags, p, true) : real(n, flags, p);
+                       })),
+                   mutant(
+                       "level 0 is decimated", "attribute-spec", {0, 0},
+                       placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+                         WeightedVertices w = real(n, flags, p);
+                         if (n == 0 && flags == 7)
+                           for (Vertex& x : w.corners) x = {0, 0};
+                         return w;
+                       }))},
        .companion = "attribute.decimation_lookup_on_floats"},
       needing({place_entry}), std::move(cases));
 }

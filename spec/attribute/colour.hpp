@@ -116,16 +116,25 @@ struct Rounded<std::uint16_t> {
   }
 };
 
+/// The last code in 0..255 that `begun(code)` is true of, true up to one and false beyond, and of 0.
+template <class Begun>
+std::uint8_t last_code(Begun begun) {
+  int low = 0, high = 256;
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    (begun(middle) ? low : high) = middle;
+  }
+  return static_cast<std::uint8_t>(low);
+}
+
 /// Half up on the curve: the last code whose least light is reached.
 template <>
 struct Rounded<Srgb8> {
   template <class Q>
   static Srgb8 of(const Q& q) {
-    std::uint8_t code = 0;
-    while (code < 255 &&
-           q >= fraction<Q>(least_light(static_cast<std::uint8_t>(code + 1)), std::int64_t{1} << light_bits))
-      ++code;
-    return {code};
+    return {last_code([&](int c) {
+      return q >= fraction<Q>(least_light(static_cast<std::uint8_t>(c)), std::int64_t{1} << light_bits);
+    })};
   }
 };
 

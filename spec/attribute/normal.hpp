@@ -36,12 +36,9 @@ std::array<Normal8, 3> direction(const Vector3<Q>& m) {
   const Q square = squared_length(m);
   if (square == 0) return {Normal8{128}, Normal8{128}, Normal8{255}};
   std::array<Normal8, 3> codes;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::uint8_t code = 0;
-    // Code c begins where 255 (x + 1) / 2 = c - 1/2, x = (2 c - 256) / 255.
-    while (code < 255 && reaches(m[k], fraction<Q>(2 * (code + 1) - 256, 255), square)) ++code;
-    codes[k] = {code};
-  }
+  // Code c begins where 255 (x + 1) / 2 = c - 1/2, x = (2 c - 256) / 255.
+  for (std::size_t k = 0; k < 3; ++k)
+    codes[k] = {last_code([&](int c) { return reaches(m[k], fraction<Q>(2 * c - 256, 255), square); })};
   return codes;
 }
 
@@ -49,10 +46,10 @@ std::array<Normal8, 3> direction(const Vector3<Q>& m) {
 template <class Q>
 std::uint8_t length_code(const Vector3<Q>& m) {
   const Q square = squared_length(m);
-  std::uint8_t code = 0;
-  const auto begins = [](int c) { return fraction<Q>(2 * c - 1, 510); };
-  while (code < 255 && square >= begins(code + 1) * begins(code + 1)) ++code;
-  return code;
+  return last_code([&](int c) {
+    const Q begins = fraction<Q>(2 * c - 1, 510);
+    return square >= begins * begins;
+  });
 }
 
 }  // namespace mmverify::spec::attribute

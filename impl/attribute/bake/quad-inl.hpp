@@ -1,0 +1,92 @@
+// Four numbers of binary64, one a channel: a vector where one holds four, else an array.
+#include <cstddef>
+#include <cstdint>
+
+#include "impl/attribute/bake/codes.hpp"
+
+// Once for each target.
+#if defined(MMVERIFY_IMPL_ATTRIBUTE_BAKE_QUAD_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MMVERIFY_IMPL_ATTRIBUTE_BAKE_QUAD_INL_HPP_
+#undef MMVERIFY_IMPL_ATTRIBUTE_BAKE_QUAD_INL_HPP_
+#else
+#define MMVERIFY_IMPL_ATTRIBUTE_BAKE_QUAD_INL_HPP_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace mmverify::impl::attribute::detail {
+namespace HWY_NAMESPACE {
+
+#if !HWY_HAVE_SCALABLE && HWY_MAX_BYTES >= 32
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+struct Quad {
+  using Tag = hn::FixedTag<double, 4>;
+  hn::Vec<Tag> v;
+
+  static HWY_INLINE Quad zero() { return {hn::Zero(Tag())}; }
+  static HWY_INLINE Quad of(const double* p) { return {hn::LoadU(Tag(), p)}; }
+  static HWY_INLINE Quad of(const float* p) {
+    return {hn::PromoteTo(Tag(), hn::LoadU(hn::FixedTag<float, 4>(), p))};
+  }
+  HWY_INLINE void store(double* p) const { hn::StoreU(v, Tag(), p); }
+
+  friend HWY_INLINE Quad operator+(Quad a, Quad b) { return {hn::Add(a.v, b.v)}; }
+  friend HWY_INLINE Quad operator-(Quad a, Quad b) { return {hn::Sub(a.v, b.v)}; }
+  friend HWY_INLINE Quad operator*(double a, Quad b) { return {hn::Mul(hn::Set(Tag(), a), b.v)}; }
+  /// this + a b
+  HWY_INLINE Quad plus(double a, Quad b) const { return {hn::MulAdd(hn::Set(Tag(), a), b.v, v)}; }
+};
+
+/// The codes of linear means: Curve::code of each.
+HWY_INLINE Rgba linear_codes(Quad mean, Quad bound, bool& sure) {
+  const Quad::Tag d;
+  const hn::FixedTag<std::int32_t, 4> di;
+  const hn::FixedTag<std::uint8_t, 4> db;
+  const auto up = hn::Add(mean.v, hn::Set(d, 0.5));
+  const auto whole = hn::DemoteTo(di, up);  // up >= 1/4
+  const auto rest = hn::Sub(up, hn::PromoteTo(d, whole));
+  sure = hn::AllTrue(d, hn::And(hn::Ge(rest, bound.v), hn::Le(rest, hn::Sub(hn::Set(d, 1.0), bound.v))));
+  Rgba codes;
+  hn::StoreU(hn::DemoteTo(db, whole), db, codes.data());
+  return codes;
+}
+
+#else
+
+struct Quad {
+  double v[4];
+
+  static HWY_INLINE Quad zero() { return {}; }
+  template <class Sum>
+  static HWY_INLINE Quad of(const Sum* p) {
+    return {{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]),
+             static_cast<double>(p[3])}};
+  }
+  HWY_INLINE void store(double* p) const { std::copy(v, v + 4, p); }
+
+  friend HWY_INLINE Quad operator+(const Quad& a, const Quad& b) {
+    return {{a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2], a.v[3] + b.v[3]}};
+  }
+  friend HWY_INLINE Quad operator-(const Quad& a, const Quad& b) {
+    return {{a.v[0] - b.v[0], a.v[1] - b.v[1], a.v[2] - b.v[2], a.v[3] - b.v[3]}};
+  }
+  friend HWY_INLINE Quad operator*(double a, const Quad& b) {
+    return {{a * b.v[0], a * b.v[1], a * b.v[2], a * b.v[3]}};
+  }
+  HWY_INLINE Quad plus(double a, const Quad& b) const { return *this + a * b; }
+};
+
+HWY_INLINE Rgba linear_codes(const Quad& mean, const Quad& bound, bool& sure) {
+  Rgba codes;
+  for (std::size_t k = 0; k < 4; ++k) codes[k] = Curve::linear().code(mean.v[k], bound.v[k], sure);
+  return codes;
+}
+
+#endif
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mmverify::impl::attribute::detail
+HWY_AFTER_NAMESPACE();
+
+#endif

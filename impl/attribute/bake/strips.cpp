@@ -1,0 +1,93 @@
+// A strip of micro-triangles at a time, between two lines of constant v: of each micro-edge there the integral once.
+//   lower (iu, iv):  along(iu, iv) + slant(iu) - up(iu)
+//   upper (iu, iv):  up(iu + 1) - along(iu, iv + 1) - slant(iu)
+// along from (iu, iv) to (iu+1, iv), slant from (iu+1, iv) to (iu, iv+1), up from (iu, iv) to (iu, iv+1).
+#include "impl/attribute/bake/strips.hpp"
+
+#include "impl/index/index.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "impl/attribute/bake/strips.cpp"
+#include <hwy/foreach_target.h>
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+#include "impl/attribute/bake/edge-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace mmverify::impl::attribute::detail {
+namespace HWY_NAMESPACE {
+
+/// Index on the curve of the micro-triangle of grid square (iu, iv).  Source: impl/index/index.hpp, from_barycentrics.
+HWY_INLINE std::uint32_t on_curve(const Face& f) {
+  const std::uint32_t b0 = f.iu ^ (f.iu + f.iv + f.upper), t = (f.iu ^ f.iv) & b0;
+  return index::detail::interleaved(b0, ((index::detail::xor_from_above(t) ^ f.iu) & ~b0) | t);
+}
+
+template <class Sum>
+void strips(const StripJob<Sum>& job, Rgba* out, std::vector<Face>& unsure) {
+  const std::uint32_t side = job.side;
+  const bool linear = job.source.sampling().meaning == Meaning::linear;
+  const Quad bound = Quad::of(job.bound.data());
+  const auto give = [&](const Face& face, const Quad& integral) HWY_ATTR {
+    const Quad mean = job.scale * integral;
+    bool sure = true;
+    Rgba codes;
+    if (linear) {
+      codes = linear_codes(mean, bound, sure);
+    } else {
+      std::array<double, 4> means;
+      mean.store(means.data());
+      codes = encoded(means, job.bound, job.source.sampling().meaning, job.source.curves(), sure);
+    }
+    out[on_curve(face)] = codes;
+    if (!sure) unsure.push_back(face);
+  };
+  std::vector<double> along(4 * (side + 1)), next(4 * (side + 1));  // quads
+  std::vector<Point> low(side + 1), high(side + 1);
+  for (std::uint32_t i = 0; i <= side; ++i) low[i] = job.frame.at(i, 0);
+  for (std::uint32_t i = 0; i < side; ++i) edge_integral(job.sums, low[i], low[i + 1]).store(&along[4 * i]);
+  for (std::uint32_t iv = 0; iv < side; ++iv) {
+    const std::uint32_t count = side - iv;  // lower ones
+    for (std::uint32_t i = 0; i < count; ++i) high[i] = job.frame.at(i, iv + 1);
+    Quad up = edge_integral(job.sums, low[0], high[0]);
+    for (std::uint32_t iu = 0; iu < count; ++iu) {
+      const Quad slant = edge_integral(job.sums, low[iu + 1], high[iu]);
+      give({iu, iv, 0}, Quad::of(&along[4 * iu]) + slant - up);
+      if (iu + 1 == count) break;
+      const Quad above = edge_integral(job.sums, high[iu], high[iu + 1]);
+      above.store(&next[4 * iu]);
+      up = edge_integral(job.sums, low[iu + 1], high[iu + 1]);
+      give({iu, iv, 1}, up - above - slant);
+    }
+    std::swap(along, next);
+    std::swap(low, high);
+  }
+}
+
+void strips_of_floats(const StripJob<float>& job, Rgba* out, std::vector<Face>& unsure) {
+  strips(job, out, unsure);
+}
+void strips_of_doubles(const StripJob<double>& job, Rgba* out, std::vector<Face>& unsure) {
+  strips(job, out, unsure);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mmverify::impl::attribute::detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace mmverify::impl::attribute::detail {
+
+HWY_EXPORT(strips_of_floats);
+HWY_EXPORT(strips_of_doubles);
+
+void bake_strips(const StripJob<float>& job, Rgba* out, std::vector<Face>& unsure) {
+  HWY_DYNAMIC_DISPATCH(strips_of_floats)(job, out, unsure);
+}
+void bake_strips(const StripJob<double>& job, Rgba* out, std::vector<Face>& unsure) {
+  HWY_DYNAMIC_DISPATCH(strips_of_doubles)(job, out, unsure);
+}
+
+}  // namespace mmverify::impl::attribute::detail
+#endif  // HWY_ONCE

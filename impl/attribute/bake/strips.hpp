@@ -1,0 +1,32 @@
+// Faces strip by strip, in binary64 with a bound, by SIMD.  Internal to impl/attribute.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "impl/attribute/bake/frame.hpp"
+
+namespace mmverify::impl::attribute::detail {
+
+struct Face {
+  std::uint32_t iu, iv, upper;  ///< of grid square (iu, iv), 0 or 1
+};
+
+/// What faces of a base triangle are made of.
+template <class Sum>
+struct StripJob {
+  const Source& source;
+  const Frame& frame;
+  RowSums<Sum> sums;            ///< of the frame's box
+  std::uint32_t side;           ///< N
+  double scale;                 ///< the mean is an integral times this
+  std::array<double, 4> bound;  ///< within which the mean is known, of each channel
+};
+
+/// Writes the faces that floats are sure of, in the order of the curve, and names the others.
+/// Domain: bounds below 1/4, on the sRGB curve 2^24 / 2048.
+void bake_strips(const StripJob<float>& job, Rgba* out, std::vector<Face>& unsure);
+void bake_strips(const StripJob<double>& job, Rgba* out, std::vector<Face>& unsure);
+
+}  // namespace mmverify::impl::attribute::detail
