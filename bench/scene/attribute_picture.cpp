@@ -61,12 +61,10 @@ picture::Picture scene_attribute_picture(const AttributeFigures& figures) {
                    .key = Key::top_right};
     Panel by_bytes{.title = "FLIP against memory",
                    .x = {.title = "bytes, of its textures", .logarithmic = true},
-                   .y = {.title = "mean FLIP", .least = 0},
-                   .key = Key::top_right};
+                   .y = {.title = "mean FLIP", .least = 0}};
     Panel squares{.title = "Root of the mean square against memory",
                   .x = {.title = "bytes, of its textures", .logarithmic = true},
-                  .y = {.title = "RMSE, codes of 8 bits", .least = 0},
-                  .key = Key::top_right};
+                  .y = {.title = "RMSE, codes of 8 bits", .least = 0}};
     const auto share = [&set](const MapsAtLevel& at) {
       return static_cast<double>(at.bytes()) / static_cast<double>(set.texture_bytes);
     };
