@@ -1,6 +1,9 @@
-// The whole library: indices, maps, trees, square maps and the baker.  Installed as <mmverify/mmverify.hpp>.
+// The whole library: indices, maps, trees, square maps, the bakers.  Installed as <mmverify/mmverify.hpp>.
 #pragma once
 
+#include "impl/attribute/bake.hpp"
+#include "impl/attribute/error.hpp"
+#include "impl/attribute/plan.hpp"
 #include "impl/bake/bake.hpp"
 #include "impl/bake/square/map.hpp"
 #include "impl/bake/triangles.hpp"

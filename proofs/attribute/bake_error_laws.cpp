@@ -132,7 +132,7 @@ std::function<void(Functions&)> errors_of_another(std::function<void(BakeCase&)>
 Law error_law() {
   Cases<ErrorCase> cases;
   cases.count = [](Level n, const Run& run) {
-    return std::uint64_t{run.tier == Tier::fast ? (n == 0 ? 32u : n == 1 ? 16u : 6u) : 1'000u};
+    return std::uint64_t{run.tier == Tier::fast ? (n == 0 ? 20u : n == 1 ? 8u : 3u) : 1'000u};
   };
   cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) {
     ErrorCase e{sample_case(seed, n, 8 * k + k % 2), k % 4 < 2 ? MapForm::vertices : MapForm::faces};

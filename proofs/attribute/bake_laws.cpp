@@ -277,7 +277,7 @@ Law floats_law() {
                  "textures of up to 9x7 texels, all modes and meanings; up to 8 values of each map");
            },
        .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3}, not_renormalised()),
-                   mutant("coordinates kept in 16 bits below the point", "attribute", {0, 4},
+                   mutant("coordinates kept in 16 bits below the point", "attribute", {0, 7},
                           bakes_another(MapForm::vertices, rounded_uv)),
                    mutant("the length lost, alpha in its place", "attribute", {0, 2},
                           bakes_another(MapForm::vertices, length_lost)),

@@ -62,8 +62,11 @@ Law edge_law() {
     Random random(seed, 0x656467 + n, k);
     const auto any = [&] { return static_cast<float>(random.between(-4096, 8192)) / 4096; };
     EdgeCase c{sample_case(seed, n, k), any(), any(), static_cast<std::uint32_t>(k % 6)};
-    if (k % 8 < 6)  // in all of binary32's bits
-      for (float& x : c.one.uv) x = static_cast<float>(random.between(-(1 << 24), 1 << 25)) / (1 << 24);
+    if (k % 8 < 6) {  // far out, in all of binary32's bits, and full of contrast: where positions round
+      for (float& x : c.one.uv) x = static_cast<float>(random.between(-(1 << 26), 1 << 26)) / (1 << 22);
+      for (Rgba& t : c.one.picture.texels)
+        for (std::uint8_t& code : t) code = random.below(2) == 0 ? 0 : 255;
+    }
     return c;
   };
   cases.text = [](Level, const EdgeCase& c) {
