@@ -254,7 +254,7 @@ Law floats_law() {
   cases.check = sampled;
   cases.chunk = 4;
   const auto rounded_uv = [](BakeCase& one) {
-    for (float& x : one.uv) x = std::nearbyint(x * 65536) / 65536;
+    for (float& x : one.uv) x = std::nearbyint(x * 4096) / 4096;
   };
   const auto length_lost = [](BakeCase& one) {
     if (one.picture.meaning == Meaning::normal_and_length) one.picture.meaning = Meaning::normal;
@@ -277,7 +277,7 @@ Law floats_law() {
                  "textures of up to 9x7 texels, all modes and meanings; up to 8 values of each map");
            },
        .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3}, not_renormalised()),
-                   mutant("coordinates kept in 16 bits below the point", "attribute", {0, 7},
+                   mutant("coordinates kept in 12 bits below the point", "attribute", {0, 7},
                           bakes_another(MapForm::vertices, rounded_uv)),
                    mutant("the length lost, alpha in its place", "attribute", {0, 2},
                           bakes_another(MapForm::vertices, length_lost)),

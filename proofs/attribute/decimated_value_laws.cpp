@@ -219,7 +219,7 @@ Law decimated_lookup_law() {
 }
 
 /// Floats near the lines of the grid and near the slanted ones that decimation brings, inside the triangle.
-index::FloatPair floats_of(Level n, std::uint64_t seed, std::uint64_t k) {
+index::FloatPair floats_at_moved_edges(Level n, std::uint64_t seed, std::uint64_t k) {
   index::FloatPair p = index::hard_floats(n, seed, k);
   Random random(seed, 7, k);
   if (k % 2 == 0) {
@@ -251,11 +251,9 @@ index::FloatPair floats_of(Level n, std::uint64_t seed, std::uint64_t k) {
 Law decimated_floats_law() {
   using Case = Lookedup<index::FloatPair>;
   Cases<Case> cases;
-  cases.count = [](Level, const Run& run) -> std::uint64_t {
-    return run.tier == Tier::fast ? 1500 : 200'000;
-  };
+  cases.count = [](Level, const Run& run) -> std::uint64_t { return run.tier == Tier::fast ? 800 : 200'000; };
   cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) {
-    return Case{static_cast<EdgeFlags>(Random(seed, 8, k).below(8)), floats_of(n, seed, k)};
+    return Case{static_cast<EdgeFlags>(Random(seed, 8, k).below(8)), floats_at_moved_edges(n, seed, k)};
   };
   cases.text = [](Level n, const Case& c) {
     return fmt::format("flags={},{}", c.flags,

@@ -117,7 +117,7 @@ const Wrong first_exceeded = [](Level n, float cone, float triangle, Level right
 Law lod_level_law() {
   Cases<Areas> cases;
   cases.count = [](Level, const Run& run) -> std::uint64_t {
-    return run.tier == Tier::fast ? 4000 : 4'000'000;
+    return run.tier == Tier::fast ? 1500 : 4'000'000;
   };
   cases.number = hard_areas;
   cases.text = [](Level, const Areas& a) { return text_of_areas(a); };
@@ -266,11 +266,11 @@ Law lod_blend_law() {
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// Areas in whole numbers, as small as they get: one cone, all triangles up to a number.
-constexpr std::uint32_t whole_areas = 300;
+constexpr std::uint32_t whole_areas = 130;
 
 Law lod_words_law() {
   Cases<Areas> cases;
-  cases.count = [](Level, const Run&) -> std::uint64_t { return std::uint64_t{whole_areas} * 64; };
+  cases.count = [](Level, const Run&) -> std::uint64_t { return std::uint64_t{whole_areas} * 32; };
   cases.number = [](Level, std::uint64_t k, std::uint64_t) {
     return Areas{static_cast<float>(k / whole_areas + 1), static_cast<float>(k % whole_areas + 1)};
   };
@@ -312,7 +312,7 @@ Law lod_words_law() {
                    .at_once = "all levels",
                    .fast_seconds = 0.4,
                    .domain = [](const Subject&,
-                                Level) { return std::string("cones of area 1..64, triangles of 1..300"); },
+                                Level) { return std::string("cones of area 1..32, triangles of 1..130"); },
                    .mutants = {wrong_level("the formula's level", {0, 0}, first_covered),
                                wrong_level("the words' level", {0, 0}, first_exceeded, "attribute-spec"),
                                wrong_level("log2 of the quotient, rounded", {0, 0},
@@ -379,7 +379,7 @@ Law lod_jumps_law() {
                "level 1's",
        .source = "Color and Attribute Micromaps, 4.4.2, which does not say it",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 12},
+       .fast = {0, 6},
        .long_run = {0, 16},
        .fast_seconds = 0.1,
        .domain =

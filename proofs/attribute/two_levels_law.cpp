@@ -30,7 +30,7 @@ Finding cracks(const AttributeSubject& s, Level n, const SharedEdge& e) {
 /// Both maps, the common edge between them; what is read at the place of the case is 1 at the finer map's vertex beside
 /// it that level n-2 has not, 0 elsewhere, and moves the finer map's edge away.
 std::string drawn(Level n, const SharedEdge& e) {
-  const double width = 760, left = 90, size = 580, middle = 380, height = 260, slope = std::sqrt(3.0) / 2;
+  const double width = 760, left = 90, size = 580, middle = 380, slope = std::sqrt(3.0) / 2;
   const std::string title = fmt::format("An edge of level {} beside one of level {}", n, n - 2);
   Canvas canvas(width, 700, title);
   canvas.text({24, 34}, title, 19, ink, "start", true);
@@ -45,7 +45,8 @@ std::string drawn(Level n, const SharedEdge& e) {
           lifted, side(n)),
       15);
   const auto value = [&](double x) { return std::max(0.0, 1 - std::abs(x - lifted) / 2); };
-  const double lift = std::min(70.0, 0.5 * height * 4 / N);
+  // Less than the height of a row, so that nothing seems turned over.
+  const double lift = 0.6 * size * slope / (2 * N);
   const auto on_edge = [&](double x, double high) { return Pixel{left + size * x / N, middle - high}; };
   // What is between: the crack.
   canvas.polygon({on_edge(lifted - 2, 0), on_edge(lifted, lift), on_edge(lifted + 2, 0)}, vermilion, "none",
@@ -54,9 +55,8 @@ std::string drawn(Level n, const SharedEdge& e) {
   // Above the edge the finer map: its micro-triangles as decimated, the edge along x.
   const EdgeFlags flags = 1;
   const auto above = [&](const Vertex& x) {
-    const double along = x.i + x.j / 2.0;
-    return Pixel{left + size * along / N, middle - lift * (x.j == 0 ? value(x.i) : 0) -
-                                              size * slope * x.j / N * 0.5 - (x.j == 0 ? 0 : 2)};
+    const double along = x.i + x.j / 2.0, high = x.j == 0 ? lift * value(x.i) : 0;
+    return Pixel{left + size * along / N, middle - high - size * slope * x.j / (2 * N)};
   };
   for (std::uint32_t iu = 0; iu < side(n); ++iu)
     for (std::uint32_t iv = 0; iu + iv < side(n); ++iv)

@@ -98,7 +98,7 @@ constexpr Vertex u_major_vertex(std::uint64_t x, Level n) {
 /// Domain: x in [0, 4^d], d in 0..31.
 constexpr std::uint64_t upright_before(std::uint64_t x, Level d) {
   std::int64_t excess = 0, sign = 1;
-  for (Level l = d; l-- > 0;) {
+  for (Level l = d + 1; l-- > 0;) {  // 4^d itself has a digit at d
     const std::uint64_t digit = x >> (2 * l) & 3;
     if (digit % 2 != 0) excess += sign * (std::int64_t{1} << l);
     if (digit == 1) sign = -sign;
