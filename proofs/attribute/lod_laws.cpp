@@ -391,6 +391,10 @@ Law lod_jumps_law() {
                        [](Level n, float, LevelOfDetail lod) {
                          return LevelOfDetail{lod.blend >= 0.5 ? std::min(lod.level + 1, n) : lod.level, 0};
                        }),
+                   blending("no blend at level 5", {5, 5},
+                            [](Level n, float, LevelOfDetail lod) {
+                              return n == 5 ? LevelOfDetail{lod.level, 0} : lod;
+                            }),
                    blending("one level for all", {1, 1},
                             [](Level, float, LevelOfDetail) {
                               return LevelOfDetail{0, 0};
