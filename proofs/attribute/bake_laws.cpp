@@ -281,6 +281,14 @@ Law floats_law() {
                           bakes_another(MapForm::vertices, rounded_uv)),
                    mutant("the length lost, alpha in its place", "attribute", {0, 2},
                           bakes_another(MapForm::vertices, length_lost)),
+                   mutant("the length lost at level 5", "attribute", {5, 5},
+                          [length_lost](Functions& f) {
+                            f.baking.vertices = [=, real = f.baking.vertices](const BakeCase& one, Level n) {
+                              BakeCase other = one;
+                              if (n == 5) length_lost(other);
+                              return real(other, n);
+                            };
+                          }),
                    mutant("the mean of the corners' texels", "attribute", {1, 2}, averages_corners())}},
       needing({bakes_vertices, bakes_faces}), cases);
 }

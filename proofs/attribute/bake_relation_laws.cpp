@@ -125,6 +125,14 @@ Law edge_law() {
                                          : up(one, n);
                             };
                           }),
+                   mutant("a margin of 2^-10 taken off clockwise triangles at level 5", "attribute", {5, 5},
+                          [clockwise](Functions& f) {
+                            f.baking.vertices = [=, real = f.baking.vertices](const BakeCase& one, Level n) {
+                              BakeCase other = one;
+                              if (n == 5 && clockwise(one)) other.uv[0] += 0x1p-10f;
+                              return real(other, n);
+                            };
+                          }),
                    mutant("a margin of 2^-10 taken off clockwise triangles", "attribute", {0, 3},
                           where([](BakeCase& one) { one.uv[0] += 0x1p-10f; }))}},
       needing({bakes_vertices}), cases);

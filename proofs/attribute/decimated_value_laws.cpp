@@ -320,6 +320,13 @@ Law decimated_floats_law() {
                             for (double& x : w.weights) x = std::round(x * 65536) / 65536;
                             return w;
                           })),
+                   mutant("weights in 20 bits at level 7", "attribute", {7, 7},
+                          on_floats([](const auto& real, Level n, EdgeFlags flags, float u, float v) {
+                            WeightedVertices w = real(n, flags, u, v);
+                            for (double& x : w.weights)
+                              if (n == 7) x = std::round(x * 0x1p20) * 0x1p-20;
+                            return w;
+                          })),
                    mutant("subnormal v is a vertex off the edge", "attribute", {0, 8},
                           on_floats([](const auto& real, Level n, EdgeFlags flags, float u, float v) {
                             WeightedVertices w = real(n, flags, u, v);

@@ -327,6 +327,11 @@ Law keeps_law() {
                               return real(other);
                             };
                           }),
+                   mutant("what is lost is called kept where the highest level is 4", "attribute", {4, 4},
+                          replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
+                            for (PlannedTriangle& t : p)
+                              t.kept = t.kept || (one.highest == 4 && t.level == 4);
+                          })),
                    mutant("what is lost at the highest level is called kept", "attribute", {0, 4},
                           replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
                             for (PlannedTriangle& t : p) t.kept = t.kept || t.level == one.highest;
