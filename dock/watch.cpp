@@ -55,6 +55,8 @@ void Printed::look_for_report(std::string_view text) {
   for (const char c : text) {
     if (c == '\n') {
       if (line_.starts_with(begins)) report_ = line_.substr(begins.size());
+      // UBSan's of g++ ends with no summary.
+      if (report_.empty() && line_.find(": runtime error: ") != std::string::npos) report_ = line_;
       line_.clear();
     } else if (line_.size() < longest) {
       line_ += c;

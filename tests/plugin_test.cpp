@@ -61,13 +61,14 @@ TEST(Subject, one_wrong_tie_is_found_and_replayed) {
 TEST(Subject, a_sanitizers_report_is_named_with_the_case) {
   const Outcome past = judge("address_sanitized");
   EXPECT_EQ(past.exit_code, 1) << past.out << past.err;
-  EXPECT_THAT(past.out, HasSubstr("proved     index.equals_reference"));  // level 6
   EXPECT_THAT(past.out, HasSubstr("AddressSanitizer: heap-buffer-overflow"));
-  EXPECT_THAT(past.out, HasSubstr("at level 7"));
+  EXPECT_THAT(past.out, HasSubstr("at level 6 on case u=0x0p+0,v=0x0p+0"));
   EXPECT_THAT(past.err, HasSubstr("READ of size 1"));
   const Outcome sum = judge("undefined_sanitized");
   EXPECT_EQ(sum.exit_code, 1) << sum.out << sum.err;
-  EXPECT_THAT(sum.out, HasSubstr("UndefinedBehaviorSanitizer: undefined-behavior"));
+  // Its summary, where its runtime writes one; else its first line.
+  EXPECT_THAT(sum.out, testing::AnyOf(HasSubstr("UndefinedBehaviorSanitizer: undefined-behavior"),
+                                      HasSubstr("runtime error: signed integer overflow")));
   EXPECT_THAT(sum.err, HasSubstr("signed integer overflow"));
 }
 
