@@ -327,11 +327,16 @@ Law keeps_law() {
                               return real(other);
                             };
                           }),
-                   mutant("what is lost is called kept where the highest level is 4", "attribute", {4, 4},
-                          replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
-                            for (PlannedTriangle& t : p)
-                              t.kept = t.kept || (one.highest == 4 && t.level == 4);
-                          })),
+                   mutant("decimated edges not asked about where the highest level is 4", "attribute", {4, 4},
+                          [](Functions& f) {
+                            f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
+                              PlanCase other = one;
+                              other.keeps = [&](std::size_t t, Level level, std::uint8_t edges) {
+                                return one.keeps(t, level, one.highest == 4 ? std::uint8_t{0} : edges);
+                              };
+                              return real(other);
+                            };
+                          }),
                    mutant("what is lost at the highest level is called kept", "attribute", {0, 4},
                           replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
                             for (PlannedTriangle& t : p) t.kept = t.kept || t.level == one.highest;
