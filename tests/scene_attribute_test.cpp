@@ -321,8 +321,8 @@ TEST(AttributeMeasure, IsTheSameForAnyNumberOfThreads) {
   const AttributeScene scene = square_scene(random_image(40, 24));
   const auto figures = [&](unsigned threads) {
     std::vector<double> all;
-    for (const MapsAtLevel& one :
-         measure(scene, {.first = 0, .last = 3, .threads = threads}).sets.at(0).levels)
+    const AttributeFigures measured = measure(scene, {.first = 0, .last = 3, .threads = threads});
+    for (const MapsAtLevel& one : measured.sets.at(0).levels)
       for (const double x :
            {one.error.rmse, *one.error.flip, static_cast<double>(one.maps.distinct), one.unseen.value_or(-1)})
         all.push_back(x);
