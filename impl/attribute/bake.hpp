@@ -43,6 +43,7 @@ enum class Meaning : std::uint8_t {
   normal_and_length  ///< the same, and the mean's own length in the place of alpha
 };
 
+/// How a texture is read.
 struct AttributeSampling {
   Wrap u = Wrap::repeat, v = Wrap::repeat;
   Filter filter = Filter::bilinear;  ///< of vertices

@@ -28,6 +28,7 @@ using Neighbours = std::array<std::int32_t, 3>;
 /// Domain: three vertices a triangle; any numbers.
 std::vector<Neighbours> neighbours_of(std::span<const std::array<std::uint32_t, 3>> triangles);
 
+/// What a triangle of a plan gets.
 struct TrianglePlan {
   std::uint32_t level = 0;
   std::uint8_t decimated = 0;  ///< bit k: across edge k, as of Neighbours, one level less
@@ -35,6 +36,7 @@ struct TrianglePlan {
   bool kept = true;            ///< whether the error is; if not, the level is the highest, undecimated or not
 };
 
+/// A mesh, and what its triangles may be.
 struct PlanRequest {
   std::span<const Neighbours> neighbours;  ///< of one another; of a triangle each
   std::uint32_t highest = 5;               ///< level

@@ -100,6 +100,7 @@ std::int64_t half_up(const Q& q, std::int64_t full) {
 template <class Texel>
 struct Rounded;
 
+/// Of 8 bits: 0 to 255.
 template <>
 struct Rounded<std::uint8_t> {
   template <class Q>
@@ -108,6 +109,7 @@ struct Rounded<std::uint8_t> {
   }
 };
 
+/// Of 16 bits: 0 to 65535.
 template <>
 struct Rounded<std::uint16_t> {
   template <class Q>
