@@ -18,20 +18,17 @@ bool within_reach(const TexelTriangle& corners);
 /// The texel that (x, y) is, wrapped.  Domain: |x|, |y| < 2^40.
 std::size_t wrapped_texel(const ColourImage& image, const Sampler& sampler, std::int64_t x, std::int64_t y);
 
-/// Calls visit(x, y, u, v) for each texel (x, y), not wrapped, whose centre lies on the triangle, border included, by its
-/// barycentrics.  Domain: within_reach(corners).  A triangle without area has none.
+/// Calls visit(texel, u, v) for each texel whose centre lies on the triangle, border included, by its barycentrics; a
+/// texel more than once where the triangle repeats it.
+/// Domain: within_reach(corners).  A triangle without area shows none.
 template <class Visit>
-void for_each_centre(const TexelTriangle& corners, Visit visit);
+void for_each_texel(const ColourImage& image, const Sampler& sampler, const TexelTriangle& corners,
+                    Visit visit);
 
-/// A texel, by its number in the image, and where its centre lies in the triangle that shows it.
-struct ShownTexel {
-  std::uint32_t texel;
-  double u, v;
-};
-
-/// By triangle, the texels that it is the first to show; each texel of the image once at most.
-std::vector<std::vector<ShownTexel>> first_shown(const ColourImage& image, std::span<const Sampler> samplers,
-                                                 std::span<const TexelTriangle> triangles);
+/// The first triangle that shows each texel; no_triangle where none does.
+inline constexpr std::uint32_t no_triangle = std::numeric_limits<std::uint32_t>::max();
+std::vector<std::uint32_t> first_triangles(const ColourImage& image, std::span<const Sampler> samplers,
+                                           std::span<const TexelTriangle> triangles);
 
 }  // namespace mmverify::scene
 

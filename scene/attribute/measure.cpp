@@ -123,10 +123,10 @@ class SetMeasurement {
       triangles.push_back(texels_of(all_[k]));
       samplers.push_back(scene_.textures[all_[k].texture].sampler);
     }
-    const std::vector<std::vector<ShownTexel>> first = first_shown(image, samplers, triangles);
-    std::vector<std::uint8_t> shown(std::size_t{image.width} * image.height);
-    for (const std::vector<ShownTexel>& texels : first)
-      for (const ShownTexel& t : texels) shown[t.texel] = 1;
+    const std::vector<std::uint32_t> first = first_triangles(image, samplers, triangles);
+    std::vector<std::uint8_t> shown(first.size());
+    std::transform(first.begin(), first.end(), shown.begin(),
+                   [](std::uint32_t triangle) { return std::uint8_t{triangle != no_triangle}; });
     figures_.shown += static_cast<std::uint64_t>(std::count(shown.begin(), shown.end(), 1));
     const std::vector<std::uint8_t> original = original_of(image, maps);
     for (unsigned level = options_.first; level <= options_.last; ++level) {
@@ -139,8 +139,8 @@ class SetMeasurement {
           thread_local MapValues values;
           bake(all_[maps[k]], kind, level, values);
           keys_[place_of(level, kind)][maps[k]] = key_of(values);
-          show(all_[maps[k]], kind, level, values, first[k], rgb, nearest);
-          if (kind == MapKind::faces) seen += faces_with_centre(triangles[k], level);
+          seen += show(all_[maps[k]], triangles[k], kind, level, values, rgb, nearest,
+                       [&, k](std::size_t texel) { return first[texel] == k; });
         });
         if (kind == MapKind::faces) seen_faces_[level - options_.first] += seen;
         std::vector<float>& errors = kind == MapKind::faces ? picture.face_errors : picture.vertex_errors;
@@ -167,34 +167,29 @@ class SetMeasurement {
     return rgb;
   }
 
-  /// Paints the texels that the triangle is the first to show.
-  void show(const MapOfTriangle& map, MapKind kind, unsigned level, const MapValues& values,
-            const std::vector<ShownTexel>& texels, std::vector<std::uint8_t>& rgb,
-            std::vector<std::uint8_t>& nearest) const {
-    const CodeMeaning& meaning = bakers_.at(map.texture).meaning();
-    for (const ShownTexel& t : texels) {
-      const auto read = [&](MapReading reading) {
-        return vertex_value(values, level, t.u, t.v, reading, meaning);
-      };
-      if (kind == MapKind::faces) {
-        paint(rgb, t.texel, values[face_index(level, t.u, t.v)], channels_);
-      } else {
-        paint(rgb, t.texel, read(MapReading::interpolated), channels_);
-        paint(nearest, t.texel, read(MapReading::nearest), channels_);
-      }
-    }
-  }
-
-  static std::uint64_t faces_with_centre(const TexelTriangle& corners, unsigned level) {
-    std::vector<bool> has_centre(values_of_map(MapKind::faces, level));
-    std::uint64_t count = 0;
-    for_each_centre(corners, [&](std::int64_t, std::int64_t, double u, double v) {
-      if (count == has_centre.size()) return;
-      const std::size_t face = face_index(level, u, v);
-      count += has_centre[face] ? 0 : 1;
-      has_centre[face] = true;
-    });
-    return count;
+  /// Paints the texels that the triangle is the first to show.  Returns how many of its micro-triangles have a texel's
+  /// centre.
+  template <class Own>
+  std::uint64_t show(const MapOfTriangle& map, const TexelTriangle& corners, MapKind kind, unsigned level,
+                     const MapValues& values, std::vector<std::uint8_t>& rgb,
+                     std::vector<std::uint8_t>& nearest, Own own) const {
+    const MapBaker& baker = bakers_.at(map.texture);
+    std::vector<bool> has_centre(kind == MapKind::faces ? values.size() : 0);
+    for_each_texel(image_of(map), scene_.textures[map.texture].sampler, corners,
+                   [&](std::size_t texel, double u, double v) {
+                     if (kind == MapKind::faces) {
+                       const std::size_t face = face_index(level, u, v);
+                       has_centre[face] = true;
+                       if (own(texel)) paint(rgb, texel, values[face], channels_);
+                     } else if (own(texel)) {
+                       const auto read = [&](MapReading reading) {
+                         return vertex_value(values, level, u, v, reading, baker.meaning());
+                       };
+                       paint(rgb, texel, read(MapReading::interpolated), channels_);
+                       paint(nearest, texel, read(MapReading::nearest), channels_);
+                     }
+                   });
+    return static_cast<std::uint64_t>(std::count(has_centre.begin(), has_centre.end(), true));
   }
 
   void sum(const ColourImage& image, const std::vector<std::uint8_t>& original,
