@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dock/known_breaks.hpp"
 #include "dock/worker.hpp"
 
 namespace mmverify::dock {
@@ -37,9 +38,11 @@ class Library {
   /// The file's contents, in a word: its size and a checksum.
   const std::string& fingerprint() const { return fingerprint_; }
   Pool& pool() const { return pool_; }
+  KnownBreaks& known_breaks() const { return known_breaks_; }
 
  private:
   mutable Pool pool_;
+  mutable KnownBreaks known_breaks_;
   Description description_{};
   std::string fingerprint_;
 };

@@ -221,6 +221,7 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbe
     const bool spoke = pid_ > 0 && !hung_ && over_.empty();
     found.first += spoke ? mailbox_->element : mailbox_->begun.load();
     found.count = 1;
+    found.alone = over_.empty() && (!spoke || mailbox_->outcome == Outcome::threw);
   } catch (const NoResources&) {
     throw;
   } catch (const std::runtime_error&) {
@@ -259,6 +260,7 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
   Misbehaved found{{}, 0, 0};
   if (!exchange()) {
     found.what = why_no_answer();
+    found.hung = hung_;
     const auto slot = static_cast<std::size_t>(mailbox_->begun.load() / batch_size);
     found.first = slot * batch_size;
     found.count = in_slot(count, slot);

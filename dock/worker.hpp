@@ -25,6 +25,7 @@ struct Misbehaved {
   std::string what;            ///< "crashed (signal 11, Segmentation fault)", "hung: ...", ...
   std::uint64_t first, count;  ///< the elements of the command during which it did
   bool hung = false;           ///< it took all the time that it may
+  bool alone = false;  ///< a crash, a hang or an exception on this one element, asked by itself as well
 };
 
 struct Options {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <vector>
 
 #include "proofs/engine/cases.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -75,6 +76,55 @@ TEST_F(BrokenCases, AreNamedInTheirOrderAndTheOthersJudged) {
     EXPECT_EQ(r.cases_run(), 2000u);
     EXPECT_EQ(r.declined(), 3u);
   }
+}
+
+/// The same numbers, asked a chunk at a time: a chunk that holds one of `broken` is not answered.
+Law law_in_batches(const std::vector<std::uint64_t>& broken, std::uint64_t wrong_one) {
+  Law law = law_of([](Level, std::uint64_t k) { return Finding{k}; });
+  law.judge = [=](const Subject&, Level n, const Run& run) {
+    return sweep(
+        run, 2000, 64,
+        [&](Chunk chunk, Tally& tally) {
+          for (const std::uint64_t k : broken)
+            if (n == 1 && k >= chunk.begin && k < chunk.end) broken_on(k);
+          for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
+            tally.count(Kind::interior, 1);
+            tally.digest(k, k);
+            if (k == wrong_one)
+              tally.mismatch(Kind::interior, {k, 0, 0}, [&] {
+                return Counterexample{{k, 0, 0}, n, "k=" + std::to_string(k), {}, "right", "wrong"};
+              });
+          }
+        },
+        as_one_case(Kind::edge));
+  };
+  return law;
+}
+
+TEST_F(BrokenCases, AreFoundInABatchByHalves) {
+  constexpr std::uint64_t none = 5000;
+  const Law law = law_in_batches({1234, 70, 71}, none);
+  for (const unsigned threads : {1u, 2u, 4u}) {
+    const Report report = run_with(law, threads);
+    ASSERT_EQ(report.results.size(), 3u);
+    const Result& r = report.results[1];
+    EXPECT_EQ(r.verdict, Verdict::broken);
+    EXPECT_THAT(r.breaks, ElementsAre("crashed on k=70", "crashed on k=71", "crashed on k=1234"));
+    EXPECT_EQ(r.cases_run(), 2000u);
+    EXPECT_EQ(r.by_kind[static_cast<std::size_t>(Kind::edge)].declined, 3u);
+    EXPECT_EQ(report.results[2].verdict, Verdict::proved);
+    std::uint64_t digest = 0;
+    for (std::uint64_t k = 0; k < 2000; ++k)
+      if (k != 1234 && k != 70 && k != 71) digest += Tally::digest_of(k, k);
+    EXPECT_EQ(r.digest, digest) << "each of the others is judged once";
+  }
+}
+
+TEST_F(BrokenCases, HideNoWrongAnswerInTheirBatch) {
+  const Report report = run_with(law_in_batches({70}, 71), 2);
+  EXPECT_EQ(report.results[1].verdict, Verdict::refuted);
+  EXPECT_EQ(report.results[1].mismatches(), 1u);
+  EXPECT_THAT(report.results[1].breaks, ElementsAre("crashed on k=70"));
 }
 
 TEST_F(BrokenCases, HideNoWrongAnswer) {

@@ -2,6 +2,7 @@
 // program.
 #include "tests/plugin.hpp"
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/sanitized.hpp"
@@ -12,10 +13,13 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+Outcome judge_on(const std::string& threads, const std::string& name, const std::string& more) {
+  return shell("MMVERIFY_WORKER_MEMORY=200 mmverify prove --quiet --no-mutants --timeout 1 --threads " +
+               threads + " --subject " + library(name) + " " + more);
+}
+
 Outcome judge(const std::string& name, const std::string& more = "index.equals_reference --levels 6..8") {
-  return shell(
-      "MMVERIFY_WORKER_MEMORY=200 mmverify prove --quiet --no-mutants --timeout 1 --threads 1 --subject " +
-      library(name) + " " + more);
+  return judge_on("1", name, more);
 }
 
 TEST(Subject, the_example_in_c_is_proved_on_all_cells) {
@@ -124,6 +128,41 @@ TEST_P(Misbehaving, is_broken_and_the_run_goes_on) {
   EXPECT_THAT(o.out, HasSubstr(said));
   EXPECT_THAT(o.out, HasSubstr(one_case ? "at level 7 on case u=0x1.8p-2,v=0x1p-2"
                                         : "at level 7 in the batch of 4096 cases"));
+}
+
+// A crash at one vertex leaves the other cases of its level, and the levels above, to be judged.
+TEST(Subject, a_crash_in_a_batch_is_declined_and_the_others_judged) {
+  const Outcome o =
+      judge("crash", "index.equals_reference index.bijective --levels 7..8 --no-companions --json -");
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  const auto results = nlohmann::json::parse(o.out).at("results");
+  ASSERT_EQ(results.size(), 4u) << o.out;
+  const auto& level_7 = results[0];
+  EXPECT_EQ(level_7.at("verdict"), "broken");
+  EXPECT_EQ(level_7.at("cases_run"), 49537);
+  EXPECT_EQ(level_7.at("by_kind").at("vertex").at("declined"), 1);
+  EXPECT_EQ(level_7.at("cases_broken"), 1);
+  EXPECT_THAT(level_7.at("breaks")[0].get<std::string>(),
+              HasSubstr("at level 7 on case u=0x1.8p-2,v=0x1p-2"));
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_EQ(results[k].at("verdict"), "proved") << results[k];
+}
+
+TEST(Subject, a_crash_hides_no_wrong_answer) {
+  for (const char* threads : {"1", "4"}) {
+    const Outcome o = judge_on(threads, "crash_and_tie", "index.equals_reference --levels 7");
+    EXPECT_EQ(o.exit_code, 1) << o.err;
+    EXPECT_THAT(o.out, HasSubstr("refuted index.equals_reference level 7 case v:u=1/4,v=1/4"));
+    EXPECT_THAT(o.out, HasSubstr("at level 7 on case u=0x1.8p-2,v=0x1p-2"));
+  }
+}
+
+// Before anything is answered, eight are enough.
+TEST(Subject, a_crash_on_every_case_ends_the_law_with_the_first) {
+  for (const char* threads : {"1", "4"}) {
+    const Outcome o = judge_on(threads, "crash_on_all", "index.equals_reference --levels 9");
+    EXPECT_EQ(o.exit_code, 1) << o.err;
+    EXPECT_THAT(o.out, HasSubstr("at level 9 on case u=0x0p+0,v=0x0p+0"));
+  }
 }
 
 // What each does, at u = 3/8, v = 1/4 of level 7, stands in tests/subjects/misbehaving.cpp.

@@ -18,16 +18,41 @@ std::string text(std::uint64_t number) { return std::to_string(number); }
 
 bool Desk::thorough() {
   if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough) return false;
-  const std::uint32_t before =
-      questions_[static_cast<std::size_t>(mailbox_.call)][mailbox_.level % 32][mailbox_.format % 3]++;
+  const std::uint32_t before = questions_so_far()++;
   return before < first_thorough || before % later_one_in == 0;
 }
 
+std::uint32_t& Desk::questions_so_far() {
+  return questions_[static_cast<std::size_t>(mailbox_.call)][mailbox_.level % 32][mailbox_.format % 3];
+}
+
+Desk::FromThreads Desk::blob_from_threads_first() {
+  if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough || questions_so_far() != 0) return {};
+  const Asked question{whole(nullptr, mailbox_.room), static_cast<std::size_t>(mailbox_.room), {}};
+  return answers_from_threads(question, question, 1);
+}
+
+void Desk::compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size) {
+  const std::string how = "asked from two threads at once, the first time at this level";
+  for (const Answers& one : before) {
+    if (one.sizes.empty()) continue;
+    const bool sizes_differ = asked().signature.sizes_answer && one.sizes[0] != size;
+    if (sizes_differ || (one.sizes[0] != 0) != (size != 0))
+      stop(Outcome::non_deterministic, 0, how + ": " + text(one.sizes[0]) + " returned, then " + text(size));
+    const std::uint64_t bytes = asked().signature.sizes_answer ? size : room;
+    if (size != 0 && bytes <= room)
+      compare(blob_answer(bytes), one.in_round(0), static_cast<std::size_t>(bytes), 0, how);
+  }
+}
+
 void Desk::run_on_blob() {
+  const std::uint64_t room = mailbox_.room;
+  const FromThreads first = blob_from_threads_first();
   if (asked().signature.sizes_answer)
     encode(thorough());
   else
     answer(thorough());
+  compare_first(first, room, mailbox_.answer_bytes);
 }
 
 std::byte* Desk::blob_answer(std::uint64_t size) const { return base_ + layout_.blob_answer_at(size); }

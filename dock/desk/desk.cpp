@@ -99,16 +99,12 @@ void Desk::check_canary(const std::byte* out, std::uint64_t element) {
   if (!all(out - canary_size, canary_size, canary)) stop(Outcome::wrote_before, element, "");
 }
 
-void Desk::ask_from_threads(const Asked& here, const Asked& there, std::size_t rounds,
-                            std::uint64_t element) {
-  if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return;
-  struct Answers {
-    std::vector<std::vector<std::byte>> bytes;
-    std::vector<std::uint64_t> sizes;
-    bool threw = false;
-  } answers[2];
+Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& there, std::size_t rounds) {
+  FromThreads answers;
+  if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return answers;
   std::atomic<int> ready = 0;
   const auto ask = [&](const Asked& what, Answers& mine) {
+    mine.bytes = what.bytes;
     // Both begin at once: a batch takes less time than a thread's start, or than the way back from a yield.
     ++ready;
     for (int turns = 0; ready < 2; ++turns)
@@ -116,7 +112,8 @@ void Desk::ask_from_threads(const Asked& here, const Asked& there, std::size_t r
     try {
       for (std::size_t round = 0; round < rounds; ++round) {
         Arguments own = what.arguments;
-        own.out = mine.bytes.emplace_back(what.bytes, std::byte{blank_again}).data();
+        own.out = mine.rooms.emplace_back(what.bytes + 2 * Answers::margin, std::byte{blank_again}).data() +
+                  Answers::margin;
         mine.sizes.push_back(call(subject_, mailbox_.call, own));
       }
     } catch (...) {
@@ -130,10 +127,15 @@ void Desk::ask_from_threads(const Asked& here, const Asked& there, std::size_t r
   });
   ask(here, answers[0]);
   other.join();
-  for (const Answers& one : answers) {
+  return answers;
+}
+
+void Desk::ask_from_threads(const Asked& here, const Asked& there, std::size_t rounds,
+                            std::uint64_t element) {
+  for (const FromThreads answers = answers_from_threads(here, there, rounds); const Answers& one : answers) {
     if (one.threw) stop(Outcome::threw, element, "when called from two threads at once");
-    for (std::size_t round = 0; round < rounds; ++round)
-      (&one == answers ? here : there).see(one.bytes[round].data(), one.sizes[round]);
+    for (std::size_t round = 0; round < one.sizes.size(); ++round)
+      (&one == answers.data() ? here : there).see(one.in_round(round), one.sizes[round]);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -50,8 +51,20 @@ class Desk {
     std::size_t bytes;
     std::function<void(const std::byte* answer, std::uint64_t size)> see;
   };
-  /// Two threads ask at once, each its own question `rounds` times.  Exceptions count against `element`.  Nothing where
-  /// the subject is for one thread.
+  /// A thread's answers, round by round.
+  struct Answers {
+    static constexpr std::size_t margin =
+        4096;  ///< a subject that writes outside its output spoils nothing yet
+    std::vector<std::vector<std::byte>> rooms;  ///< an answer between two margins
+    std::vector<std::uint64_t> sizes;
+    std::size_t bytes = 0;
+    bool threw = false;
+    const std::byte* in_round(std::size_t round) const { return rooms[round].data() + margin; }
+  };
+  using FromThreads = std::array<Answers, 2>;
+  /// Two threads ask at once, each its own question `rounds` times.  Empty where the subject is for one thread.
+  FromThreads answers_from_threads(const Asked& here, const Asked& there, std::size_t rounds);
+  /// The same; the questions see the answers.  Exceptions count against `element`.
   void ask_from_threads(const Asked& here, const Asked& there, std::size_t rounds, std::uint64_t element);
 
   /// Compares answers of `count` elements with those of being asked again `how`, over bytes of `blank_again`.
@@ -65,6 +78,9 @@ class Desk {
   Arguments piece(std::size_t slot, std::size_t at, std::size_t count, std::byte* out) const;
   std::byte* slot_answer(std::size_t slot) const;
   void call_slot(std::size_t slot);
+  /// Asks the batch from two threads before anything else was asked of its level: a table that the first call fills
+  /// must be whole before another call reads it.  What is thrown comes again.
+  FromThreads slot_from_threads_first(std::size_t slot);
   /// Asks a batch again in pieces of another size, and so at other places and addresses.
   void ask_slot_again(std::size_t slot, std::size_t size);
   /// Both threads ask the batch; then one of them does, and the other one the same turned by half of it.
@@ -84,6 +100,10 @@ class Desk {
   const std::uint8_t* blob_elsewhere();
   /// Calls with the output at its guard page, filled with `filling` before.
   std::uint64_t call_at_guard(std::uint64_t room, unsigned char filling, const std::uint8_t* blob = nullptr);
+  /// The same for a map, a code or a case.
+  FromThreads blob_from_threads_first();
+  /// Compares those with the answer of `size` bytes in its place, of which as many as `room` were asked for.
+  void compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size);
   void encode(bool thorough);
   void answer(bool thorough);
   /// Both threads ask the question; then the other one asks an earlier one to the same entry point, where there is one.
@@ -100,6 +120,7 @@ class Desk {
   std::byte* blob_answer(std::uint64_t size) const;
   /// The first questions of a kind, and one in so many of the later ones.
   bool thorough();
+  std::uint32_t& questions_so_far();
 
   std::byte* const base_;
   const Layout layout_;

@@ -13,8 +13,14 @@ constexpr std::size_t large_batch = (std::size_t{1} << 16) + 7;
 }  // namespace
 
 void Desk::run_on_numbers(std::uint64_t number) {
+  FromThreads first;
+  if (first_at_this_level() && mailbox_.one_by_one == 0) first = slot_from_threads_first(0);
   for (std::size_t slot = 0; in_slot(mailbox_.count, slot) != 0; ++slot) call_slot(slot);
   if (mailbox_.one_by_one != 0) return;
+  for (const Answers& one : first)
+    if (!one.sizes.empty())
+      compare(slot_answer(0), one.in_round(0), in_slot(mailbox_.count, 0), 0,
+              "asked from two threads at once, the first time at this level");
   const std::size_t batches = static_cast<std::size_t>((mailbox_.count + batch_size - 1) / batch_size);
   // The first command of a level is asked again in every way, all of it; the others, a batch in a way in turn.
   for (std::size_t slot = 0; first_at_this_level() && slot < batches; ++slot) {
@@ -117,6 +123,13 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
   for (std::size_t at = 0; at < large_batch; at += count)
     compare(slot_answer(slot), again_.data() + at * wide, std::min(count, large_batch - at), from,
             "asked in a batch of " + std::to_string(large_batch));
+}
+
+Desk::FromThreads Desk::slot_from_threads_first(std::size_t slot) {
+  const std::size_t count = in_slot(mailbox_.count, slot);
+  mailbox_.begun.store(slot * batch_size, std::memory_order_relaxed);
+  const Asked batch{piece(slot, 0, count, nullptr), count * asked().answer_bytes, {}};
+  return answers_from_threads(batch, batch, 1);
 }
 
 void Desk::ask_slot_from_threads(std::size_t slot) {

@@ -65,29 +65,32 @@ Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
   law.judge = [cases](const Subject& subject, Level n, const Run& run) {
     const AttributeSubject& s = of_attribute(subject);
     const std::uint64_t count = cases.count(n);
-    return sweep(run, cases.settings.size() * count, elements_per_chunk, [&](Chunk chunk, Tally& tally) {
-      std::vector<Element> elements;
-      std::vector<Outcome> outcomes;
-      each_setting(chunk, count, [&](std::size_t setting, std::uint64_t first, std::size_t size) {
-        elements.resize(size);
-        outcomes.assign(size, {});
-        fill(n, first, std::span(elements));
-        cases.check(s, n, setting, elements, outcomes);
-        for (std::size_t t = 0; t < size; ++t) {
-          const Kind kind = kind_of(elements[t], cases.kind);
-          tally.count(kind, 1);
-          tally.digest(setting * count + first + t, outcomes[t].answer);
-          if (outcomes[t].holds) continue;
-          const Simplicity simplicity{n, first + t, setting};
-          tally.mismatch(kind, simplicity, [&] {
-            const Words words = cases.words(s, n, setting, elements[t]);
-            return Counterexample{
-                simplicity,     n,        cases.settings[setting] + ":" + text_of(elements[t]), {},
-                words.expected, words.got};
+    return sweep(
+        run, cases.settings.size() * count, elements_per_chunk,
+        [&](Chunk chunk, Tally& tally) {
+          std::vector<Element> elements;
+          std::vector<Outcome> outcomes;
+          each_setting(chunk, count, [&](std::size_t setting, std::uint64_t first, std::size_t size) {
+            elements.resize(size);
+            outcomes.assign(size, {});
+            fill(n, first, std::span(elements));
+            cases.check(s, n, setting, elements, outcomes);
+            for (std::size_t t = 0; t < size; ++t) {
+              const Kind kind = kind_of(elements[t], cases.kind);
+              tally.count(kind, 1);
+              tally.digest(setting * count + first + t, outcomes[t].answer);
+              if (outcomes[t].holds) continue;
+              const Simplicity simplicity{n, first + t, setting};
+              tally.mismatch(kind, simplicity, [&] {
+                const Words words = cases.words(s, n, setting, elements[t]);
+                return Counterexample{
+                    simplicity,     n,        cases.settings[setting] + ":" + text_of(elements[t]), {},
+                    words.expected, words.got};
+              });
+            }
           });
-        }
-      });
-    });
+        },
+        as_one_case(cases.kind));
   };
   law.replay = [cases](const Subject& subject, Level n, const std::string& at) -> Replayed {
     const AttributeSubject& s = of_attribute(subject);

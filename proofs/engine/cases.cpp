@@ -8,7 +8,9 @@ Finding checked(const NumberedCases& cases, const Subject& subject, Level n, std
                 Tally& tally) {
   if (run.breaks == nullptr) return cases.check(subject, n, k, run);
   try {
-    return cases.check(subject, n, k, run);
+    Finding found = cases.check(subject, n, k, run);
+    run.breaks->answered();
+    return found;
   } catch (const dock::CaseBroken& broken) {
     run.breaks->note(n, k, broken);
     tally.break_off();

@@ -149,6 +149,31 @@ void name_proof(Result& r, const Law& law) {
   if (law.method == Method::induction || law.method == Method::bit_vectors) r.proof = to_string(law.method);
 }
 
+/// What a subject does on the first case on which it breaks: threads may have found another one first.
+std::optional<std::string> first_break(const Law& law, const Subject& subject, Level level,
+                                       const Run& of_threads) {
+  if (of_threads.arena == nullptr) return std::nullopt;
+  Breaks one(1);
+  Run run = of_threads;
+  run.arena = nullptr;
+  run.progress = nullptr;
+  std::optional<Division> share;
+  if (law.divisible && of_threads.division != nullptr) {
+    share = *of_threads.division;
+    share->journal = nullptr;
+  }
+  run.division = share ? &*share : nullptr;
+  run.breaks = &one;
+  try {
+    law.judge(subject, level, run);
+  } catch (const SubjectBroken& broken) {
+    return broken.what();
+  } catch (const Interrupted&) {
+  } catch (const std::runtime_error&) {
+  }
+  return std::nullopt;
+}
+
 Result run_level(const Law& law, const Subject& subject, Level level, const Run& asked) {
   Run run = asked;
   run.options = heeded(law, asked.options);
@@ -158,6 +183,7 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
   if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
   Breaks breaks;
   if (run.breaks == nullptr) run.breaks = &breaks;
+  run.level = level;
   const auto start = std::chrono::steady_clock::now();
   r.cases_expected = law.cases(level, run);
   if (run.progress != nullptr)
@@ -194,7 +220,7 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
     r.reason = gap.what();
   } catch (const SubjectBroken& broken) {
     r.verdict = Verdict::broken;
-    r.reason = broken.what();
+    r.reason = first_break(law, subject, level, run).value_or(broken.what());
   }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;

@@ -27,12 +27,40 @@ struct Domain {
   }
 };
 
+/// The judge of a sweep and how it goes on where the subject breaks.
+struct Judging {
+  const Judge& judge;
+  const DeclineUnit& decline;
+
+  /// Judges all units but those on which the subject breaks.
+  void operator()(const Run& run, Chunk units, Tally& tally) const {
+    if (run.breaks == nullptr || !decline) return judge(units, tally);
+    try {
+      Tally part(run.errors);
+      judge(units, part);
+      tally.merge(part);
+      run.breaks->answered();
+      return;
+    } catch (const dock::CaseBroken& broken) {
+      if (units.end - units.begin == 1) {
+        run.breaks->note(run.level, units.begin, broken);
+        decline(units.begin, tally);
+        tally.break_off();
+        return;
+      }
+    }
+    const std::uint64_t middle = units.begin + (units.end - units.begin) / 2;
+    (*this)(run, {units.begin, middle}, tally);
+    (*this)(run, {middle, units.end}, tally);
+  }
+};
+
 /// Judges a range of chunks one by one.  False where the run was interrupted before the last.
-bool judge_chunks(const Run& run, const Domain& domain, Chunk chunks, const Judge& judge, Tally& tally) {
+bool judge_chunks(const Run& run, const Domain& domain, Chunk chunks, const Judging& judge, Tally& tally) {
   for (std::uint64_t c = chunks.begin; c != chunks.end; ++c) {
     if (interrupted()) return false;
     const std::uint64_t before = tally.cases();
-    judge(domain.units_of({c, c + 1}), tally);
+    judge(run, domain.units_of({c, c + 1}), tally);
     if (run.progress != nullptr) run.progress->add(tally.cases() - before);
   }
   return true;
@@ -87,7 +115,7 @@ std::vector<Journal::Piece> usable(const Division& division, Chunk chunks, const
   return pieces;
 }
 
-Tally journaled(const Run& run, const Domain& domain, Chunk chunks, const Judge& judge) {
+Tally journaled(const Run& run, const Domain& domain, Chunk chunks, const Judging& judge) {
   Division& division = *run.division;
   const std::vector<Journal::Piece> finished = usable(division, chunks, domain);
   const std::vector<Chunk> left = unfinished(chunks, finished, domain);
@@ -107,8 +135,10 @@ Tally journaled(const Run& run, const Domain& domain, Chunk chunks, const Judge&
 
 }  // namespace
 
-Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk, const Judge& judge) {
+Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk, const Judge& judge_units,
+            const DeclineUnit& decline) {
   const Domain domain{units, units_per_chunk};
+  const Judging judge{judge_units, decline};
   const Shard shard = run.division != nullptr ? run.division->shard.value_or(Shard{}) : Shard{};
   const Chunk chunks = shard.chunks(domain.chunks());
   Tally tally = run.division != nullptr && run.division->journal != nullptr

@@ -35,14 +35,25 @@ struct Run {
   /// one, on one thread, so that it is the same on every machine.  Not for laws that look at a whole sweep.
   bool until_refuted = false;
   Breaks* breaks = nullptr;  ///< null: the first case on which a subject does not answer ends the law
+  Level level = 0;           ///< that `breaks` are noted at
 };
+
+/// Counts the cases of one unit of a sweep, on which the subject broke, as declined.
+using DeclineUnit = std::function<void(std::uint64_t unit, Tally&)>;
+inline DeclineUnit as_one_case(Kind kind) {
+  return [kind](std::uint64_t, Tally& tally) { tally.decline(kind); };
+}
 
 /// Judges [0, units) in chunks of `units_per_chunk`; the judge counts its cases in the tally.
 /// Chunks are skipped once the run is interrupted; the missing cases show in the tally.  Under a Division
 /// only its shard's chunks are judged, those that its journal has are added from there, and finished runs of
 /// chunks are appended to it.
-/// Domain: units_per_chunk > 0; a judge that is divided calls sweep once.  Throws BadJournal.
+/// A chunk in which the subject breaks on a case, which the judge leaves by CaseBroken, is judged in halves, and at last
+/// without the unit that has the case: it is noted in Run::breaks and counted by `decline`.  Without `decline` the first
+/// such case ends the law.
+/// Domain: units_per_chunk > 0; a judge that is divided calls sweep once; a judge that is left has changed nothing but
+/// its tally.  Throws BadJournal.
 Tally sweep(const Run& run, std::uint64_t units, std::uint64_t units_per_chunk,
-            const std::function<void(Chunk, Tally&)>& judge);
+            const std::function<void(Chunk, Tally&)>& judge, const DeclineUnit& decline = {});
 
 }  // namespace mmverify::proofs

@@ -45,36 +45,43 @@ Kind kind_at(const GridPoint& p, Level n) {
 }  // namespace
 
 Tally exact_on_binary16(const IndexSubject& s, Level n, const Run& run) {
-  return sweep(run, one + 1, rows_per_chunk, [&](Chunk chunk, Tally& tally) {
-    std::vector<float> u, v;
-    std::vector<GridPoint> points;
-    std::vector<std::uint32_t> want, got;
-    for (auto row = static_cast<std::uint32_t>(chunk.begin); row < chunk.end; ++row) {
-      const std::uint32_t count = partners(row);
-      u.assign(count, value(row));
-      v.resize(count);
-      points.resize(count);
-      want.resize(count);
-      got.resize(count);
-      for (std::uint32_t t = 0; t < count; ++t) {
-        v[t] = value(t);
-        points[t] = {fixed(u[t]), fixed(v[t])};
-      }
-      reference_batch(n, points, want);
-      s.functions.index_floats(n, FloatBatch{u, v}, got);
-      std::array<std::uint64_t, kinds> of_kind{};
-      for (std::uint32_t t = 0; t < count; ++t) {
-        const Kind kind = kind_at(points[t], n);
-        ++of_kind[static_cast<std::size_t>(kind)];
-        tally.digest(std::uint64_t{row} << 16 | t, got[t]);
-        if (want[t] != got[t])
-          tally.mismatch(kind, simplicity(points[t]),
-                         [&] { return at_point(points[t], n, say_number(want[t]), say_number(got[t])); });
-      }
-      for (const Kind kind : {Kind::vertex, Kind::edge, Kind::interior})
-        tally.count(kind, of_kind[static_cast<std::size_t>(kind)]);
-    }
-  });
+  return sweep(
+      run, one + 1, rows_per_chunk,
+      [&](Chunk chunk, Tally& tally) {
+        std::vector<float> u, v;
+        std::vector<GridPoint> points;
+        std::vector<std::uint32_t> want, got;
+        for (auto row = static_cast<std::uint32_t>(chunk.begin); row < chunk.end; ++row) {
+          const std::uint32_t count = partners(row);
+          u.assign(count, value(row));
+          v.resize(count);
+          points.resize(count);
+          want.resize(count);
+          got.resize(count);
+          for (std::uint32_t t = 0; t < count; ++t) {
+            v[t] = value(t);
+            points[t] = {fixed(u[t]), fixed(v[t])};
+          }
+          reference_batch(n, points, want);
+          s.functions.index_floats(n, FloatBatch{u, v}, got);
+          std::array<std::uint64_t, kinds> of_kind{};
+          for (std::uint32_t t = 0; t < count; ++t) {
+            const Kind kind = kind_at(points[t], n);
+            ++of_kind[static_cast<std::size_t>(kind)];
+            tally.digest(std::uint64_t{row} << 16 | t, got[t]);
+            if (want[t] != got[t])
+              tally.mismatch(kind, simplicity(points[t]),
+                             [&] { return at_point(points[t], n, say_number(want[t]), say_number(got[t])); });
+          }
+          for (const Kind kind : {Kind::vertex, Kind::edge, Kind::interior})
+            tally.count(kind, of_kind[static_cast<std::size_t>(kind)]);
+        }
+      },
+      [n](std::uint64_t row, Tally& tally) {
+        const auto u = static_cast<std::uint32_t>(row);
+        for (std::uint32_t v = 0; v < partners(u); ++v)
+          tally.decline(kind_at({fixed(value(u)), fixed(value(v))}, n));
+      });
 }
 
 }  // namespace mmverify::proofs::index

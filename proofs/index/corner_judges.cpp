@@ -26,17 +26,20 @@ using CornersFrom = std::function<void(std::span<const std::uint32_t>, std::span
 Tally on_each_index(
     Level n, const Run& run, const CornersFrom& ask,
     const std::function<void(std::span<const std::uint32_t>, std::span<const Corners>, Tally&)>& judge) {
-  return sweep(run, triangle_count(n), indices_in_a_chunk, [&](Chunk chunk, Tally& tally) {
-    std::array<std::uint32_t, indices_per_batch> indices;
-    std::array<Corners, indices_per_batch> corners;
-    for (std::uint64_t from = chunk.begin; from < chunk.end; from += indices_per_batch) {
-      const std::uint64_t count = std::min(indices_per_batch, chunk.end - from);
-      for (std::uint64_t t = 0; t < count; ++t) indices[t] = static_cast<std::uint32_t>(from + t);
-      ask({indices.data(), count}, {corners.data(), count});
-      tally.count(Kind::interior, count);
-      judge({indices.data(), count}, {corners.data(), count}, tally);
-    }
-  });
+  return sweep(
+      run, triangle_count(n), indices_in_a_chunk,
+      [&](Chunk chunk, Tally& tally) {
+        std::array<std::uint32_t, indices_per_batch> indices;
+        std::array<Corners, indices_per_batch> corners;
+        for (std::uint64_t from = chunk.begin; from < chunk.end; from += indices_per_batch) {
+          const std::uint64_t count = std::min(indices_per_batch, chunk.end - from);
+          for (std::uint64_t t = 0; t < count; ++t) indices[t] = static_cast<std::uint32_t>(from + t);
+          ask({indices.data(), count}, {corners.data(), count});
+          tally.count(Kind::interior, count);
+          judge({indices.data(), count}, {corners.data(), count}, tally);
+        }
+      },
+      as_one_case(Kind::interior));
 }
 
 /// A number that all six coordinates enter.

@@ -163,20 +163,24 @@ std::vector<Finding> corners_alone(const IndexSubject& s, Level n, Indices indic
 using Check = std::vector<Finding> (*)(const IndexSubject&, Level, Indices);
 
 Tally judged(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples, Check check) {
-  return sweep(run, samples, indices_per_chunk, [&](Chunk chunk, Tally& tally) {
-    std::vector<std::uint32_t> indices;
-    for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) indices.push_back(sampled_index(n, run.seed, k));
-    const std::vector<Finding> found = check(s, n, indices);
-    tally.count(Kind::interior, indices.size());
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      tally.digest(chunk.begin + k, found[k].answer);
-      if (!found[k].holds)
-        tally.mismatch(Kind::interior, {indices[k], 0, 0}, [&] {
-          return Counterexample{{indices[k], 0, 0}, n,           case_of(indices[k]), {},
-                                found[k].expected,  found[k].got};
-        });
-    }
-  });
+  return sweep(
+      run, samples, indices_per_chunk,
+      [&](Chunk chunk, Tally& tally) {
+        std::vector<std::uint32_t> indices;
+        for (std::uint64_t k = chunk.begin; k < chunk.end; ++k)
+          indices.push_back(sampled_index(n, run.seed, k));
+        const std::vector<Finding> found = check(s, n, indices);
+        tally.count(Kind::interior, indices.size());
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          tally.digest(chunk.begin + k, found[k].answer);
+          if (!found[k].holds)
+            tally.mismatch(Kind::interior, {indices[k], 0, 0}, [&] {
+              return Counterexample{{indices[k], 0, 0}, n,           case_of(indices[k]), {},
+                                    found[k].expected,  found[k].got};
+            });
+        }
+      },
+      as_one_case(Kind::interior));
 }
 
 Replayed again(const IndexSubject& s, Level n, const std::string& at, Check check) {

@@ -132,13 +132,20 @@ Tally compare_on_cells(const IndexSubject& subject, Level grid, const Run& run, 
                        const Answers& got, const Say& say_expected) {
   const Cells cells(grid);
   const std::uint64_t chunk_size = std::max<std::uint64_t>(cells_per_chunk, subject.functions.batch);
-  return sweep(run, cells.size(), chunk_size, [&](Chunk chunk, Tally& tally) {
-    Comparison comparison(subject, grid, expected, got, say_expected, run.near, tally);
-    cells.rows(chunk.begin, chunk.end, [&](const Row& row) {
-      if (!has(run.options, interiors_only) || row.even == Kind::interior) comparison.add(row);
-    });
-    comparison.judge();
-  });
+  return sweep(
+      run, cells.size(), chunk_size,
+      [&](Chunk chunk, Tally& tally) {
+        Comparison comparison(subject, grid, expected, got, say_expected, run.near, tally);
+        cells.rows(chunk.begin, chunk.end, [&](const Row& row) {
+          if (!has(run.options, interiors_only) || row.even == Kind::interior) comparison.add(row);
+        });
+        comparison.judge();
+      },
+      [&](std::uint64_t cell, Tally& tally) {
+        cells.rows(cell, cell + 1, [&](const Row& row) {
+          if (!has(run.options, interiors_only) || row.even == Kind::interior) tally.decline(row.even);
+        });
+      });
 }
 
 }  // namespace mmverify::proofs::index

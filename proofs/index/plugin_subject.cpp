@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "dock/elements.hpp"
 #include "proofs/index/rounded_subject.hpp"
 
 namespace mmverify::proofs::index {
@@ -12,7 +13,6 @@ namespace {
 using dock::Borrowed;
 using dock::Call;
 using dock::LibraryPtr;
-using dock::Misbehaved;
 using dock::Worker;
 
 template <class T>
@@ -155,21 +155,13 @@ class Questions {
   /// Runs one command; `place` writes the inputs, the answers go to `out`.
   template <class Place, class Number>
   void ask(Level n, Call call, std::size_t count, Place place, Number* out) const {
-    Borrowed borrowed(library_->pool());
-    Worker& worker = *borrowed;
-    place(worker, call);
-    try {
-      worker.ask(call, n, count);
-    } catch (const Misbehaved& found) {
-      // pin_down leaves the inputs of a new worker, so the text is made from a fresh copy.
-      place(worker, call);
-      throw SubjectBroken(
-          fmt::format("{} at level {} {}", found.what, n, elements(worker, call, count, found)));
-    }
+    Borrowed worker =
+        dock::ask(*library_, {call, n, count, [&](Worker& w) { place(w, call); },
+                              [&](const Worker& w, std::uint64_t t) { return element(w, call, count, t); }});
     for (std::size_t from = 0; from < count; from += dock::batch_size)
-      std::memcpy(out + from, worker.answer(call, count, from),
+      std::memcpy(out + from, worker->answer(call, count, from),
                   std::min(dock::batch_size, count - from) * sizeof(Number));
-    borrowed.give_back();
+    worker.give_back();
   }
 
   static std::string element(const Worker& worker, Call call, std::uint64_t count, std::uint64_t t) {
@@ -187,13 +179,6 @@ class Questions {
         break;
     }
     return fmt::format("k={}", read(0, std::uint32_t{}));
-  }
-
-  static std::string elements(const Worker& worker, Call call, std::uint64_t count, const Misbehaved& found) {
-    const std::string first = element(worker, call, count, found.first);
-    if (found.count == 1) return "on case " + first;
-    return fmt::format("in the batch of {} cases from {} to {}", found.count, first,
-                       element(worker, call, count, found.first + found.count - 1));
   }
 
   LibraryPtr library_;

@@ -96,34 +96,38 @@ struct Due {
 template <class F, class Draw, class Ask, class WhatIsDue>
 Tally judged_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, Ask ask, WhatIsDue due,
                       Arithmetic arithmetic) {
-  return sweep(run, samples, floats_per_chunk, [&](Chunk chunk, Tally& tally) {
-    std::array<F, floats_per_batch> u, v;
-    std::array<std::uint32_t, floats_per_batch> got;
-    for (std::uint64_t from = chunk.begin; from < chunk.end; from += floats_per_batch) {
-      const std::uint64_t count = std::min(floats_per_batch, chunk.end - from);
-      for (std::uint64_t t = 0; t < count; ++t) {
-        const auto p = has(run.options, interiors_only) ? inside_pair(n, run.seed, from + t, draw)
-                                                        : draw(n, run.seed, from + t);
-        u[t] = p.u;
-        v[t] = p.v;
-      }
-      ask(std::span<F>(u.data(), count), std::span<F>(v.data(), count),
-          std::span<std::uint32_t>(got.data(), count));
-      for (std::uint64_t t = 0; t < count; ++t) {
-        const auto [want, kind] = on_exact(u[t], v[t], [&](const auto& p) {
-          return std::pair{due(u[t], v[t], p, n, got[t]), kind_at(p, n)};
-        });
-        tally.count(kind, 1);
-        tally.digest(from + t, got[t]);
-        if (want.index == got[t] && !want.allowed) continue;
-        const RationalPoint p{rational(u[t]), rational(v[t])};
-        if (want.allowed || (run.near != 0 && reaches(p, n, got[t], arithmetic, run.near)))
-          tally.allow(kind);
-        else
-          tally.mismatch(kind, simplicity(p), [&, w = want.index] { return at_rational(p, n, w, got[t]); });
-      }
-    }
-  });
+  return sweep(
+      run, samples, floats_per_chunk,
+      [&](Chunk chunk, Tally& tally) {
+        std::array<F, floats_per_batch> u, v;
+        std::array<std::uint32_t, floats_per_batch> got;
+        for (std::uint64_t from = chunk.begin; from < chunk.end; from += floats_per_batch) {
+          const std::uint64_t count = std::min(floats_per_batch, chunk.end - from);
+          for (std::uint64_t t = 0; t < count; ++t) {
+            const auto p = has(run.options, interiors_only) ? inside_pair(n, run.seed, from + t, draw)
+                                                            : draw(n, run.seed, from + t);
+            u[t] = p.u;
+            v[t] = p.v;
+          }
+          ask(std::span<F>(u.data(), count), std::span<F>(v.data(), count),
+              std::span<std::uint32_t>(got.data(), count));
+          for (std::uint64_t t = 0; t < count; ++t) {
+            const auto [want, kind] = on_exact(u[t], v[t], [&](const auto& p) {
+              return std::pair{due(u[t], v[t], p, n, got[t]), kind_at(p, n)};
+            });
+            tally.count(kind, 1);
+            tally.digest(from + t, got[t]);
+            if (want.index == got[t] && !want.allowed) continue;
+            const RationalPoint p{rational(u[t]), rational(v[t])};
+            if (want.allowed || (run.near != 0 && reaches(p, n, got[t], arithmetic, run.near)))
+              tally.allow(kind);
+            else
+              tally.mismatch(kind, simplicity(p),
+                             [&, w = want.index] { return at_rational(p, n, w, got[t]); });
+          }
+        }
+      },
+      as_one_case(Kind::interior));
 }
 
 /// Against a specification in exact arithmetic.
@@ -185,20 +189,24 @@ Tally row_exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::u
 }
 
 Tally cells_decide(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
-  return sweep(run, samples, rationals_per_chunk, [&](Chunk chunk, Tally& tally) {
-    for (std::uint64_t sample = chunk.begin; sample < chunk.end; ++sample) {
-      Random random(run.seed, n, sample);
-      InCell in = random_in_cell(n, random);
-      while (has(run.options, interiors_only) && in.kind != Kind::interior) in = random_in_cell(n, random);
-      const std::uint32_t want = s.functions.index_at(n, in.representative),
-                          got = s.functions.index_at(n, in.anywhere);
-      tally.count(in.kind, 1);
-      tally.digest(sample, got);
-      if (want != got)
-        tally.mismatch(in.kind, simplicity(in.anywhere),
-                       [&] { return at_rational(in.anywhere, n, want, got); });
-    }
-  });
+  return sweep(
+      run, samples, rationals_per_chunk,
+      [&](Chunk chunk, Tally& tally) {
+        for (std::uint64_t sample = chunk.begin; sample < chunk.end; ++sample) {
+          Random random(run.seed, n, sample);
+          InCell in = random_in_cell(n, random);
+          while (has(run.options, interiors_only) && in.kind != Kind::interior)
+            in = random_in_cell(n, random);
+          const std::uint32_t want = s.functions.index_at(n, in.representative),
+                              got = s.functions.index_at(n, in.anywhere);
+          tally.count(in.kind, 1);
+          tally.digest(sample, got);
+          if (want != got)
+            tally.mismatch(in.kind, simplicity(in.anywhere),
+                           [&] { return at_rational(in.anywhere, n, want, got); });
+        }
+      },
+      as_one_case(Kind::interior));
 }
 
 }  // namespace mmverify::proofs::index

@@ -73,14 +73,31 @@ class Seen {
   std::vector<std::atomic<std::uint64_t>> words_;
 };
 
+/// Nothing where the subject breaks on one of it.
+std::optional<Strip> answered_strip(const IndexSubject& s, Level n, std::uint32_t j) {
+  try {
+    return ask_strip(s, n, j);
+  } catch (const dock::CaseBroken&) {
+    return std::nullopt;
+  }
+}
+
+/// A strip on which the subject breaks: all of its micro-triangles, since the law compares them with one another.
+DeclineUnit as_a_strip(Level n) {
+  return [n](std::uint64_t j, Tally& tally) {
+    for (std::uint64_t t = 0; t < 2 * (side(n) - j) - 1; ++t) tally.decline(Kind::interior);
+  };
+}
+
 /// The micro-triangle before `m` that has the same index, if any.
 std::optional<MicroTriangle> earlier_owner(const IndexSubject& s, Level n, const MicroTriangle& m,
                                            std::uint32_t index) {
   std::optional<MicroTriangle> owner;
   for (std::uint32_t j = 0; j <= m.j && !owner; ++j)
-    each(ask_strip(s, n, j), j, [&](const MicroTriangle& other, std::uint32_t other_index) {
-      if (!owner && other_index == index && number_in(other, n) < number_in(m, n)) owner = other;
-    });
+    if (const auto strip = answered_strip(s, n, j))
+      each(*strip, j, [&](const MicroTriangle& other, std::uint32_t other_index) {
+        if (!owner && other_index == index && number_in(other, n) < number_in(m, n)) owner = other;
+      });
   return owner;
 }
 
@@ -98,16 +115,23 @@ std::string taken(const IndexSubject& s, Level n, const MicroTriangle& m, std::u
 Tally bijective(const IndexSubject& s, Level n, const Run& run) {
   // First all at once: how many answers are out of range or come a second time does not depend on the order.
   Seen seen(n);
-  Tally tally = sweep(run, side(n), strips_per_chunk(n), [&](Chunk chunk, Tally& part) {
-    for (auto j = static_cast<std::uint32_t>(chunk.begin); j < chunk.end; ++j)
-      each(ask_strip(s, n, j), j, [&](const MicroTriangle& m, std::uint32_t index) {
-        part.count(Kind::interior, 1);
-        part.digest(number_in(m, n), index);
-        if (index >= triangle_count(n) || seen.mark(index))
-          part.mismatch(Kind::interior, simplicity(representative(m, n)),
-                        [&] { return at_triangle(m, n, not_taken(), fmt::format("{}", index)); });
-      });
-  });
+  Tally tally = sweep(
+      run, side(n), strips_per_chunk(n),
+      [&](Chunk chunk, Tally& part) {
+        // All are asked before one is marked: where the subject breaks, the chunk is judged again, in parts.
+        std::vector<Strip> strips;
+        for (auto j = static_cast<std::uint32_t>(chunk.begin); j < chunk.end; ++j)
+          strips.push_back(ask_strip(s, n, j));
+        for (auto j = static_cast<std::uint32_t>(chunk.begin); j < chunk.end; ++j)
+          each(strips[j - chunk.begin], j, [&](const MicroTriangle& m, std::uint32_t index) {
+            part.count(Kind::interior, 1);
+            part.digest(number_in(m, n), index);
+            if (index >= triangle_count(n) || seen.mark(index))
+              part.mismatch(Kind::interior, simplicity(representative(m, n)),
+                            [&] { return at_triangle(m, n, not_taken(), fmt::format("{}", index)); });
+          });
+      },
+      as_a_strip(n));
   if (tally.found().empty() || interrupted()) return tally;
 
   // Then in order, to name the first ones.
@@ -115,10 +139,11 @@ Tally bijective(const IndexSubject& s, Level n, const Run& run) {
   Tally named(run.errors);
   std::vector<std::pair<MicroTriangle, std::uint32_t>> repeats;
   for (std::uint32_t j = 0; j < side(n) && repeats.size() < run.errors; ++j)
-    each(ask_strip(s, n, j), j, [&](const MicroTriangle& m, std::uint32_t index) {
-      if (repeats.size() < run.errors && (index >= triangle_count(n) || again.mark(index)))
-        repeats.emplace_back(m, index);
-    });
+    if (const auto strip = answered_strip(s, n, j))
+      each(*strip, j, [&](const MicroTriangle& m, std::uint32_t index) {
+        if (repeats.size() < run.errors && (index >= triangle_count(n) || again.mark(index)))
+          repeats.emplace_back(m, index);
+      });
   for (const auto& [m, index] : repeats)
     named.mismatch(Kind::interior, simplicity(representative(m, n)), [&, &m = m, &index = index] {
       return at_triangle(m, n, not_taken(), taken(s, n, m, index));
@@ -229,24 +254,29 @@ Replayed replay_bijective(const IndexSubject& s, Level n, const std::string& at)
 
 Tally contiguous(const IndexSubject& s, Level n, const Run& run) {
   const std::uint32_t N = side(n);
-  return sweep(run, N, strips_per_chunk(n), [&](Chunk chunk, Tally& tally) {
-    const auto first = static_cast<std::uint32_t>(chunk.begin), last = static_cast<std::uint32_t>(chunk.end);
-    const std::uint32_t from = first == 0 ? 0 : first - 1;
-    std::vector<Strip> strips;
-    for (std::uint32_t j = from; j < std::min(last + 1, N); ++j) strips.push_back(ask_strip(s, n, j));
-    const auto at = [&](const MicroTriangle& m) { return strips[m.j - from][m.inverted][m.i]; };
+  return sweep(
+      run, N, strips_per_chunk(n),
+      [&](Chunk chunk, Tally& tally) {
+        const auto first = static_cast<std::uint32_t>(chunk.begin),
+                   last = static_cast<std::uint32_t>(chunk.end);
+        const std::uint32_t from = first == 0 ? 0 : first - 1;
+        std::vector<Strip> strips;
+        for (std::uint32_t j = from; j < std::min(last + 1, N); ++j) strips.push_back(ask_strip(s, n, j));
+        const auto at = [&](const MicroTriangle& m) { return strips[m.j - from][m.inverted][m.i]; };
 
-    for (std::uint32_t j = first; j < last; ++j)
-      each(strips[j - from], j, [&](const MicroTriangle& m, std::uint32_t index) {
-        tally.count(Kind::interior, 1);
-        tally.digest(number_in(m, n), index);
-        const auto gap = gap_at(m, index, n, at);
-        if (!gap) return;
-        tally.mismatch(Kind::interior, simplicity(representative(m, n)), [&] {
-          return at_triangle(m, n, adjacency(*gap), fmt::format("{} here, {} not there", index, gap->wanted));
-        });
-      });
-  });
+        for (std::uint32_t j = first; j < last; ++j)
+          each(strips[j - from], j, [&](const MicroTriangle& m, std::uint32_t index) {
+            tally.count(Kind::interior, 1);
+            tally.digest(number_in(m, n), index);
+            const auto gap = gap_at(m, index, n, at);
+            if (!gap) return;
+            tally.mismatch(Kind::interior, simplicity(representative(m, n)), [&] {
+              return at_triangle(m, n, adjacency(*gap),
+                                 fmt::format("{} here, {} not there", index, gap->wanted));
+            });
+          });
+      },
+      as_a_strip(n));
 }
 
 Replayed replay_contiguous(const IndexSubject& s, Level n, const std::string& at) {

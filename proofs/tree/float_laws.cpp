@@ -80,33 +80,38 @@ Finding looked_up(const Map& map, const FloatPair& p, std::uint8_t got) {
 
 Tally judge(const Subject& subject, Level n, const Run& run) {
   const auto [maps, pairs] = sizes(n, run);
-  return sweep(run, maps, 1, [&, pairs = pairs](Chunk chunk, Tally& tally) {
-    std::vector<float> u(pairs), v(pairs);
-    for (std::uint64_t m = chunk.begin; m < chunk.end; ++m) {
-      const Map map = noisy_map(n, run.seed, m, pairs);
-      for (std::uint64_t k = 0; k < pairs; ++k) {
-        const FloatPair p = pair(n, run.seed, m, k);
-        u[k] = p.u, v[k] = p.v;
-      }
-      Bytes states(pairs, 0xFF);
-      const Functions& asked = of_tree(subject).functions;
-      asked.point(asked.encode(map), u, v, states);
-      tally.count(Kind::interior, pairs);
-      for (std::uint64_t k = 0; k < pairs; ++k) {
-        tally.digest(m * pairs + k, states[k]);
-        const Finding found = looked_up(map, {u[k], v[k]}, states[k]);
-        if (!found.holds)
-          tally.mismatch(Kind::interior, {n, m, k}, [&] {
-            return Counterexample{{n, m, k},
-                                  n,
-                                  fmt::format("hard:{}:{}:{}", run.seed, m, k),
-                                  fmt::format("({:a},{:a})", u[k], v[k]),
-                                  found.expected,
-                                  found.got};
-          });
-      }
-    }
-  });
+  return sweep(
+      run, maps, 1,
+      [&, pairs = pairs](Chunk chunk, Tally& tally) {
+        std::vector<float> u(pairs), v(pairs);
+        for (std::uint64_t m = chunk.begin; m < chunk.end; ++m) {
+          const Map map = noisy_map(n, run.seed, m, pairs);
+          for (std::uint64_t k = 0; k < pairs; ++k) {
+            const FloatPair p = pair(n, run.seed, m, k);
+            u[k] = p.u, v[k] = p.v;
+          }
+          Bytes states(pairs, 0xFF);
+          const Functions& asked = of_tree(subject).functions;
+          asked.point(asked.encode(map), u, v, states);
+          tally.count(Kind::interior, pairs);
+          for (std::uint64_t k = 0; k < pairs; ++k) {
+            tally.digest(m * pairs + k, states[k]);
+            const Finding found = looked_up(map, {u[k], v[k]}, states[k]);
+            if (!found.holds)
+              tally.mismatch(Kind::interior, {n, m, k}, [&] {
+                return Counterexample{{n, m, k},
+                                      n,
+                                      fmt::format("hard:{}:{}:{}", run.seed, m, k),
+                                      fmt::format("({:a},{:a})", u[k], v[k]),
+                                      found.expected,
+                                      found.got};
+              });
+          }
+        }
+      },
+      [pairs = pairs](std::uint64_t, Tally& tally) {
+        for (std::uint64_t k = 0; k < pairs; ++k) tally.decline(Kind::interior);
+      });
 }
 
 Replayed replay(const Subject& subject, Level n, const std::string& at) {

@@ -27,7 +27,7 @@ volatile int* volatile nowhere = nullptr;
 void misbehave(const float* u, uint32_t* index, size_t count, size_t k) {
   static int calls = 0;
   static volatile int inside = 0;
-  if (wrong_is("crash")) *nowhere = 1;
+  if (wrong_is("crash") || wrong_is("crash_and_tie")) *nowhere = 1;
   if (wrong_is("hang")) std::this_thread::sleep_for(std::chrono::hours(1));
   if (wrong_is("overrun")) index[count] = 0;
   if (wrong_is("underrun")) index[-1] = 0;
@@ -80,6 +80,7 @@ void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, 
     u = shared;
   }
   if (wrong_is("counts_in_16_bits")) count %= 1 << 16;
+  if (wrong_is("crash_on_all")) *nowhere = 1;
   for (size_t k = 0; k < count; ++k) {
     if (at_the_vertex(level, u[k], v[k]) && wrong_is("unwritten")) continue;
     if (wrong_is("keeps_the_last") && u[k] == last.u && v[k] == last.v) {
@@ -88,6 +89,7 @@ void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, 
     }
     index[k] = mmverify::impl::index::from_barycentrics(u[k], v[k], level);
     last = {u[k], v[k], index[k]};
+    if (wrong_is("crash_and_tie") && level == 7 && u[k] == 0.25f && v[k] == 0.25f) index[k] ^= 1;
     if (at_the_vertex(level, u[k], v[k])) misbehave(u, index, count, k);
   }
 }

@@ -1,0 +1,34 @@
+#include "dock/known_breaks.hpp"
+
+namespace mmverify::dock {
+namespace {
+
+std::string inputs_of(const Worker& worker, Call call, std::uint64_t count, std::uint64_t t) {
+  const Signature signature = entry_point(call).signature;
+  std::string bytes;
+  for (std::size_t array = 0; array < signature.arrays; ++array)
+    bytes.append(reinterpret_cast<const char*>(worker.input(call, array, count, t)), signature.number_bytes);
+  return bytes;
+}
+
+}  // namespace
+
+void KnownBreaks::add(const Worker& worker, Call call, std::uint32_t level, std::uint64_t count,
+                      std::uint64_t t, const Break& what) {
+  const std::lock_guard hold(lock_);
+  known_[{call, level}].emplace(inputs_of(worker, call, count, t), what);
+}
+
+std::optional<KnownBreaks::Found> KnownBreaks::first(const Worker& worker, Call call, std::uint32_t level,
+                                                     std::uint64_t count) const {
+  const std::lock_guard hold(lock_);
+  const auto of_level = known_.find({call, level});
+  if (of_level == known_.end()) return std::nullopt;
+  for (std::uint64_t t = 0; t < count; ++t)
+    if (const auto one = of_level->second.find(inputs_of(worker, call, count, t));
+        one != of_level->second.end())
+      return Found{t, one->second};
+  return std::nullopt;
+}
+
+}  // namespace mmverify::dock

@@ -1,0 +1,41 @@
+// The elements on which a library's entry points crashed or hung: they are not asked again.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "dock/worker.hpp"
+
+namespace mmverify::dock {
+
+/// Of one library. Threads share it.
+class KnownBreaks {
+ public:
+  struct Break {
+    std::string what;  ///< what it did
+    bool hung = false;
+  };
+  struct Found {
+    std::uint64_t element;
+    Break known;
+  };
+
+  /// Remembers that element t of the command in the worker's inputs does so.
+  void add(const Worker& worker, Call call, std::uint32_t level, std::uint64_t count, std::uint64_t t,
+           const Break& what);
+
+  /// The first element of the command in the worker's inputs that is known.
+  std::optional<Found> first(const Worker& worker, Call call, std::uint32_t level, std::uint64_t count) const;
+
+ private:
+  using Inputs = std::string;  ///< an element's bytes, array after array
+  mutable std::mutex lock_;
+  std::map<std::pair<Call, std::uint32_t>, std::map<Inputs, Break>> known_;
+};
+
+}  // namespace mmverify::dock
