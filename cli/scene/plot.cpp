@@ -57,7 +57,7 @@ Panel savings(const SceneFigures& figures) {
               .x = levels(),
               .y = {.title = "micromaps / tree", .least = 0},
               .key = Key::outside};
-  for (const std::size_t mode : {0, 1}) {
+  for (const std::size_t mode : {std::size_t{0}, std::size_t{1}}) {
     Series series{.name = mode == 0 ? "2 states" : "4 states",
                   .colour = vermilion,
                   .shape = mode == 0 ? Shape::open_square : Shape::square};
