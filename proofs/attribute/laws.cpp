@@ -7,7 +7,7 @@ namespace mmverify::proofs::attribute {
 std::vector<Law> laws() {
   std::vector<Law> all;
   for (const auto& group :
-       {order_laws(), lookup_laws(), decimation_laws(), mip_laws(), bake_laws(), paper_laws()})
+       {order_laws(), lookup_laws(), decimation_laws(), mip_laws(), bake_laws(), compression_laws(), paper_laws()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
