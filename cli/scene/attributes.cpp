@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bench/scene/attribute_tables.hpp"
+#include "bench/scene/zstd.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/plot.hpp"
 #include "cli/bench/tables.hpp"
@@ -76,6 +77,9 @@ int scene_attributes(const AttributeArguments& arguments) {
   const proofs::InterruptGuard guard;
   AttributeOptions options{.first = levels.first, .last = levels.last, .threads = arguments.threads};
   options.averaging = arguments.codes ? Averaging::codes : Averaging::meaning;
+  options.packed = arguments.packed;
+  options.packed_error = static_cast<std::uint8_t>(arguments.packed_error);
+  options.peer = bench::zstd_bytes;
   options.stop = [] {
     if (proofs::interrupted()) throw proofs::Interrupted();
   };

@@ -10,6 +10,8 @@ struct AttributeArguments {
   std::string levels, json, plot, pictures;
   bool codes = false, quiet = false;
   unsigned threads = 0;
+  bool packed = false;  ///< pack the maps as well
+  unsigned packed_error = 0;
 };
 
 /// Prints the tables, writes JSON, the picture of the figures and pictures of the textures.  Returns the exit code.

@@ -225,6 +225,7 @@ class SetMeasurement {
       bake(all_[k], kind, level, values);
       return values;
     });
+    if (options_.packed) at.packed = packed(kind, level);
     at.error = error_of(sums_[place]);
     if (kind == MapKind::vertices) {
       at.nearest = error_of(nearest_sums_[place]);
@@ -233,6 +234,16 @@ class SetMeasurement {
       at.unseen = faces == 0 ? 0 : 1 - static_cast<double>(seen_faces_[level - options_.first]) / faces;
     }
     return at;
+  }
+
+  std::optional<PackedBytes> packed(MapKind kind, unsigned level) const {
+    MapPacker packer(kind, level, channels_, options_.packed_error);
+    MapValues values;
+    for (const MapOfTriangle& map : all_) {
+      bake(map, kind, level, values);
+      packer.add(values);
+    }
+    return packer.packed(options_.peer);
   }
 
   const AttributeScene& scene_;
