@@ -42,9 +42,12 @@ class BadPacked : public std::runtime_error {
  public:
   BadPacked(std::uint64_t byte, const std::string& found, const std::string& would_do);
   std::uint64_t byte() const noexcept { return byte_; }
+  const std::string& found() const noexcept { return found_; }
+  const std::string& would_do() const noexcept { return would_do_; }
 
  private:
   std::uint64_t byte_;
+  std::string found_, would_do_;
 };
 
 /// The bytes of maps: channel c of value x of map m at codes[(m values + x) channels + c].

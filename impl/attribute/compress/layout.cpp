@@ -43,7 +43,10 @@ PackedLayout::PackedLayout(const PackedShape& shape) {
   starts_at = std::uint64_t{shape.maps} * roots * shape.channels;
   widths_at = starts_at + (blocks + blocks_of_start - 1) / blocks_of_start * 4;
   bits_at = widths_at + (blocks * shape.channels + 1) / 2;
-  if (shape.at == MapAt::vertices) corners = triple_corners(n);
+}
+
+void PackedLayout::add_corners(const PackedShape& shape) {
+  if (shape.at == MapAt::vertices) corners = triple_corners(shape.level);
 }
 
 }  // namespace detail
@@ -72,6 +75,8 @@ std::uint64_t plain_bytes(const PackedShape& shape) {
 
 BadPacked::BadPacked(std::uint64_t byte, const std::string& found, const std::string& would_do)
     : std::runtime_error("byte " + std::to_string(byte) + ": " + found + "; " + would_do + " would do"),
-      byte_(byte) {}
+      byte_(byte),
+      found_(found),
+      would_do_(would_do) {}
 
 }  // namespace mmverify::impl::attribute

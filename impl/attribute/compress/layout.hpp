@@ -20,8 +20,10 @@ using TripleCorners = std::array<std::uint32_t, 3>;
 
 class PackedLayout {
  public:
+  /// Without `corners`: they cost as much as a map, so that bytes are looked at first.
   /// Errors: std::invalid_argument for a shape out of its domain.
   explicit PackedLayout(const PackedShape& shape);
+  void add_corners(const PackedShape& shape);
 
   std::uint32_t roots;             ///< of a map: 1 or 3
   std::uint32_t values;            ///< of a map

@@ -13,11 +13,12 @@ namespace {
 
 /// The maps' channels one after the other, each as roots and residuals.
 template <class Take>
-void each_channel(const PackedShape& shape, const detail::PackedLayout& layout,
-                  std::span<const std::uint8_t> codes, Take take) {
+void each_channel(const PackedShape& shape, detail::PackedLayout& layout, std::span<const std::uint8_t> codes,
+                  Take take) {
   if (codes.size() != plain_bytes(shape))
     throw std::invalid_argument("attribute::pack: " + std::to_string(codes.size()) + " codes; " +
                                 std::to_string(plain_bytes(shape)) + " would do");
+  layout.add_corners(shape);
   std::vector<std::int32_t> numbers(layout.values), residuals(layout.residuals);
   const std::size_t C = shape.channels;
   for (std::uint32_t map = 0; map < shape.maps; ++map)
@@ -48,7 +49,7 @@ double bits_of_counts(const std::unordered_map<std::int32_t, std::uint64_t>& cou
 }  // namespace
 
 std::vector<std::uint8_t> pack(const PackedShape& shape, std::span<const std::uint8_t> codes) {
-  const detail::PackedLayout layout(shape);
+  detail::PackedLayout layout(shape);
   const std::size_t C = shape.channels;
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(layout.bits_at));
   detail::BitWriter bits;
@@ -88,7 +89,7 @@ std::vector<std::uint8_t> pack(const PackedShape& shape, std::span<const std::ui
 }
 
 double residual_entropy(const PackedShape& shape, std::span<const std::uint8_t> codes) {
-  const detail::PackedLayout layout(shape);
+  detail::PackedLayout layout(shape);
   std::array<std::unordered_map<std::int32_t, std::uint64_t>, 4> roots, residuals;
   each_channel(shape, layout, codes, [&](std::uint32_t, std::uint32_t c, auto of_roots, auto of_levels) {
     for (const std::int32_t r : of_roots) ++roots[c][r];

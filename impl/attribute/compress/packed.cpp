@@ -1,6 +1,7 @@
 // Bytes to maps, and what bytes are none.
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "impl/attribute/compress/bits.hpp"
 #include "impl/attribute/compress/residuals.hpp"
@@ -143,9 +144,12 @@ void check_values(const PackedShape& shape, const detail::PackedLayout& layout,
 }  // namespace
 
 PackedMaps::PackedMaps(const PackedShape& shape, std::span<const std::uint8_t> bytes)
-    : shape_(shape), layout_(std::make_unique<const detail::PackedLayout>(shape)), bytes_(bytes) {
-  check_parts(shape_, *layout_, bytes_);
-  check_values(shape_, *layout_, bytes_);
+    : shape_(shape), bytes_(bytes) {
+  auto layout = std::make_unique<detail::PackedLayout>(shape);
+  check_parts(shape_, *layout, bytes_);
+  layout->add_corners(shape);
+  check_values(shape_, *layout, bytes_);
+  layout_ = std::move(layout);
 }
 PackedMaps::~PackedMaps() = default;
 PackedMaps::PackedMaps(PackedMaps&&) noexcept = default;
