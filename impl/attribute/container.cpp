@@ -1,6 +1,7 @@
 #include "impl/attribute/container.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 #include <utility>
 
@@ -19,7 +20,7 @@ enum At : std::size_t {
   at_kind = 5,
   at_order = 6,
   at_level = 7,
-  at_channels = 8,
+  at_components = 8,
   at_meaning = 9,
   at_tie = 10,
   at_decimation = 11,
@@ -68,7 +69,7 @@ std::uint64_t flag_bytes(const AttributeMaps& maps, std::uint64_t triangles) {
 }
 
 PackedShape shape_of(const AttributeMaps& maps) {
-  return {maps.at, maps.level, maps.channels, maps.maps, maps.error};
+  return {maps.at, maps.level, channels_of(maps), maps.maps, maps.error};
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -92,14 +93,16 @@ std::optional<Complaint> header_complaint(const AttributeMaps& m) {
     return C{at_order, "order " + told(order),
              faces ? "0 (curve), 1 (rows) or 2 (U-major)" : "0 (W-minor), 1 (U-major) or 2 (Bird)"};
   if (m.level > max_packed_level) return C{at_level, "level " + told(m.level), "0 to 12"};
-  if (m.channels < 1 || m.channels > 4) return C{at_channels, told(m.channels) + " channels", "1 to 4"};
+  if (m.components < 1 || m.components > 15)
+    return C{at_components, "components " + told(m.components), "1 to 15"};
   const auto meaning = static_cast<std::uint32_t>(m.meaning);
   if (meaning > 3)
     return C{at_meaning, "meaning " + told(meaning),
              "0 (linear), 1 (sRGB), 2 (direction) or 3 (direction and length)"};
-  if (meaning != 0 && m.channels < (m.meaning == Meaning::normal_and_length ? 4u : 3u))
-    return C{at_channels, told(m.channels) + " channels of meaning " + told(meaning),
-             m.meaning == Meaning::normal_and_length ? "4" : "3 or 4"};
+  const bool whole = m.meaning == Meaning::normal_and_length;
+  if (meaning != 0 && m.components != 15 && (whole || m.components != 7))
+    return C{at_components, "components " + told(m.components) + " of meaning " + told(meaning),
+             whole ? "15" : "7 or 15"};
   const auto tie = static_cast<std::uint32_t>(m.tie);
   if (tie > 2 || faces == (tie == 0))
     return C{at_tie, "tie rule " + told(tie), faces ? "1 (Vulkan) or 2 (figure 4)" : "0, vertices need none"};
@@ -114,9 +117,9 @@ std::optional<Complaint> header_complaint(const AttributeMaps& m) {
   if (payload == 1 && order != (faces ? 0u : 2u))
     return C{at_order, "order " + told(order) + " of packed maps", faces ? "0 (curve)" : "2 (Bird)"};
   for (std::size_t c = 0; c < 4; ++c)
-    if (const std::uint32_t most = payload == 1 && c < m.channels ? max_packed_error : 0; m.error[c] > most)
+    if (const std::uint32_t most = payload == 1 && c < channels_of(m) ? max_packed_error : 0; m.error[c] > most)
       return C{at_error + c, "error " + told(m.error[c]), "0 to " + told(most)};
-  if (m.maps > (std::uint64_t{1} << 31) / (values_of_entry(m) * m.channels))
+  if (m.maps > (std::uint64_t{1} << 31) / (values_of_entry(m) * channels_of(m)))
     return C{at_maps, told(m.maps) + " maps", "at most 2^31 codes"};
   return std::nullopt;
 }
@@ -129,6 +132,10 @@ std::optional<Complaint> use_complaint(const AttributeMaps& m, std::size_t t, co
 }
 
 }  // namespace
+
+std::uint32_t channels_of(const AttributeMaps& maps) noexcept {
+  return static_cast<std::uint32_t>(std::popcount(maps.components));
+}
 
 std::uint64_t values_of_entry(const AttributeMaps& maps) noexcept {
   const std::uint64_t values = values_of_map(maps.at, maps.level);
@@ -143,7 +150,7 @@ std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps) {
     throw std::invalid_argument("attribute::write_attributes: " + found + "; " + would_do + " would do");
   };
   if (const auto c = header_complaint(maps)) refuse(c->found, c->would_do);
-  const std::uint64_t codes = maps.maps * values_of_entry(maps) * maps.channels;
+  const std::uint64_t codes = maps.maps * values_of_entry(maps) * channels_of(maps);
   if (maps.codes.size() != codes) refuse(told(maps.codes.size()) + " codes", told(codes));
   if (maps.triangles.size() >> 32 != 0) refuse(told(maps.triangles.size()) + " triangles", "below 2^32");
   for (std::size_t t = 0; t < maps.triangles.size(); ++t) {
@@ -165,7 +172,7 @@ std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps) {
                                                   ? static_cast<std::uint32_t>(maps.face_order)
                                                   : static_cast<std::uint32_t>(maps.vertex_order));
   bytes[at_level] = static_cast<std::uint8_t>(maps.level);
-  bytes[at_channels] = static_cast<std::uint8_t>(maps.channels);
+  bytes[at_components] = maps.components;
   bytes[at_meaning] = static_cast<std::uint8_t>(maps.meaning);
   bytes[at_tie] = static_cast<std::uint8_t>(maps.tie);
   bytes[at_decimation] = static_cast<std::uint8_t>(maps.decimation);
@@ -204,7 +211,7 @@ AttributeMaps read_attributes(std::span<const std::uint8_t> bytes) {
   else
     maps.vertex_order = static_cast<VertexOrder>(bytes[at_order]);
   maps.level = bytes[at_level];
-  maps.channels = bytes[at_channels];
+  maps.components = bytes[at_components];
   maps.meaning = static_cast<Meaning>(bytes[at_meaning]);
   maps.tie = static_cast<TieRule>(bytes[at_tie]);
   maps.decimation = static_cast<DecimationRule>(bytes[at_decimation]);
@@ -224,7 +231,7 @@ AttributeMaps read_attributes(std::span<const std::uint8_t> bytes) {
   const std::uint64_t announced = number_at(bytes, at_payload_bytes, 8);
   const std::uint64_t flags_at = attribute_header + 4 * triangles;
   const std::uint64_t payload_at = flags_at + flag_bytes(maps, triangles);
-  const std::uint64_t codes = maps.maps * values_of_entry(maps) * maps.channels;
+  const std::uint64_t codes = maps.maps * values_of_entry(maps) * channels_of(maps);
   if (maps.payload == Payload::plain && announced != codes)
     refuse(at_payload_bytes, told(announced) + " bytes of payload", told(codes));
   if (bytes.size() < payload_at)

@@ -42,8 +42,8 @@ struct AttributeMaps {
   FaceOrder face_order = FaceOrder::curve;         ///< of faces
   VertexOrder vertex_order = VertexOrder::bird;    ///< of vertices
   std::uint32_t level = 0;                         ///< 0..12
-  std::uint32_t channels = 4;                      ///< 1..4
-  Meaning meaning = Meaning::linear;               ///< of normal and what follows it: 3 channels, and 4
+  std::uint8_t components = 15;                    ///< bit c: component c of RGBA is stored; not 0
+  Meaning meaning = Meaning::linear;               ///< of all but linear ones RGB, with the length RGBA
   TieRule tie = TieRule::vulkan;                   ///< of vertices none
   DecimationRule decimation = DecimationRule::none;  ///< of faces and of level 0 none
   /// Each map begins with the maps of its lower levels, the coarsest first: of faces on the curve, plain.  Vertices and
@@ -53,11 +53,14 @@ struct AttributeMaps {
   std::array<std::uint8_t, 4> error = {};  ///< of packed: as PackedShape
   std::uint32_t maps = 0;
   std::vector<MapUse> triangles = {};       ///< none: triangle t has map t
-  /// Channel c of value x of map m at [(m values_of_entry + x) channels + c].
+  /// Channel c, the c-th component that is stored, of value x of map m: [(m values_of_entry + x) channels + c].
   std::vector<std::uint8_t> codes = {};
 
   friend bool operator==(const AttributeMaps&, const AttributeMaps&) = default;
 };
+
+/// How many components are stored.
+std::uint32_t channels_of(const AttributeMaps& maps) noexcept;
 
 /// Values that a map stores, its lower levels where there are mips among them.
 std::uint64_t values_of_entry(const AttributeMaps& maps) noexcept;

@@ -46,7 +46,7 @@ PackedLayout::PackedLayout(const PackedShape& shape) {
 }
 
 void PackedLayout::add_corners(const PackedShape& shape) {
-  if (shape.at == MapAt::vertices) corners = triple_corners(shape.level);
+  if (shape.at == MapAt::vertices && shape.maps != 0) corners = triple_corners(shape.level);
 }
 
 }  // namespace detail
