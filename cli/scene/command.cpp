@@ -42,7 +42,7 @@ using proofs::Result;
 using proofs::RunOptions;
 
 struct SceneOptions {
-  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject, pictures;
+  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject, pictures, files;
   double timeout = 10;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
@@ -292,7 +292,7 @@ int attributes(const SceneOptions& options) {
       options.states != 4 || options.margin != 0 || options.exhaustive)
     throw UsageError(
         "--attributes: it measures and writes --json, --plot and --pictures; leave the others out");
-  return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
+  return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures, options.files,
                            options.codes, options.quiet, options.threads, options.packed || options.packed_error != 0,
                            options.packed_error});
 }
@@ -300,8 +300,8 @@ int attributes(const SceneOptions& options) {
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
   if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
-  if (options.packed || options.packed_error != 0)
-    throw UsageError("--packed, --packed-error: for --attributes");
+  if (options.packed || options.packed_error != 0 || !options.files.empty())
+    throw UsageError("--packed, --packed-error, --files: for --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -396,6 +396,10 @@ Action add_scene(CLI::App& program) {
                     "of --attributes: average codes, as the paper's pixels, not light and directions");
   command->add_flag("--packed", options->packed,
                     "of --attributes: pack the maps as well, beside their entropy and what zstd makes of them");
+  command
+      ->add_option("--files", options->files,
+                   "of --attributes: write the maps, packed, as FOLDER/SET_KIND_levelN.mmat")
+      ->type_name("FOLDER");
   command
       ->add_option("--packed-error", options->packed_error,
                    "the most that a code of them may be off, and --packed; 0 is lossless")

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "impl/attribute/container.hpp"
 #include "scene/attribute/baker.hpp"
 #include "scene/attribute/packed_maps.hpp"
 #include "scene/attribute/shared_maps.hpp"
@@ -64,6 +65,12 @@ struct AttributePicture {
   std::vector<float> face_errors, vertex_errors;  ///< FLIP, a texel each
 };
 
+/// All maps of a set at a level, and which one each triangle has.
+struct StoredAttributes {
+  AttributeSet set;
+  impl::attribute::AttributeMaps maps;
+};
+
 struct AttributeOptions {
   unsigned first = 0, last = 5;
   Averaging averaging = Averaging::meaning;
@@ -73,6 +80,7 @@ struct AttributeOptions {
   PeerCoder peer = {};            ///< that packs them beside
   std::function<void(const std::string&)> progress = {};  ///< told what begins
   std::function<void()> stop = {};  ///< asked before each triangle, from any thread; may throw
+  std::function<void(const StoredAttributes&)> stored = {};  ///< given each set, level and kind, packed
   std::function<void(const AttributePicture&)> picture = {};  ///< told of each level of each sRGB image
 };
 

@@ -21,7 +21,7 @@ MapPacker::MapPacker(MapKind kind, unsigned level, std::uint8_t channels, std::u
   impl::attribute::convert(VertexOrder::bird, VertexOrder::w_minor, rows_, level, rows_);
 }
 
-void MapPacker::add(std::span<const MapValue> map) {
+std::uint32_t MapPacker::add(std::span<const MapValue> map) {
   const std::size_t of_map = map.size() * channels_.size(), first = codes_.size();
   for (std::size_t x = 0; x < map.size(); ++x)
     for (const std::size_t c : channels_) codes_.push_back(map[kind_ == MapKind::faces ? x : rows_[x]][c]);
@@ -29,11 +29,12 @@ void MapPacker::add(std::span<const MapValue> map) {
   const auto same = numbers_.equal_range(hash);
   for (auto it = same.first; it != same.second; ++it)
     if (std::equal(codes_.begin() + static_cast<std::ptrdiff_t>(first), codes_.end(),
-                   codes_.begin() + static_cast<std::ptrdiff_t>(it->second * of_map))) {
+                   codes_.begin() + static_cast<std::ptrdiff_t>(std::size_t{it->second} * of_map))) {
       codes_.resize(first);
-      return;
+      return it->second;
     }
-  numbers_.emplace(hash, maps_++);
+  numbers_.emplace(hash, maps_);
+  return maps_++;
 }
 
 std::optional<PackedBytes> MapPacker::packed(const PeerCoder& peer) const {
@@ -42,7 +43,7 @@ std::optional<PackedBytes> MapPacker::packed(const PeerCoder& peer) const {
   shape.at = kind_ == MapKind::faces ? impl::attribute::MapAt::faces : impl::attribute::MapAt::vertices;
   shape.level = level_;
   shape.channels = static_cast<std::uint32_t>(channels_.size());
-  shape.maps = static_cast<std::uint32_t>(maps_);
+  shape.maps = maps_;
   for (std::size_t c = 0; c < channels_.size(); ++c) shape.error[c] = error_;
   PackedBytes bytes;
   bytes.plain = codes_.size();

@@ -28,10 +28,13 @@ class MapPacker {
   /// `channels`: bit c for channel c, the ones in use.
   MapPacker(MapKind kind, unsigned level, std::uint8_t channels, std::uint8_t error);
 
-  /// A map as MapBaker makes it: vertices in rows; they are packed in the Bird order.
-  void add(std::span<const MapValue> map);
+  /// A map as MapBaker makes it: vertices in rows; they are packed in the Bird order.  Returns its number: the one of the
+  /// first that is equal.
+  std::uint32_t add(std::span<const MapValue> map);
 
-  std::uint64_t maps() const { return maps_; }
+  std::uint32_t maps() const { return maps_; }
+  /// Channel by channel in use, value by value, map by map.
+  const std::vector<std::uint8_t>& codes() const { return codes_; }
 
   /// Nothing where all of them are more than impl::attribute::pack takes at once.
   std::optional<PackedBytes> packed(const PeerCoder& peer) const;
@@ -43,8 +46,8 @@ class MapPacker {
   std::uint8_t error_;
   std::vector<std::uint32_t> rows_;  ///< of vertices, by Bird index
   std::vector<std::uint8_t> codes_;  ///< of the maps, one after the other
-  std::unordered_multimap<std::uint64_t, std::uint64_t> numbers_;  ///< of maps, by their hashes
-  std::uint64_t maps_ = 0;
+  std::unordered_multimap<std::uint64_t, std::uint32_t> numbers_;  ///< of maps, by their hashes
+  std::uint32_t maps_ = 0;
 };
 
 }  // namespace mmverify::scene
