@@ -9,7 +9,7 @@
 namespace mmverify::proofs::attribute {
 namespace {
 
-namespace packed = spec::attribute;
+namespace slow = spec::attribute;
 
 /// What is done to bytes of pack().
 enum class Harm : std::uint32_t { bit, byte, cut, longer, unused_bits, start, width, wider };
@@ -27,24 +27,24 @@ struct PartsAt {
 };
 
 PartsAt parts_of(const PackedShape& shape) {
-  const std::size_t blocks = shape.maps * packed::block_lengths(shape.at, shape.level).size();
-  const std::size_t starts = shape.maps * packed::roots_of(shape.at) * shape.channels;
+  const std::size_t blocks = shape.maps * slow::block_lengths(shape.at, shape.level).size();
+  const std::size_t starts = shape.maps * slow::roots_of(shape.at) * shape.channels;
   const std::size_t widths = starts + (blocks + 7) / 8 * 4;
   return {starts, widths, widths + (blocks * shape.channels + 1) / 2};
 }
 
 /// The last block's last channel one bit wider than it needs to be, all else in its place.
 void widen_last(const PackedShape& shape, Bytes& bytes) {
-  const auto lengths = packed::block_lengths(shape.at, shape.level);
+  const auto lengths = slow::block_lengths(shape.at, shape.level);
   if (lengths.empty()) return;
   const PartsAt parts = parts_of(shape);
   const std::size_t halves = shape.maps * lengths.size() * shape.channels, last = halves - 1;
-  auto half = packed::detail::BitString::of_bytes(
+  auto half = slow::detail::BitString::of_bytes(
       ByteView(bytes).subspan(parts.widths, parts.bits - parts.widths));
-  packed::Widths widths;
+  slow::Widths widths;
   for (std::size_t k = 0; k < halves; ++k) widths.push_back(half.take(4));
-  auto old_bits = packed::detail::BitString::of_bytes(ByteView(bytes).subspan(parts.bits));
-  packed::detail::BitString bits;
+  auto old_bits = slow::detail::BitString::of_bytes(ByteView(bytes).subspan(parts.bits));
+  slow::detail::BitString bits;
   for (std::size_t k = 0; k < halves; ++k)
     for (std::uint32_t r = 0; r < 3 * lengths[k / shape.channels % lengths.size()]; ++r)
       bits.put(old_bits.take(widths[k]), widths[k] + (k == last ? 1 : 0));
@@ -57,7 +57,7 @@ void widen_last(const PackedShape& shape, Bytes& bytes) {
 
 Bytes harmed(const HarmedCase& one) {
   const PackedShape& shape = one.maps.shape;
-  Bytes bytes = packed::pack(shape, codes_of(one.maps));
+  Bytes bytes = slow::pack(shape, codes_of(one.maps));
   Random random(one.maps.seed, 0x6861726d, one.maps.number * 32 + shape.level);
   const PartsAt parts = parts_of(shape);
   const auto in = [&](std::size_t from, std::size_t to) {
@@ -97,7 +97,7 @@ Bytes harmed(const HarmedCase& one) {
 Finding takes_no_other(const AttributeSubject& s, Level, const HarmedCase& one) {
   const PackedShape& shape = one.maps.shape;
   const Bytes bytes = harmed(one);
-  const auto expected = packed::unpack(shape, bytes), got = s.functions.compression.unpack(shape, bytes);
+  const auto expected = slow::unpack(shape, bytes), got = s.functions.compression.unpack(shape, bytes);
   const auto said = [](bool accepted) { return std::string(accepted ? "bytes accepted" : "bytes refused"); };
   if (expected.has_value() != got.has_value())
     return wrong(said(expected.has_value()), said(got.has_value()));

@@ -7,7 +7,7 @@
 namespace mmverify::proofs::attribute {
 namespace {
 
-namespace packed = spec::attribute;
+namespace slow = spec::attribute;
 
 constexpr char packed_source[] = "spec/attribute/compress.hpp; Color and Attribute Micromaps, 7, asks for one";
 
@@ -29,7 +29,7 @@ std::function<void(Functions&)> altering(std::function<void(const PackedShape&, 
 // ---------------------------------------------------------------------------------------------------------------------
 
 Finding comes_back(const AttributeSubject& s, Level, const PackCase& one) {
-  const Bytes codes = codes_of(one), expected = packed::pack(one.shape, codes);
+  const Bytes codes = codes_of(one), expected = slow::pack(one.shape, codes);
   const Bytes bytes = s.functions.compression.pack(one.shape, codes);
   if (bytes != expected) return differ_at(expected, bytes, "bytes");
   const auto back = s.functions.compression.unpack(one.shape, bytes);
@@ -57,8 +57,8 @@ Law round_trip_law() {
                    mutant("starts count from the ninth block on in bytes", "attribute", {4, 5},
                           packing([](const Packer& real, const PackedShape& shape, ByteView codes) {
                             Bytes bytes = real(shape, codes);
-                            const std::size_t at = shape.maps * packed::roots_of(shape.at) * shape.channels + 4;
-                            if (shape.level >= 4 && shape.maps * packed::block_lengths(shape.at, shape.level).size() > 8)
+                            const std::size_t at = shape.maps * slow::roots_of(shape.at) * shape.channels + 4;
+                            if (shape.level >= 4 && shape.maps * slow::block_lengths(shape.at, shape.level).size() > 8)
                               bytes[at] = static_cast<std::uint8_t>(bytes[at] / 8);
                             return bytes;
                           })),
@@ -84,16 +84,16 @@ Law round_trip_law() {
 /// All values of all levels.
 Finding reads_alike(const AttributeSubject& s, Level n, const PackCase& one) {
   const PackedShape& shape = one.shape;
-  const Bytes bytes = packed::pack(shape, codes_of(one));
+  const Bytes bytes = slow::pack(shape, codes_of(one));
   const auto whole = s.functions.compression.unpack(shape, bytes);
   if (!whole) return wrong("the codes", "bytes refused");
   const ValueReader specified = built_in("attribute-spec")->functions.compression.reader(shape, bytes);
   const ValueReader value = s.functions.compression.reader(shape, bytes);
-  const auto values = static_cast<std::uint32_t>(packed::values_of(shape.at, n));
+  const auto values = static_cast<std::uint32_t>(slow::values_of(shape.at, n));
   Hash hash;
   for (std::uint32_t map = 0; map < shape.maps; ++map)
     for (Level m = 0; m <= n; ++m)
-      for (std::uint32_t x = 0; x < packed::values_of(shape.at, m); ++x) {
+      for (std::uint32_t x = 0; x < slow::values_of(shape.at, m); ++x) {
         auto expected = specified(map, m, x);
         if (m == n)
           for (std::size_t c = 0; c < shape.channels; ++c)
@@ -238,8 +238,8 @@ Law within_error_law() {
 
 Finding is_sized(const AttributeSubject& s, Level, const PackCase& one) {
   const Bytes codes = codes_of(one);
-  const auto widths = packed::widths_of(one.shape, packed::all_residuals(one.shape, codes));
-  const std::uint64_t expected = packed::packed_size(one.shape, widths);
+  const auto widths = slow::widths_of(one.shape, slow::all_residuals(one.shape, codes));
+  const std::uint64_t expected = slow::packed_size(one.shape, widths);
   const std::uint64_t got = s.functions.compression.pack(one.shape, codes).size();
   if (got != expected) return wrong(fmt::format("{} bytes", expected), fmt::format("{}", got));
   return {got};
@@ -269,7 +269,7 @@ Law size_law() {
        .domain = packed_domain,
        .mutants = {appending("a start for no block, after every eighth", {1, 5},
                              [](const PackedShape& shape, const Bytes&, ByteView) -> std::size_t {
-                               return shape.maps * packed::block_lengths(shape.at, shape.level).size() % 8 == 0 &&
+                               return shape.maps * slow::block_lengths(shape.at, shape.level).size() % 8 == 0 &&
                                               shape.level > 0
                                           ? 4
                                           : 0;
@@ -277,7 +277,7 @@ Law size_law() {
                    appending("a whole byte for each width of an odd number", {1, 5},
                              [](const PackedShape& shape, const Bytes&, ByteView) -> std::size_t {
                                return shape.channels == 1 && shape.maps == 1 &&
-                                              packed::block_lengths(shape.at, shape.level).size() > 2
+                                              slow::block_lengths(shape.at, shape.level).size() > 2
                                           ? 1
                                           : 0;
                              }),

@@ -7,10 +7,10 @@
 namespace mmverify::proofs::attribute {
 namespace {
 
-namespace packed = mmverify::impl::attribute;
+namespace fast = mmverify::impl::attribute;
 
-packed::PackedShape library_shape(const PackedShape& shape) {
-  return {static_cast<packed::MapAt>(shape.at), shape.level, shape.channels, shape.maps, shape.error};
+fast::PackedShape library_shape(const PackedShape& shape) {
+  return {static_cast<fast::MapAt>(shape.at), shape.level, shape.channels, shape.maps, shape.error};
 }
 
 /// The numbers of one channel of a map at a level: of faces parents of parents, of vertices the first ones.
@@ -51,8 +51,8 @@ ValueReader specified_reader(const PackedShape& shape, ByteView bytes) {
 
 std::optional<Bytes> library_unpack(const PackedShape& shape, ByteView bytes) {
   try {
-    return packed::PackedMaps(library_shape(shape), bytes).codes();
-  } catch (const packed::BadPacked&) {
+    return fast::PackedMaps(library_shape(shape), bytes).codes();
+  } catch (const fast::BadPacked&) {
     return std::nullopt;
   }
 }
@@ -65,10 +65,10 @@ Compression specified_compression() {
 
 Compression library_compression() {
   Compression f;
-  f.pack = [](const PackedShape& shape, ByteView codes) { return packed::pack(library_shape(shape), codes); };
+  f.pack = [](const PackedShape& shape, ByteView codes) { return fast::pack(library_shape(shape), codes); };
   f.unpack = library_unpack;
   f.reader = [](const PackedShape& shape, ByteView bytes) -> ValueReader {
-    const auto maps = std::make_shared<const packed::PackedMaps>(library_shape(shape), bytes);
+    const auto maps = std::make_shared<const fast::PackedMaps>(library_shape(shape), bytes);
     return [maps](std::uint32_t map, Level level, std::uint32_t index) { return maps->value(map, level, index); };
   };
   return f;
