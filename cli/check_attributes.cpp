@@ -49,7 +49,8 @@ void print_file(const std::string& file, std::size_t size, const AttributeMaps& 
              m.payload == Payload::plain ? "plain" : "packed", grouped(m.codes.size()), grouped(size));
   if (m.error != std::array<std::uint8_t, 4>{}) {
     std::string errors;
-    for (std::size_t c = 0; c < channels_of(m); ++c) errors += fmt::format("{}{}", c == 0 ? "" : ", ", m.error[c]);
+    for (std::size_t c = 0; c < channels_of(m); ++c)
+      errors += fmt::format("{}{}", c == 0 ? "" : ", ", m.error[c]);
     fmt::print("  errors     {} at most\n", errors);
   }
 }

@@ -214,7 +214,8 @@ Action add_check(CLI::App& program) {
   auto maps = std::make_shared<CheckMapsOptions>();
   command
       ->add_option("topic", options->topic,
-                   "index, corners, tree or bake; maps: finished ones against their textures; attributes: whether a file "
+                   "index, corners, tree or bake; maps: finished ones against their textures; attributes: "
+                   "whether a file "
                    "of attribute micromaps is one")
       ->required()
       ->check(CLI::IsMember(topics_with({"index", "corners", "maps", "attributes"})));

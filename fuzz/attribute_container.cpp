@@ -113,7 +113,8 @@ void file(const Bytes& bytes) {
   }
   require(fast::write_attributes(maps) == bytes, "other bytes of the same maps");
   // The header once more, by its places.
-  require(crc32c(bytes) == (bytes[40] | bytes[41] << 8 | bytes[42] << 16 | static_cast<std::uint32_t>(bytes[43]) << 24),
+  require(crc32c(bytes) ==
+              (bytes[40] | bytes[41] << 8 | bytes[42] << 16 | static_cast<std::uint32_t>(bytes[43]) << 24),
           "a wrong checksum taken");
   const auto order = maps.at == fast::MapAt::faces ? static_cast<std::uint32_t>(maps.face_order)
                                                    : static_cast<std::uint32_t>(maps.vertex_order);
@@ -121,7 +122,8 @@ void file(const Bytes& bytes) {
               bytes[8] == maps.components && bytes[9] == static_cast<std::uint8_t>(maps.meaning) &&
               bytes[12] == (maps.mips ? 1 : 0),
           "a header read otherwise");
-  require(maps.codes.size() == maps.maps * fast::values_of_entry(maps) * fast::channels_of(maps), "codes that are missing");
+  require(maps.codes.size() == maps.maps * fast::values_of_entry(maps) * fast::channels_of(maps),
+          "codes that are missing");
   for (const fast::MapUse& use : maps.triangles)
     require(use.map < maps.maps && use.decimated < 8, "a triangle of no map");
   if (maps.payload == fast::Payload::plain || maps.level > 3 || maps.codes.size() > 4096) return;
@@ -129,7 +131,8 @@ void file(const Bytes& bytes) {
   const std::size_t triangles = maps.triangles.size();
   const std::size_t payload =
       44 + 4 * triangles + (maps.decimation == fast::DecimationRule::none ? 0 : (3 * triangles + 7) / 8);
-  const auto codes = unpacked(shape, Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(payload), bytes.end()));
+  const auto codes =
+      unpacked(shape, Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(payload), bytes.end()));
   require(codes == maps.codes, "a payload read otherwise");
 }
 

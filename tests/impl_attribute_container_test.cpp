@@ -67,7 +67,8 @@ TEST(AttributeFile, ComesBackByteForByte) {
   AttributeMaps mips = filled({.level = 3, .components = 1, .mips = true, .maps = 2});
   EXPECT_EQ(values_of_entry(mips), 1u + 4 + 16 + 64);
   all.push_back(mips);
-  AttributeMaps rows = filled({.face_order = FaceOrder::rows, .level = 2, .tie = TieRule::figure_4, .maps = 1});
+  AttributeMaps rows =
+      filled({.face_order = FaceOrder::rows, .level = 2, .tie = TieRule::figure_4, .maps = 1});
   all.push_back(rows);
   AttributeMaps means = decimated();
   means.decimation = DecimationRule::means;
@@ -103,7 +104,8 @@ TEST(AttributeFile, TheBytesAreThoseOfTheDocument) {
   EXPECT_EQ(Bytes(bytes.begin() + 44, bytes.end()), (Bytes{0, 7}));
   // Three triangles of decimated(): 3 words, 9 flags in 2 bytes: 101 010 111 from the lowest bit on.
   const Bytes flags = write_attributes(decimated());
-  EXPECT_EQ(Bytes(flags.begin() + 44, flags.begin() + 58), (Bytes{1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0xd5, 1}));
+  EXPECT_EQ(Bytes(flags.begin() + 44, flags.begin() + 58),
+            (Bytes{1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0xd5, 1}));
 }
 
 TEST(AttributeFile, OfAnotherHeaderIsRefused) {
@@ -134,8 +136,7 @@ TEST(AttributeFile, OfAnotherHeaderIsRefused) {
 
 TEST(AttributeFile, OfAnotherLengthOrContentIsRefused) {
   EXPECT_EQ(with(faces(), 20, 3), "byte 28: 96 bytes of payload; 144 would do");
-  EXPECT_EQ(with(decimated(), 24, 9),
-            "byte 70: the end of the file; 9 triangles, up to byte 84, would do");
+  EXPECT_EQ(with(decimated(), 24, 9), "byte 70: the end of the file; 9 triangles, up to byte 84, would do");
   EXPECT_EQ(refusal(changed(faces(), [](Bytes& b) { b.pop_back(); })),
             "byte 139: the end of the file; a payload of 96 bytes would do");
   EXPECT_EQ(refusal(changed(faces(), [](Bytes& b) { b.push_back(0); })),

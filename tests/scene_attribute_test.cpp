@@ -353,7 +353,8 @@ TEST(AttributeMeasure, PacksTheMapsAndSaysWhoseTheyAre) {
     EXPECT_EQ(maps.meaning, Meaning::srgb);
     EXPECT_THAT(maps.triangles, testing::ElementsAre(MapUse{0, 0}, MapUse{1, 0}));
     const bool faces = maps.at == MapAt::faces;
-    const auto first = baked(image, base_color, faces ? MapKind::faces : MapKind::vertices, 2, {{{0, 0}, {1, 0}, {0, 1}}});
+    const auto first =
+        baked(image, base_color, faces ? MapKind::faces : MapKind::vertices, 2, {{{0, 0}, {1, 0}, {0, 1}}});
     for (std::uint32_t x = 0; x < first.size(); ++x) {
       const Vertex v = faces ? Vertex{} : w_minor_vertex(x);
       const std::size_t to = faces ? x : bird_index(v.i, v.j, 2);

@@ -201,7 +201,8 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
   if (options.packed) {
     result.settings.emplace_back("packed_error", std::uint64_t{options.packed_error});
     result.about +=
-        ". packed: the maps in the channels in use, lossless or each code off by the error at most; entropy: order 0 "
+        ". packed: the maps in the channels in use, lossless or each code off by the error at most; entropy: "
+        "order 0 "
         "of its residuals; zstd: level 19 of the plain bytes";
   }
   if (!read.left_out.empty())

@@ -292,9 +292,9 @@ int attributes(const SceneOptions& options) {
       options.states != 4 || options.margin != 0 || options.exhaustive)
     throw UsageError(
         "--attributes: it measures and writes --json, --plot and --pictures; leave the others out");
-  return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures, options.files,
-                           options.codes, options.quiet, options.threads, options.packed || options.packed_error != 0,
-                           options.packed_error});
+  return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
+                           options.files, options.codes, options.quiet, options.threads,
+                           options.packed || options.packed_error != 0, options.packed_error});
 }
 
 int scene(const SceneOptions& options) {
@@ -394,8 +394,9 @@ Action add_scene(CLI::App& program) {
       "how far from the textures");
   command->add_flag("--codes", options->codes,
                     "of --attributes: average codes, as the paper's pixels, not light and directions");
-  command->add_flag("--packed", options->packed,
-                    "of --attributes: pack the maps as well, beside their entropy and what zstd makes of them");
+  command->add_flag(
+      "--packed", options->packed,
+      "of --attributes: pack the maps as well, beside their entropy and what zstd makes of them");
   command
       ->add_option("--files", options->files,
                    "of --attributes: write the maps, packed, as FOLDER/SET_KIND_levelN.mmat")

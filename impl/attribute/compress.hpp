@@ -24,10 +24,11 @@ inline constexpr std::uint32_t max_packed_level = 12, max_packed_error = 127;
 /// What is known of maps beside their bytes.
 struct PackedShape {
   MapAt at = MapAt::faces;
-  std::uint32_t level = 0;                 ///< 0..12
-  std::uint32_t channels = 4;              ///< 1..4
-  std::uint32_t maps = 1;                  ///< all of this shape; maps x values x channels below 2^31
-  std::array<std::uint8_t, 4> error = {};  ///< the most that a code of each channel may be off, 0..127; of no channel 0
+  std::uint32_t level = 0;     ///< 0..12
+  std::uint32_t channels = 4;  ///< 1..4
+  std::uint32_t maps = 1;      ///< all of this shape; maps x values x channels below 2^31
+  std::array<std::uint8_t, 4> error =
+      {};  ///< the most that a code of each channel may be off, 0..127; of no channel 0
   friend bool operator==(const PackedShape&, const PackedShape&) = default;
 };
 
@@ -83,7 +84,8 @@ class PackedMaps {
   /// One value, a code a channel and 0 beyond: one block a level is read, and up to 7 blocks' widths.
   /// Of faces also the values of lower levels, each within half a code of the mean of its four, errors apart.
   /// Domain: map < maps, level <= that of the shape, index < values of that level; else some value.
-  std::array<std::uint8_t, 4> value(std::uint32_t map, std::uint32_t level, std::uint32_t index) const noexcept;
+  std::array<std::uint8_t, 4> value(std::uint32_t map, std::uint32_t level,
+                                    std::uint32_t index) const noexcept;
   std::array<std::uint8_t, 4> value(std::uint32_t map, std::uint32_t index) const noexcept {
     return value(map, shape_.level, index);
   }

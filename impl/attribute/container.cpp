@@ -107,7 +107,8 @@ std::optional<Complaint> header_complaint(const AttributeMaps& m) {
   if (tie > 2 || faces == (tie == 0))
     return C{at_tie, "tie rule " + told(tie), faces ? "1 (Vulkan) or 2 (figure 4)" : "0, vertices need none"};
   const auto decimation = static_cast<std::uint32_t>(m.decimation);
-  if (decimation > 2) return C{at_decimation, "decimation " + told(decimation), "0, 1 (snapping) or 2 (means)"};
+  if (decimation > 2)
+    return C{at_decimation, "decimation " + told(decimation), "0, 1 (snapping) or 2 (means)"};
   if (decimation != 0 && (faces || m.level == 0))
     return C{at_decimation, "decimation of " + std::string(faces ? "faces" : "level 0"), "0"};
   if (m.mips && (!faces || m.face_order != FaceOrder::curve || m.payload != Payload::plain))
@@ -117,7 +118,8 @@ std::optional<Complaint> header_complaint(const AttributeMaps& m) {
   if (payload == 1 && order != (faces ? 0u : 2u))
     return C{at_order, "order " + told(order) + " of packed maps", faces ? "0 (curve)" : "2 (Bird)"};
   for (std::size_t c = 0; c < 4; ++c)
-    if (const std::uint32_t most = payload == 1 && c < channels_of(m) ? max_packed_error : 0; m.error[c] > most)
+    if (const std::uint32_t most = payload == 1 && c < channels_of(m) ? max_packed_error : 0;
+        m.error[c] > most)
       return C{at_error + c, "error " + told(m.error[c]), "0 to " + told(most)};
   if (m.maps > (std::uint64_t{1} << 31) / (values_of_entry(m) * channels_of(m)))
     return C{at_maps, told(m.maps) + " maps", "at most 2^31 codes"};
@@ -168,9 +170,9 @@ std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps) {
   std::copy(file_magic.begin(), file_magic.end(), bytes.begin());
   bytes[at_version] = file_version;
   bytes[at_kind] = static_cast<std::uint8_t>(maps.at);
-  bytes[at_order] = static_cast<std::uint8_t>(maps.at == MapAt::faces
-                                                  ? static_cast<std::uint32_t>(maps.face_order)
-                                                  : static_cast<std::uint32_t>(maps.vertex_order));
+  bytes[at_order] =
+      static_cast<std::uint8_t>(maps.at == MapAt::faces ? static_cast<std::uint32_t>(maps.face_order)
+                                                        : static_cast<std::uint32_t>(maps.vertex_order));
   bytes[at_level] = static_cast<std::uint8_t>(maps.level);
   bytes[at_components] = maps.components;
   bytes[at_meaning] = static_cast<std::uint8_t>(maps.meaning);
@@ -235,7 +237,8 @@ AttributeMaps read_attributes(std::span<const std::uint8_t> bytes) {
   if (maps.payload == Payload::plain && announced != codes)
     refuse(at_payload_bytes, told(announced) + " bytes of payload", told(codes));
   if (bytes.size() < payload_at)
-    refuse(bytes.size(), "the end of the file", told(triangles) + " triangles, up to byte " + told(payload_at) + ",");
+    refuse(bytes.size(), "the end of the file",
+           told(triangles) + " triangles, up to byte " + told(payload_at) + ",");
   if (bytes.size() - payload_at != announced)
     refuse(std::min<std::uint64_t>(bytes.size(), payload_at + std::min(announced, bytes.size() - payload_at)),
            bytes.size() - payload_at < announced ? "the end of the file" : "bytes after the end",

@@ -18,8 +18,8 @@ namespace mmverify::impl::attribute {
 
 /// Which micro-triangle a point on an edge belongs to.  Of values at vertices it does not matter.
 enum class TieRule : std::uint8_t {
-  none,      ///< of vertices
-  vulkan,    ///< towards +u and +v, on a square's diagonal towards -u: VK_EXT_opacity_micromap's reference code
+  none,    ///< of vertices
+  vulkan,  ///< towards +u and +v, on a square's diagonal towards -u: VK_EXT_opacity_micromap's reference code
   figure_4,  ///< towards -u and +v, on a row's edge towards +(u+v): Color and Attribute Micromaps, figure 4
 };
 
@@ -39,12 +39,12 @@ struct MapUse {
 /// Maps of one shape, and the triangles that have them.
 struct AttributeMaps {
   MapAt at = MapAt::faces;
-  FaceOrder face_order = FaceOrder::curve;         ///< of faces
-  VertexOrder vertex_order = VertexOrder::bird;    ///< of vertices
-  std::uint32_t level = 0;                         ///< 0..12
-  std::uint8_t components = 15;                    ///< bit c: component c of RGBA is stored; not 0
-  Meaning meaning = Meaning::linear;               ///< of all but linear ones RGB, with the length RGBA
-  TieRule tie = TieRule::vulkan;                   ///< of vertices none
+  FaceOrder face_order = FaceOrder::curve;           ///< of faces
+  VertexOrder vertex_order = VertexOrder::bird;      ///< of vertices
+  std::uint32_t level = 0;                           ///< 0..12
+  std::uint8_t components = 15;                      ///< bit c: component c of RGBA is stored; not 0
+  Meaning meaning = Meaning::linear;                 ///< of all but linear ones RGB, with the length RGBA
+  TieRule tie = TieRule::vulkan;                     ///< of vertices none
   DecimationRule decimation = DecimationRule::none;  ///< of faces and of level 0 none
   /// Each map begins with the maps of its lower levels, the coarsest first: of faces on the curve, plain.  Vertices and
   /// packed faces have their lower levels within.
@@ -52,7 +52,7 @@ struct AttributeMaps {
   Payload payload = Payload::plain;
   std::array<std::uint8_t, 4> error = {};  ///< of packed: as PackedShape
   std::uint32_t maps = 0;
-  std::vector<MapUse> triangles = {};       ///< none: triangle t has map t
+  std::vector<MapUse> triangles = {};  ///< none: triangle t has map t
   /// Channel c, the c-th component that is stored, of value x of map m: [(m values_of_entry + x) channels + c].
   std::vector<std::uint8_t> codes = {};
 

@@ -7,7 +7,8 @@
 
 namespace mmverify::proofs::attribute {
 
-constinit const Entry pack_entry{"codes -> bytes", [](const Functions& f) { return bool{f.compression.pack}; }};
+constinit const Entry pack_entry{"codes -> bytes",
+                                 [](const Functions& f) { return bool{f.compression.pack}; }};
 constinit const Entry unpack_entry{"bytes -> codes",
                                    [](const Functions& f) { return bool{f.compression.unpack}; }};
 constinit const Entry reader_entry{"bytes -> value",
@@ -105,8 +106,7 @@ PackCase pack_case_of(Level n, const std::string& text) {
   }
   const auto* const name = std::find((filling_names.begin)(), filling_names.end(), (*g)[8]);
   if (name == filling_names.end() || one.shape.maps == 0)
-    throw BadCase(fmt::format(
-        "'{:.80}': a map or more of flat, ramp, waves, noise, extremes or lone", text));
+    throw BadCase(fmt::format("'{:.80}': a map or more of flat, ramp, waves, noise, extremes or lone", text));
   one.filling = fillings[static_cast<std::size_t>(name - filling_names.begin())];
   one.seed = whole(9);
   one.number = whole(10);
@@ -124,7 +124,9 @@ Cases<PackCase> pack_cases(bool lossy,
                            std::function<Finding(const AttributeSubject&, Level, const PackCase&)> check) {
   Cases<PackCase> cases;
   cases.count = [](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 48u : 480u}; };
-  cases.number = [lossy](Level n, std::uint64_t k, std::uint64_t seed) { return pack_case(n, k, seed, lossy); };
+  cases.number = [lossy](Level n, std::uint64_t k, std::uint64_t seed) {
+    return pack_case(n, k, seed, lossy);
+  };
   cases.text = [](Level, const PackCase& one) { return text_of(one); };
   cases.read = pack_case_of;
   cases.check = std::move(check);
@@ -132,7 +134,8 @@ Cases<PackCase> pack_cases(bool lossy,
   return cases;
 }
 
-std::function<void(Functions&)> packing(std::function<Bytes(const Packer&, const PackedShape&, ByteView)> by) {
+std::function<void(Functions&)> packing(
+    std::function<Bytes(const Packer&, const PackedShape&, ByteView)> by) {
   return [by](Functions& f) {
     f.compression.pack = [by, real = f.compression.pack](const PackedShape& shape, ByteView codes) {
       return by(real, shape, codes);

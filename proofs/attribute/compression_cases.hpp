@@ -34,14 +34,16 @@ PackCase pack_case_of(Level n, const std::string& text);
 Finding differ_at(ByteView expected, ByteView got, const char* what);
 
 /// Cases of a law whose checks are such.
-Cases<PackCase> pack_cases(bool lossy, std::function<Finding(const AttributeSubject&, Level, const PackCase&)> check);
+Cases<PackCase> pack_cases(bool lossy,
+                           std::function<Finding(const AttributeSubject&, Level, const PackCase&)> check);
 
 extern const Entry pack_entry, unpack_entry, reader_entry;
 
 /// A subject that packs, unpacks otherwise: given the real function's.
 using Packer = std::function<Bytes(const PackedShape&, ByteView)>;
 using Unpacker = std::function<std::optional<Bytes>(const PackedShape&, ByteView)>;
-std::function<void(Functions&)> packing(std::function<Bytes(const Packer& real, const PackedShape&, ByteView)> by);
+std::function<void(Functions&)> packing(
+    std::function<Bytes(const Packer& real, const PackedShape&, ByteView)> by);
 std::function<void(Functions&)> unpacking(
     std::function<std::optional<Bytes>(const Unpacker& real, const PackedShape&, ByteView)> by);
 

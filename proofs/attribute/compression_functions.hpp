@@ -19,7 +19,8 @@ using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
 
 /// One value of packed maps, a code a channel and 0 beyond: of a map, a level up to the shape's, an index.
-using ValueReader = std::function<std::array<std::uint8_t, 4>(std::uint32_t map, Level level, std::uint32_t index)>;
+using ValueReader =
+    std::function<std::array<std::uint8_t, 4>(std::uint32_t map, Level level, std::uint32_t index)>;
 
 struct Compression {
   /// Codes to bytes.

@@ -39,8 +39,8 @@ void widen_last(const PackedShape& shape, Bytes& bytes) {
   if (lengths.empty()) return;
   const PartsAt parts = parts_of(shape);
   const std::size_t halves = shape.maps * lengths.size() * shape.channels, last = halves - 1;
-  auto half = slow::detail::BitString::of_bytes(
-      ByteView(bytes).subspan(parts.widths, parts.bits - parts.widths));
+  auto half =
+      slow::detail::BitString::of_bytes(ByteView(bytes).subspan(parts.widths, parts.bits - parts.widths));
   slow::Widths widths;
   for (std::size_t k = 0; k < halves; ++k) widths.push_back(half.take(4));
   auto old_bits = slow::detail::BitString::of_bytes(ByteView(bytes).subspan(parts.bits));
@@ -63,7 +63,9 @@ Bytes harmed(const HarmedCase& one) {
   const auto in = [&](std::size_t from, std::size_t to) {
     return from < to ? from + static_cast<std::size_t>(random.below(to - from)) : bytes.size() - 1;
   };
-  const auto flip = [&](std::size_t at) { bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ 1u << random.below(8)); };
+  const auto flip = [&](std::size_t at) {
+    bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ 1u << random.below(8));
+  };
   switch (one.harm) {
     case Harm::bit:
       flip(in(0, bytes.size()));
@@ -122,15 +124,15 @@ Law canonical_law() {
   Cases<HarmedCase> cases;
   cases.count = [](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 192u : 3'840u}; };
   cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) {
-    return HarmedCase{pack_case(n, k / harm_names.size(), seed, true), static_cast<Harm>(k % harm_names.size())};
+    return HarmedCase{pack_case(n, k / harm_names.size(), seed, true),
+                      static_cast<Harm>(k % harm_names.size())};
   };
   cases.text = [](Level, const HarmedCase& one) {
     return fmt::format("{}:{}", harm_names[static_cast<std::size_t>(one.harm)], text_of(one.maps));
   };
   cases.read = [](Level n, const std::string& text) {
     const Groups g = groups_of(text, "([a-z-]+):(.*)");
-    const auto* const name =
-        g ? std::find(harm_names.begin(), harm_names.end(), (*g)[1]) : harm_names.end();
+    const auto* const name = g ? std::find(harm_names.begin(), harm_names.end(), (*g)[1]) : harm_names.end();
     if (name == harm_names.end())
       throw BadCase(fmt::format(
           "'{:.60}': write bit, byte, cut, longer, unused-bits, start, width or wider, a colon, maps", text));
@@ -141,8 +143,9 @@ Law canonical_law() {
   return on_cases(
       {.id = "attribute.packed_canonical",
        .topic = "attribute",
-       .says = "bytes are refused, or are those that packing what they give would write: maps have one form, and "
-               "no other bytes are taken for it",
+       .says =
+           "bytes are refused, or are those that packing what they give would write: maps have one form, and "
+           "no other bytes are taken for it",
        .source = "spec/attribute/compress.hpp",
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
@@ -152,7 +155,8 @@ Law canonical_law() {
        .domain =
            [](const Subject&, Level) {
              return std::string(
-                 "packed maps with a bit or a byte changed, cut, longer, with unused bits set, a start or a width "
+                 "packed maps with a bit or a byte changed, cut, longer, with unused bits set, a start or a "
+                 "width "
                  "changed, a block wider than it is");
            },
        .mutants = {mutant("bytes after the end are none of its business", "attribute", {0, 4},

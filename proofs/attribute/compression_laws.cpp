@@ -9,7 +9,8 @@ namespace {
 
 namespace slow = spec::attribute;
 
-constexpr char packed_source[] = "spec/attribute/compress.hpp; Color and Attribute Micromaps, 7, asks for one";
+constexpr char packed_source[] =
+    "spec/attribute/compress.hpp; Color and Attribute Micromaps, 7, asks for one";
 
 std::string packed_domain(const Subject&, Level) {
   return "drawn maps of faces and vertices: flat, ramps, waves, noise, extremes, one value alone";
@@ -58,7 +59,8 @@ Law round_trip_law() {
                           packing([](const Packer& real, const PackedShape& shape, ByteView codes) {
                             Bytes bytes = real(shape, codes);
                             const std::size_t at = shape.maps * slow::roots_of(shape.at) * shape.channels + 4;
-                            if (shape.level >= 4 && shape.maps * slow::block_lengths(shape.at, shape.level).size() > 8)
+                            if (shape.level >= 4 &&
+                                shape.maps * slow::block_lengths(shape.at, shape.level).size() > 8)
                               bytes[at] = static_cast<std::uint8_t>(bytes[at] / 8);
                             return bytes;
                           })),
@@ -127,8 +129,9 @@ Law random_access_law() {
   return on_cases(
       {.id = "attribute.packed_random_access",
        .topic = "attribute",
-       .says = "a value read alone is the one that unpacking all gives, for each value of each map; of a lower "
-               "level it is the parent of its four, or the vertex of the same number",
+       .says =
+           "a value read alone is the one that unpacking all gives, for each value of each map; of a lower "
+           "level it is the parent of its four, or the vertex of the same number",
        .source = packed_source,
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
@@ -150,8 +153,9 @@ Law random_access_law() {
                    mutant("one vertex of level 5 is read at its level's middle", "attribute", {5, 5},
                           misreading([](const PackedShape& shape, const ValueReader& real, std::uint32_t map,
                                         Level level, std::uint32_t index) {
-                            return real(map, level,
-                                        shape.at == MapAt::vertices && level == 5 && index == 400 ? 5 : index);
+                            return real(
+                                map, level,
+                                shape.at == MapAt::vertices && level == 5 && index == 400 ? 5 : index);
                           })),
                    mutant("a lower level's face is its first child", "attribute", {1, 5},
                           misreading([](const PackedShape& shape, const ValueReader& real, std::uint32_t map,
@@ -196,10 +200,8 @@ Law within_error_law() {
        .fast = {0, 5},
        .long_run = {0, 8},
        .fast_seconds = 1,
-       .domain =
-           [](const Subject& s, Level n) {
-             return packed_domain(s, n) + "; errors 0..7 and 127, a channel each";
-           },
+       .domain = [](const Subject& s,
+                    Level n) { return packed_domain(s, n) + "; errors 0..7 and 127, a channel each"; },
        .mutants = {mutant("numbers are rounded down", "attribute", {0, 5},
                           altering([](const PackedShape& shape, Bytes& codes) {
                             for (std::size_t k = 0; k < codes.size(); ++k) {
@@ -216,8 +218,9 @@ Law within_error_law() {
                           altering([](const PackedShape& shape, Bytes& codes) {
                             const int error = shape.error[shape.channels - 1];
                             if (shape.level > 3)
-                              codes.back() = static_cast<std::uint8_t>(
-                                  codes.back() < 128 ? codes.back() + 2 * error + 1 : codes.back() - 2 * error - 1);
+                              codes.back() = static_cast<std::uint8_t>(codes.back() < 128
+                                                                           ? codes.back() + 2 * error + 1
+                                                                           : codes.back() - 2 * error - 1);
                           })),
                    mutant("what is beyond 255 starts again at 0", "attribute", {0, 5},
                           unpacking([](const Unpacker& real, const PackedShape& shape, ByteView bytes) {
@@ -246,20 +249,22 @@ Finding is_sized(const AttributeSubject& s, Level, const PackCase& one) {
 }
 
 Law size_law() {
-  const auto appending = [](const char* name, Levels levels,
-                            std::function<std::size_t(const PackedShape&, const Bytes& bytes, ByteView codes)> more) {
-    return mutant(name, "attribute", levels,
-                  packing([more](const Packer& real, const PackedShape& shape, ByteView codes) {
-                    Bytes bytes = real(shape, codes);
-                    bytes.resize(bytes.size() + more(shape, bytes, codes));
-                    return bytes;
-                  }));
-  };
+  const auto appending =
+      [](const char* name, Levels levels,
+         std::function<std::size_t(const PackedShape&, const Bytes& bytes, ByteView codes)> more) {
+        return mutant(name, "attribute", levels,
+                      packing([more](const Packer& real, const PackedShape& shape, ByteView codes) {
+                        Bytes bytes = real(shape, codes);
+                        bytes.resize(bytes.size() + more(shape, bytes, codes));
+                        return bytes;
+                      }));
+      };
   return on_cases(
       {.id = "attribute.packed_size",
        .topic = "attribute",
-       .says = "packed maps take M R C + 4 ceil(B/8) + ceil(B C / 2) + ceil(bits / 8) bytes: M maps of R roots "
-               "and C channels, B blocks, each of three times its triples times the sum of its least widths",
+       .says =
+           "packed maps take M R C + 4 ceil(B/8) + ceil(B C / 2) + ceil(bits / 8) bytes: M maps of R roots "
+           "and C channels, B blocks, each of three times its triples times the sum of its least widths",
        .source = packed_source,
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
@@ -269,7 +274,8 @@ Law size_law() {
        .domain = packed_domain,
        .mutants = {appending("a start for no block, after every eighth", {1, 5},
                              [](const PackedShape& shape, const Bytes&, ByteView) -> std::size_t {
-                               return shape.maps * slow::block_lengths(shape.at, shape.level).size() % 8 == 0 &&
+                               return shape.maps * slow::block_lengths(shape.at, shape.level).size() % 8 ==
+                                                  0 &&
                                               shape.level > 0
                                           ? 4
                                           : 0;

@@ -14,7 +14,8 @@ fast::PackedShape library_shape(const PackedShape& shape) {
 }
 
 /// The numbers of one channel of a map at a level: of faces parents of parents, of vertices the first ones.
-std::vector<std::int32_t> numbers_at(const PackedShape& shape, std::vector<std::int32_t> numbers, Level level) {
+std::vector<std::int32_t> numbers_at(const PackedShape& shape, std::vector<std::int32_t> numbers,
+                                     Level level) {
   for (Level m = shape.level; m > level && shape.at == MapAt::faces; --m) {
     for (std::size_t k = 0; 4 * k < numbers.size(); ++k)
       numbers[k] = spec::attribute::family_of(
@@ -69,7 +70,9 @@ Compression library_compression() {
   f.unpack = library_unpack;
   f.reader = [](const PackedShape& shape, ByteView bytes) -> ValueReader {
     const auto maps = std::make_shared<const fast::PackedMaps>(library_shape(shape), bytes);
-    return [maps](std::uint32_t map, Level level, std::uint32_t index) { return maps->value(map, level, index); };
+    return [maps](std::uint32_t map, Level level, std::uint32_t index) {
+      return maps->value(map, level, index);
+    };
   };
   return f;
 }

@@ -258,7 +258,9 @@ class SetMeasurement {
     maps.tie = kind == MapKind::faces ? TieRule::vulkan : TieRule::none;
     maps.level = level;
     maps.components = channels_;
-    maps.meaning = is_srgb(set_) ? Meaning::srgb : has(set_, Attribute::normal) ? Meaning::normal : Meaning::linear;
+    maps.meaning = is_srgb(set_)                  ? Meaning::srgb
+                   : has(set_, Attribute::normal) ? Meaning::normal
+                                                  : Meaning::linear;
     maps.payload = Payload::packed;
     for (std::size_t c = 0; c < channels_of(maps); ++c) maps.error[c] = options_.packed_error;
     maps.maps = packer.maps();

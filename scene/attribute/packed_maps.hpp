@@ -16,9 +16,9 @@ namespace mmverify::scene {
 using PeerCoder = std::function<std::uint64_t(std::span<const std::uint8_t>)>;
 
 struct PackedBytes {
-  std::uint64_t plain = 0;            ///< a byte a channel in use
-  std::uint64_t packed = 0;           ///< with the error allowed
-  std::uint64_t entropy = 0;          ///< order 0 of its roots and residuals, in whole bytes (residual_entropy)
+  std::uint64_t plain = 0;    ///< a byte a channel in use
+  std::uint64_t packed = 0;   ///< with the error allowed
+  std::uint64_t entropy = 0;  ///< order 0 of its roots and residuals, in whole bytes (residual_entropy)
   std::optional<std::uint64_t> peer;  ///< what the peer makes of the plain bytes
 };
 
@@ -44,8 +44,8 @@ class MapPacker {
   unsigned level_;
   std::vector<std::size_t> channels_;
   std::uint8_t error_;
-  std::vector<std::uint32_t> rows_;  ///< of vertices, by Bird index
-  std::vector<std::uint8_t> codes_;  ///< of the maps, one after the other
+  std::vector<std::uint32_t> rows_;                                ///< of vertices, by Bird index
+  std::vector<std::uint8_t> codes_;                                ///< of the maps, one after the other
   std::unordered_multimap<std::uint64_t, std::uint32_t> numbers_;  ///< of maps, by their hashes
   std::uint32_t maps_ = 0;
 };

@@ -58,7 +58,8 @@ inline constexpr std::uint32_t triples_of_block = 16, blocks_of_start = 8;
 /// How many triples each block of a map has.  Domain: n in 0..12.
 inline std::vector<std::uint32_t> block_lengths(MapAt at, Level n) {
   std::vector<std::uint32_t> lengths;
-  if (n > 0) lengths.push_back(static_cast<std::uint32_t>(triples_of(at, 1) + (n > 1 ? triples_of(at, 2) : 0)));
+  if (n > 0)
+    lengths.push_back(static_cast<std::uint32_t>(triples_of(at, 1) + (n > 1 ? triples_of(at, 2) : 0)));
   for (Level m = 3; m <= n; ++m)
     for (std::uint64_t left = triples_of(at, m); left > 0;) {
       const std::uint64_t taken = std::min<std::uint64_t>(left, triples_of_block);
@@ -227,10 +228,11 @@ inline std::optional<std::vector<std::uint8_t>> unpack(const PackedShape& shape,
   auto half = detail::BitString::of_bytes(part(roots + starts, halves));
   Widths widths;
   for (std::uint64_t k = 0; k < blocks * C; ++k) widths.push_back(half.take(4));
-  if (std::any_of(widths.begin(), widths.end(), [](std::uint32_t w) { return w > widest; })) return std::nullopt;
+  if (std::any_of(widths.begin(), widths.end(), [](std::uint32_t w) { return w > widest; }))
+    return std::nullopt;
   if (bytes.size() != packed_size(shape, widths)) return std::nullopt;
-  auto bits = detail::BitString::of_bytes(
-      part(roots + starts + halves, bytes.size() - roots - starts - halves));
+  auto bits =
+      detail::BitString::of_bytes(part(roots + starts + halves, bytes.size() - roots - starts - halves));
   const auto values = static_cast<std::size_t>(values_of(shape.at, shape.level));
   std::vector<std::uint8_t> codes(shape.maps * values * C);
   std::size_t root = 0, block = 0;

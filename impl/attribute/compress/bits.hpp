@@ -27,7 +27,8 @@ inline std::uint32_t word_from(std::span<const std::uint8_t> bytes, std::uint64_
 }
 
 /// Half byte number k.
-inline std::uint32_t half_from(std::span<const std::uint8_t> bytes, std::uint64_t at, std::uint64_t k) noexcept {
+inline std::uint32_t half_from(std::span<const std::uint8_t> bytes, std::uint64_t at,
+                               std::uint64_t k) noexcept {
   return bytes[static_cast<std::size_t>(at + k / 2)] >> (4 * (k % 2)) & 15u;
 }
 

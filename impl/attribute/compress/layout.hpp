@@ -25,16 +25,16 @@ class PackedLayout {
   explicit PackedLayout(const PackedShape& shape);
   void add_corners(const PackedShape& shape);
 
-  std::uint32_t roots;             ///< of a map: 1 or 3
-  std::uint32_t values;            ///< of a map
-  std::uint32_t residuals;         ///< values - roots, of a channel
+  std::uint32_t roots;                ///< of a map: 1 or 3
+  std::uint32_t values;               ///< of a map
+  std::uint32_t residuals;            ///< values - roots, of a channel
   std::vector<std::uint8_t> lengths;  ///< triples of each block of a map
-  std::uint64_t blocks;            ///< of all maps
+  std::uint64_t blocks;               ///< of all maps
   /// Where the parts begin, in bytes; the first is 0.
   std::uint64_t starts_at, widths_at, bits_at;
   std::array<std::uint32_t, max_packed_level + 2> first_triple{};  ///< of level m; of level 0 none
   std::array<std::uint32_t, max_packed_level + 2> first_block{};   ///< of level m; 0 of levels 1 and 2
-  std::vector<TripleCorners> corners;  ///< of vertices, by triple
+  std::vector<TripleCorners> corners;                              ///< of vertices, by triple
 
   /// A triple's block of its map, and its place there.  Domain: triple k of level m, counted from the level's first.
   std::uint32_t block_of(std::uint32_t m, std::uint32_t k) const noexcept {

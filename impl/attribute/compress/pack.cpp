@@ -55,34 +55,35 @@ std::vector<std::uint8_t> pack(const PackedShape& shape, std::span<const std::ui
   detail::BitWriter bits;
   std::vector<std::vector<std::int32_t>> of_map(C);
   std::uint64_t block = 0;
-  each_channel(shape, layout, codes, [&](std::uint32_t map, std::uint32_t channel, auto roots, auto residuals) {
-    for (std::size_t r = 0; r < roots.size(); ++r)
-      bytes[(map * roots.size() + r) * C + channel] = static_cast<std::uint8_t>(roots[r]);
-    of_map[channel].assign(residuals.begin(), residuals.end());
-    if (channel + 1 < C) return;
-    std::size_t first = 0;
-    for (const std::uint8_t length : layout.lengths) {
-      if (block % detail::blocks_of_start == 0) {
-        if (bits.bits() >> 32 != 0)
-          throw std::invalid_argument("attribute::pack: residuals of 2^32 bits and more");
-        for (std::uint64_t k = 0; k < 4; ++k)
-          bytes[static_cast<std::size_t>(layout.starts_at + block / detail::blocks_of_start * 4 + k)] =
-              static_cast<std::uint8_t>(bits.bits() >> (8 * k));
-      }
-      const std::size_t end = first + 3 * std::size_t{length};
-      for (std::size_t c = 0; c < C; ++c) {
-        std::uint32_t any = 0;
-        for (std::size_t k = first; k < end; ++k) any |= detail::folded(of_map[c][k]);
-        const auto width = static_cast<std::uint32_t>(std::bit_width(any));
-        const std::uint64_t half = block * C + c;
-        std::uint8_t& two = bytes[static_cast<std::size_t>(layout.widths_at + half / 2)];
-        two = static_cast<std::uint8_t>(two | width << (4 * (half % 2)));
-        for (std::size_t k = first; k < end; ++k) bits.put(detail::folded(of_map[c][k]), width);
-      }
-      first = end;
-      ++block;
-    }
-  });
+  each_channel(
+      shape, layout, codes, [&](std::uint32_t map, std::uint32_t channel, auto roots, auto residuals) {
+        for (std::size_t r = 0; r < roots.size(); ++r)
+          bytes[(map * roots.size() + r) * C + channel] = static_cast<std::uint8_t>(roots[r]);
+        of_map[channel].assign(residuals.begin(), residuals.end());
+        if (channel + 1 < C) return;
+        std::size_t first = 0;
+        for (const std::uint8_t length : layout.lengths) {
+          if (block % detail::blocks_of_start == 0) {
+            if (bits.bits() >> 32 != 0)
+              throw std::invalid_argument("attribute::pack: residuals of 2^32 bits and more");
+            for (std::uint64_t k = 0; k < 4; ++k)
+              bytes[static_cast<std::size_t>(layout.starts_at + block / detail::blocks_of_start * 4 + k)] =
+                  static_cast<std::uint8_t>(bits.bits() >> (8 * k));
+          }
+          const std::size_t end = first + 3 * std::size_t{length};
+          for (std::size_t c = 0; c < C; ++c) {
+            std::uint32_t any = 0;
+            for (std::size_t k = first; k < end; ++k) any |= detail::folded(of_map[c][k]);
+            const auto width = static_cast<std::uint32_t>(std::bit_width(any));
+            const std::uint64_t half = block * C + c;
+            std::uint8_t& two = bytes[static_cast<std::size_t>(layout.widths_at + half / 2)];
+            two = static_cast<std::uint8_t>(two | width << (4 * (half % 2)));
+            for (std::size_t k = first; k < end; ++k) bits.put(detail::folded(of_map[c][k]), width);
+          }
+          first = end;
+          ++block;
+        }
+      });
   const auto& tail = bits.finished();
   bytes.insert(bytes.end(), tail.begin(), tail.end());
   return bytes;

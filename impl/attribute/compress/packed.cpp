@@ -36,7 +36,8 @@ void check_parts(const PackedShape& shape, const detail::PackedLayout& layout,
                         "0 to " + count_of(detail::widest));
       widths += width;
     }
-    bits += std::uint64_t{3} * layout.lengths[static_cast<std::size_t>(block % layout.lengths.size())] * widths;
+    bits +=
+        std::uint64_t{3} * layout.lengths[static_cast<std::size_t>(block % layout.lengths.size())] * widths;
   }
   if (layout.blocks * C % 2 != 0 && detail::half_from(bytes, layout.widths_at, layout.blocks * C) != 0)
     throw BadPacked(layout.bits_at - 1, "a width of no block", "0");
@@ -52,7 +53,8 @@ void check_parts(const PackedShape& shape, const detail::PackedLayout& layout,
 /// Reads the blocks of maps one after the other.
 class BlockReader {
  public:
-  BlockReader(const PackedShape& shape, const detail::PackedLayout& layout, std::span<const std::uint8_t> bytes)
+  BlockReader(const PackedShape& shape, const detail::PackedLayout& layout,
+              std::span<const std::uint8_t> bytes)
       : shape_(shape),
         layout_(layout),
         bytes_(bytes),
@@ -67,8 +69,7 @@ class BlockReader {
     bit_ = detail::word_from(bytes_, layout_.starts_at + block / detail::blocks_of_start * 4);
     for (; block < block_; ++block)
       for (std::uint32_t c = 0; c < shape_.channels; ++c)
-        bit_ += std::uint64_t{3} *
-                layout_.lengths[static_cast<std::size_t>(block % layout_.lengths.size())] *
+        bit_ += std::uint64_t{3} * layout_.lengths[static_cast<std::size_t>(block % layout_.lengths.size())] *
                 detail::half_from(bytes_, layout_.widths_at, block * shape_.channels + c);
   }
 
@@ -107,8 +108,9 @@ class BlockReader {
 };
 
 /// Room for one channel of a map, its roots at the front.
-void roots_into(const PackedShape& shape, const detail::PackedLayout& layout, std::span<const std::uint8_t> bytes,
-                std::uint32_t map, std::uint32_t c, std::span<std::int32_t> numbers) noexcept {
+void roots_into(const PackedShape& shape, const detail::PackedLayout& layout,
+                std::span<const std::uint8_t> bytes, std::uint32_t map, std::uint32_t c,
+                std::span<std::int32_t> numbers) noexcept {
   for (std::size_t r = 0; r < layout.roots; ++r)
     numbers[r] = bytes[(std::size_t{map} * layout.roots + r) * shape.channels + c];
 }

@@ -14,8 +14,8 @@ using Numbers = std::array<std::int32_t, 4>;  ///< a channel each
 /// A map's residuals, read where they are asked for.
 class TripleReader {
  public:
-  TripleReader(const PackedShape& shape, const detail::PackedLayout& layout, std::span<const std::uint8_t> bytes,
-               std::uint32_t map) noexcept
+  TripleReader(const PackedShape& shape, const detail::PackedLayout& layout,
+               std::span<const std::uint8_t> bytes, std::uint32_t map) noexcept
       : shape_(shape), layout_(layout), bytes_(bytes), map_(map) {}
 
   /// Goes to triple k of level m.
@@ -96,18 +96,20 @@ Numbers vertex_numbers(const PackedShape& shape, const detail::PackedLayout& lay
       const std::uint32_t number = bird_index(half.at.i, half.at.j, m) - 3;
       reader.seek(m, number / 3 - layout.first_triple[m]);
       for (std::uint32_t c = 0; c < shape.channels; ++c)
-        half.numbers[c] =
-            detail::between(p.numbers[c], q.numbers[c]) + reader.residual(c, number % 3);
+        half.numbers[c] = detail::between(p.numbers[c], q.numbers[c]) + reader.residual(c, number % 3);
       return half;
     };
     const auto& [base, along_u, along_v] = corners;
-    const std::array<Known, 3> middles{middle(base, along_u), middle(along_u, along_v), middle(along_v, base)};
+    const std::array<Known, 3> middles{middle(base, along_u), middle(along_u, along_v),
+                                       middle(along_v, base)};
     const std::uint32_t up = level - m;
     for (const Known& k : middles)
       if (k.at.i << up == goal.i && k.at.j << up == goal.j) return k.numbers;
     // The child that holds the goal, from the base's corner in steps of the level sought.
     const bool upright = along_u.at.i > base.at.i;
-    const auto steps = [upright](std::uint32_t from, std::uint32_t to) { return upright ? to - from : from - to; };
+    const auto steps = [upright](std::uint32_t from, std::uint32_t to) {
+      return upright ? to - from : from - to;
+    };
     const std::uint32_t a = steps(base.at.i << up, goal.i), b = steps(base.at.j << up, goal.j);
     const std::uint32_t half = std::uint32_t{1} << up;
     if (a >= half)
@@ -129,9 +131,8 @@ std::array<std::uint8_t, 4> PackedMaps::value(std::uint32_t map, std::uint32_t l
   std::array<std::uint8_t, 4> codes{};
   if (map >= shape_.maps || level > shape_.level || index >= values_of_map(shape_.at, level)) return codes;
   TripleReader reader(shape_, *layout_, bytes_, map);
-  const Numbers numbers = shape_.at == MapAt::faces
-                              ? face_numbers(shape_, reader, level, index)
-                              : vertex_numbers(shape_, *layout_, reader, level, index);
+  const Numbers numbers = shape_.at == MapAt::faces ? face_numbers(shape_, reader, level, index)
+                                                    : vertex_numbers(shape_, *layout_, reader, level, index);
   for (std::size_t c = 0; c < shape_.channels; ++c)
     codes[c] = static_cast<std::uint8_t>(std::min(255, (2 * shape_.error[c] + 1) * numbers[c]));
   return codes;
