@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cli/arguments.hpp"
+#include "cli/check_attributes.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/json.hpp"
@@ -165,8 +166,10 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet)
 
 /// What only finished maps have.
 void add_maps(CLI::App& command, CheckMapsOptions& options) {
-  command.add_option("file", options.file, "maps: the scene, whose EXT_mesh_opacity_micromap is judged")
-      ->type_name("FILE.gltf|FILE.glb");
+  command
+      .add_option("file", options.file,
+                  "maps: the scene, whose EXT_mesh_opacity_micromap is judged; attributes: a file of theirs")
+      ->type_name("FILE");
   command.add_option("--data", options.raw.data, "maps: this array's data in the place of the scene's own")
       ->type_name("FILE");
   command.add_option("--records", options.raw.records, "its records, 8 bytes each")->type_name("FILE");
@@ -211,15 +214,23 @@ Action add_check(CLI::App& program) {
   auto maps = std::make_shared<CheckMapsOptions>();
   command
       ->add_option("topic", options->topic,
-                   "index, corners, tree or bake; or maps: finished ones against their textures")
+                   "index, corners, tree or bake; maps: finished ones against their textures; attributes: "
+                   "whether a file "
+                   "of attribute micromaps is one")
       ->required()
-      ->check(CLI::IsMember(topics_with({"index", "corners", "maps"})));
+      ->check(CLI::IsMember(topics_with({"index", "corners", "maps", "attributes"})));
   add_common(*command, *options);
   add_maps(*command, *maps);
   command->add_option("--errors", options->errors, "counterexamples kept")->check(whole_within(1, 10'000));
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--junit", maps->junit, "write the results as JUnit XML")->type_name("FILE");
-  return [options, maps] {
+  return [options, maps, command] {
+    if (options->topic == "attributes") {
+      for (const CLI::Option* given : command->get_options())
+        if (given->count() != 0 && given->get_name() != "topic" && given->get_name() != "file")
+          throw UsageError(fmt::format("check attributes: it reads a file; leave {} out", given->get_name()));
+      return check_attributes(maps->file);
+    }
     if (options->topic != "maps") {
       if (!maps->file.empty())
         throw UsageError(

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "impl/attribute/bake.hpp"
+#include "impl/attribute/compress.hpp"
+#include "impl/attribute/container.hpp"
 #include "impl/attribute/error.hpp"
+#include "impl/attribute/order.hpp"
 #include "impl/attribute/plan.hpp"
 #include "impl/bake/bake.hpp"
 #include "impl/bake/square/map.hpp"

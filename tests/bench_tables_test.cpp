@@ -42,6 +42,8 @@ std::vector<Result> all_results() {
   attributes.sets[0].levels.resize(2);
   attributes.sets[0].levels[1].kind = mmverify::scene::MapKind::vertices;
   attributes.sets[0].levels[1].nearest.emplace();
+  for (auto& level : attributes.sets[0].levels)
+    level.packed = {.plain = 3, .packed = 2, .entropy = 1, .peer = 4};
   mmverify::scene::AttributeScene read;
   read.left_out.push_back({.why = "no texture"});
   return {index_tables({index}, {}),
@@ -52,7 +54,7 @@ std::vector<Result> all_results() {
           subject_tables({}),
           scene_bake_tables({}, {}),
           baker_tables({"b", "f", {{}}}),
-          scene_attribute_tables(attributes, read, {})};
+          scene_attribute_tables(attributes, read, {.packed = true})};
 }
 
 /// What the schema says of one place, and of the places that it lies in.

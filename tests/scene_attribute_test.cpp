@@ -329,6 +329,52 @@ TEST(AttributeMeasure, TellsOfPicturesOfColoursAlone) {
   EXPECT_EQ(levels.size(), 2u);
 }
 
+// What is packed is what was baked: the stored maps at level 2, unpacked, against maps baked one by one.
+TEST(AttributeMeasure, PacksTheMapsAndSaysWhoseTheyAre) {
+  const ColourImage image = random_image(8, 8);
+  AttributeOptions options{.first = 2, .last = 2, .packed = true};
+  options.peer = [](std::span<const std::uint8_t> bytes) { return bytes.size() + 1; };
+  std::vector<StoredAttributes> stored;
+  options.stored = [&](const StoredAttributes& one) { stored.push_back(one); };
+  const AttributeFigures figures = measure(square_scene(image), options);
+  for (const MapKind kind : map_kinds) {
+    const PackedBytes& packed = at(figures, 2, kind).packed.value();
+    EXPECT_EQ(packed.plain, 2 * 3 * values_of_map(kind, 2));
+    EXPECT_EQ(packed.peer, packed.plain + 1);
+    // Noise: no less than its entropy, and no more than 9/8 and the widths.
+    EXPECT_LT(packed.packed, packed.plain * 9 / 8 + 12);
+    EXPECT_GT(packed.entropy, 0u);
+  }
+  ASSERT_EQ(stored.size(), 2u);
+  using namespace mmverify::impl::attribute;
+  for (const StoredAttributes& one : stored) {
+    const AttributeMaps maps = read_attributes(write_attributes(one.maps));
+    EXPECT_EQ(maps.maps, 2u);
+    EXPECT_EQ(maps.meaning, Meaning::srgb);
+    EXPECT_THAT(maps.triangles, testing::ElementsAre(MapUse{0, 0}, MapUse{1, 0}));
+    const bool faces = maps.at == MapAt::faces;
+    const auto first =
+        baked(image, base_color, faces ? MapKind::faces : MapKind::vertices, 2, {{{0, 0}, {1, 0}, {0, 1}}});
+    for (std::uint32_t x = 0; x < first.size(); ++x) {
+      const Vertex v = faces ? Vertex{} : w_minor_vertex(x);
+      const std::size_t to = faces ? x : bird_index(v.i, v.j, 2);
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(maps.codes[3 * to + c], first[x][c]) << x;
+    }
+  }
+}
+
+TEST(AttributeMeasure, PacksEqualMapsOnce) {
+  AttributeOptions options{.first = 1, .last = 1, .packed = true};
+  std::vector<std::uint32_t> maps;
+  options.stored = [&](const StoredAttributes& one) { maps.push_back(one.maps.maps); };
+  const AttributeFigures figures =
+      measure(square_scene(drawn(4, 4, [](auto, auto, auto) { return 9; })), options);
+  EXPECT_THAT(maps, testing::ElementsAre(1, 1));
+  EXPECT_EQ(at(figures, 1, MapKind::faces).packed.value().entropy, 0u);
+  // 3 roots, a start, 3 widths of 0 bits.
+  EXPECT_EQ(at(figures, 1, MapKind::faces).packed.value().packed, 3u + 4 + 2);
+}
+
 TEST(AttributePictures, ErrorsGoFromBlackToWhite) {
   EXPECT_EQ(colour_of_error(0), (std::array<std::uint8_t, 3>{0, 0, 0}));
   EXPECT_EQ(colour_of_error(1), (std::array<std::uint8_t, 3>{255, 255, 255}));

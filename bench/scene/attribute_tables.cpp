@@ -36,6 +36,37 @@ double share_of(std::uint64_t bytes, std::uint64_t of) {
 
 Value optional(const std::optional<double>& x) { return x ? Value(*x) : Value(); }
 
+/// Of what was packed, a column each; the peer is zstd.
+Value packed_value(const MapsAtLevel& at, std::uint64_t scene::PackedBytes::*bytes) {
+  return at.packed ? Value((*at.packed).*bytes) : Value();
+}
+
+/// A column of packed maps of both kinds.
+Fields<SetLevel> packed_fields(MapKind kind) {
+  const bool of_faces = kind == MapKind::faces;
+  const std::string key = of_faces ? "faces.packed." : "vertices.packed.",
+                    group = of_faces ? "faces, packed" : "vertices, packed";
+  const auto at = [of_faces](const SetLevel& s) -> const MapsAtLevel& {
+    return of_faces ? *s.faces : *s.vertices;
+  };
+  return {
+      {{key + "plain", "plain bytes", "", {}, group},
+       [at](const SetLevel& s) { return packed_value(at(s), &scene::PackedBytes::plain); }},
+      {{key + "bytes", "packed", "", {}, group},
+       [at](const SetLevel& s) { return packed_value(at(s), &scene::PackedBytes::packed); }},
+      {{key + "of_plain", "of plain", "", {1, 'f', per_cent, "%"}, group},
+       [at](const SetLevel& s) {
+         return at(s).packed ? Value(share_of(at(s).packed->packed, at(s).packed->plain)) : Value();
+       }},
+      {{key + "entropy", "entropy", "", {}, group},
+       [at](const SetLevel& s) { return packed_value(at(s), &scene::PackedBytes::entropy); }},
+      {{key + "zstd", "zstd", "", {}, group},
+       [at](const SetLevel& s) {
+         return at(s).packed && at(s).packed->peer ? Value(*at(s).packed->peer) : Value();
+       }},
+  };
+}
+
 Fields<SetLevel> fields_of(MapKind kind) {
   const bool of_faces = kind == MapKind::faces;
   const std::string group = of_faces ? "faces" : "vertices", key = group + ".";
@@ -131,6 +162,9 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
        [](const SetLevel& s) { return std::uint64_t{s.level}; }}};
   for (const MapKind kind : scene::map_kinds)
     for (const Field<SetLevel>& field : fields_of(kind)) rows.push_back(field);
+  if (options.packed)
+    for (const MapKind kind : scene::map_kinds)
+      for (const Field<SetLevel>& field : packed_fields(kind)) rows.push_back(field);
   using A = AllAtLevel;
   const auto share = [](std::uint64_t A::*bytes) {
     return [bytes](const A& a) { return share_of(a.*bytes, a.texture_bytes); };
@@ -164,6 +198,13 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
                  table_of<SetLevel>({.key = "rows"}, rows, set_levels(figures)),
                  table_of<A>({.key = "totals", .caption = "all attributes"}, all, all_levels(figures))},
       .drawn = scene_attribute_picture(figures)};
+  if (options.packed) {
+    result.settings.emplace_back("packed_error", std::uint64_t{options.packed_error});
+    result.about +=
+        ". packed: the maps in the channels in use, lossless or each code off by the error at most; entropy: "
+        "order 0 "
+        "of its residuals; zstd: level 19 of the plain bytes";
+  }
   if (!read.left_out.empty())
     result.tables.push_back(table_of<LeftOutFigures>({.key = "left_out"}, reasons, left_out(read)));
   return result;

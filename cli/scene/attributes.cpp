@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bench/scene/attribute_tables.hpp"
+#include "bench/scene/zstd.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/plot.hpp"
 #include "cli/bench/tables.hpp"
@@ -44,6 +45,27 @@ void write_picture(const std::string& folder, const AttributePicture& picture) {
   file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
+/// FOLDER/baseColor_faces_level3.mmat, or nothing: OutputFile takes its name only once it is whole.
+void write_maps(const std::string& folder, const StoredAttributes& stored) {
+  std::string set = name(stored.set);
+  std::replace(set.begin(), set.end(), '+', '_');
+  const impl::attribute::AttributeMaps& maps = stored.maps;
+  const char* const kind = maps.at == impl::attribute::MapAt::faces ? "faces" : "vertices";
+  const std::vector<std::uint8_t> bytes = write_attributes(maps);
+  OutputFile file(
+      (std::filesystem::path(folder) / fmt::format("{}_{}_level{}.mmat", set, kind, maps.level)).string());
+  file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+/// Makes it where it is not there.
+void need_folder(const char* option, const std::string& folder) {
+  if (folder.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder, error))
+    throw EnvironmentError(fmt::format("{} {}: no folder, and none can be made", option, folder));
+}
+
 AttributeScene loaded_attributes(const std::string& file) {
   if (file.empty()) return load_attributes(sample_name, sample_scene());
   if (std::error_code none; std::filesystem::is_directory(file, none))
@@ -67,15 +89,16 @@ int scene_attributes(const AttributeArguments& arguments) {
   std::optional<OutputFile> json, plot;
   if (!arguments.json.empty() && arguments.json != "-") json.emplace(arguments.json);
   if (!arguments.plot.empty()) plot.emplace(arguments.plot);
-  if (std::error_code error; !arguments.pictures.empty()) {
-    std::filesystem::create_directories(arguments.pictures, error);
-    if (!std::filesystem::is_directory(arguments.pictures, error))
-      throw EnvironmentError(
-          fmt::format("--pictures {}: no folder, and none can be made", arguments.pictures));
-  }
+  need_folder("--pictures", arguments.pictures);
+  need_folder("--files", arguments.files);
   const proofs::InterruptGuard guard;
   AttributeOptions options{.first = levels.first, .last = levels.last, .threads = arguments.threads};
   options.averaging = arguments.codes ? Averaging::codes : Averaging::meaning;
+  options.packed = arguments.packed;
+  options.packed_error = static_cast<std::uint8_t>(arguments.packed_error);
+  options.peer = bench::zstd_bytes;
+  if (!arguments.files.empty())
+    options.stored = [&arguments](const StoredAttributes& stored) { write_maps(arguments.files, stored); };
   options.stop = [] {
     if (proofs::interrupted()) throw proofs::Interrupted();
   };

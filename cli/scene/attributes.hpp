@@ -7,9 +7,11 @@ namespace mmverify::cli {
 
 struct AttributeArguments {
   std::string file;  ///< none: the suite's own scene
-  std::string levels, json, plot, pictures;
+  std::string levels, json, plot, pictures, files;
   bool codes = false, quiet = false;
   unsigned threads = 0;
+  bool packed = false;  ///< pack the maps as well
+  unsigned packed_error = 0;
 };
 
 /// Prints the tables, writes JSON, the picture of the figures and pictures of the textures.  Returns the exit code.

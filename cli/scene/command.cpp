@@ -42,13 +42,14 @@ using proofs::Result;
 using proofs::RunOptions;
 
 struct SceneOptions {
-  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject, pictures;
+  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject, pictures, files;
   double timeout = 10;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
-  bool exhaustive = false, quiet = false, attributes = false, codes = false;
+  bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false;
   float margin = 0;
   int states = 4;
+  unsigned packed_error = 0;
 };
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -292,12 +293,15 @@ int attributes(const SceneOptions& options) {
     throw UsageError(
         "--attributes: it measures and writes --json, --plot and --pictures; leave the others out");
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
-                           options.codes, options.quiet, options.threads});
+                           options.files, options.codes, options.quiet, options.threads,
+                           options.packed || options.packed_error != 0, options.packed_error});
 }
 
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
   if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
+  if (options.packed || options.packed_error != 0 || !options.files.empty())
+    throw UsageError("--packed, --packed-error, --files: for --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -390,6 +394,18 @@ Action add_scene(CLI::App& program) {
       "how far from the textures");
   command->add_flag("--codes", options->codes,
                     "of --attributes: average codes, as the paper's pixels, not light and directions");
+  command->add_flag(
+      "--packed", options->packed,
+      "of --attributes: pack the maps as well, beside their entropy and what zstd makes of them");
+  command
+      ->add_option("--files", options->files,
+                   "of --attributes: write the maps, packed, as FOLDER/SET_KIND_levelN.mmat")
+      ->type_name("FOLDER");
+  command
+      ->add_option("--packed-error", options->packed_error,
+                   "the most that a code of them may be off, and --packed; 0 is lossless")
+      ->check(whole_within(0, 127))
+      ->type_name("CODES");
   command
       ->add_option("--pictures", options->pictures,
                    "of --attributes: write each base colour beside its maps and their FLIP, a PNG a level")

@@ -23,6 +23,9 @@ std::vector<Law> decimation_laws();
 std::vector<Law> mip_laws();
 /// Maps from textures.
 std::vector<Law> bake_laws();
+/// Packed maps: all of it, and what bytes are none.
+std::vector<Law> compression_laws();
+std::vector<Law> compression_hostile_laws();
 
 /// What the paper claims, prints or leaves open: all of it, and the parts.
 std::vector<Law> paper_laws();

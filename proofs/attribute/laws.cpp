@@ -6,8 +6,8 @@ namespace mmverify::proofs::attribute {
 
 std::vector<Law> laws() {
   std::vector<Law> all;
-  for (const auto& group :
-       {order_laws(), lookup_laws(), decimation_laws(), mip_laws(), bake_laws(), paper_laws()})
+  for (const auto& group : {order_laws(), lookup_laws(), decimation_laws(), mip_laws(), bake_laws(),
+                            compression_laws(), paper_laws()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

@@ -19,6 +19,7 @@ AttributeSubjectPtr specified() {
   f.decimation = specified_decimation();
   f.mips = specified_mips();
   f.baking = specified_baking();
+  f.compression = specified_compression();
   return subject("attribute-spec", "the specification, in whole numbers and rationals", f);
 }
 
@@ -30,6 +31,7 @@ AttributeSubjectPtr library() {
   f.decimation = library_decimation();
   f.mips = library_mips();
   f.baking = library_baking();
+  f.compression = library_compression();
   return subject("attribute", "this project's library, in batches and binary32", f);
 }
 

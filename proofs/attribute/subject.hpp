@@ -1,4 +1,5 @@
-// An implementation of topic attribute in the dock: orders, lookups, decimation, mips and baking, a function each.
+// An implementation of topic attribute in the dock: orders, lookups, decimation, mips, baking and
+// compression, a function each.
 #pragma once
 
 #include <functional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "proofs/attribute/baking_functions.hpp"
+#include "proofs/attribute/compression_functions.hpp"
 #include "proofs/attribute/decimation_functions.hpp"
 #include "proofs/attribute/lookup_functions.hpp"
 #include "proofs/attribute/mips_functions.hpp"
@@ -25,6 +27,7 @@ struct Functions {
   Decimation decimation = {};
   Mips mips = {};
   Baking baking = {};
+  Compression compression = {};
 };
 
 class AttributeSubject : public Subject {

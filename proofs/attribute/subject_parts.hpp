@@ -29,4 +29,7 @@ Mips library_mips();
 Baking specified_baking();
 Baking library_baking();
 
+Compression specified_compression();
+Compression library_compression();
+
 }  // namespace mmverify::proofs::attribute

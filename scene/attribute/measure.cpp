@@ -225,6 +225,7 @@ class SetMeasurement {
       bake(all_[k], kind, level, values);
       return values;
     });
+    if (options_.packed || options_.stored) at.packed = packed(kind, level);
     at.error = error_of(sums_[place]);
     if (kind == MapKind::vertices) {
       at.nearest = error_of(nearest_sums_[place]);
@@ -233,6 +234,37 @@ class SetMeasurement {
       at.unseen = faces == 0 ? 0 : 1 - static_cast<double>(seen_faces_[level - options_.first]) / faces;
     }
     return at;
+  }
+
+  std::optional<PackedBytes> packed(MapKind kind, unsigned level) const {
+    MapPacker packer(kind, level, channels_, options_.packed_error);
+    MapValues values;
+    StoredAttributes stored{set_, {}};
+    for (const MapOfTriangle& map : all_) {
+      bake(map, kind, level, values);
+      stored.maps.triangles.push_back({packer.add(values), 0});
+    }
+    if (options_.stored) {
+      describe(kind, level, packer, stored.maps);
+      options_.stored(stored);
+    }
+    return options_.packed ? packer.packed(options_.peer) : std::nullopt;
+  }
+
+  void describe(MapKind kind, unsigned level, const MapPacker& packer,
+                impl::attribute::AttributeMaps& maps) const {
+    using namespace impl::attribute;
+    maps.at = kind == MapKind::faces ? MapAt::faces : MapAt::vertices;
+    maps.tie = kind == MapKind::faces ? TieRule::vulkan : TieRule::none;
+    maps.level = level;
+    maps.components = channels_;
+    maps.meaning = is_srgb(set_)                  ? Meaning::srgb
+                   : has(set_, Attribute::normal) ? Meaning::normal
+                                                  : Meaning::linear;
+    maps.payload = Payload::packed;
+    for (std::size_t c = 0; c < channels_of(maps); ++c) maps.error[c] = options_.packed_error;
+    maps.maps = packer.maps();
+    maps.codes = packer.codes();
   }
 
   const AttributeScene& scene_;

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "impl/attribute/container.hpp"
 #include "scene/attribute/baker.hpp"
+#include "scene/attribute/packed_maps.hpp"
 #include "scene/attribute/shared_maps.hpp"
 
 namespace mmverify::scene {
@@ -23,9 +25,10 @@ struct MapsAtLevel {
   unsigned level = 0;
   MapKind kind = MapKind::faces;
   SharedMaps maps;
-  MapError error;                   ///< interpolated between micro-vertices
-  std::optional<MapError> nearest;  ///< of vertices: the nearest micro-vertex instead
-  std::optional<double> unseen;     ///< of faces: the share of micro-triangles without a texel's centre
+  MapError error;                     ///< interpolated between micro-vertices
+  std::optional<MapError> nearest;    ///< of vertices: the nearest micro-vertex instead
+  std::optional<double> unseen;       ///< of faces: the share of micro-triangles without a texel's centre
+  std::optional<PackedBytes> packed;  ///< where it was asked for, and no more than 2^31 codes
 
   std::uint64_t bytes() const { return bytes_of_maps(maps.distinct, kind, level); }
 };
@@ -62,12 +65,22 @@ struct AttributePicture {
   std::vector<float> face_errors, vertex_errors;  ///< FLIP, a texel each
 };
 
+/// All maps of a set at a level, and which one each triangle has.
+struct StoredAttributes {
+  AttributeSet set;
+  impl::attribute::AttributeMaps maps;
+};
+
 struct AttributeOptions {
   unsigned first = 0, last = 5;
   Averaging averaging = Averaging::meaning;
   unsigned threads = 0;
+  bool packed = false;                                    ///< pack the maps as well
+  std::uint8_t packed_error = 0;                          ///< the most that a code may be off in them, 0..127
+  PeerCoder peer = {};                                    ///< that packs them beside
   std::function<void(const std::string&)> progress = {};  ///< told what begins
   std::function<void()> stop = {};  ///< asked before each triangle, from any thread; may throw
+  std::function<void(const StoredAttributes&)> stored = {};   ///< given each set, level and kind, packed
   std::function<void(const AttributePicture&)> picture = {};  ///< told of each level of each sRGB image
 };
 
