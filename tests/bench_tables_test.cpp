@@ -34,7 +34,8 @@ std::vector<Result> all_results() {
   BakeFigures bake;
   bake.levels.resize(1);
   AttributeFigures maps;
-  maps.lookups = {{.level = 1, .bilinear_ns = 1, .bilinear_simd_ns = 1}};
+  maps.lookups.resize(1);
+  maps.lookups[0].bilinear_ns = maps.lookups[0].bilinear_simd_ns = 1;
   maps.lookups[0].orders = {{.order = "Bird", .lookup_ns = 1, .lookup_to_bilinear = 1}};
   maps.remaps.resize(1);
   maps.bakes.resize(1);
