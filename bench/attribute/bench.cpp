@@ -23,7 +23,8 @@ AttributeBakeOptions bakes_of(const AttributeBenchOptions& o) {
 
 AttributeFigures attribute_figures(const AttributeBenchOptions& o) {
   if (o.samples == 0 || o.rounds == 0 || o.triangles == 0 || o.first > o.last || o.last > 16)
-    throw std::invalid_argument("attribute bench: a sample, a round and a triangle at least, levels up to 16");
+    throw std::invalid_argument(
+        "attribute bench: a sample, a round and a triangle at least, levels up to 16");
   AttributeFigures figures{attribute_lookups(o), attribute_remaps(o), {}, attribute_bake_figures(bakes_of(o)),
                            attribute_mips(o),    attribute_lods(o)};
   for (const Remap remap : all_remaps) {

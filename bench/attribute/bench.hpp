@@ -66,7 +66,7 @@ struct RemapLevel {
 
 struct MipTime {
   std::string way;
-  double ns = 0;          ///< a value of the base
+  double ns = 0;                ///< a value of the base
   double ratio_to_obvious = 0;  ///< of a mip in plain bytes, level by level
 };
 struct MipLevel {

@@ -51,9 +51,8 @@ HWY_INLINE WordVec sampled(const std::uint32_t* texels, std::uint32_t level, Flo
   const auto right = hn::ConvertTo(di, x), below = hn::ConvertTo(di, y);
   const auto f = hn::Sub(x, hn::ConvertTo(d, right)), g = hn::Sub(y, hn::ConvertTo(d, below));
   const auto x1 = hn::And(right, last), x0 = hn::And(hn::Sub(right, one), last);
-  const auto row = [&](IntVec at) HWY_ATTR {
-    return hn::ShiftLeftSame(hn::And(at, last), static_cast<int>(level));
-  };
+  const auto row = [&](IntVec at)
+                       HWY_ATTR { return hn::ShiftLeftSame(hn::And(at, last), static_cast<int>(level)); };
   const auto y1 = row(below), y0 = row(hn::Sub(below, one));
   Mixed m;
   m.w3 = hn::Mul(f, g);

@@ -32,7 +32,8 @@ Room room_of(std::uint32_t level, const AttributeBenchOptions& o) {
   std::mt19937_64 random(o.seed + level);
   Room room{level, uniform_points(points_timed, random), {}, {}, {}, {}, {}, {}, {}, {}, {}};
   for (std::size_t k = 0; k < points_timed; ++k) {
-    const fast::Vertex x = fast::corners_of(fast::locate(room.points.u[k], room.points.v[k], level).at)[k % 3];
+    const fast::Vertex x =
+        fast::corners_of(fast::locate(room.points.u[k], room.points.v[k], level).at)[k % 3];
     room.i.push_back(x.i);
     room.j.push_back(x.j);
     room.index.push_back(static_cast<std::uint32_t>(random() % fast::vertex_count(level)));
@@ -59,9 +60,8 @@ void add_order(const char* name, Room& r, std::vector<std::string>& names, std::
   Room* const room = &r;
   const std::uint32_t n = r.level;
   names.push_back(name);
-  works.push_back(one_by_one([=](std::size_t k) {
-    room->out[k] = fast::vertex_index(order, room->i[k], room->j[k], n);
-  }));
+  works.push_back(one_by_one(
+      [=](std::size_t k) { room->out[k] = fast::vertex_index(order, room->i[k], room->j[k], n); }));
   works.push_back(one_by_one([=](std::size_t k) {
     const fast::Vertex x = fast::vertex_at(order, room->index[k], n);
     room->x0[k] = x.i;
@@ -79,17 +79,13 @@ void add_order(const char* name, Room& r, std::vector<std::string>& names, std::
     }));
   names.push_back(std::string(name) + ", batched");
   works.push_back({points_timed, [=] { fast::vertex_index(order, room->i, room->j, n, room->out); }});
-  works.push_back({points_timed, [=] {
-                     fast::vertex_at(order, room->index, n, {room->x0, room->x1});
-                   }});
-  works.push_back({points_timed, [=] {
-                     fast::triplets(order, room->points.u, room->points.v, n, room->triplets());
-                   }});
+  works.push_back({points_timed, [=] { fast::vertex_at(order, room->index, n, {room->x0, room->x1}); }});
+  works.push_back(
+      {points_timed, [=] { fast::triplets(order, room->points.u, room->points.v, n, room->triplets()); }});
   if (!r.map.empty())
-    works.push_back({points_timed, [=] {
-                       fast::interpolated_rgba8(order, room->map, room->points.u, room->points.v, n,
-                                                room->out);
-                     }});
+    works.push_back(
+        {points_timed,
+         [=] { fast::interpolated_rgba8(order, room->map, room->points.u, room->points.v, n, room->out); }});
 }
 
 AttributeLookupLevel lookups_of(Room& r, std::size_t rounds) {
@@ -106,9 +102,8 @@ AttributeLookupLevel lookups_of(Room& r, std::size_t rounds) {
     works.push_back(one_by_one([=](std::size_t k) {
       room->out[k] = bilinear_rgba8(room->square(), room->points.u[k], room->points.v[k]);
     }));
-    works.push_back({points_timed, [=] {
-                       bilinear_rgba8(room->square(), room->points.u, room->points.v, room->out);
-                     }});
+    works.push_back(
+        {points_timed, [=] { bilinear_rgba8(room->square(), room->points.u, room->points.v, room->out); }});
   }
   const std::size_t before = works.size(), each = maps ? 4 : 3;
   std::vector<std::string> names;

@@ -126,25 +126,24 @@ std::vector<LodFigure> attribute_lods(const AttributeBenchOptions& o) {
   const Areas areas = hard_areas(count, n, random);
   std::vector<fast::Level> levels(count);
   std::vector<float> blends(count);
-  const std::vector<Work> works{
-      {count,
-       [&] {
-         for (std::size_t k = 0; k < count; ++k)
-           levels[k] = level_by_log(areas.cone[k], areas.triangle[k], n);
-       }},
-      {count,
-       [&] {
-         for (std::size_t k = 0; k < count; ++k)
-           levels[k] = fast::lod_level(areas.cone[k], areas.triangle[k], n);
-       }},
-      {count, [&] { fast::lod_level(areas.cone, areas.triangle, n, levels); }},
-      {count, [&] {
-         for (std::size_t k = 0; k < count; ++k) {
-           const fast::Lod lod = fast::lod(areas.cone[k], areas.triangle[k], n);
-           levels[k] = lod.level;
-           blends[k] = lod.blend;
-         }
-       }}};
+  const std::vector<Work> works{{count,
+                                 [&] {
+                                   for (std::size_t k = 0; k < count; ++k)
+                                     levels[k] = level_by_log(areas.cone[k], areas.triangle[k], n);
+                                 }},
+                                {count,
+                                 [&] {
+                                   for (std::size_t k = 0; k < count; ++k)
+                                     levels[k] = fast::lod_level(areas.cone[k], areas.triangle[k], n);
+                                 }},
+                                {count, [&] { fast::lod_level(areas.cone, areas.triangle, n, levels); }},
+                                {count, [&] {
+                                   for (std::size_t k = 0; k < count; ++k) {
+                                     const fast::Lod lod = fast::lod(areas.cone[k], areas.triangle[k], n);
+                                     levels[k] = lod.level;
+                                     blends[k] = lod.blend;
+                                   }
+                                 }}};
   const RoundTimes times = times_in_rounds(works, o.rounds);
   std::vector<LodFigure> figures{{"1/2 log2(A_t / A_c) in binary32", 0, o.samples, 0},
                                  {"ours, level", 0, o.samples, 0},

@@ -59,10 +59,8 @@ Panel values(const AttributeFigures& figures) {
   return panel;
 }
 
-constexpr std::pair<Remap, const char*> remap_colours[] = {{Remap::cramer, vermilion},
-                                                           {Remap::two_equations, blue},
-                                                           {Remap::pattern, orange},
-                                                           {Remap::ours, green}};
+constexpr std::pair<Remap, const char*> remap_colours[] = {
+    {Remap::cramer, vermilion}, {Remap::two_equations, blue}, {Remap::pattern, orange}, {Remap::ours, green}};
 
 Panel errors_by_level(const AttributeFigures& figures) {
   Panel panel{.title = "Worst error of a weight",

@@ -46,8 +46,8 @@ Three by_two_equations(float u, float v, const fast::MicroTriangle& t, std::uint
 }
 
 Three by_cramer(float u, float v, const fast::MicroTriangle& t, std::uint32_t n) {
-  return spec::attribute::weights_by_cramer(
-      spec::Point<float>{u, v}, spec::attribute::corners_of({t.iu, t.iv, t.upper}), n);
+  return spec::attribute::weights_by_cramer(spec::Point<float>{u, v},
+                                            spec::attribute::corners_of({t.iu, t.iv, t.upper}), n);
 }
 
 Three by_pattern(float u, float v, const fast::MicroTriangle& t, std::uint32_t n) {
@@ -92,8 +92,8 @@ FloatPoints judged_points(std::uint32_t level, std::size_t count, std::mt19937_6
 
 /// Weights in binary64, off by 2^-53 of themselves or less: for figures, not for verdicts.
 std::array<double, 3> near_exact(float u, float v, const fast::MicroTriangle& t, std::uint32_t n) {
-  return spec::attribute::weights_by_pattern(spec::Point<double>{double{u}, double{v}},
-                                             {t.iu, t.iv, t.upper}, n);
+  return spec::attribute::weights_by_pattern(spec::Point<double>{double{u}, double{v}}, {t.iu, t.iv, t.upper},
+                                             n);
 }
 
 void judge(const Located& l, RemapFigure& figure) {

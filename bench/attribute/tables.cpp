@@ -80,8 +80,9 @@ Table remaps_table(const AttributeFigures& figures) {
   };
   return table_of<L>(
       {.key = "remaps",
-       .caption = "Barycentrics on the micro-triangle, in binary32, beside exact ones; an error in heights of "
-                  "the micro-triangle"},
+       .caption =
+           "Barycentrics on the micro-triangle, in binary32, beside exact ones; an error in heights of "
+           "the micro-triangle"},
       fields, figures.remaps);
 }
 
@@ -142,8 +143,9 @@ Fields<BakeOf> bake_fields() {
       {{"wrong"}, [](const B& b) { return b.figure.wrong; }},
       {{"", "wrong", "%", {.digits = 3}},
        [](const B& b) {
-         return b.values == 0 ? 0
-                              : per_cent * static_cast<double>(b.figure.wrong) / static_cast<double>(b.values);
+         return b.values == 0
+                    ? 0
+                    : per_cent * static_cast<double>(b.figure.wrong) / static_cast<double>(b.values);
        }},
   };
 }
@@ -160,8 +162,9 @@ Table bakes_table(const AttributeFigures& figures) {
   };
   return table_of<L>(
       {.key = "bakes",
-       .caption = "Maps of a texture of 2048 x 2048 texels, by triangles of about 4,000 texels; wrong: a code that "
-                  "is not the exact one"},
+       .caption =
+           "Maps of a texture of 2048 x 2048 texels, by triangles of about 4,000 texels; wrong: a code that "
+           "is not the exact one"},
       fields, figures.bakes);
 }
 
@@ -204,11 +207,13 @@ Result attribute_tables(const AttributeFigures& figures, const AttributeBenchOpt
                        {"rounds", std::uint64_t{options.rounds}},
                        {"triangles", std::uint64_t{options.triangles}}},
           .about =
-              "One thread; uniform points, 2048 at a time. bilinear: a texture of 2^level texels a side, in software; "
-              "one by one beside\none by one, batched beside batched. Half the points that judge remaps lie near grid "
+              "One thread; uniform points, 2048 at a time. bilinear: a texture of 2^level texels a side, in "
+              "software; "
+              "one by one beside\none by one, batched beside batched. Half the points that judge remaps lie "
+              "near grid "
               "lines. A sample is checked, never proved",
-          .tables = {lookups_table(figures), remaps_table(figures), growth_table(figures), bakes_table(figures),
-                     mips_table(figures), lods_table(figures)},
+          .tables = {lookups_table(figures), remaps_table(figures), growth_table(figures),
+                     bakes_table(figures), mips_table(figures), lods_table(figures)},
           .drawn = attribute_picture(figures)};
 }
 
