@@ -7,7 +7,7 @@ namespace mmverify::bench {
 namespace {
 
 /// Those of the range from 4 to 6; outside of it the nearest one.
-AttributeBakeOptions bakes_of(const AttributeBenchOptions& o) {
+AttributeBakeOptions bake_options(const AttributeBenchOptions& o) {
   AttributeBakeOptions bakes;
   constexpr std::uint32_t least = 4, most = 6;
   bakes.last = std::min(o.last, most);
@@ -25,8 +25,9 @@ AttributeFigures attribute_figures(const AttributeBenchOptions& o) {
   if (o.samples == 0 || o.rounds == 0 || o.triangles == 0 || o.first > o.last || o.last > 16)
     throw std::invalid_argument(
         "attribute bench: a sample, a round and a triangle at least, levels up to 16");
-  AttributeFigures figures{attribute_lookups(o), attribute_remaps(o), {}, attribute_bake_figures(bakes_of(o)),
-                           attribute_mips(o),    attribute_lods(o)};
+  AttributeFigures figures{
+      attribute_lookups(o), attribute_remaps(o), {}, attribute_bake_figures(bake_options(o)),
+      attribute_mips(o),    attribute_lods(o)};
   for (const Remap remap : all_remaps) {
     std::vector<LevelValue> worst;
     for (const RemapLevel& level : figures.remaps)

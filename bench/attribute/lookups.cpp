@@ -14,9 +14,6 @@ namespace fast = impl::attribute;
 using fast::VertexOrder;
 using Words = std::vector<std::uint32_t>;
 
-constexpr std::uint32_t highest_map = 12;
-constexpr std::size_t points_timed = 2048;  // inputs and outputs stay in the first-level cache
-
 /// What all ways are asked, and where answers go.
 struct Room {
   std::uint32_t level;

@@ -1,8 +1,11 @@
 // Mips of maps, and levels of detail.
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "bench/attribute/bench.hpp"
+#include "bench/attribute/points.hpp"
 #include "bench/attribute/rounds.hpp"
 #include "impl/attribute/mip.hpp"
 
@@ -11,8 +14,6 @@ namespace {
 
 namespace fast = impl::attribute;
 using Words = std::vector<std::uint32_t>;
-
-constexpr std::uint32_t highest_map = 12;
 
 Words random_words(std::size_t count, std::mt19937_64& random) {
   Words words(count);
@@ -120,7 +121,7 @@ std::vector<MipLevel> attribute_mips(const AttributeBenchOptions& o) {
 
 std::vector<LodFigure> attribute_lods(const AttributeBenchOptions& o) {
   if (o.progress) o.progress("levels of detail");
-  constexpr std::size_t count = 2048;
+  constexpr std::size_t count = points_timed;
   constexpr std::uint32_t n = 8;
   std::mt19937_64 random(o.seed + 300);
   const Areas areas = hard_areas(count, n, random);

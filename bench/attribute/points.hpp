@@ -8,6 +8,9 @@
 
 namespace mmverify::bench {
 
+constexpr std::uint32_t highest_map = 12;   ///< above, no map is made
+constexpr std::size_t points_timed = 2048;  ///< at a time: inputs and outputs stay in the first-level cache
+
 struct FloatPoints {
   std::vector<float> u, v;
 };

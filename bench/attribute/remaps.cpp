@@ -14,8 +14,6 @@ namespace {
 namespace fast = impl::attribute;
 using Three = std::array<float, 3>;
 
-constexpr std::size_t points_timed = 2048;
-
 /// Points and the micro-triangles that hold them.
 struct Located {
   std::uint32_t level;
