@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/attribute/tables.hpp"
 #include "bench/bake/tables.hpp"
 #include "bench/baker/tables.hpp"
 #include "bench/index/tables.hpp"
@@ -32,6 +33,14 @@ std::vector<Result> all_results() {
   index.times = {{.level = 1}};
   BakeFigures bake;
   bake.levels.resize(1);
+  AttributeFigures maps;
+  maps.lookups.resize(1);
+  maps.lookups[0].bilinear_ns = maps.lookups[0].bilinear_simd_ns = 1;
+  maps.lookups[0].orders = {{.order = "Bird", .lookup_ns = 1, .lookup_to_bilinear = 1}};
+  maps.remaps.resize(1);
+  maps.bakes.resize(1);
+  maps.mips = {{.level = 1, .ways = {{.way = "mip, half up"}}}};
+  maps.lods.resize(1);
   VqFigures vq;
   vq.rows.resize(1);
   mmverify::scene::AttributeFigures attributes;
@@ -50,6 +59,7 @@ std::vector<Result> all_results() {
           tree_tables({TreeFigures{}}, {}),
           vq_tables(vq, {}),
           bake_tables(bake, {}),
+          attribute_tables(maps, {}),
           sweep_tables({}),
           subject_tables({}),
           scene_bake_tables({}, {}),

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "bench/attribute/tables.hpp"
 #include "bench/bake/tables.hpp"
 #include "bench/index/tables.hpp"
 #include "bench/index/times.hpp"
@@ -66,6 +67,15 @@ Result of_bake(const BenchOptions& given, const Levels& levels) {
   return bake_tables(bake_figures(options), options);
 }
 
+Result of_attribute(const BenchOptions& given, const Levels& levels) {
+  bench::AttributeBenchOptions options{.first = levels.first,
+                                       .last = levels.last,
+                                       .samples = given.index.samples,
+                                       .seed = given.index.seed,
+                                       .progress = progress_of("attribute", given)};
+  return attribute_tables(attribute_figures(options), options);
+}
+
 /// The levels that a bench has where none are asked for.
 template <class Options>
 Levels levels_of() {
@@ -103,6 +113,11 @@ std::span<const BenchTopic> bench_topics() {
        .highest = 12,
        .reads_textures = true,
        .measure = of_bake},
+      {.name = "attribute",
+       .levels = levels_of<bench::AttributeBenchOptions>(),
+       .highest = 16,
+       .most_samples = most_lookups,
+       .measure = of_attribute},
   };
   return table;
 }

@@ -56,6 +56,15 @@ export function costCharts(report: Report): HTMLElement[] {
     for (const r of b.rows) for (const x of r.bakers) add(of, x.baker, r.level, x.ns, [`${short(x.ns)} ns a micro-triangle`]);
     made.push(chart({ title: "Bake: time of a state", x: level, y: { label: "ns a micro-triangle", log: true }, series: lines(of) }));
   }
+  for (const { content: b } of benches(report, "attribute")) {
+    const of = new Map<string, Mark[]>();
+    for (const r of b.rows) {
+      if (r.bilinear_ns !== undefined) add(of, "bilinear texture", r.level, r.bilinear_ns, [`${short(r.bilinear_ns)} ns a sample`]);
+      if (r.bilinear_simd_ns !== undefined) add(of, "bilinear texture, batched", r.level, r.bilinear_simd_ns, [`${short(r.bilinear_simd_ns)} ns a sample`]);
+      for (const o of r.orders) if (o.lookup_ns !== undefined) add(of, o.order, r.level, o.lookup_ns, [`${short(o.lookup_ns)} ns a value`]);
+    }
+    made.push(chart({ title: "Attribute: time of a value", x: level, y: { label: "ns a value of RGBA8", log: true }, series: lines(of) }));
+  }
   for (const { content: b } of benches(report, "scene")) {
     const of = new Map<string, Mark[]>();
     for (const r of b.rows) {

@@ -11,6 +11,7 @@ export type IndexBench = bench.Index;
 export type TreeBench = bench.Tree;
 export type VqBench = bench.Vq;
 export type BakeBench = bench.Bake;
+export type AttributeBench = bench.Attribute;
 export type { VqEncoded, VqRow } from "mmverify/bench";
 
 /** What a subject of topic index answered on all cells of a level, where it differs from the right answer. */

@@ -1,6 +1,6 @@
 // Error against run time, a chart a topic, with what nothing beats in both.
 import { chart, type Mark, type Series } from "./chart";
-import { type BakeBench, benches, type IndexBench, type Report, type TreeBench, type VqBench, type VqEncoded, type VqRow } from "./data";
+import { type AttributeBench, type BakeBench, benches, type IndexBench, type Report, type TreeBench, type VqBench, type VqEncoded, type VqRow } from "./data";
 import { el, plainTable, select } from "./dom";
 import { grouped, percent, short } from "./format";
 import { front } from "./front";
@@ -111,6 +111,30 @@ function bakeChart(bench: BakeBench): HTMLElement {
   });
 }
 
+/** Remaps, at a level at which each of them has a number. */
+function attributeChart(bench: AttributeBench): HTMLElement {
+  const levels = bench.remaps.map((r) => r.level);
+  const sound = bench.remaps.filter((r) => r.ways.every((w) => w.no_number === 0)).map((r) => r.level);
+  return byLevel(levels, sound.at(-1) ?? levels[0]!, (level) => {
+    const row = bench.remaps.find((r) => r.level === level)!;
+    const entries = row.ways
+      .filter((w) => w.no_number === 0)
+      .map((w): Entry => ({
+        name: w.remap,
+        ns: w.ns,
+        kind: "",
+        error: w.worst,
+        words: [`${short(w.ns)} ns a point`, w.worst === 0 ? "no error found" : `worst ${short(w.worst)} heights`, `${grouped(row.samples)} points`],
+      }));
+    return el(
+      "div",
+      {},
+      tradeChart(`Attribute: weights on the micro-triangle, level ${level}`, "ns a point, one thread", "worst error, heights of the micro-triangle", entries, "none", "In binary32. A way that has no number for some point is left out."),
+      numbersBelow(`Attribute, level ${level}`, ["Remap", "ns", "Worst, heights"], entries.map((e) => [e.name, short(e.ns), e.error === 0 ? "none" : short(e.error)])),
+    );
+  });
+}
+
 /** All maps together: the share of O and T that became unknown, the time of a map. */
 export function vqEntries(rows: VqRow[]): Entry[] {
   const of = (codec: "vq2" | "vq4", states: (row: VqRow) => number): Entry[] => {
@@ -175,5 +199,6 @@ export function tradeCharts(report: Report): HTMLElement[] {
     ...benches(report, "tree").flatMap((b) => treeCharts(b.content)),
     ...benches(report, "vq").map((b) => vqChart(b.content)),
     ...benches(report, "bake").map((b) => bakeChart(b.content)),
+    ...benches(report, "attribute").map((b) => attributeChart(b.content)),
   ];
 }
