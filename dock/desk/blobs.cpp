@@ -8,7 +8,7 @@
 namespace mmverify::dock {
 namespace {
 
-constexpr std::uint32_t first_thorough = 64, later_one_in = 64;
+constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64;
 /// Maps and codes above this take so long that the further calls would count as a hang: level 12, and 4-state at 11.
 constexpr std::uint64_t most_thorough = std::uint64_t{3} << 18;
 
@@ -29,7 +29,7 @@ std::uint32_t& Desk::questions_so_far() {
 Desk::FromThreads Desk::blob_from_threads_first() {
   if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough || questions_so_far() != 0) return {};
   const Asked question{whole(nullptr, mailbox_.room), static_cast<std::size_t>(mailbox_.room), {}};
-  return answers_from_threads(question, question, 1);
+  return answers_from_threads(question, question, {1, 1});
 }
 
 void Desk::compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size) {
@@ -151,7 +151,9 @@ Desk::Question Desk::this_question(std::uint64_t size) const {
 }
 
 void Desk::ask_blob_from_threads(std::uint64_t size) {
-  constexpr std::size_t rounds = 2;
+  // Memory that two threads share is seen only where they meet in it: the first questions of a level are asked often.
+  const bool early = questions_so_far() <= first_from_threads;
+  const Rounds rounds = early ? Rounds{2, 256, std::chrono::milliseconds(2)} : Rounds{};
   Question now = this_question(size);
   const auto asked_by_thread = [&](const Question& q) {
     return Asked{

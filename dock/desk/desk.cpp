@@ -99,7 +99,7 @@ void Desk::check_canary(const std::byte* out, std::uint64_t element) {
   if (!all(out - canary_size, canary_size, canary)) stop(Outcome::wrote_before, element, "");
 }
 
-Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& there, std::size_t rounds) {
+Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds) {
   FromThreads answers;
   if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return answers;
   std::atomic<int> ready = 0;
@@ -110,7 +110,9 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
     for (int turns = 0; ready < 2; ++turns)
       if (turns > patience) std::this_thread::yield();
     try {
-      for (std::size_t round = 0; round < rounds; ++round) {
+      using Clock = std::chrono::steady_clock;
+      const auto end = Clock::now() + rounds.within;
+      for (std::size_t k = 0; k < rounds.least || (k < rounds.most && Clock::now() < end); ++k) {
         Arguments own = what.arguments;
         own.out = mine.rooms.emplace_back(what.bytes + 2 * Answers::margin, std::byte{blank_again}).data() +
                   Answers::margin;
@@ -130,7 +132,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
   return answers;
 }
 
-void Desk::ask_from_threads(const Asked& here, const Asked& there, std::size_t rounds,
+void Desk::ask_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
                             std::uint64_t element) {
   for (const FromThreads answers = answers_from_threads(here, there, rounds); const Answers& one : answers) {
     if (one.threw) stop(Outcome::threw, element, "when called from two threads at once");

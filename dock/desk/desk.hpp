@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -62,10 +63,15 @@ class Desk {
     const std::byte* in_round(std::size_t round) const { return rooms[round].data() + margin; }
   };
   using FromThreads = std::array<Answers, 2>;
-  /// Two threads ask at once, each its own question `rounds` times.  Empty where the subject is for one thread.
-  FromThreads answers_from_threads(const Asked& here, const Asked& there, std::size_t rounds);
+  /// How often a thread asks: at least twice, and on for as long as this, up to so many times.
+  struct Rounds {
+    std::size_t least = 2, most = 2;
+    std::chrono::microseconds within{0};
+  };
+  /// Two threads ask at once, each its own question over and over.  Empty where the subject is for one thread.
+  FromThreads answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds);
   /// The same; the questions see the answers.  Exceptions count against `element`.
-  void ask_from_threads(const Asked& here, const Asked& there, std::size_t rounds, std::uint64_t element);
+  void ask_from_threads(const Asked& here, const Asked& there, const Rounds& rounds, std::uint64_t element);
 
   /// Compares answers of `count` elements with those of being asked again `how`, over bytes of `blank_again`.
   /// `first` is the first element's number in the command.

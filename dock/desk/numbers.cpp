@@ -129,11 +129,11 @@ Desk::FromThreads Desk::slot_from_threads_first(std::size_t slot) {
   const std::size_t count = in_slot(mailbox_.count, slot);
   mailbox_.begun.store(slot * batch_size, std::memory_order_relaxed);
   const Asked batch{piece(slot, 0, count, nullptr), count * asked().answer_bytes, {}};
-  return answers_from_threads(batch, batch, 1);
+  return answers_from_threads(batch, batch, {1, 1});
 }
 
 void Desk::ask_slot_from_threads(std::size_t slot) {
-  constexpr std::size_t rounds = 2;
+  constexpr Rounds rounds;
   const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
                     wide = asked().answer_bytes, bytes = asked().signature.number_bytes;
   const auto turned = [half = count / 2](const std::byte* numbers, std::size_t all, std::size_t width) {
