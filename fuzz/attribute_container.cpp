@@ -113,9 +113,9 @@ void file(const Bytes& bytes) {
   }
   require(fast::write_attributes(maps) == bytes, "other bytes of the same maps");
   // The header once more, by its places.
-  require(crc32c(bytes) ==
-              (bytes[40] | bytes[41] << 8 | bytes[42] << 16 | static_cast<std::uint32_t>(bytes[43]) << 24),
-          "a wrong checksum taken");
+  std::uint32_t checksum = 0;
+  for (std::size_t at = 44; at-- > 40;) checksum = checksum << 8 | bytes[at];
+  require(crc32c(bytes) == checksum, "a wrong checksum taken");
   const auto order = maps.at == fast::MapAt::faces ? static_cast<std::uint32_t>(maps.face_order)
                                                    : static_cast<std::uint32_t>(maps.vertex_order);
   require(bytes[5] == static_cast<std::uint8_t>(maps.at) && bytes[6] == order && bytes[7] == maps.level &&
