@@ -93,6 +93,8 @@ class Desk {
   void ask_slot_from_threads(std::size_t slot);
   /// Asks each element again right after the same at another level.
   void ask_slot_after_another_level(std::size_t slot);
+  /// `other` is that level; an index is shifted to the right by so many bits.
+  void ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits);
   /// Asks a batch again as often as fills a large one.
   void ask_slot_many_times_over(std::size_t slot);
   bool first_at_this_level() const;

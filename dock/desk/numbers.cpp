@@ -87,10 +87,17 @@ void Desk::ask_slot_again(std::size_t slot, std::size_t size) {
 
 void Desk::ask_slot_after_another_level(std::size_t slot) {
   const std::uint32_t level = mailbox_.level;
-  const bool of_points =
-      asked().signature.arrays == 2;  // an index of the highest level is none of the one below
-  if (level >= subject_.max_level && (!of_points || level == 0)) return;
-  const std::uint32_t other = level < subject_.max_level ? level + 1 : level - 1;
+  if (level < subject_.max_level) ask_slot_after(slot, level + 1, 0);
+  if (asked().signature.arrays == 2) {
+    if (level == subject_.max_level && level != 0) ask_slot_after(slot, level - 1, 0);
+    return;
+  }
+  // An index is one of a lower level only by its first digits: the parent's, and the first child's of all.
+  if (level > 0) ask_slot_after(slot, level - 1, 2);
+  if (level > 2) ask_slot_after(slot, 1, 2 * (level - 1));
+}
+
+void Desk::ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits) {
   const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
                     wide = asked().answer_bytes;
   std::vector<std::byte> there(wide);
@@ -98,6 +105,12 @@ void Desk::ask_slot_after_another_level(std::size_t slot) {
   for (std::size_t at = 0; at < count; ++at) {
     Arguments before = piece(slot, at, 1, there.data());
     before.level = other;
+    std::uint32_t index = 0;
+    if (less_bits != 0) {
+      std::memcpy(&index, before.arrays[0], sizeof index);
+      index >>= less_bits;
+      before.arrays[0] = reinterpret_cast<const std::byte*>(&index);
+    }
     guarded(before, from + at);
     guarded(piece(slot, at, 1, again_.data() + at * wide), from + at);
   }
