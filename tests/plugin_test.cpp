@@ -16,8 +16,8 @@ using testing::Not;
 Outcome judge_on(const std::string& threads, const std::string& name, const std::string& more) {
   // Only what hangs is to be found to: on a busy machine a second is soon over.
   const std::string timeout = name == "hang" || name == "forks" ? "1" : "30";
-  return shell("MMVERIFY_WORKER_MEMORY=200 mmverify prove --quiet --no-mutants --timeout 1 --threads " +
-               threads + " --subject " + library(name) + " " + more);
+  return shell("MMVERIFY_WORKER_MEMORY=200 mmverify prove --quiet --no-mutants --timeout " + timeout +
+               " --threads " + threads + " --subject " + library(name) + " " + more);
 }
 
 Outcome judge(const std::string& name, const std::string& more = "index.equals_reference --levels 6..8") {
