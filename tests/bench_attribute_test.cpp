@@ -49,7 +49,8 @@ TEST(BenchAttribute, OnlyCramersRuleLosesBitsFromLevelToLevel) {
   ASSERT_EQ(levels.size(), 14u);
   for (const RemapLevel& l : levels)
     for (const Remap r : {Remap::two_equations, Remap::pattern, Remap::ours}) {
-      EXPECT_LE(l.of(r).worst, 0x1p-24) << to_string(r) << ", level " << l.level;
+      // Two equations round w1, w2 and both differences of 1 - w1 - w2.
+      EXPECT_LE(l.of(r).worst, r == Remap::ours ? 0x1p-24 : 0x1p-23) << to_string(r) << ", level " << l.level;
       EXPECT_EQ(l.of(r).no_number, 0u);
     }
   EXPECT_GT(levels[7].of(Remap::cramer).worst, 100 * levels[3].of(Remap::cramer).worst);

@@ -16,7 +16,7 @@
 namespace mmverify::bench {
 
 struct AttributeBenchOptions {
-  std::uint32_t first = 1, last = 16;  ///< levels; maps end at level 12, bakes at level 6
+  std::uint32_t first = 1, last = 16;  ///< levels; maps end at level 12, bases of mips at 10, bakes at 6
   std::uint64_t samples = 1'000'000;   ///< points a level of which remaps and levels of detail are judged
   std::uint64_t seed = 1;              ///< of points, maps and textures
   std::size_t rounds = 11;             ///< of the timing, those of bakes are fewer

@@ -15,6 +15,8 @@ namespace {
 namespace fast = impl::attribute;
 using Words = std::vector<std::uint32_t>;
 
+constexpr std::uint32_t highest_base = 10;
+
 Words random_words(std::size_t count, std::mt19937_64& random) {
   Words words(count);
   for (std::uint32_t& x : words) x = static_cast<std::uint32_t>(random());
@@ -112,7 +114,7 @@ Areas hard_areas(std::size_t count, std::uint32_t level, std::mt19937_64& random
 
 std::vector<MipLevel> attribute_mips(const AttributeBenchOptions& o) {
   std::vector<MipLevel> levels;
-  for (std::uint32_t level = std::max(1u, o.first); level <= std::min(highest_map, o.last); ++level) {
+  for (std::uint32_t level = std::max(1u, o.first); level <= std::min(highest_base, o.last); ++level) {
     if (o.progress) o.progress("mips of level " + std::to_string(level));
     levels.push_back(mips_of(level, o));
   }

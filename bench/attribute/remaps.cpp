@@ -1,6 +1,7 @@
 // Barycentrics of the triangle to those of the micro-triangle, in binary32: four ways, what they cost and lose.
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "bench/attribute/bench.hpp"
 #include "bench/attribute/points.hpp"
@@ -75,15 +76,22 @@ void run(Remap remap, Located& l) {
   }
 }
 
-/// Every other one near a grid line: there a weight is small and what it is made of is not.
+/// Of all sizes: evenly spread ones are multiples of 2^-24, of which hardly a weight is rounded.  Every other one lies near
+/// a grid line, where a weight is small and what it is made of is not.
 FloatPoints judged_points(std::uint32_t level, std::size_t count, std::mt19937_64& random) {
-  FloatPoints points = uniform_points(count, random);
   const auto side = static_cast<float>(1u << level);
-  for (std::size_t k = 0; k < count; k += 2) {
-    float& x = k % 4 == 0 ? points.u[k] : points.v[k];
-    x = std::floor(x * side) / side;
-    for (std::uint64_t steps = random() % 4; steps > 0; --steps) x = std::nextafter(x, 1.0f);
-    if (points.u[k] + points.v[k] > 1) points.u[k] = points.v[k] = 0;
+  const auto fraction = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  FloatPoints points;
+  for (std::size_t k = 0; k < count; ++k) {
+    auto u = static_cast<float>(std::ldexp(fraction(), -static_cast<int>(random() % 16)));
+    auto v = static_cast<float>((1 - double{u}) * fraction());
+    if (k % 4 == 0) u = std::floor(u * side) / side;
+    if (k % 4 == 2) v = std::floor(v * side) / side;
+    for (std::uint64_t steps = random() % 4; steps > 0; --steps) u = std::nextafter(u, 1.0f);
+    if (k % 4 == 1) std::swap(u, v);
+    if (double{u} + double{v} > 1) u = v = 0.25f;
+    points.u.push_back(u);
+    points.v.push_back(v);
   }
   return points;
 }
