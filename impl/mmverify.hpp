@@ -2,7 +2,11 @@
 #pragma once
 
 #include "impl/attribute/bake.hpp"
+#include "impl/attribute/decimation.hpp"
 #include "impl/attribute/error.hpp"
+#include "impl/attribute/lookup.hpp"
+#include "impl/attribute/mip.hpp"
+#include "impl/attribute/order.hpp"
 #include "impl/attribute/plan.hpp"
 #include "impl/bake/bake.hpp"
 #include "impl/bake/square/map.hpp"

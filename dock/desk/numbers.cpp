@@ -30,17 +30,21 @@ void Desk::run_on_numbers(std::uint64_t number) {
 }
 
 bool Desk::first_at_this_level() const {
-  return (probed_[static_cast<std::size_t>(mailbox_.call)] >> (mailbox_.level % 32) & 1) == 0;
+  return (probed_[static_cast<std::size_t>(mailbox_.call)][mailbox_.format % formats] >>
+              (mailbox_.level % 32) &
+          1) == 0;
 }
 
 void Desk::mark_level() {
-  probed_[static_cast<std::size_t>(mailbox_.call)] |= std::uint64_t{1} << (mailbox_.level % 32);
+  probed_[static_cast<std::size_t>(mailbox_.call)][mailbox_.format % formats] |= std::uint64_t{1}
+                                                                                 << (mailbox_.level % 32);
 }
 
 Arguments Desk::piece(std::size_t slot, std::size_t at, std::size_t count, std::byte* out) const {
   const std::size_t bytes = asked().signature.number_bytes;
   Arguments a{};
   a.level = mailbox_.level;
+  a.format = mailbox_.format;
   for (std::size_t array = 0; array < asked().signature.arrays; ++array)
     a.arrays[array] =
         base_ + layout_.input_at(array, slot, in_slot(mailbox_.count, slot), bytes) + at * bytes;
@@ -81,9 +85,8 @@ void Desk::ask_slot_again(std::size_t slot, std::size_t size) {
 
 void Desk::ask_slot_after_another_level(std::size_t slot) {
   const std::uint32_t level = mailbox_.level;
-  const bool of_points =
-      asked().signature.arrays == 2;  // an index of the highest level is none of the one below
-  if (level >= subject_.max_level && (!of_points || level == 0)) return;
+  // An index of the highest level is none of the one below.
+  if (level >= subject_.max_level && (!asked().signature.of_points || level == 0)) return;
   const std::uint32_t other = level < subject_.max_level ? level + 1 : level - 1;
   const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
                     wide = asked().answer_bytes;
