@@ -47,7 +47,7 @@ Panel values(const AttributeFigures& figures) {
               .y = {.title = "ns a point", .logarithmic = true},
               .key = Key::outside};
   for (const bool simd : {false, true}) {
-    Series series{.name = simd ? "bilinear texture, batched" : "bilinear texture",
+    Series series{.name = simd ? "bilinear, batched" : "bilinear",
                   .colour = vermilion,
                   .shape = simd ? Shape::square : Shape::circle};
     for (const AttributeLookupLevel& l : figures.lookups)
