@@ -192,14 +192,22 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Answers that depend on more than the element and the level.
 TEST(Subject, what_it_keeps_between_questions_is_seen) {
-  const std::pair<const char*, const char*> all[] = {{"keeps_the_last", "asked after level 1: "},
-                                                     {"counts_in_16_bits", "left its output unwritten"},
-                                                     {"shares_a_buffer", "asked from two threads at once: "}};
+  const std::pair<const char*, const char*> all[] = {
+      {"keeps_the_last", "asked after level 1: "},
+      {"counts_in_16_bits", "left its output unwritten"},
+      {"shares_a_buffer", "asked from two threads at once: "},
+      {"publishes_early", "two threads at once, the first time at this level"}};
   for (const auto& [name, said] : all) {
     const Outcome o = judge(name, "index.equals_reference --levels 0..9 --no-companions");
     EXPECT_EQ(o.exit_code, 1) << name << o.out << o.err;
     EXPECT_THAT(o.out, HasSubstr(said)) << name;
   }
+}
+
+TEST(Subject, a_parent_that_is_kept_without_its_level_is_seen) {
+  const Outcome o = judge("keeps_parents", "index.on_samples --levels 16 --no-companions");
+  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("asked after level 1: "));
 }
 
 // The rest of the machine, this process among it, goes on.

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cfenv>
 #include <chrono>
 #include <csignal>
@@ -71,6 +72,16 @@ struct Last {
   uint32_t index = 0;
 };
 
+/// A table that is published before it is filled: wrong for whoever asks while another thread fills it.
+bool table_is_whole() {
+  static std::atomic<bool> published = false, filled = false;
+  if (!published.exchange(true)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    filled = true;
+  }
+  return filled;
+}
+
 void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count) {
   thread_local Last last;
   static float shared[4096];
@@ -81,6 +92,7 @@ void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, 
   }
   if (wrong_is("counts_in_16_bits")) count %= 1 << 16;
   if (wrong_is("crash_on_all")) *nowhere = 1;
+  const bool table = !wrong_is("publishes_early") || table_is_whole();
   for (size_t k = 0; k < count; ++k) {
     if (at_the_vertex(level, u[k], v[k]) && wrong_is("unwritten")) continue;
     if (wrong_is("keeps_the_last") && u[k] == last.u && v[k] == last.v) {
@@ -89,8 +101,27 @@ void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, 
     }
     index[k] = mmverify::impl::index::from_barycentrics(u[k], v[k], level);
     last = {u[k], v[k], index[k]};
+    if (!table) index[k] ^= 1;
     if (wrong_is("crash_and_tie") && level == 7 && u[k] == 0.25f && v[k] == 0.25f) index[k] ^= 1;
     if (at_the_vertex(level, u[k], v[k])) misbehave(u, index, count, k);
+  }
+}
+
+/// Siblings share the way down to their parent, whose key has no room for the level: at 16 it is lost.
+void corners(uint32_t level, const uint32_t* index, uint32_t* out, size_t count) {
+  struct Parent {
+    uint32_t key = 0, level = 0, index = 0;
+  };
+  thread_local Parent kept[4096];
+  for (size_t k = 0; k < count; ++k) {
+    const uint32_t key = level << 28 | index[k] >> 2;
+    Parent& parent = kept[key % 4096];
+    if (parent.key != key || key == 0) parent = {key, level, index[k] >> 2};
+    const auto c = mmverify::impl::index::corners(parent.index << 2 | (index[k] & 3), parent.level);
+    for (size_t corner = 0; corner < 3; ++corner) {
+      out[6 * k + 2 * corner] = c[corner].i;
+      out[6 * k + 2 * corner + 1] = c[corner].j;
+    }
   }
 }
 
@@ -103,5 +134,6 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   subject.name = "misbehaving";
   subject.max_level = 16;
   subject.index_f32 = index_f32;
+  if (wrong_is("keeps_parents")) subject.corners = corners;
   return &subject;
 }
