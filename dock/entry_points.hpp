@@ -14,6 +14,17 @@ namespace mmverify::dock {
 /// Whose laws ask.
 enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute };
 
+/// Of a face of RGBA8.
+constexpr std::size_t bytes_of_face = 4;
+
+/// Two formats in one: of calls that take two orders.  Domain: each below formats_side.
+constexpr std::uint32_t formats_side = 4;
+constexpr std::uint32_t two_formats(std::uint32_t first, std::uint32_t second) {
+  return first + formats_side * second;
+}
+/// All formats are below.
+constexpr std::uint32_t formats = formats_side * formats_side;
+
 // A row is ROW(name, topic, values, arguments), in the order of the header:
 //   name       of the pointer in mmverify_subject_t;
 //   values     how many numbers the answer for one element has;
@@ -45,7 +56,19 @@ enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute };
   ROW(vq4_decode,          vq,       1, (a.blob, a.bytes()))                                                          \
   ROW(vq4_region,          vq,       1, (a.blob, a.words(0), a.words(1), a.bytes(), a.count))                         \
   ROW(vq4_encode,          vq,       1, (a.blob, a.bytes()))                                                          \
-  ROW(bake,                bake,     1, (BakeCase(a), a.bytes()))
+  ROW(bake,                bake,     1, (BakeCase(a), a.bytes()))                                                     \
+  ROW(attribute_vertex_index, attribute, 1, (a.level, a.format, a.words(0), a.words(1), a.numbers(), a.count))        \
+  ROW(attribute_vertex_place, attribute, 2, (a.level, a.format, a.words(0), a.numbers(), a.count))                    \
+  ROW(attribute_face_index, attribute, 1,                                                                             \
+      (a.level, a.format, a.words(0), a.words(1), a.words(2), a.numbers(), a.count))                                  \
+  ROW(attribute_face_place, attribute, 3, (a.level, a.format, a.words(0), a.numbers(), a.count))                      \
+  ROW(attribute_triplet,   attribute, 3, (a.level, a.first(), a.second(), a.words(0), a.numbers(), a.count))          \
+  ROW(attribute_face_of,   attribute, 1,                                                                              \
+      (a.level, a.first(), a.second(), a.words(0), a.words(1), a.words(2), a.numbers(), a.count))                     \
+  ROW(attribute_triplet_f32, attribute, 3, (a.level, a.format, a.floats(0), a.floats(1), a.numbers(), a.count))       \
+  ROW(attribute_weights_f32, attribute, 3, (a.level, a.floats(0), a.floats(1), a.weights(), a.count))                 \
+  ROW(attribute_decimate,  attribute, 2, (a.level, a.format, a.words(0), a.words(1), a.numbers(), a.count))           \
+  ROW(attribute_face_mip,  attribute, 1, (a.format, a.blob, a.room / bytes_of_face, a.bytes()))
 // clang-format on
 
 /// Entry points by number: their rows'.

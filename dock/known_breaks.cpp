@@ -13,19 +13,17 @@ std::string inputs_of(const Worker& worker, Call call, std::uint64_t count, std:
 
 }  // namespace
 
-void KnownBreaks::add(const Worker& worker, Call call, std::uint32_t level, std::uint64_t count,
-                      std::uint64_t t, const Break& what) {
+void KnownBreaks::add(const Worker& worker, const Command& c, std::uint64_t t, const Break& what) {
   const std::lock_guard hold(lock_);
-  known_[{call, level}].emplace(inputs_of(worker, call, count, t), what);
+  known_[{c.call, c.level, c.format}].emplace(inputs_of(worker, c.call, c.count, t), what);
 }
 
-std::optional<KnownBreaks::Found> KnownBreaks::first(const Worker& worker, Call call, std::uint32_t level,
-                                                     std::uint64_t count) const {
+std::optional<KnownBreaks::Found> KnownBreaks::first(const Worker& worker, const Command& c) const {
   const std::lock_guard hold(lock_);
-  const auto of_level = known_.find({call, level});
+  const auto of_level = known_.find({c.call, c.level, c.format});
   if (of_level == known_.end()) return std::nullopt;
-  for (std::uint64_t t = 0; t < count; ++t)
-    if (const auto one = of_level->second.find(inputs_of(worker, call, count, t));
+  for (std::uint64_t t = 0; t < c.count; ++t)
+    if (const auto one = of_level->second.find(inputs_of(worker, c.call, c.count, t));
         one != of_level->second.end())
       return Found{t, one->second};
   return std::nullopt;

@@ -7,11 +7,18 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "dock/worker.hpp"
 
 namespace mmverify::dock {
+
+/// What a worker was asked to do with the elements in its inputs.
+struct Command {
+  Call call;
+  std::uint32_t level, format;
+  std::uint64_t count;
+};
 
 /// Of one library. Threads share it.
 class KnownBreaks {
@@ -26,16 +33,16 @@ class KnownBreaks {
   };
 
   /// Remembers that element t of the command in the worker's inputs does so.
-  void add(const Worker& worker, Call call, std::uint32_t level, std::uint64_t count, std::uint64_t t,
-           const Break& what);
+  void add(const Worker& worker, const Command& command, std::uint64_t t, const Break& what);
 
   /// The first element of the command in the worker's inputs that is known.
-  std::optional<Found> first(const Worker& worker, Call call, std::uint32_t level, std::uint64_t count) const;
+  std::optional<Found> first(const Worker& worker, const Command& command) const;
 
  private:
   using Inputs = std::string;  ///< an element's bytes, array after array
   mutable std::mutex lock_;
-  std::map<std::pair<Call, std::uint32_t>, std::map<Inputs, Break>> known_;
+  std::map<std::tuple<Call, std::uint32_t, std::uint32_t>, std::map<Inputs, Break>>
+      known_;  ///< by call, level and format
 };
 
 }  // namespace mmverify::dock

@@ -37,7 +37,9 @@ struct Mailbox {
   std::uint32_t level;
   std::uint32_t one_by_one;  ///< call with one element at a time, to find the one that does it
   std::uint64_t count;
-  std::uint32_t format;  ///< of a map: its states' bits; of micromap_through its mode; of a block or a case 0
+  /// Of a map its states' bits, of micromap_through its mode, of attribute maps an order, two_formats(), flags of edges or a
+  /// rounding; of others 0.
+  std::uint32_t format;
   std::uint64_t blob_bytes;  ///< of the map or code that is asked about
   std::uint64_t room;        ///< of the answer to it: bytes that must be written, of an encoder that may be
   // From the worker, the first also while it works.

@@ -13,9 +13,11 @@ namespace mmverify::dock {
 struct Signature {
   std::size_t arrays;        ///< of input numbers; each has one number an element
   std::size_t number_bytes;  ///< of one of them; 0 where there are none
-  std::size_t value_bytes;   ///< of one number of the answer
-  bool of_blob;              ///< a map, a code or a case comes with them
-  bool sizes_answer;         ///< it returns how many bytes its answer has, which it alone knows
+  bool of_points;           ///< the input numbers are coordinates: those of one level are some of every level
+  std::size_t value_bytes;  ///< of one number of the answer
+  bool answers_floats;
+  bool of_blob;       ///< a map, a code or a case comes with them
+  bool sizes_answer;  ///< it returns how many bytes its answer has, which it alone knows
 };
 
 template <class T, class... Of>
@@ -26,7 +28,7 @@ constexpr bool is_numbers = one_of<T, const float*, const double*, const std::ui
 template <class T>
 constexpr bool is_blob = one_of<T, const std::uint8_t*, const mmverify_bake_case_t*>;
 template <class T>
-constexpr bool is_answer = one_of<T, std::uint32_t*, std::uint8_t*>;
+constexpr bool is_answer = one_of<T, std::uint32_t*, std::uint8_t*, float*>;
 /// Bytes of what a pointer of a kind points to; 0 for anything else.
 template <class T>
 constexpr std::size_t bytes_behind = 0;
@@ -43,7 +45,9 @@ constexpr Signature signature_of(Returned (*)(P...)) {
   static_assert((std::size_t{is_answer<P>} + ...) == 1);
   return {.arrays = (std::size_t{is_numbers<P>} + ...),
           .number_bytes = widest,
+          .of_points = (one_of<P, const float*, const double*> || ...),
           .value_bytes = ((is_answer<P> ? bytes_behind<P> : 0) + ...),
+          .answers_floats = (std::is_same_v<P, float*> || ...),
           .of_blob = (is_blob<P> || ...),
           .sizes_answer = std::is_same_v<Returned, std::size_t>};
 }

@@ -197,7 +197,8 @@ std::string Worker::why_no_answer() {
   return hung_ ? fmt::format("hung: no answer within {} s", options_.timeout_seconds) : end_of_process();
 }
 
-void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found) {
+void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std::uint64_t count,
+                      Misbehaved& found) {
   // The inputs are still in this process's mapping of the memory that the dead one shared.
   std::vector<std::byte> inputs[most_arrays];
   const std::size_t arrays = entry_point(call).signature.arrays,
@@ -214,6 +215,7 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbe
       std::memcpy(input(call, array, found.count, 0), inputs[array].data(), inputs[array].size());
     mailbox_->call = call;
     mailbox_->level = level;
+    mailbox_->format = format;
     mailbox_->count = found.count;
     mailbox_->one_by_one = 1;
     if (exchange() && mailbox_->outcome == Outcome::answered)
@@ -251,9 +253,10 @@ std::string Worker::misdeed() const {
   return {};
 }
 
-void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
+void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint32_t format) {
   mailbox_->call = call;
   mailbox_->level = level;
+  mailbox_->format = format;
   mailbox_->count = count;
   mailbox_->one_by_one = 0;
   mailbox_->message[0] = 0;
@@ -264,7 +267,7 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
     const auto slot = static_cast<std::size_t>(mailbox_->begun.load() / batch_size);
     found.first = slot * batch_size;
     found.count = in_slot(count, slot);
-    pin_down(call, level, count, found);
+    pin_down(call, level, format, count, found);
     throw found;
   }
   found.what = misdeed();
@@ -282,7 +285,7 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count) {
   }
   found.first = batch * batch_size;
   found.count = in_slot(count, static_cast<std::size_t>(batch));
-  pin_down(call, level, count, found);
+  pin_down(call, level, format, count, found);
   throw found;
 }
 

@@ -67,7 +67,7 @@ class Worker {
 
   /// Runs the command on the inputs in place.  Throws Misbehaved, or what Options::stop_if_asked throws; the
   /// worker is of no use after that.
-  void ask(Call call, std::uint32_t level, std::uint64_t count);
+  void ask(Call call, std::uint32_t level, std::uint64_t count, std::uint32_t format = 0);
 
   /// The same for a map or a code.  The elements of what is thrown are a lookup's.
   Reply ask(const Question& question);
@@ -90,7 +90,7 @@ class Worker {
   /// What the subject did, by the outcome; empty where it answered.
   std::string misdeed() const;
   /// Asks element by element in a new process, to name the one.
-  void pin_down(Call call, std::uint32_t level, std::uint64_t count, Misbehaved& found);
+  void pin_down(Call call, std::uint32_t level, std::uint32_t format, std::uint64_t count, Misbehaved& found);
 
   std::string library_;
   Options options_;

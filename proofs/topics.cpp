@@ -63,7 +63,7 @@ const std::vector<Topic> table{
      Call::bake, 12, "bake", &bake::dialogue},
     {"attribute", {"attribute", "paper"}, attribute::laws, all<attribute::built_in_subjects>, {"attribute"},
      [](const LibraryPtr& l, bool first) { return one<attribute::plugin_subject>(l, "attribute", first); },
-     static_cast<Call>(dock::calls), 16, "attribute"},
+     Call::attribute_vertex_index, 16, "attribute"},
 };
 // clang-format on
 

@@ -9,7 +9,8 @@
  * exception ends that process alone and is reported with the case that did it.
  *
  * Contract of every entry point (those of maps and codes have more to it, below):
- *   - count is 1 or more; arrays hold count elements (corners: 6 times count). Inputs are read-only.
+ *   - count is 1 or more; arrays hold count elements (corners: 6 times count; places, triplets and weights 2 or
+ *     3 times). Inputs are read-only.
  *   - the answer for an element depends on that element and the level alone: not on its place in the batch,
  *     the batch's size, earlier calls or the thread. Anything else is reported as non-deterministic.
  *   - calls come from several threads of one process at once, unless flags has MMVERIFY_SINGLE_THREADED.
@@ -44,6 +45,23 @@ extern "C" {
 /* Formats of maps, as Vulkan numbers them; also the bits of one state. */
 #define MMVERIFY_2_STATE 1u
 #define MMVERIFY_4_STATE 2u
+
+/* Orders of the micro-vertices and of the micro-triangles (faces) of a map, and what is done with the mean of four codes;
+ * see attribute_vertex_index, attribute_face_index and attribute_face_mip. */
+#define MMVERIFY_VERTICES_W_MINOR 0u
+#define MMVERIFY_VERTICES_U_MAJOR 1u
+#define MMVERIFY_VERTICES_BIRD 2u
+#define MMVERIFY_FACES_CURVE 0u
+#define MMVERIFY_FACES_ROWS 1u
+#define MMVERIFY_FACES_U_MAJOR 2u
+#define MMVERIFY_ROUND_HALF_UP 0u
+#define MMVERIFY_ROUND_HALF_TO_EVEN 1u
+#define MMVERIFY_ROUND_TRUNCATE 2u
+#define MMVERIFY_ROUND_HALVES_UP 3u
+/* Edges of a map whose neighbour has one level less; see attribute_decimate. */
+#define MMVERIFY_EDGE_W_U 1u /* v = 0 */
+#define MMVERIFY_EDGE_U_V 2u /* w = 0 */
+#define MMVERIFY_EDGE_V_W 4u /* u = 0 */
 
 /* What is baked. */
 #define MMVERIFY_UNORM8 1u  /* alpha = byte / 255 */
@@ -123,10 +141,11 @@ typedef struct mmverify_bake_support {
 
 /* What a subject is: its name, its limits, its entry points. */
 typedef struct mmverify_subject {
-  uint32_t abi;       /* MMVERIFY_SUBJECT_ABI */
-  uint32_t size;      /* sizeof(mmverify_subject) */
-  const char* name;   /* for messages; may be null */
-  uint32_t max_level; /* the highest level it is defined at: of indices up to 16, of trees up to 12 */
+  uint32_t abi;     /* MMVERIFY_SUBJECT_ABI */
+  uint32_t size;    /* sizeof(mmverify_subject) */
+  const char* name; /* for messages; may be null */
+  uint32_t
+      max_level; /* the highest level it is defined at: of indices and attribute maps up to 16, of trees up to 12 */
   uint32_t flags;
 
   /* Index of the micro-triangle that holds (u[k], v[k]), as VK_EXT_opacity_micromap has it: u belongs to the
@@ -231,6 +250,53 @@ typedef struct mmverify_subject {
 
   /* What it supports; null: all, and what it does not it declines, case by case. */
   const mmverify_bake_support_t* bake_support;
+
+  /* Attribute micromaps (Color and Attribute Micromaps, 3.1): where values lie in a map of a level n up to 16, N = 2^n.
+   * Micro-vertex (i, j) is i steps along u and j along v, i + j <= N.  Micro-triangle (iu, iv, upper) is half of the
+   * grid square with the corner (iu, iv): upper 0 the half at that corner, upper 1 the other, iu + iv + upper < N.
+   *   - Orders of vertices, V(n) = (N+1)(N+2)/2 of them.  W-minor: r(r+1)/2 + j, r = i+j.  U-major: i(N+2) - i(i+1)/2 + j.
+   *     Bird: the corners w, u, v are 0, 1, 2; then each level m adds three vertices for each upright micro-triangle of
+   *     level m-1, in the order of the curve: those of its edges w-v, u-v and w-u.
+   *   - Orders of faces, 4^n of them.  Curve: that of index_f32.  Rows: r^2 + 2 iv + upper, r = iu+iv+upper.  U-major:
+   *     4^n - (N-iu)^2 + 2 iv + upper.
+   *   - All three orders are asked of whoever has an entry point with an order. */
+
+  /* Place to index, and index to place: i0 j0 i1 j1 ..., iu0 iv0 upper0 iu1 ... */
+  void (*attribute_vertex_index)(uint32_t level, uint32_t vertex_order, const uint32_t* i, const uint32_t* j,
+                                 uint32_t* index, size_t count);
+  void (*attribute_vertex_place)(uint32_t level, uint32_t vertex_order, const uint32_t* index,
+                                 uint32_t* place, size_t count);
+  void (*attribute_face_index)(uint32_t level, uint32_t face_order, const uint32_t* iu, const uint32_t* iv,
+                               const uint32_t* upper, uint32_t* index, size_t count);
+  void (*attribute_face_place)(uint32_t level, uint32_t face_order, const uint32_t* index, uint32_t* place,
+                               size_t count);
+
+  /* Indices of the three vertices of face[k] < 4^level: the base, one step along u and one along v from there; the base of
+   * an upper one is (iu+1, iv+1), and its steps are -1. */
+  void (*attribute_triplet)(uint32_t level, uint32_t vertex_order, uint32_t face_order, const uint32_t* face,
+                            uint32_t* vertices, size_t count);
+
+  /* And back: the face whose three vertices are first[k], second[k], third[k], in that order. */
+  void (*attribute_face_of)(uint32_t level, uint32_t vertex_order, uint32_t face_order, const uint32_t* first,
+                            const uint32_t* second, const uint32_t* third, uint32_t* face, size_t count);
+
+  /* The vertices of the micro-triangle that holds (u[k], v[k]), ties as of index_f32, and the point's weights there, in the
+   * order of its vertices: with fu = uN - iu and fv = vN - iv, lower (1-fu-fv, fu, fv), upper (fu+fv-1, 1-fu, 1-fv), each
+   * within 2^-24 of the exact one and none below 0.  u, v >= 0, u+v <= 1. */
+  void (*attribute_triplet_f32)(uint32_t level, uint32_t vertex_order, const float* u, const float* v,
+                                uint32_t* vertices, size_t count);
+  void (*attribute_weights_f32)(uint32_t level, const float* u, const float* v, float* weights, size_t count);
+
+  /* The vertex (i, j) that the value of (i[k], j[k]) is read from where the edges of `flags` (MMVERIFY_EDGE_W_U, ...) have a
+   * neighbour of level n-1: i0 j0 i1 j1 ...  An odd vertex of such an edge goes to an even neighbour on it, any other one
+   * stays, and which of the two it is leaves no crack and turns no micro-triangle over. */
+  void (*attribute_decimate)(uint32_t level, uint32_t flags, const uint32_t* i, const uint32_t* j,
+                             uint32_t* place, size_t count);
+
+  /* The faces of the level below in the order of the curve, from bytes R G B A each: byte by byte the mean of the faces
+   * 4k to 4k+3.  With s their sum, HALF_UP floor((s+2)/4); HALF_TO_EVEN to the nearest, halves to the even one; TRUNCATE
+   * floor(s/4); HALVES_UP h(h(a,b), h(c,d)), h(x,y) = floor((x+y+1)/2).  `children` are 16 bytes a parent. */
+  void (*attribute_face_mip)(uint32_t rounding, const uint8_t* children, size_t parents, uint8_t* out);
 
   /* Arrays will have their entry points after these. */
 } mmverify_subject_t;

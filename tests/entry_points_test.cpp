@@ -62,25 +62,35 @@ TEST(EntryPoints, take_what_the_header_declares) {
     EXPECT_EQ(s.number_bytes, doubles != 0 ? 8u : floats + words != 0 ? 4u : 0u) << header[c].name;
     EXPECT_EQ(s.of_blob, count(p, "const uint8_t") + count(p, "const mmverify_bake_case_t") != 0)
         << header[c].name;
-    EXPECT_EQ(s.value_bytes, count(p, "uint32_t") != 0 ? 4u : 1u) << header[c].name;
+    EXPECT_EQ(s.value_bytes, count(p, "uint32_t") + count(p, "float") != 0 ? 4u : 1u) << header[c].name;
+    EXPECT_EQ(s.answers_floats, count(p, "float") != 0) << header[c].name;
+    EXPECT_EQ(s.of_points, floats + doubles != 0) << header[c].name;
     EXPECT_EQ(s.sizes_answer, header[c].returned == "size_t") << header[c].name;
   }
 }
 
 // What no type in the header says.
-TEST(EntryPoints, six_numbers_are_a_triangles_corners) {
+TEST(EntryPoints, numbers_of_an_answer) {
+  const std::pair<const char*, std::size_t> several[] = {{"corners", 6},
+                                                         {"row_corners", 6},
+                                                         {"attribute_vertex_place", 2},
+                                                         {"attribute_face_place", 3},
+                                                         {"attribute_triplet", 3},
+                                                         {"attribute_triplet_f32", 3},
+                                                         {"attribute_weights_f32", 3},
+                                                         {"attribute_decimate", 2}};
   for (const EntryPoint& e : entry_points) {
-    const bool corners = std::string(e.name).ends_with("corners");
-    EXPECT_EQ(e.answer_bytes, corners ? 24u : e.signature.value_bytes) << e.name;
+    std::size_t numbers = 1;
+    for (const auto& [name, count] : several)
+      if (std::string(e.name) == name) numbers = count;
+    EXPECT_EQ(e.answer_bytes, numbers * e.signature.value_bytes) << e.name;
   }
 }
 
 TEST(EntryPoints, are_of_the_topic_that_their_name_begins_with) {
-  const std::pair<const char*, Topic> known[] = {{"index", Topic::index},
-                                                 {"tree", Topic::tree},
-                                                 {"micromap", Topic::micromap},
-                                                 {"vq", Topic::vq},
-                                                 {"bake", Topic::bake}};
+  const std::pair<const char*, Topic> known[] = {
+      {"index", Topic::index}, {"tree", Topic::tree}, {"micromap", Topic::micromap},
+      {"vq", Topic::vq},       {"bake", Topic::bake}, {"attribute", Topic::attribute}};
   const auto of_index = [](const std::string& name) {
     return name.starts_with("corners") || name.starts_with("row_");
   };

@@ -24,6 +24,10 @@ struct Arguments {
   const std::uint32_t* words(std::size_t k) const {
     return reinterpret_cast<const std::uint32_t*>(arrays[k]);
   }
+  /// Of two_formats().
+  std::uint32_t first() const { return format % formats_side; }
+  std::uint32_t second() const { return format / formats_side; }
+  float* weights() const { return reinterpret_cast<float*>(out); }
   std::uint32_t* numbers() const { return reinterpret_cast<std::uint32_t*>(out); }
   std::uint8_t* bytes() const { return reinterpret_cast<std::uint8_t*>(out); }
 };

@@ -29,10 +29,14 @@ bool all(const std::byte* bytes, std::size_t size, unsigned char value) {
   return std::all_of(bytes, bytes + size, [value](std::byte b) { return b == std::byte{value}; });
 }
 
-std::uint32_t number_at(const std::byte* bytes) {
-  std::uint32_t number = 0;
+template <class Number>
+std::string number_at(const std::byte* bytes) {
+  Number number{};
   std::memcpy(&number, bytes, sizeof number);
-  return number;
+  if constexpr (std::is_integral_v<Number>) return std::to_string(number);
+  char text[32];
+  std::snprintf(text, sizeof text, "%a", static_cast<double>(number));
+  return text;
 }
 
 }  // namespace
@@ -150,11 +154,16 @@ void Desk::compare(const std::byte* before, const std::byte* again, std::size_t 
   const std::byte *was = before + t * wide, *is = again + t * wide;
   if (all(is, wide, blank_again)) stop(Outcome::unwritten, first + t, "");
   const auto text = [](auto number) { return std::to_string(number); };
+  // Of several numbers the one that differs.
+  const std::size_t number = wide > sizeof(std::uint32_t) ? static_cast<std::size_t>(differs - was) /
+                                                                sizeof(std::uint32_t) * sizeof(std::uint32_t)
+                                                          : 0;
+  const auto word = asked().signature.answers_floats ? number_at<float> : number_at<std::uint32_t>;
   stop(Outcome::non_deterministic, first + t,
        how + (asked().signature.of_blob
                   ? ": byte " + text(t) + " was " + text(std::to_integer<unsigned>(*was)) + ", then " +
                         text(std::to_integer<unsigned>(*is))
-                  : ": " + text(number_at(was)) + " before, " + text(number_at(is)) + " then"));
+                  : ": " + word(was + number) + " before, " + word(is + number) + " then"));
 }
 
 }  // namespace mmverify::dock

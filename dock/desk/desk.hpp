@@ -137,7 +137,7 @@ class Desk {
   const pid_t self_ = getpid();
   const std::uint32_t mode_;                    ///< of the floating-point unit, as every call must leave it
   cpu_set_t everywhere_;                        ///< processors that this process had before the tool moved it
-  std::uint64_t probed_[calls] = {};            ///< bit n: the entry point was asked at level n
+  std::uint64_t probed_[calls][formats] = {};   ///< bit n: the entry point was asked at level n
   std::uint32_t questions_[calls][32][3] = {};  ///< so far, by entry point, level and format
   std::optional<Question> earlier_[calls];      ///< the last one that was asked from two threads
   std::vector<std::byte> again_;                ///< the other of two answers to one question

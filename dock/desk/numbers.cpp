@@ -36,17 +36,21 @@ void Desk::run_on_numbers(std::uint64_t number) {
 }
 
 bool Desk::first_at_this_level() const {
-  return (probed_[static_cast<std::size_t>(mailbox_.call)] >> (mailbox_.level % 32) & 1) == 0;
+  return (probed_[static_cast<std::size_t>(mailbox_.call)][mailbox_.format % formats] >>
+              (mailbox_.level % 32) &
+          1) == 0;
 }
 
 void Desk::mark_level() {
-  probed_[static_cast<std::size_t>(mailbox_.call)] |= std::uint64_t{1} << (mailbox_.level % 32);
+  probed_[static_cast<std::size_t>(mailbox_.call)][mailbox_.format % formats] |= std::uint64_t{1}
+                                                                                 << (mailbox_.level % 32);
 }
 
 Arguments Desk::piece(std::size_t slot, std::size_t at, std::size_t count, std::byte* out) const {
   const std::size_t bytes = asked().signature.number_bytes;
   Arguments a{};
   a.level = mailbox_.level;
+  a.format = mailbox_.format;
   for (std::size_t array = 0; array < asked().signature.arrays; ++array)
     a.arrays[array] =
         base_ + layout_.input_at(array, slot, in_slot(mailbox_.count, slot), bytes) + at * bytes;
@@ -87,12 +91,15 @@ void Desk::ask_slot_again(std::size_t slot, std::size_t size) {
 
 void Desk::ask_slot_after_another_level(std::size_t slot) {
   const std::uint32_t level = mailbox_.level;
+  // Three vertices that are a face's at one level need not be one's at another.
+  if (mailbox_.call == Call::attribute_face_of) return;
   if (level < subject_.max_level) ask_slot_after(slot, level + 1, 0);
-  if (asked().signature.arrays == 2) {
+  if (asked().signature.of_points) {
     if (level == subject_.max_level && level != 0) ask_slot_after(slot, level - 1, 0);
     return;
   }
   // An index is one of a lower level only by its first digits: the parent's, and the first child's of all.
+  if (asked().signature.arrays != 1) return;
   if (level > 0) ask_slot_after(slot, level - 1, 2);
   if (level > 2) ask_slot_after(slot, 1, 2 * (level - 1));
 }

@@ -37,7 +37,8 @@ Fixed64 nearest_fixed(float w) {
   return Fixed64::from_raw(sane ? static_cast<std::int64_t>(w * scale) : -1);
 }
 
-/// A float lookup answers on grid points by way of binary32.
+}  // namespace
+
 void answer_points_by_floats(Lookup& f) {
   if (f.triplet_of_floats)
     f.triplet = [ask = f.triplet_of_floats](VertexOrder order, Level n, Points p, std::span<Triplet> out) {
@@ -51,8 +52,6 @@ void answer_points_by_floats(Lookup& f) {
         for (std::size_t c = 0; c < 3; ++c) out[k][c] = nearest_fixed(found[k][c]);
     };
 }
-
-}  // namespace
 
 Lookup specified_lookup() {
   Lookup f;

@@ -21,6 +21,8 @@ Lookup library_lookup();
 Lookup library_lookup_one_by_one();
 /// The library's micro-triangle, and the specification's formula of one remap with each operation rounded to binary32.
 Lookup rounded_lookup(Remap way);
+/// A float lookup answers on grid points by way of binary32.
+void answer_points_by_floats(Lookup& f);
 Decimation specified_decimation();
 Decimation library_decimation();
 Mips specified_mips();
