@@ -9,6 +9,9 @@ namespace mmverify::dock {
 namespace {
 
 constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64;
+/// Of the first so many, one in this many is asked from threads as long as the first ones are: laws begin with what is
+/// plain, and a plain map leaves nothing behind in memory that two threads share.
+constexpr std::uint32_t later_from_threads = 1u << 14, one_in_from_threads = 256;
 /// Maps and codes above this take so long that the further calls would count as a hang: level 12, and 4-state at 11.
 constexpr std::uint64_t most_thorough = std::uint64_t{3} << 18;
 
@@ -151,8 +154,10 @@ Desk::Question Desk::this_question(std::uint64_t size) const {
 }
 
 void Desk::ask_blob_from_threads(std::uint64_t size) {
-  // Memory that two threads share is seen only where they meet in it: the first questions of a level are asked often.
-  const bool early = questions_so_far() <= first_from_threads;
+  // Memory that two threads share is seen only where they meet in it: some questions of a level are asked often.
+  const std::uint32_t before = questions_so_far() - 1;
+  const bool early =
+      before < first_from_threads || (before < later_from_threads && before % one_in_from_threads == 0);
   const Rounds rounds = early ? Rounds{2, 256, std::chrono::milliseconds(2)} : Rounds{};
   Question now = this_question(size);
   const auto asked_by_thread = [&](const Question& q) {

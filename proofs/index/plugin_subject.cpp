@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstring>
+#include <memory>
+#include <mutex>
 
+#include "dock/broken.hpp"
 #include "dock/elements.hpp"
 #include "proofs/index/rounded_subject.hpp"
 
@@ -28,7 +32,8 @@ std::string point_text(double u, double v) { return fmt::format("u={:a},v={:a}",
 /// Puts questions to a library, whole batches at a time.
 class Questions {
  public:
-  explicit Questions(LibraryPtr library) : library_(std::move(library)) {}
+  explicit Questions(LibraryPtr library)
+      : library_(std::move(library)), begun_(std::make_shared<std::array<std::once_flag, dock::calls>>()) {}
 
   void rows(Call call, Level n, Level grid, std::span<const Row> rows, std::span<std::uint32_t> out) const {
     std::vector<Row> command;
@@ -152,9 +157,53 @@ class Questions {
       fill(float{});
   }
 
-  /// Runs one command; `place` writes the inputs, the answers go to `out`.
+  /// What a library fills at its first call of all, two threads may see half full: so that call is about all that it may
+  /// fill, at its end first, and not about the one micro-triangle of level 0.  The worker asks it from two threads.
+  void begin(Call call) const {
+    std::call_once((*begun_)[static_cast<std::size_t>(call)], [&] {
+      const Level n = std::min(library_->description().max_level, first_level);
+      try {
+        if (dock::entry_point(call).signature.of_points)
+          ask_of_all_points(n, call);
+        else
+          ask_of_last_indices(n, call);
+      } catch (const dock::CaseBroken&) {
+        // The law that asks for this case says so.
+      }
+    });
+  }
+
+  void ask_of_last_indices(Level n, Call call) const {
+    const std::uint64_t all = triangle_count(n), count = std::min<std::uint64_t>(all, dock::batch_size);
+    std::vector<std::uint32_t> last;
+    for (std::uint64_t k = 0; k < count; ++k) last.push_back(static_cast<std::uint32_t>(all - 1 - k));
+    std::vector<Corners> out(last.size());
+    run(
+        n, call, last.size(), [&](Worker& w, Call c) { put(w, c, 0, last.size(), last.data()); }, out.data());
+  }
+
+  void ask_of_all_points(Level n, Call call) const {
+    constexpr std::size_t side = 64;
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t v = side; v-- > 0;)
+      for (std::size_t u = side - v; u-- > 0;)
+        points.emplace_back((static_cast<double>(u) + 0.25) / side, (static_cast<double>(v) + 0.25) / side);
+    std::vector<std::uint32_t> out(points.size());
+    const auto at = [&](std::size_t t) { return points[t]; };
+    run(
+        n, call, points.size(), [&](Worker& w, Call c) { place_points(w, c, points.size(), at); },
+        out.data());
+  }
+
   template <class Place, class Number>
   void ask(Level n, Call call, std::size_t count, Place place, Number* out) const {
+    begin(call);
+    run(n, call, count, place, out);
+  }
+
+  /// Runs one command; `place` writes the inputs, the answers go to `out`.
+  template <class Place, class Number>
+  void run(Level n, Call call, std::size_t count, Place place, Number* out) const {
     Borrowed worker =
         dock::ask(*library_, {call, n, count, [&](Worker& w) { place(w, call); },
                               [&](const Worker& w, std::uint64_t t) { return element(w, call, count, t); }});
@@ -181,7 +230,9 @@ class Questions {
     return fmt::format("k={}", read(0, std::uint32_t{}));
   }
 
+  static constexpr Level first_level = 8;
   LibraryPtr library_;
+  std::shared_ptr<std::array<std::once_flag, dock::calls>> begun_;
 };
 
 Functions functions_of(const LibraryPtr& library, Arithmetic arithmetic) {

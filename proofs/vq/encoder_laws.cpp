@@ -291,7 +291,7 @@ std::vector<Law> encoder_laws() {
           {vq2("loses a C where BR is rotated by 270", loses_a_check<Vq2>(3, 7)),
            vq2("O for T where BL is reflected at X=-Y", opaque_for_transparent<Vq2>(2, 3)),
            vq2("counts one less where TR is rotated by 180", counts_one_less<Vq2>(1, 6))}),
-      lossless_law<Vq2>("vq2.lossless_when_it_fits", section_6, {"vq2-optimal"}, 1'024, 40'000,
+      lossless_law<Vq2>("vq2.lossless_when_it_fits", section_6, {"vq2-optimal"}, 8'192, 80'000,
                         {vq2("gives up a vector where BR is rotated by 270", gives_up_a_vector<Vq2>(3, 7)),
                          vq2("gives up a vector where BL is rotated by 180", gives_up_a_vector<Vq2>(2, 6)),
                          vq2("loses a C where TR is reflected at X=Y", loses_a_check<Vq2>(1, 5))}),
@@ -313,7 +313,7 @@ std::vector<Law> encoder_laws() {
            vq4("O for T where BL is rotated by 90", "vq4-fast", opaque_for_transparent<Vq4>(2, 1)),
            vq4("counts one less where TR is rotated by 180", "vq4-balanced", counts_one_less<Vq4>(1, 6))}),
       lossless_law<Vq4>(
-          "vq4.lossless_when_it_fits", section_6, efforts, 1'024, 50'000,
+          "vq4.lossless_when_it_fits", section_6, efforts, 4'096, 50'000,
           {vq4("gives up a vector where BR is rotated by 270", "vq4-fast", gives_up_a_vector<Vq4>(3, 7)),
            vq4("gives up a vector where BL is rotated by 180", "vq4-balanced", gives_up_a_vector<Vq4>(2, 6)),
            vq4("loses a C where TR is reflected at X=Y", "vq4-thorough", loses_a_check<Vq4>(1, 5))}),

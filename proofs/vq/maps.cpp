@@ -152,6 +152,26 @@ void fill(Format& fields, bool few, Random& random) {
   }
 }
 
+/// Quadrants that use all their entries beside some that use few, and an entry that two quadrants have as their own:
+/// who shares an entry because most quadrants use it, or does not try a turn, has no room for the others.
+void fill_unevenly(Vq2& fields, Random& random) {
+  const auto code = [&] { return static_cast<std::uint8_t>(random.below(32)); };
+  for (auto& c : fields.shared) c = code();
+  for (auto& pair : fields.own)
+    for (auto& c : pair) c = code();
+  const std::uint64_t from = random.below(4), to = (from + random.below(4)) % 4;
+  fields.own[to][random.below(2)] = fields.own[from][random.below(2)];
+  for (std::uint32_t q = 0; q < 4; ++q) {
+    const std::uint64_t used = random.below(2) == 0 ? 255 : 1 + random.below(255);
+    std::vector<std::uint8_t> indices;
+    for (std::uint8_t index = 0; index < 8; ++index)
+      if ((used >> index & 1) != 0) indices.push_back(index);
+    for (std::uint32_t vector = 0, next = 0; vector < 64; ++vector)
+      if (static_cast<std::uint32_t>(spec::vq::quadrant_of(vector % 8, vector / 8)) == q)
+        fields.indices[vector] = indices[next++ % indices.size()];
+  }
+}
+
 /// A block's map but for up to three regions: what fits no block, by little.
 template <class Format>
 Map<Format> near_a_block(Random& random) {
@@ -214,6 +234,12 @@ Format sample_block(std::uint64_t seed, std::uint64_t k) {
   Format fields;
   for (std::uint32_t q = 1; q < 4; ++q)
     fields.transforms[q] = Transform::of(static_cast<std::uint32_t>(k >> 3 * (q - 1)) % 8);
+  if constexpr (Format::side == 2) {
+    if (k / 512 % 2 == 1) {
+      fill_unevenly(fields, random);
+      return fields;
+    }
+  }
   fill(fields, random.below(4) != 0, random);
   return fields;
 }

@@ -22,7 +22,8 @@ template <class Format>
 Map<Format> sample_map(std::uint64_t seed, std::uint64_t k);
 
 /// Block k of a seed: its transforms are triple k mod 512; its indices a few of each quadrant's own, or in one of
-/// 4 blocks any.
+/// 4 blocks any.  Of VQ2, in every second 512: all entries of a quadrant or some, and an entry that two quadrants
+/// have as their own.
 template <class Format>
 Format sample_block(std::uint64_t seed, std::uint64_t k);
 
