@@ -23,20 +23,21 @@ Level level_of(const Result& result, const Counterexample& c) {
 
 std::string replay_command(const Result& result, const Counterexample& c) {
   if (!result.replayed_by.empty())
-    return fmt::format("{} --case {}@{}", result.replayed_by, level_of(result, c), c.at);
+    return fmt::format("{} --case {}", result.replayed_by,
+                       shell_quoted(fmt::format("{}@{}", level_of(result, c), c.at)));
   const Law* law = find_law(result.law);
   const Level level = level_of(result, c);
   // What the answers to laws of more than one question were is gone with them: the right one is shown.
   if (result.subject == "standard input" && result.topic != "index")
     return fmt::format("mmverify replay {} --level {} --case {}", result.law, level, shell_quoted(c.at));
   if (result.subject == "standard input")
-    return fmt::format("mmverify replay {} --level {} --case {} --answer {}", result.law, level, c.at,
-                       shell_quoted(c.got));
+    return fmt::format("mmverify replay {} --level {} --case {} --answer {}", result.law, level,
+                       shell_quoted(c.at), shell_quoted(c.got));
   if (law == nullptr || !law->replay)
     return fmt::format("mmverify prove {} --levels {} --subject {}", result.law, level,
                        shell_quoted(result.subject));
-  return fmt::format("mmverify replay {} --level {} --case {} --subject {}", result.law, level, c.at,
-                     shell_quoted(result.subject));
+  return fmt::format("mmverify replay {} --level {} --case {} --subject {}", result.law, level,
+                     shell_quoted(c.at), shell_quoted(result.subject));
 }
 
 std::string counterexample_line(const Result& result, const Counterexample& c) {

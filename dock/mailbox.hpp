@@ -35,7 +35,8 @@ struct Mailbox {
   // From the tool.
   Call call;
   std::uint32_t level;
-  std::uint32_t one_by_one;  ///< call with one element at a time, to find the one that does it
+  std::uint32_t one_by_one;        ///< call with one element at a time, to find the one that does it
+  std::uint32_t this_level_alone;  ///< do not ask about other levels between
   std::uint64_t count;
   /// Of a map its states' bits, of micromap_through its mode, of attribute maps an order, two_formats(), flags of edges or a
   /// rounding; of others 0.
@@ -43,7 +44,8 @@ struct Mailbox {
   std::uint64_t blob_bytes;  ///< of the map or code that is asked about
   std::uint64_t room;        ///< of the answer to it: bytes that must be written, of an encoder that may be
   // From the worker, the first also while it works.
-  std::atomic<std::uint64_t> begun;  ///< elements before the batch that is being worked on
+  std::atomic<std::uint64_t> begun;          ///< elements before the batch that is being worked on
+  std::atomic<std::uint32_t> another_level;  ///< 1 while it asks about another level than the command's
   Outcome outcome;
   std::uint64_t element;  ///< the one that `outcome` is about
   char message[512];

@@ -197,22 +197,36 @@ std::string Worker::why_no_answer() {
   return hung_ ? fmt::format("hung: no answer within {} s", options_.timeout_seconds) : end_of_process();
 }
 
+std::vector<std::vector<std::byte>> Worker::inputs(Call call, std::uint64_t all, std::uint64_t first,
+                                                   std::uint64_t count) const {
+  const Signature signature = entry_point(call).signature;
+  std::vector<std::vector<std::byte>> each(signature.arrays);
+  for (std::size_t array = 0; array < signature.arrays; ++array)
+    for (std::uint64_t t = first; t < first + count; ++t) {
+      const std::byte* from = input(call, array, all, t);
+      each[array].insert(each[array].end(), from, from + signature.number_bytes);
+    }
+  return each;
+}
+
+void Worker::put(Call call, const std::vector<std::vector<std::byte>>& inputs) {
+  const std::size_t size = entry_point(call).signature.number_bytes;
+  for (std::size_t array = 0; array < inputs.size(); ++array) {
+    const std::uint64_t count = inputs[array].size() / size;
+    for (std::uint64_t t = 0; t < count; t += batch_size)
+      std::memcpy(input(call, array, count, t), inputs[array].data() + t * size,
+                  std::min<std::uint64_t>(batch_size, count - t) * size);
+  }
+}
+
 void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std::uint64_t count,
                       Misbehaved& found) {
   // The inputs are still in this process's mapping of the memory that the dead one shared.
-  std::vector<std::byte> inputs[most_arrays];
-  const std::size_t arrays = entry_point(call).signature.arrays,
-                    size = entry_point(call).signature.number_bytes;
-  for (std::size_t array = 0; array < arrays; ++array)
-    for (std::uint64_t t = found.first; t < found.first + found.count; ++t) {
-      const std::byte* from = input(call, array, count, t);
-      inputs[array].insert(inputs[array].end(), from, from + size);
-    }
+  const auto again = inputs(call, count, found.first, found.count);
   try {
     stop();
     start();
-    for (std::size_t array = 0; array < arrays; ++array)
-      std::memcpy(input(call, array, found.count, 0), inputs[array].data(), inputs[array].size());
+    put(call, again);
     mailbox_->call = call;
     mailbox_->level = level;
     mailbox_->format = format;
@@ -253,15 +267,29 @@ std::string Worker::misdeed() const {
   return {};
 }
 
+void Worker::ask_of_this_level_alone(Call call, std::uint32_t level, std::uint64_t count,
+                                     std::uint32_t format) {
+  const auto again = inputs(call, count, 0, count);
+  this_level_alone_[static_cast<std::size_t>(call)] = true;
+  stop();
+  start();
+  put(call, again);
+  ask(call, level, count, format);
+}
+
 void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint32_t format) {
   mailbox_->call = call;
   mailbox_->level = level;
   mailbox_->format = format;
   mailbox_->count = count;
   mailbox_->one_by_one = 0;
+  mailbox_->this_level_alone = this_level_alone_[static_cast<std::size_t>(call)] ? 1 : 0;
+  mailbox_->another_level.store(0);
   mailbox_->message[0] = 0;
+  const bool answered = exchange();
+  if (mailbox_->another_level.load() != 0) return ask_of_this_level_alone(call, level, count, format);
   Misbehaved found{{}, 0, 0};
-  if (!exchange()) {
+  if (!answered) {
     found.what = why_no_answer();
     found.hung = hung_;
     const auto slot = static_cast<std::size_t>(mailbox_->begun.load() / batch_size);

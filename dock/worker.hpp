@@ -1,6 +1,7 @@
 // A worker process and what it is asked: a subject's answers, or why there are none.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -67,6 +68,7 @@ class Worker {
 
   /// Runs the command on the inputs in place.  Throws Misbehaved, or what Options::stop_if_asked throws; the
   /// worker is of no use after that.
+  /// What the worker itself asks about other levels ends no command: the command of that level finds it.
   void ask(Call call, std::uint32_t level, std::uint64_t count, std::uint32_t format = 0);
 
   /// The same for a map or a code.  The elements of what is thrown are a lookup's.
@@ -89,6 +91,13 @@ class Worker {
   std::string end_of_process();
   /// What the subject did, by the outcome; empty where it answered.
   std::string misdeed() const;
+  /// Of a new process, after a crash on another level.
+  void ask_of_this_level_alone(Call call, std::uint32_t level, std::uint64_t count, std::uint32_t format);
+  /// Elements [first, first + count) of the inputs of a command of `all`, array after array.
+  std::vector<std::vector<std::byte>> inputs(Call call, std::uint64_t all, std::uint64_t first,
+                                             std::uint64_t count) const;
+  /// As the inputs of a command.
+  void put(Call call, const std::vector<std::vector<std::byte>>& inputs);
   /// Asks element by element in a new process, to name the one.
   void pin_down(Call call, std::uint32_t level, std::uint32_t format, std::uint64_t count, Misbehaved& found);
 
@@ -103,6 +112,7 @@ class Worker {
   std::unique_ptr<Printed> printed_;
   std::string over_;  ///< which bound it went over
   std::uint64_t questions_ = 0;
+  std::array<bool, calls> this_level_alone_{};  ///< by call: it has crashed on another level
   std::byte* base_ = nullptr;
   Mailbox* mailbox_ = nullptr;
 };

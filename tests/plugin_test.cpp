@@ -193,10 +193,11 @@ INSTANTIATE_TEST_SUITE_P(
 // Answers that depend on more than the element and the level.
 TEST(Subject, what_it_keeps_between_questions_is_seen) {
   const std::pair<const char*, const char*> all[] = {
-      {"keeps_the_last", "asked after level 1: "},
+      {"keeps_the_last", "asked after level 9: "},
       {"counts_in_16_bits", "left its output unwritten"},
       {"shares_a_buffer", "asked from two threads at once: "},
-      {"publishes_early", "two threads at once, the first time at this level"}};
+      {"publishes_early", "two threads at once, the first time at this level"},
+      {"fills_its_end_last", "two threads at once, the first time at this level"}};
   for (const auto& [name, said] : all) {
     const Outcome o = judge(name, "index.equals_reference --levels 0..9 --no-companions");
     EXPECT_EQ(o.exit_code, 1) << name << o.out << o.err;
@@ -208,6 +209,13 @@ TEST(Subject, a_parent_that_is_kept_without_its_level_is_seen) {
   const Outcome o = judge("keeps_parents", "index.on_samples --levels 16 --no-companions");
   EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("asked after level 1: "));
+}
+
+// Levels are asked in turns, to see what is kept between them: a crash is that of its own level all the same.
+TEST(Subject, a_crash_is_of_the_level_that_crashes) {
+  const Outcome o = judge("crash_at_5", "index.equals_reference --levels 4..5 --no-companions");
+  EXPECT_THAT(o.out, testing::ContainsRegex("proved     index.equals_reference [^\n]* level 4 "));
+  EXPECT_THAT(o.out, HasSubstr("at level 5 on case u=0x1p-2,v=0x1p-2"));
 }
 
 // The rest of the machine, this process among it, goes on.

@@ -90,6 +90,7 @@ void Desk::ask_slot_again(std::size_t slot, std::size_t size) {
 }
 
 void Desk::ask_slot_after_another_level(std::size_t slot) {
+  if (mailbox_.this_level_alone != 0) return;
   const std::uint32_t level = mailbox_.level;
   // Three vertices that are a face's at one level need not be one's at another.
   if (mailbox_.call == Call::attribute_face_of) return;
@@ -118,7 +119,9 @@ void Desk::ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_b
       index >>= less_bits;
       before.arrays[0] = reinterpret_cast<const std::byte*>(&index);
     }
+    mailbox_.another_level.store(1, std::memory_order_relaxed);
     guarded(before, from + at);
+    mailbox_.another_level.store(0, std::memory_order_relaxed);
     guarded(piece(slot, at, 1, again_.data() + at * wide), from + at);
   }
   compare(slot_answer(slot), again_.data(), count, from, "asked after level " + std::to_string(other));

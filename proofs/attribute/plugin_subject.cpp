@@ -17,7 +17,7 @@ namespace {
 
 using dock::Call;
 using dock::LibraryPtr;
-using Words = std::vector<std::uint32_t>;
+using Column = std::vector<std::uint32_t>;
 using Numbers = std::span<const std::uint32_t>;
 
 static_assert(static_cast<std::uint32_t>(VertexOrder::bird) == MMVERIFY_VERTICES_BIRD);
@@ -31,8 +31,8 @@ std::uint32_t format_of(Setting setting) {
 
 /// Member `of` of each, in an array of its own.
 template <class Element, class Member>
-Words apart(std::span<const Element> at, Member Element::*of) {
-  Words words;
+Column apart(std::span<const Element> at, Member Element::*of) {
+  Column words;
   words.reserve(at.size());
   for (const Element& e : at) words.push_back(static_cast<std::uint32_t>(e.*of));
   return words;
@@ -54,7 +54,7 @@ class Within {
 
  private:
   std::uint64_t count_;
-  Words index_;
+  Column index_;
   std::vector<std::size_t> beyond_ = {};
 };
 
@@ -89,8 +89,8 @@ bool is_of_a_face(VertexOrder order, Level n, const Triplet& t) {
   return face.iu + face.iv + (upper ? 1 : 0) < spec::side(n) && triplet_of(order, n, face) == t;
 }
 
-Words corner(std::span<const Triplet> of, std::size_t which) {
-  Words words;
+Column corner(std::span<const Triplet> of, std::size_t which) {
+  Column words;
   for (const Triplet& t : of) words.push_back(t[which]);
   return words;
 }
@@ -100,7 +100,7 @@ Orders orders_of(const LibraryPtr& library) {
   if (library->offers(Call::attribute_vertex_index))
     f.vertex_index = [=](VertexOrder order, Level n, std::span<const Vertex> at,
                          std::span<std::uint32_t> out) {
-      const Words i = apart(at, &Vertex::i), j = apart(at, &Vertex::j);
+      const Column i = apart(at, &Vertex::i), j = apart(at, &Vertex::j);
       dock::ask_all(*library,
                     {Call::attribute_vertex_index, n, format_of(order), {i.data(), j.data()}, naming(at)},
                     out.size(), out.data());
@@ -118,8 +118,8 @@ Orders orders_of(const LibraryPtr& library) {
   if (library->offers(Call::attribute_face_index))
     f.face_index = [=](FaceOrder order, Level n, std::span<const MicroTriangle> at,
                        std::span<std::uint32_t> out) {
-      const Words iu = apart(at, &MicroTriangle::iu), iv = apart(at, &MicroTriangle::iv),
-                  upper = apart(at, &MicroTriangle::upper);
+      const Column iu = apart(at, &MicroTriangle::iu), iv = apart(at, &MicroTriangle::iv),
+                   upper = apart(at, &MicroTriangle::upper);
       dock::ask_all(
           *library,
           {Call::attribute_face_index, n, format_of(order), {iu.data(), iv.data(), upper.data()}, naming(at)},
@@ -164,7 +164,7 @@ Orders orders_of(const LibraryPtr& library) {
           beyond.push_back(k);
           asked[k] = triplet_of(vertices, n, spec::attribute::triangle_at(faces, 0, n));
         }
-      const Words first = corner(asked, 0), second = corner(asked, 1), third = corner(asked, 2);
+      const Column first = corner(asked, 0), second = corner(asked, 1), third = corner(asked, 2);
       dock::ask_all(*library,
                     {Call::attribute_face_of,
                      n,
@@ -200,7 +200,7 @@ Decimation decimation_of(const LibraryPtr& library) {
   Decimation f;
   if (library->offers(Call::attribute_decimate))
     f.snapped = [=](Level n, EdgeFlags flags, std::span<const Vertex> at, std::span<Vertex> out) {
-      const Words i = apart(at, &Vertex::i), j = apart(at, &Vertex::j);
+      const Column i = apart(at, &Vertex::i), j = apart(at, &Vertex::j);
       dock::ask_all(*library, {Call::attribute_decimate, n, flags, {i.data(), j.data()}, naming(at)},
                     out.size(), out.data());
     };

@@ -107,13 +107,15 @@ Law on_samples(Law law, std::vector<Entry> entries, Check check) {
   law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
   law.domain = [](const Subject&, Level n) {
     return fmt::format("{} maps of level {}, both formats",
-                       n <= 8 ? "noise, leaves, blocks, alternating and all-but-one" : "noise and leaves,",
+                       n <= 8   ? "noise, leaves, blocks, alternating and all-but-one"
+                       : n <= 9 ? "noise and leaves,"
+                                : "noise,",
                        n);
   };
   return on_maps(
       std::move(law), std::move(entries), check,
       {[](Level n) -> std::uint64_t {
-         return n <= 5 ? 200 : n <= 6 ? 100 : n <= 7 ? 40 : n <= 8 ? 20 : 4;
+         return n <= 5 ? 200 : n <= 6 ? 100 : n <= 7 ? 40 : n <= 8 ? 20 : n <= 9 ? 4 : 2;
        },
        [](Level n, std::uint64_t k, const Run& run) { return sample_map(n, run.seed, k); },
        [](const Map& map, std::uint64_t k, const Run& run) { return text_of_sample(map, run.seed, k); }, 1});

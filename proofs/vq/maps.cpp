@@ -152,8 +152,22 @@ void fill(Format& fields, bool few, Random& random) {
   }
 }
 
+/// Each quadrant uses the entries of its set, bit k for index k, in turn.
+void use_in_turn(Vq2& fields, const std::array<std::uint64_t, 4>& used) {
+  for (std::uint32_t q = 0; q < 4; ++q) {
+    std::vector<std::uint8_t> indices;
+    for (std::uint8_t index = 0; index < 8; ++index)
+      if ((used[q] >> index & 1) != 0) indices.push_back(index);
+    for (std::uint32_t vector = 0, next = 0; vector < 64; ++vector)
+      if (static_cast<std::uint32_t>(spec::vq::quadrant_of(vector % 8, vector / 8)) == q)
+        fields.indices[vector] = indices[next++ % indices.size()];
+  }
+}
+
+constexpr std::uint64_t all_entries = 255;
+
 /// Quadrants that use all their entries beside some that use few, and an entry that two quadrants have as their own:
-/// who shares an entry because most quadrants use it, or does not try a turn, has no room for the others.
+/// an encoder that shares an entry because most quadrants use it has no room for the others.
 void fill_unevenly(Vq2& fields, Random& random) {
   const auto code = [&] { return static_cast<std::uint8_t>(random.below(32)); };
   for (auto& c : fields.shared) c = code();
@@ -161,15 +175,27 @@ void fill_unevenly(Vq2& fields, Random& random) {
     for (auto& c : pair) c = code();
   const std::uint64_t from = random.below(4), to = (from + random.below(4)) % 4;
   fields.own[to][random.below(2)] = fields.own[from][random.below(2)];
-  for (std::uint32_t q = 0; q < 4; ++q) {
-    const std::uint64_t used = random.below(2) == 0 ? 255 : 1 + random.below(255);
-    std::vector<std::uint8_t> indices;
-    for (std::uint8_t index = 0; index < 8; ++index)
-      if ((used >> index & 1) != 0) indices.push_back(index);
-    for (std::uint32_t vector = 0, next = 0; vector < 64; ++vector)
-      if (static_cast<std::uint32_t>(spec::vq::quadrant_of(vector % 8, vector / 8)) == q)
-        fields.indices[vector] = indices[next++ % indices.size()];
-  }
+  std::array<std::uint64_t, 4> used;
+  for (auto& of_quadrant : used) of_quadrant = random.below(2) == 0 ? all_entries : 1 + random.below(255);
+  use_in_turn(fields, used);
+}
+
+/// All entries differ, none is of one state, and all are used: about half of such blocks have no second triple of
+/// transforms.
+void fill_full(Vq2& fields, Random& random) {
+  std::vector<std::uint8_t> codes;
+  for (std::uint8_t code = 0; code < 32; ++code)
+    if (code % 16 != 0 && code % 16 != 15) codes.push_back(code);
+  const auto next = [&] {
+    const std::size_t at = random.below(codes.size());
+    const std::uint8_t code = codes[at];
+    codes.erase(codes.begin() + static_cast<std::ptrdiff_t>(at));
+    return code;
+  };
+  for (auto& c : fields.shared) c = next();
+  for (auto& pair : fields.own)
+    for (auto& c : pair) c = next();
+  use_in_turn(fields, {all_entries, all_entries, all_entries, all_entries});
 }
 
 /// A block's map but for up to three regions: what fits no block, by little.
@@ -234,13 +260,17 @@ Format sample_block(std::uint64_t seed, std::uint64_t k) {
   Format fields;
   for (std::uint32_t q = 1; q < 4; ++q)
     fields.transforms[q] = Transform::of(static_cast<std::uint32_t>(k >> 3 * (q - 1)) % 8);
+  const std::uint64_t kind = k / 512 % 4;
   if constexpr (Format::side == 2) {
-    if (k / 512 % 2 == 1) {
+    if (kind >= 2)
+      fill_full(fields, random);
+    else if (kind == 1)
       fill_unevenly(fields, random);
-      return fields;
-    }
+    else
+      fill(fields, random.below(4) != 0, random);
+  } else {
+    fill(fields, kind % 2 == 0 && random.below(4) != 0, random);
   }
-  fill(fields, random.below(4) != 0, random);
   return fields;
 }
 

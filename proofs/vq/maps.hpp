@@ -21,9 +21,9 @@ void put(Map<Format>& map, std::uint32_t vector, const Vector<Format::side>& v);
 template <class Format>
 Map<Format> sample_map(std::uint64_t seed, std::uint64_t k);
 
-/// Block k of a seed: its transforms are triple k mod 512; its indices a few of each quadrant's own, or in one of
-/// 4 blocks any.  Of VQ2, in every second 512: all entries of a quadrant or some, and an entry that two quadrants
-/// have as their own.
+/// Block k of a seed: its transforms are triple k mod 512.  In turn, 512 of each: its indices are a few of each
+/// quadrant's own, or in one of 4 blocks any; of VQ4 any, of VQ2 some or all entries of a quadrant, two quadrants with
+/// an entry in common; then of VQ2 twice all entries, each another.
 template <class Format>
 Format sample_block(std::uint64_t seed, std::uint64_t k);
 

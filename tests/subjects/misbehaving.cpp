@@ -92,7 +92,9 @@ void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, 
   }
   if (wrong_is("counts_in_16_bits")) count %= 1 << 16;
   if (wrong_is("crash_on_all")) *nowhere = 1;
-  const bool table = !wrong_is("publishes_early") || table_is_whole();
+  const bool end_is_last = wrong_is("fills_its_end_last"),
+             whole = (!wrong_is("publishes_early") && !end_is_last) || table_is_whole(),
+             table = whole || (end_is_last && level != 8);
   for (size_t k = 0; k < count; ++k) {
     if (at_the_vertex(level, u[k], v[k]) && wrong_is("unwritten")) continue;
     if (wrong_is("keeps_the_last") && u[k] == last.u && v[k] == last.v) {
@@ -102,6 +104,7 @@ void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, 
     index[k] = mmverify::impl::index::from_barycentrics(u[k], v[k], level);
     last = {u[k], v[k], index[k]};
     if (!table) index[k] ^= 1;
+    if (wrong_is("crash_at_5") && level == 5 && u[k] == 0.25f && v[k] == 0.25f) *nowhere = 1;
     if (wrong_is("crash_and_tie") && level == 7 && u[k] == 0.25f && v[k] == 0.25f) index[k] ^= 1;
     if (at_the_vertex(level, u[k], v[k])) misbehave(u, index, count, k);
   }
