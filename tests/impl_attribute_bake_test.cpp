@@ -1,5 +1,5 @@
 // impl/attribute/: large textures and large triangles against the specification, what is refused, errors and plans by
-// hand.  Small textures are the laws' (proofs/attribute/bake_laws.cpp).
+// hand.  Small textures are the laws' (proofs/attribute/bake/laws.cpp).
 #include <gtest/gtest.h>
 
 #include <bit>

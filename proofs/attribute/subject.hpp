@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "proofs/attribute/baking_functions.hpp"
-#include "proofs/attribute/compression_functions.hpp"
-#include "proofs/attribute/decimation_functions.hpp"
-#include "proofs/attribute/lookup_functions.hpp"
-#include "proofs/attribute/mips_functions.hpp"
-#include "proofs/attribute/orders_functions.hpp"
+#include "proofs/attribute/bake/functions.hpp"
+#include "proofs/attribute/decimation/functions.hpp"
+#include "proofs/attribute/lookup/functions.hpp"
+#include "proofs/attribute/mips/functions.hpp"
+#include "proofs/attribute/orders/functions.hpp"
+#include "proofs/attribute/packing/functions.hpp"
 #include "proofs/engine/law.hpp"
 
 namespace mmverify::proofs::attribute {

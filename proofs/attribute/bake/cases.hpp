@@ -1,0 +1,37 @@
+// Cases of baking: families that are enumerated whole, samples, and how they are named.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "proofs/attribute/bake/functions.hpp"
+
+namespace mmverify::proofs::attribute {
+
+// The family: every 2x2 texture over three codes in each channel, under eight pairs of addressing modes, both meanings
+// of colours, seen by seven triangles.  Texture t of the 81 gives its channels the textures t, t+20, t+40, t+60, so that
+// each channel has them all.
+inline constexpr std::uint64_t family_textures = 81;
+inline constexpr std::array<std::uint8_t, 3> family_alphabet{0, 101, 255};
+/// The texture of a channel.
+constexpr std::uint64_t family_texture(std::uint64_t texture, std::size_t channel) {
+  return (texture + 20 * channel) % family_textures;
+}
+std::uint64_t family_spots();  ///< addressing, meaning, triangle
+BakeCase family_case(std::uint64_t spot, std::uint64_t texture, Filter filter);
+const char* family_domain();
+
+/// Textures of up to 9x7 texels, all meanings and modes; coordinates of few bits, of many, on lines, in points.
+BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k);
+
+/// "2x2:RRGGBBAA...:repeat,clamp,bilinear,srgb,00000000:u0,v0,u1,v1,u2,v2", coordinates as hexadecimal floats.
+std::string text_of(const BakeCase& one);
+/// Throws BadCase.
+BakeCase read_bake_case(const std::string& text);
+
+/// "r g b a".
+std::string text_of(const Rgba& codes);
+
+}  // namespace mmverify::proofs::attribute

@@ -1,0 +1,307 @@
+// Maps from textures: all of a family, and samples in binary32's numbers.
+#include <array>
+#include <boost/integer/common_factor.hpp>
+#include <memory>
+#include <mutex>
+
+#include "proofs/attribute/bake/parts.hpp"
+#include "proofs/attribute/bake/truth.hpp"
+#include "proofs/attribute/law_groups.hpp"
+#include "spec/attribute/order.hpp"
+
+namespace mmverify::proofs::attribute {
+namespace {
+
+namespace slow = spec::attribute;
+using spec::Rational128;
+
+/// A case of the family by its numbers, or one that was read.
+struct Case {
+  BakeCase one;
+  std::uint64_t spot = 0, texture = 0;
+  bool of_family = false;
+};
+
+/// What one channel of all 81 textures bakes to at a spot, by texture and element, in linear light or in codes.
+class SpotCodes {
+ public:
+  const std::vector<std::uint8_t>& of(MapForm form, Level n, const BakeCase& one, bool srgb) {
+    std::call_once(once_[srgb], [&] { fill(form, n, one, srgb); });
+    return codes_[srgb];
+  }
+
+ private:
+  void fill(MapForm form, Level n, const BakeCase& one, bool srgb) {
+    using Whole = Rational128::int_type;
+    const Filter filter = form == MapForm::faces ? Filter::nearest : one.picture.filter;
+    const auto all =
+        form == MapForm::faces ? face_shares<Rational128>(one, n) : vertex_shares<Rational128>(one, n);
+    // Of each of the four texels and the border, its weight in wholes of a common denominator.
+    constexpr std::size_t border = 4;
+    const auto lone = channel_of<std::uint8_t>(one.picture, 0, filter);
+    codes_[srgb].resize(family_textures * all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      std::array<Rational128, 5> weight;
+      for (const auto& s : all[k]) {
+        const auto x = spec::bake::wrapped(lone.wrap_x, s.i, 2), y = spec::bake::wrapped(lone.wrap_y, s.j, 2);
+        weight[x && y ? *x + 2 * *y : border] += s.weight;
+      }
+      Whole common(1);
+      for (const Rational128& w : weight) common = boost::integer::lcm(common, w.denominator());
+      std::array<Whole, 5> part;
+      for (std::size_t t = 0; t < 5; ++t)
+        part[t] = weight[t].numerator() * (common / weight[t].denominator());
+      for (std::uint64_t texture = 0; texture < family_textures; ++texture) {
+        std::uint64_t rest = texture;
+        std::array<std::uint8_t, 5> code{};
+        for (std::size_t t = 0; t < 4; ++t, rest /= 3) code[t] = family_alphabet[rest % 3];
+        code[border] = one.picture.border[0];
+        Whole sum(0);
+        for (std::size_t t = 0; t < 5; ++t) sum += part[t] * Whole(srgb ? slow::light_of(code[t]) : code[t]);
+        std::uint8_t& to = codes_[srgb][texture * all.size() + k];
+        if (srgb)
+          to = slow::Rounded<slow::Srgb8>::of(Rational128(sum, common << slow::light_bits)).code;
+        else
+          to = slow::Rounded<std::uint8_t>::of(Rational128(sum, common * 255));
+      }
+    }
+  }
+
+  std::array<std::once_flag, 2> once_;
+  std::array<std::vector<std::uint8_t>, 2> codes_;
+};
+
+std::vector<Rgba> truth(MapForm form, Level n, const Case& c) {
+  if (!c.of_family) return form == MapForm::faces ? true_faces(c.one, n) : true_vertices(c.one, n);
+  constexpr std::size_t levels = 6, kinds = 3;  // faces; vertices, bilinear and nearest
+  static const auto slots = std::make_unique<SpotCodes[]>(kinds * levels * family_spots());
+  const std::size_t kind = form == MapForm::faces ? 0 : c.one.picture.filter == Filter::bilinear ? 1 : 2;
+  SpotCodes& slot = slots[(kind * levels + n) * family_spots() + c.spot];
+  std::vector<Rgba> map(form == MapForm::faces ? slow::face_count(n) : slow::vertex_count(n));
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    const auto& codes = slot.of(form, n, c.one, c.one.picture.meaning == Meaning::srgb && channel < 3);
+    const std::uint64_t first = family_texture(c.texture, channel) * map.size();
+    for (std::size_t k = 0; k < map.size(); ++k) map[k][channel] = codes[first + k];
+  }
+  return map;
+}
+
+Cases<Case> family_of(MapForm form) {
+  Cases<Case> cases;
+  const std::uint64_t filters = form == MapForm::faces ? 1 : 2;
+  cases.count = [=](Level, const Run&) { return family_textures * filters * family_spots(); };
+  cases.number = [=](Level, std::uint64_t k, std::uint64_t) {
+    const std::uint64_t texture = k % family_textures, rest = k / family_textures;
+    const Filter filter =
+        rest % filters == 0 && form == MapForm::vertices ? Filter::bilinear : Filter::nearest;
+    return Case{family_case(rest / filters, texture, filter), rest / filters, texture, true};
+  };
+  cases.text = [](Level, const Case& c) { return text_of(c.one); };
+  cases.read = [](Level, const std::string& text) { return Case{read_bake_case(text)}; };
+  cases.check = [form](const AttributeSubject& s, Level n, const Case& c) {
+    return compared(form, truth(form, n, c), map_baker(s.functions.baking, form)(c.one, n));
+  };
+  cases.chunk = 27;
+  return cases;
+}
+
+const auto srgb_as_codes = [](BakeCase& one) {
+  if (one.picture.meaning == Meaning::srgb) one.picture.meaning = Meaning::linear;
+};
+/// By remainders that keep the sign, and the size taken: texel -1 is texel 1, as with mirrored repeats of that size.
+const auto negative_mirrored = [](BakeCase& one) {
+  if (one.uv[0] < 0 && one.picture.wrap_u == Wrap::repeat) one.picture.wrap_u = Wrap::mirrored_repeat;
+};
+const auto centres_at_corners = [](BakeCase& one) {
+  if (one.picture.filter == Filter::nearest) return;
+  for (std::size_t k = 0; k < 6; ++k)
+    one.uv[k] += 0.5f / static_cast<float>(k % 2 == 0 ? one.picture.width : one.picture.height);
+};
+const auto without_border = [](BakeCase& one) { one.picture.border = {0, 0, 0, 0}; };
+const auto mirrors_once_as_clamp = [](BakeCase& one) {
+  if (one.picture.wrap_v == Wrap::mirror_once) one.picture.wrap_v = Wrap::clamp_to_edge;
+};
+const auto rows_from_below = [](BakeCase& one) {
+  Picture& p = one.picture;
+  if (p.wrap_u != Wrap::repeat || p.wrap_v != Wrap::clamp_to_edge) return;
+  std::swap(p.texels[0], p.texels[2]);
+  std::swap(p.texels[1], p.texels[3]);
+};
+
+Law vertex_law() {
+  return on_cases(
+      {.id = "attribute.bake_vertex",
+       .topic = "attribute",
+       .says = "a micro-vertex has what the sampler gives there, bilinear or nearest, as the code it is "
+               "rounded to, half up",
+       .source = cam_5,
+       .subjects = {"attribute"},
+       .fast = {0, 2},
+       .long_run = {0, 4},
+       .fast_seconds = 1,
+       .domain = [](const Subject&, Level) { return std::string(family_domain()); },
+       .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+       .mutants = {mutant("texel centres at whole numbers", "attribute", {0, 0},
+                          bakes_another(MapForm::vertices, centres_at_corners)),
+                   mutant("sRGB interpolated as codes", "attribute", {1, 1},
+                          bakes_another(MapForm::vertices, srgb_as_codes)),
+                   mutant("repeat mirrors below 0", "attribute", {0, 0},
+                          bakes_another(MapForm::vertices, negative_mirrored)),
+                   mutant("what lies in the middle is rounded down", "attribute", {1, 1},
+                          rounds_half_down(MapForm::vertices)),
+                   mutant("the border is black", "attribute", {0, 0},
+                          bakes_another(MapForm::vertices, without_border)),
+                   mutant("mirror once clamps along v", "attribute", {0, 0},
+                          bakes_another(MapForm::vertices, mirrors_once_as_clamp))}},
+      needing({bakes_vertices}), family_of(MapForm::vertices));
+}
+
+Law face_law() {
+  return on_cases(
+      {.id = "attribute.bake_face",
+       .topic = "attribute",
+       .says = "a face has the mean of the texels under it, each by its share of the area, as the code it is "
+               "rounded to, half up",
+       .source = cam_5,
+       .subjects = {"attribute"},
+       .fast = {0, 2},
+       .long_run = {0, 4},
+       .fast_seconds = 1,
+       .domain = [](const Subject&, Level) { return std::string(family_domain()); },
+       .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+       .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute", {2, 2},
+                          averages_centres()),
+                   mutant("sRGB averaged as codes", "attribute", {1, 1},
+                          bakes_another(MapForm::faces, srgb_as_codes)),
+                   mutant("repeat mirrors below 0", "attribute", {0, 0},
+                          bakes_another(MapForm::faces, negative_mirrored)),
+                   mutant("what lies in the middle is rounded down", "attribute", {1, 1},
+                          rounds_half_down(MapForm::faces)),
+                   mutant("along a segment all parts weigh the same", "attribute", {0, 0}, spreads_evenly()),
+                   mutant("rows counted from below, repeated and clamped", "attribute", {0, 0},
+                          bakes_another(MapForm::faces, rows_from_below))}},
+      needing({bakes_faces}), family_of(MapForm::faces));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Samples
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Some elements of a map, other ones for another case: the first, the last and up to six between.
+std::vector<std::uint32_t> judged_at(std::uint64_t count, std::uint64_t salt) {
+  std::vector<std::uint32_t> at;
+  const std::uint64_t step = count <= 8 ? 1 : count / 7;
+  for (std::uint64_t k = count <= 8 ? 0 : salt % step; k < count; k += step)
+    at.push_back(static_cast<std::uint32_t>(k));
+  return at;
+}
+
+template <class Q>
+Rgba true_at(MapForm form, const BakeCase& one, Level n, std::uint32_t k) {
+  const auto uv = base_triangle<Q>(one.uv);
+  const std::uint32_t width = one.picture.width, height = one.picture.height;
+  const Filter filter = form == MapForm::faces ? Filter::nearest : one.picture.filter;
+  const auto shares =
+      form == MapForm::faces
+          ? slow::shares_on(spec::bake::micro_triangle(uv, n, k, width, height), filter)
+          : slow::shares_at(
+                slow::micro_vertex(uv, n, slow::vertex_at(slow::VertexOrder::w_minor, k, n), width, height),
+                filter);
+  return true_codes(one.picture, filter, [&](const auto& texture) { return slow::mean(texture, shares); });
+}
+
+Finding sampled(const AttributeSubject& s, Level n, const BakeCase& one) {
+  std::uint64_t digest = 0;
+  for (const MapForm form : {MapForm::faces, MapForm::vertices}) {
+    const std::vector<Rgba> got = map_baker(s.functions.baking, form)(one, n);
+    const std::uint64_t count = form == MapForm::faces ? slow::face_count(n) : slow::vertex_count(n);
+    if (got.size() != count) return wrong(fmt::format("{} values", count), fmt::format("{}", got.size()));
+    const std::uint64_t salt = one.picture.texels[0][0] + 7u * one.picture.width;
+    for (const std::uint32_t k : judged_at(count, salt)) {
+      Rgba expected;
+      try {
+        expected = true_at<Rational128>(form, one, n, k);
+      } catch (const std::overflow_error&) {
+        expected = true_at<Rational>(form, one, n, k);
+      }
+      if (got[k] != expected)
+        return wrong(fmt::format("{} at {}", text_of(expected), name_of(form, k)), text_of(got[k]));
+      digest = digest * 31 + std::bit_cast<std::uint32_t>(got[k]);
+    }
+  }
+  return {digest};
+}
+
+/// A direction's codes as the plain mean of the stored ones.
+std::function<void(Functions&)> not_renormalised() {
+  return [](Functions& f) {
+    f.baking.faces = [real = f.baking.faces](const BakeCase& one, Level n) {
+      BakeCase other = one;
+      if (other.picture.meaning == Meaning::normal) other.picture.meaning = Meaning::linear;
+      return real(other, n);
+    };
+  };
+}
+
+Law floats_law() {
+  Cases<BakeCase> cases;
+  cases.count = [](Level n, const Run& run) {
+    return std::uint64_t{run.tier == Tier::fast ? (n < 5 ? 64u : 24u) : 8'000u};
+  };
+  cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) { return sample_case(seed, n, k); };
+  cases.text = [](Level, const BakeCase& one) { return text_of(one); };
+  cases.read = [](Level, const std::string& text) { return read_bake_case(text); };
+  cases.check = sampled;
+  cases.chunk = 4;
+  const auto rounded_uv = [](BakeCase& one) {
+    for (float& x : one.uv) x = std::nearbyint(x * 4096) / 4096;
+  };
+  const auto length_lost = [](BakeCase& one) {
+    if (one.picture.meaning == Meaning::normal_and_length) one.picture.meaning = Meaning::normal;
+  };
+  return on_cases(
+      {.id = "attribute.bake_on_floats",
+       .topic = "attribute",
+       .says = "micro-vertices and faces are exact on binary32's coordinates, directions are made one unit "
+               "long again "
+               "and the mean's length is kept",
+       .source = std::string(cam_5) + "; glTF 2.0, normalTexture",
+       .method = Method::sample,
+       .subjects = {"attribute"},
+       .fast = {0, 7},
+       .long_run = {0, 9},
+       .fast_seconds = 1,
+       .domain =
+           [](const Subject&, Level) {
+             return std::string(
+                 "textures of up to 9x7 texels, all modes and meanings; up to 8 values of each map");
+           },
+       .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3}, not_renormalised()),
+                   mutant("coordinates kept in 12 bits below the point", "attribute", {0, 7},
+                          bakes_another(MapForm::vertices, rounded_uv)),
+                   mutant("the length lost, alpha in its place", "attribute", {0, 2},
+                          bakes_another(MapForm::vertices, length_lost)),
+                   mutant("the length lost at level 5", "attribute", {5, 5},
+                          [length_lost](Functions& f) {
+                            f.baking.vertices = [=, real = f.baking.vertices](const BakeCase& one, Level n) {
+                              BakeCase other = one;
+                              if (n == 5) length_lost(other);
+                              return real(other, n);
+                            };
+                          }),
+                   mutant("the mean of the corners' texels", "attribute", {1, 2}, averages_corners())}},
+      needing({bakes_vertices, bakes_faces}), cases);
+}
+
+}  // namespace
+
+std::vector<Law> bake_map_laws() { return {vertex_law(), face_law(), floats_law()}; }
+
+std::vector<Law> bake_laws() {
+  std::vector<Law> all;
+  for (const auto& group : {bake_map_laws(), bake_relation_laws(), bake_error_laws(), plan_laws()})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
+}
+
+}  // namespace mmverify::proofs::attribute

@@ -1,0 +1,190 @@
+#include "proofs/attribute/bake/parts.hpp"
+
+#include <bit>
+
+#include "proofs/attribute/bake/truth.hpp"
+#include "proofs/attribute/elements.hpp"
+#include "spec/attribute/order.hpp"
+
+namespace mmverify::proofs::attribute {
+
+namespace slow = spec::attribute;
+using spec::Rational128;
+
+std::string name_of(MapForm form, std::uint32_t k) {
+  if (form == MapForm::faces) return fmt::format("face {}", k);
+  return "micro-vertex " + text_of(slow::vertex_at(slow::VertexOrder::w_minor, k, 16));
+}
+
+Finding compared(MapForm form, const std::vector<Rgba>& expected, const std::vector<Rgba>& got) {
+  if (got.size() != expected.size())
+    return wrong(fmt::format("{} values", expected.size()), fmt::format("{}", got.size()));
+  std::uint64_t digest = 0;
+  for (std::uint32_t k = 0; k < got.size(); ++k) {
+    if (got[k] != expected[k]) {
+      Finding found;
+      found.holds = false;
+      found.in_words = [=, e = expected[k], g = got[k]] {
+        return Words{fmt::format("{} at {}", text_of(e), name_of(form, k)), text_of(g)};
+      };
+      return found;
+    }
+    digest = digest * 31 + std::bit_cast<std::uint32_t>(got[k]);
+  }
+  return {digest};
+}
+
+std::function<void(Functions&)> bakes_another(MapForm form, std::function<void(BakeCase&)> change) {
+  return [=](Functions& f) {
+    MapBaker& baker = map_baker(f.baking, form);
+    baker = [=, real = baker](const BakeCase& one, Level n) {
+      BakeCase other = one;
+      change(other);
+      return real(other, n);
+    };
+  };
+}
+
+namespace {
+
+/// The mean, or value, of a channel of colours.
+Rational128 colour(const BakeCase& one, std::size_t c, Filter filter,
+                   const slow::Shares<Rational128>& shares) {
+  if (one.picture.meaning == Meaning::srgb && c < 3)
+    return slow::mean(channel_of<slow::Srgb8>(one.picture, c, filter), shares);
+  return slow::mean(channel_of<std::uint8_t>(one.picture, c, filter), shares);
+}
+
+/// A baker of other shares than the true ones.
+template <class SharesOf>
+MapBaker with_shares(Filter filter, SharesOf shares_of) {
+  return [=](const BakeCase& one, Level n) {
+    std::vector<Rgba> map;
+    for (const auto& shares : shares_of(one, n))
+      map.push_back(true_codes(one.picture, filter, [&](const auto& t) { return slow::mean(t, shares); }));
+    return map;
+  };
+}
+
+/// Of each face, from its corners in texels.
+template <class OfFace>
+auto each_face(OfFace of_face) {
+  return [=](const BakeCase& one, Level n) {
+    const auto uv = base_triangle<Rational128>(one.uv);
+    std::vector<slow::Shares<Rational128>> all;
+    for (std::uint32_t k = 0; k < slow::face_count(n); ++k)
+      all.push_back(of_face(spec::bake::micro_triangle(uv, n, k, one.picture.width, one.picture.height)));
+    return all;
+  };
+}
+
+slow::Shares<Rational128> even(const std::vector<slow::Place<Rational128>>& at) {
+  slow::Shares<Rational128> shares;
+  const auto each = slow::fraction<Rational128>(1, static_cast<std::int64_t>(at.size()));
+  for (const auto& p : at) shares.push_back({spec::bake::floored(p.x), spec::bake::floored(p.y), each});
+  return shares;
+}
+
+/// As if faces were shares; of the true ones where they are, so that the mean of faces is what they say.
+std::function<void(Functions&)> of_faces(
+    const std::function<slow::Shares<Rational128>(const slow::Polygon<Rational128>&)>& of_face) {
+  return [=](Functions& f) {
+    f.baking.faces = with_shares(Filter::nearest, each_face(of_face));
+    f.baking.face_mean = [=](const BakeCase& one, Level n, std::size_t c, std::uint32_t k) {
+      const auto uv = base_triangle<Rational128>(one.uv);
+      return wide(
+          colour(one, c, Filter::nearest,
+                 of_face(spec::bake::micro_triangle(uv, n, k, one.picture.width, one.picture.height))));
+    };
+  };
+}
+
+}  // namespace
+
+std::function<void(Functions&)> rounds_half_down(MapForm form) {
+  return [=](Functions& f) {
+    MapBaker& baker = map_baker(f.baking, form);
+    baker = [=, real = baker](const BakeCase& one, Level n) {
+      std::vector<Rgba> map = real(one, n);
+      const Filter filter = form == MapForm::faces ? Filter::nearest : one.picture.filter;
+      const auto shares =
+          form == MapForm::faces ? face_shares<Rational128>(one, n) : vertex_shares<Rational128>(one, n);
+      for (std::size_t k = 0; k < map.size(); ++k)
+        for (std::size_t c = one.picture.meaning == Meaning::linear ? 0 : 3; c < 4; ++c) {
+          const auto twice = slow::fraction<Rational128>(510, 1) * colour(one, c, filter, shares[k]);
+          if (twice == slow::fraction<Rational128>(2 * std::int64_t{map[k][c]} - 1, 1)) --map[k][c];
+        }
+      return map;
+    };
+  };
+}
+
+std::function<void(Functions&)> averages_centres() {
+  return of_faces([](const slow::Polygon<Rational128>& corners) {
+    std::vector<slow::Place<Rational128>> centres;
+    const auto half = slow::fraction<Rational128>(1, 2);
+    slow::for_each_part(
+        slow::Image<Rational128>(corners), Rational128(0), [&](std::int64_t i, std::int64_t j, const auto&) {
+          const slow::Place<Rational128> centre{slow::fraction<Rational128>(i, 1) + half,
+                                                slow::fraction<Rational128>(j, 1) + half};
+          bool left = true, right = true;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const auto &p = corners[k], &q = corners[(k + 1) % 3];
+            const Rational128 side = (q.x - p.x) * (centre.y - p.y) - (q.y - p.y) * (centre.x - p.x);
+            left = left && side >= 0;
+            right = right && side <= 0;
+          }
+          if (left || right) centres.push_back(centre);
+        });
+    return even(centres.empty() ? std::vector{spec::bake::centroid(corners)} : centres);
+  });
+}
+
+std::function<void(Functions&)> averages_corners() {
+  return of_faces([](const slow::Polygon<Rational128>& corners) { return even(corners); });
+}
+
+std::function<void(Functions&)> spreads_evenly() {
+  return of_faces([](const slow::Polygon<Rational128>& corners) {
+    if (spec::bake::has_area(corners)) return slow::shares_on(corners, Filter::nearest);
+    // The ends of the segment, the one in the middle left out; cut as an image of its own that is as wide everywhere.
+    auto ends = corners;
+    std::sort(ends.begin(), ends.end(),
+              [](const auto& p, const auto& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
+    const std::size_t pieces = 64;
+    std::vector<slow::Place<Rational128>> at;
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const auto f = slow::fraction<Rational128>(static_cast<std::int64_t>(2 * k + 1), 2 * pieces);
+      at.push_back({ends[0].x + f * (ends[2].x - ends[0].x), ends[0].y + f * (ends[2].y - ends[0].y)});
+    }
+    return even(at);
+  });
+}
+
+std::function<void(Functions&)> places_in_floats() {
+  return [](Functions& f) {
+    f.baking.vertices = [](const BakeCase& one, Level n) {
+      std::vector<Rgba> map;
+      const auto exact = [](float x) {
+        return spec::bake::number<Rational>(spec::bake::Binary32{std::bit_cast<std::uint32_t>(x)});
+      };
+      const float step = 1.0f / static_cast<float>(spec::side(n));
+      for (std::uint64_t k = 0; k < slow::vertex_count(n); ++k) {
+        const auto v = slow::vertex_at(slow::VertexOrder::w_minor, k, n);
+        const float s = static_cast<float>(v.i) * step, t = static_cast<float>(v.j) * step;
+        const auto along = [&](std::size_t axis, std::uint32_t size) {
+          const float p = one.uv[axis], q = one.uv[axis + 2], r = one.uv[axis + 4];
+          return exact((p + (q - p) * s + (r - p) * t) * static_cast<float>(size));
+        };
+        const auto shares =
+            slow::shares_at(slow::Place<Rational>{along(0, one.picture.width), along(1, one.picture.height)},
+                            one.picture.filter);
+        map.push_back(true_codes(one.picture, one.picture.filter,
+                                 [&](const auto& texture) { return slow::mean(texture, shares); }));
+      }
+      return map;
+    };
+  };
+}
+
+}  // namespace mmverify::proofs::attribute

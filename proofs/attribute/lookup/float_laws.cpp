@@ -1,0 +1,310 @@
+// Lookups of binary32 numbers: the triplet exactly, weights within 2^-24, RGBA8 values within rounding.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/lookup/grid_cases.hpp"
+#include "proofs/engine/random.hpp"
+#include "proofs/index/exact_float.hpp"
+#include "proofs/index/hard_floats.hpp"
+
+namespace mmverify::proofs::attribute {
+
+/// A pair of binary32 numbers inside the closed triangle.
+struct FloatCase {
+  float u, v;
+};
+
+namespace {
+
+bool inside(const FloatCase& p) {
+  return index::on_exact(p.u, p.v, [](const auto& q) {
+    using Q = std::decay_t<decltype(q.u)>;
+    return !(q.u < Q(0)) && !(q.v < Q(0)) && !(Q(1) < q.u + q.v);
+  });
+}
+
+/// Hard floats of topic index; those an ulp beyond the hypotenuse go to its middle, where a tie is.
+FloatCase float_case(Level n, std::uint64_t k, std::uint64_t seed) {
+  const index::FloatPair hard = index::hard_floats(n, seed, k);
+  const FloatCase p{hard.u, hard.v};
+  return inside(p) ? p : FloatCase{0.5f, 0.5f};
+}
+
+Cases<FloatCase> on_floats(std::uint64_t fast, std::uint64_t long_run) {
+  Cases<FloatCase> cases;
+  cases.count = [fast, long_run](Level, const Run& run) {
+    return std::max(run.cases, run.tier == Tier::fast ? fast : long_run);
+  };
+  cases.number = float_case;
+  cases.text = [](Level, const FloatCase& p) { return fmt::format("u={:a},v={:a}", p.u, p.v); };
+  cases.read = [](Level, const std::string& at) {
+    const RationalPoint p = index::parse_point(at);
+    const FloatCase found{static_cast<float>(index::nearest(p.u)), static_cast<float>(index::nearest(p.v))};
+    if (index::rational(found.u) != p.u || index::rational(found.v) != p.v)
+      throw BadCase(fmt::format("'{:.60}': not a pair of binary32 numbers", at));
+    if (!inside(found)) throw BadCase(fmt::format("'{:.60}' lies outside the triangle", at));
+    return found;
+  };
+  cases.chunk = 4096;
+  return cases;
+}
+
+MicroTriangle exact_holder(Level n, const FloatCase& p) {
+  return index::on_exact(p.u, p.v, [n](const auto& q) { return spec::attribute::vulkan_triangle(q, n); });
+}
+
+RationalWeights exact_weights(Level n, const MicroTriangle& t, const FloatCase& p) {
+  return spec::attribute::weights_by_pattern(RationalPoint{index::rational(p.u), index::rational(p.v)}, t, n);
+}
+
+Triplet exact_triplet(VertexOrder order, Level n, const MicroTriangle& t) {
+  const auto x = spec::attribute::triplet(order, t, n);
+  return {static_cast<std::uint32_t>(x[0]), static_cast<std::uint32_t>(x[1]),
+          static_cast<std::uint32_t>(x[2])};
+}
+
+std::string float_points(const Subject&, Level) {
+  return "binary32 pairs near grid lines, diagonals and corners";
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// attribute.triplets_on_floats
+// ---------------------------------------------------------------------------------------------------------------------
+
+Law triplets_law() {
+  Cases<FloatCase> cases = on_floats(10'000, 1'000'000);
+  cases.check = [](const AttributeSubject& s, Level n, const FloatCase& p) {
+    const MicroTriangle t = exact_holder(n, p);
+    Finding finding;
+    for (const VertexOrder order : vertex_orders) {
+      Triplet got{};
+      s.functions.lookup.triplet_of_floats(order, n, {{&p.u, 1}, {&p.v, 1}}, {&got, 1});
+      finding.answer = 31 * finding.answer + got[0] + 3 * std::uint64_t{got[1]} + 5 * std::uint64_t{got[2]};
+      if (const Triplet want = exact_triplet(order, n, t); got != want)
+        return wrong(fmt::format("{} in {}", text_of(want), name_of(order)), text_of(got));
+    }
+    return finding;
+  };
+  const auto on_triplet_of_floats = [](auto change) {
+    return [change](Functions& f) {
+      f.lookup.triplet_of_floats = [change, real = f.lookup.triplet_of_floats](
+                                       VertexOrder order, Level n, FloatPoints p, std::span<Triplet> out) {
+        real(order, n, p, out);
+        for (std::size_t k = 0; k < out.size(); ++k) change(order, n, FloatCase{p.u[k], p.v[k]}, out[k]);
+      };
+    };
+  };
+  return on_cases<FloatCase>(
+      {.id = "attribute.triplets_on_floats",
+       .topic = "attribute",
+       .says = "the triplet of a pair of binary32 numbers is that of the exact numbers, in each order, ties "
+               "included",
+       .source = cam_4,
+       .method = Method::sample,
+       .subjects = {"attribute", "attribute-single"},
+       .fast = {0, 16},
+       .long_run = {0, 16},
+       .fast_seconds = 1,
+       .domain = float_points,
+       .mutants = {mutant(
+                       "the carry is a rounded sum", "attribute", {6, 16},
+                       on_triplet_of_floats([](VertexOrder order, Level n, const FloatCase& p, Triplet& x) {
+                         const auto N = static_cast<float>(spec::side(n));
+                         const float fu = p.u * N - std::floor(p.u * N), fv = p.v * N - std::floor(p.v * N);
+                         MicroTriangle t = exact_holder(n, p);
+                         if (t.iu + t.iv + 1 < spec::side(n)) t.upper = fu + fv >= 1.0f;
+                         x = exact_triplet(order, n, t);
+                       })),
+                   mutant("W-minor's products are in 16 bits from row 2^15 on", "attribute", {16, 16},
+                          on_triplet_of_floats([](VertexOrder order, Level, const FloatCase&, Triplet& x) {
+                            if (order == VertexOrder::w_minor && x[0] >= 1u << 30) x[0] ^= 1u << 16;
+                          })),
+                   mutant(
+                       "a point on u = 1/2 is rounded to the left at level 9", "attribute", {9, 9},
+                       on_triplet_of_floats([](VertexOrder order, Level n, const FloatCase& p, Triplet& x) {
+                         if (n == 9 && p.u == 0.5f && p.v > 0 && p.v < 0.25f)
+                           x = exact_triplet(order, n, exact_holder(n, {std::nextafter(p.u, 0.0f), p.v}));
+                       }))}},
+      needing({entry::float_triplet}), cases);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// attribute.weights_on_floats
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// 2^24 times the greatest error of a weight.
+double greatest_error(const RationalWeights& exact, const FloatWeights& got) {
+  spec::Rational greatest{spec::Integer(0)};
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!std::isfinite(got[c])) return HUGE_VAL;
+    greatest = std::max(greatest, abs(index::rational(got[c]) - exact[c]));
+  }
+  return index::nearest(greatest * spec::Integer(1 << 24));
+}
+
+Law weights_law() {
+  Cases<FloatCase> cases = on_floats(2'000, 300'000);
+  cases.check = [](const AttributeSubject& s, Level n, const FloatCase& p) {
+    const RationalWeights exact = exact_weights(n, exact_holder(n, p), p);
+    FloatWeights got{};
+    s.functions.lookup.weights_of_floats(n, {{&p.u, 1}, {&p.v, 1}}, {&got, 1});
+    const double error = greatest_error(exact, got);
+    const bool none_negative = got[0] >= 0 && got[1] >= 0 && got[2] >= 0;
+    Finding finding{std::bit_cast<std::uint32_t>(got[0]) +
+                    3 * std::uint64_t{std::bit_cast<std::uint32_t>(got[1])}};
+    if (error <= 1 && none_negative) return finding;
+    return wrong(fmt::format("{:.9g} {:.9g} {:.9g}, each within 2^-24 and none below 0",
+                             index::nearest(exact[0]), index::nearest(exact[1]), index::nearest(exact[2])),
+                 fmt::format("{:.9g} {:.9g} {:.9g}, {:.3g} times 2^-24 off", got[0], got[1], got[2], error));
+  };
+  const auto on_weights_of_floats = [](auto change) {
+    return [change](Functions& f) {
+      f.lookup.weights_of_floats = [change, real = f.lookup.weights_of_floats](Level n, FloatPoints p,
+                                                                               std::span<FloatWeights> out) {
+        real(n, p, out);
+        for (std::size_t k = 0; k < out.size(); ++k) change(n, FloatCase{p.u[k], p.v[k]}, out[k]);
+      };
+    };
+  };
+  return on_cases<FloatCase>(
+      {.id = "attribute.weights_on_floats",
+       .topic = "attribute",
+       .says =
+           "weights by the pattern are within 2^-24 of the exact ones at every level, and none is below 0",
+       .source = "Color and Attribute Micromaps, 4.1, which omits it",
+       .method = Method::sample,
+       .subjects = {"attribute", "attribute-single"},
+       .fast = {0, 16},
+       .long_run = {0, 16},
+       .fast_seconds = 1,
+       .domain = float_points,
+       .mutants = {mutant("Cramer's rule at level 4", "attribute", {4, 4},
+                          on_weights_of_floats([](Level n, const FloatCase& p, FloatWeights& w) {
+                            if (n == 4)
+                              w = spec::attribute::weights_by_cramer(
+                                  spec::Point<float>{p.u, p.v},
+                                  spec::attribute::corners_of(exact_holder(n, p)), n);
+                          })),
+                   mutant("v comes from 1 - u - w", "attribute", {8, 12},
+                          on_weights_of_floats([](Level n, const FloatCase& p, FloatWeights& w) {
+                            const float third = 1.0f - p.u - p.v, v = 1.0f - p.u - third;
+                            const MicroTriangle t = exact_holder(n, p);
+                            w = spec::attribute::weights_by_pattern(spec::Point<float>{p.u, v}, t, n);
+                          })),
+                   mutant("a weight of 1 is the number after it", "attribute", {3, 3},
+                          on_weights_of_floats([](Level, const FloatCase&, FloatWeights& w) {
+                            for (float& x : w)
+                              if (x == 1.0f) x = std::nextafter(1.0f, 2.0f);
+                          }))}},
+      needing({entry::float_weights}), cases);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// attribute.interpolates_rgba8
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The value of vertex (i, j) in the map that the law looks up: neighbours are far apart in every channel.
+std::uint32_t colour(const Vertex& at) {
+  Random random(0, at.i, at.j);
+  return static_cast<std::uint32_t>(random.next());
+}
+
+/// That map in an order.
+const std::vector<std::uint32_t>& colour_map(VertexOrder order, Level n) {
+  static std::mutex mutex;
+  static std::map<std::pair<VertexOrder, Level>, std::vector<std::uint32_t>> made;
+  const std::lock_guard lock(mutex);
+  auto& map = made[{order, n}];
+  if (map.empty())
+    for (std::uint64_t x = 0; x < vertex_count(n); ++x)
+      map.push_back(colour(spec::attribute::vertex_at(order, x, n)));
+  return map;
+}
+
+Law rgba8_law() {
+  Cases<FloatCase> cases = on_floats(1'000, 100'000);
+  cases.check = [](const AttributeSubject& s, Level n, const FloatCase& p) {
+    const MicroTriangle t = exact_holder(n, p);
+    const RationalWeights w = exact_weights(n, t, p);
+    const auto corners = spec::attribute::corners_of(t);
+    std::array<spec::Rational, 4> exact;
+    for (unsigned channel = 0; channel < 4; ++channel) {
+      const auto of = [&](std::size_t c) { return colour(corners[c]) >> (8 * channel) & 0xff; };
+      exact[channel] = spec::attribute::interpolated(w, {of(0), of(1), of(2)});
+    }
+    // Half a code, and 2^-13 for what the weights and the sum are off.
+    const spec::Rational most(spec::Integer(4097), spec::Integer(8192));
+    Finding finding;
+    for (const VertexOrder order : vertex_orders) {
+      std::uint32_t got = 0;
+      s.functions.lookup.rgba8(order, n, colour_map(order, n), {{&p.u, 1}, {&p.v, 1}}, {&got, 1});
+      finding.answer = got;
+      for (unsigned channel = 0; channel < 4; ++channel) {
+        const std::uint32_t code = got >> (8 * channel) & 0xff;
+        if (abs(spec::Rational(spec::Integer(code)) - exact[channel]) <= most) continue;
+        return wrong(fmt::format("channel {} in {}: {:.6f} rounded", channel, name_of(order),
+                                 index::nearest(exact[channel])),
+                     fmt::format("{}", code));
+      }
+    }
+    return finding;
+  };
+  const auto on_rgba8 = [](auto change) {
+    return [change](Functions& f) {
+      f.lookup.rgba8 = [change, real = f.lookup.rgba8](VertexOrder order, Level n,
+                                                       std::span<const std::uint32_t> map, FloatPoints p,
+                                                       std::span<std::uint32_t> out) {
+        real(order, n, map, p, out);
+        for (std::size_t k = 0; k < out.size(); ++k)
+          out[k] = change(order, n, FloatCase{p.u[k], p.v[k]}, out[k]);
+      };
+    };
+  };
+  return on_cases<FloatCase>(
+      {.id = "attribute.interpolates_rgba8",
+       .topic = "attribute",
+       .says = "each channel of an RGBA8 value is within 1/2 + 2^-13 of the exact mean of its vertices' by "
+               "the weights",
+       .source = cam_4,
+       .method = Method::sample,
+       .subjects = {"attribute", "attribute-single"},
+       .fast = {0, 8},
+       .long_run = {0, 10},
+       .fast_seconds = 1,
+       .domain = float_points,
+       .mutants = {mutant("values are cut, not rounded, in the last channel", "attribute", {0, 5},
+                          on_rgba8([](VertexOrder order, Level n, const FloatCase& p, std::uint32_t got) {
+                            const MicroTriangle t = exact_holder(n, p);
+                            const auto c = spec::attribute::corners_of(t);
+                            const auto exact = spec::attribute::interpolated(
+                                exact_weights(n, t, p),
+                                {colour(c[0]) >> 24, colour(c[1]) >> 24, colour(c[2]) >> 24});
+                            return order == VertexOrder::bird ? (got & 0xffffff) | spec::whole(exact) << 24
+                                                              : got;
+                          })),
+                   mutant("red and blue change places at one level", "attribute", {5, 5},
+                          on_rgba8([](VertexOrder, Level n, const FloatCase&, std::uint32_t got) {
+                            if (n != 5) return got;
+                            return (got & 0xff00ff00u) | (got >> 16 & 0xff) | (got & 0xff) << 16;
+                          })),
+                   mutant("alpha is the nearest vertex's", "attribute", {2, 4},
+                          on_rgba8([](VertexOrder, Level n, const FloatCase& p, std::uint32_t got) {
+                            const MicroTriangle t = exact_holder(n, p);
+                            const auto w = exact_weights(n, t, p);
+                            const auto most =
+                                static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
+                            return (got & 0xffffff) |
+                                   (colour(spec::attribute::corners_of(t)[most]) & 0xff000000u);
+                          }))}},
+      needing({entry::rgba8}), cases);
+}
+
+}  // namespace
+
+std::vector<Law> float_lookup_laws() { return {triplets_law(), weights_law(), rgba8_law()}; }
+
+}  // namespace mmverify::proofs::attribute

@@ -1,0 +1,414 @@
+// How orders are related: to the next level, to each other, and to faces.
+#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/orders/parts.hpp"
+
+namespace mmverify::proofs::attribute {
+namespace {
+
+const std::vector<std::string> related_subjects{"attribute-spec", "attribute", "attribute-single"};
+
+/// Two answers to compare, as numbers; and what is said where they are not what the law wants.
+struct Compared {
+  std::vector<std::uint32_t> left, right;
+};
+
+/// A law on vertices about two lists of indices of each setting; `holds` judges a pair, `wanted` words it.
+struct TwoIndices {
+  std::function<Compared(const AttributeSubject&, Level, std::size_t setting, std::span<const Vertex>)> both;
+  std::function<bool(Level, std::size_t setting, const Vertex&, std::uint32_t left, std::uint32_t right)>
+      holds;
+  std::function<std::string(std::size_t setting, std::uint32_t left)> wanted;
+};
+
+Batches<Vertex> on_two(std::vector<std::string> settings, const TwoIndices& two) {
+  Batches<Vertex> cases;
+  cases.settings = std::move(settings);
+  cases.count = vertex_count;
+  cases.kind = Kind::vertex;
+  cases.check = [two](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Vertex> at,
+                      std::span<Outcome> out) {
+    const Compared found = two.both(s, n, setting, at);
+    for (std::size_t k = 0; k < at.size(); ++k)
+      out[k] = {found.right[k], two.holds(n, setting, at[k], found.left[k], found.right[k])};
+  };
+  cases.words = [two](const AttributeSubject& s, Level n, std::size_t setting, const Vertex& at) {
+    const Compared found = two.both(s, n, setting, {&at, 1});
+    return Words{two.wanted(setting, found.left[0]), fmt::format("{}", found.right[0])};
+  };
+  return cases;
+}
+
+std::vector<Vertex> scaled(std::span<const Vertex> at, Level by) {
+  std::vector<Vertex> found;
+  for (const Vertex& v : at) found.push_back({v.i << by, v.j << by});
+  return found;
+}
+
+/// Defined at level n+1, too.
+std::function<std::optional<std::string>(const Subject&, Level)> one_level_more(
+    const std::function<std::optional<std::string>(const Subject&, Level)>& unfit) {
+  return [unfit](const Subject& s, Level n) -> std::optional<std::string> {
+    if (auto why = unfit(s, n)) return why;
+    if (const Level last = of_attribute(s).functions.max_level; n + 1 > last)
+      return fmt::format("{} is defined up to level {}", s.name(), last);
+    return std::nullopt;
+  };
+}
+
+Law nested_law() {
+  // Settings 0 to 2: the same vertex a level on.  Setting 3: the same numbers i and j a level on.
+  auto settings = settings_of(vertex_orders);
+  settings.emplace_back("w-minor-rows");
+  TwoIndices two;
+  two.both = [](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Vertex> at) {
+    const VertexOrder order = setting == 3 ? VertexOrder::w_minor : vertex_orders[setting];
+    return Compared{indices_of(s, order, n, at),
+                    indices_of(s, order, n + 1, scaled(at, setting == 3 ? 0 : 1))};
+  };
+  two.holds = [](Level, std::size_t setting, const Vertex& v, std::uint32_t here, std::uint32_t next) {
+    const bool moves = setting < 2 && !(v == Vertex{0, 0});
+    return moves ? next > here : next == here;
+  };
+  two.wanted = [](std::size_t setting, std::uint32_t here) {
+    return setting < 2 ? fmt::format("a number above {}, or 0 of the w-corner", here)
+                       : fmt::format("{}", here);
+  };
+  const auto at_level = [](VertexOrder order, Level level, Vertex where, std::uint32_t add) {
+    return on_vertex_index(order, [=](Level n, const Vertex& v, std::uint32_t x) {
+      return n == level && v == where ? x + add : x;
+    });
+  };
+  Law law = on_batches(
+      {.id = "attribute.order_prefix_nested",
+       .topic = "attribute",
+       .says = "Bird alone keeps a vertex's index from level to level; in W-minor and U-major each vertex "
+               "but number 0 "
+               "moves up; W-minor of a level begins with the rows of the level before, number by number",
+       .source = "Color and Attribute Micromaps, 3.1 and 4.4.1, which leave it open",
+       .subjects = related_subjects,
+       .fast = {0, 10},
+       .long_run = {0, 15},
+       .fast_seconds = 1,
+       .domain = [](const Subject&,
+                    Level) { return std::string("the V(n) vertices, in 3 orders and by W-minor's rows"); },
+       .mutants = {mutant("one vertex of Bird's level 8 is another", "attribute-spec", {7, 7},
+                          at_level(VertexOrder::bird, 8, {60, 128}, 3)),
+                   mutant("U-major of level 6 keeps a number of level 5", "attribute-spec", {5, 5},
+                          on_vertex_index(VertexOrder::u_major,
+                                          [](Level n, const Vertex& v, std::uint32_t x) {
+                                            return n == 6 && v == Vertex{2, 0} ? 33u : x;
+                                          })),
+                   mutant("W-minor of level 7 skips a number in row 20", "attribute", {6, 6},
+                          on_vertex_index(VertexOrder::w_minor,
+                                          [](Level n, const Vertex& v, std::uint32_t x) {
+                                            return n == 7 && v.i + v.j == 20 && v.j > 9 ? x + 1 : x;
+                                          }))}},
+      needing({entry::vertex_index}), on_two(settings, two));
+  law.unfit = one_level_more(law.unfit);
+  return law;
+}
+
+/// Levels further on; the last setting goes to level 16.
+constexpr std::array<Level, 3> steps{2, 3, 4};
+Level levels_on(std::size_t setting, Level n) {
+  return setting < 3 ? std::min(steps[setting], 16 - n) : 16 - n;
+}
+
+Law prefix_law() {
+  TwoIndices two;
+  two.both = [](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Vertex> at) {
+    const Level a = std::min(levels_on(setting, n), s.functions.max_level - n);
+    return Compared{indices_of(s, VertexOrder::bird, n, at),
+                    indices_of(s, VertexOrder::bird, n + a, scaled(at, a))};
+  };
+  two.holds = [](Level n, std::size_t, const Vertex&, std::uint32_t here, std::uint32_t there) {
+    return here == there && here < vertex_count(n);
+  };
+  two.wanted = [](std::size_t, std::uint32_t here) { return fmt::format("{}", here); };
+  return on_batches(
+      {.id = "attribute.bird_prefix",
+       .topic = "attribute",
+       .says = "Bird's map of a level begins with the map of each coarser level: the vertex of index x < "
+               "V(n) is the "
+               "same place 2, 3 and 4 levels on and at level 16",
+       .source = "Color and Attribute Micromaps, 3.1 and 4.4.1",
+       .subjects = related_subjects,
+       .fast = {0, 9},
+       .long_run = {0, 14},
+       .fast_seconds = 1,
+       .domain = [](const Subject&, Level) { return std::string("the V(n) vertices, at 4 finer levels"); },
+       .mutants = {mutant("at level 16 number 32768 is 0", "attribute-spec", {8, 8},
+                          on_vertex_index(VertexOrder::bird,
+                                          [](Level n, const Vertex&, std::uint32_t x) {
+                                            return n == 16 && x == 32'768 ? 0 : x;
+                                          })),
+                   mutant("the vertex (1/2, 1/4) moves by a triplet from level 5 on", "attribute-spec",
+                          {2, 5},
+                          on_vertex_index(VertexOrder::bird,
+                                          [](Level n, const Vertex& v, std::uint32_t x) {
+                                            const std::uint32_t far = spec::side(n) / 2;
+                                            return n > 4 && v == Vertex{far, far / 2} ? x + 3 : x;
+                                          })),
+                   mutant("the first triplet of level 7 is mixed up at level 9", "attribute", {7, 7},
+                          on_vertex_index(VertexOrder::bird,
+                                          [](Level n, const Vertex&, std::uint32_t x) {
+                                            return n == 9 && x >= vertex_count(6) && x < vertex_count(6) + 3
+                                                       ? x ^ 1
+                                                       : x;
+                                          }))}},
+      needing({entry::vertex_index}), on_two({"2", "3", "4", "16"}, two));
+}
+
+Law reversed_law() {
+  TwoIndices two;
+  two.both = [](const AttributeSubject& s, Level n, std::size_t, std::span<const Vertex> at) {
+    std::vector<Vertex> turned;
+    for (const Vertex& v : at) turned.push_back({v.j, spec::side(n) - v.i - v.j});
+    Compared found{indices_of(s, VertexOrder::w_minor, n, turned),
+                   indices_of(s, VertexOrder::u_major, n, at)};
+    for (std::uint32_t& x : found.left) x = static_cast<std::uint32_t>(vertex_count(n) - 1 - x);
+    return found;
+  };
+  two.holds = [](Level, std::size_t, const Vertex&, std::uint32_t left, std::uint32_t right) {
+    return left == right;
+  };
+  two.wanted = [](std::size_t, std::uint32_t left) { return fmt::format("{}", left); };
+  return on_batches(
+      {.id = "attribute.umajor_is_reversed_rows",
+       .topic = "attribute",
+       .says = "U-major(i, j) = V(n) - 1 - W-minor(j, N-i-j): the rows from the u-corner, backwards",
+       .source = cam_2,
+       .subjects = related_subjects,
+       .fast = {0, 10},
+       .long_run = {0, 16},
+       .fast_seconds = 1,
+       .domain = [](const Subject&, Level) { return std::string("the V(n) vertices"); },
+       .mutants = {mutant("columns are read from the far end at level 9", "attribute-spec", {9, 9},
+                          on_vertex_index(VertexOrder::u_major,
+                                          [](Level n, const Vertex& v, std::uint32_t x) {
+                                            return n == 9 ? x + (spec::side(n) - v.i) - 2 * v.j : x;
+                                          })),
+                   mutant("the last two of level 4 change places", "attribute-spec", {4, 4},
+                          on_vertex_index(VertexOrder::u_major,
+                                          [](Level n, const Vertex& v, std::uint32_t x) {
+                                            return n == 4 && v.i == 15 ? x ^ 3 : x;
+                                          })),
+                   mutant("W-minor's rows are read from the edge w-v at level 6", "attribute", {6, 6},
+                          on_vertex_index(VertexOrder::w_minor,
+                                          [](Level n, const Vertex& v, std::uint32_t x) {
+                                            return n == 6 ? x - v.j + v.i : x;
+                                          }))}},
+      needing({entry::vertex_index}), on_two({"u-major"}, two));
+}
+
+/// What an element's index in one order becomes in another, beside its own index there.
+template <class Element, class Convert>
+Batches<Element> conversions(const auto& of, std::function<std::uint64_t(Level)> count, Kind kind,
+                             Convert convert) {
+  Batches<Element> cases;
+  cases.settings = settings_of(of);
+  cases.count = std::move(count);
+  cases.kind = kind;
+  const auto both = [of, convert](const AttributeSubject& s, Level n, std::size_t setting,
+                                  std::span<const Element> at) {
+    const auto& pair = of[setting];
+    Compared found{indices_of(s, pair.to, n, at), indices_of(s, pair.from, n, at)};
+    convert(s.functions)(pair.from, pair.to, n, std::vector(found.right), found.right);
+    return found;
+  };
+  cases.check = [both](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Element> at,
+                       std::span<Outcome> out) {
+    const Compared found = both(s, n, setting, at);
+    for (std::size_t k = 0; k < at.size(); ++k) out[k] = {found.right[k], found.left[k] == found.right[k]};
+  };
+  cases.words = [both](const AttributeSubject& s, Level n, std::size_t setting, const Element& at) {
+    const Compared found = both(s, n, setting, {&at, 1});
+    return Words{fmt::format("{}", found.left[0]), fmt::format("{}", found.right[0])};
+  };
+  return cases;
+}
+
+/// A converter that is wrong: change(from, to, n, index, converted).
+template <auto convert, class Change>
+auto on_conversion(Change change) {
+  return [change](Functions& f) {
+    auto& function = f.orders.*convert;
+    function = [change, real = function](auto from, auto to, Level n, std::span<const std::uint32_t> index,
+                                         std::span<std::uint32_t> out) {
+      const std::vector<std::uint32_t> kept(index.begin(), index.end());
+      real(from, to, n, index, out);
+      for (std::size_t k = 0; k < out.size(); ++k) out[k] = change(from, to, n, kept[k], out[k]);
+    };
+  };
+}
+
+Law convert_law() {
+  constexpr auto in = &Orders::convert_vertices;
+  using enum VertexOrder;
+  return on_batches(
+      {.id = "attribute.convert",
+       .topic = "attribute",
+       .says = "an index made that of another order is the same vertex's there",
+       .source = cam_2,
+       .subjects = {"attribute-spec", "attribute"},
+       .fast = {0, 9},
+       .long_run = {0, 14},
+       .fast_seconds = 1,
+       .domain = [](const Subject&,
+                    Level) { return std::string("the V(n) vertices, from each order to each other"); },
+       .mutants = {mutant(
+                       "U-major to W-minor is backwards alone, not turned", "attribute-spec", {2, 5},
+                       on_conversion<in>([](auto from, auto to, Level n, std::uint32_t x, std::uint32_t y) {
+                         const auto back = static_cast<std::uint32_t>(vertex_count(n) - 1 - x);
+                         return from == u_major && to == w_minor ? back : y;
+                       })),
+                   mutant("one vertex of level 8 from Bird", "attribute-spec", {8, 8},
+                          on_conversion<in>([](auto from, auto, Level n, std::uint32_t x, std::uint32_t y) {
+                            return n == 8 && from == bird && x == 12'345 ? y + 1 : y;
+                          })),
+                   mutant("to Bird the last two edges of each triplet of level 6 change places", "attribute",
+                          {6, 6},
+                          on_conversion<in>([](auto, auto to, Level n, std::uint32_t, std::uint32_t y) {
+                            const auto coarser = static_cast<std::uint32_t>(vertex_count(5));
+                            if (n != 6 || to != bird || y < coarser || (y - coarser) % 3 == 0) return y;
+                            return (y - coarser) % 3 == 1 ? y + 1 : y - 1;
+                          }))}},
+      needing({entry::vertex_index, entry::convert_vertices}),
+      conversions<Vertex>(pairs(vertex_orders, vertex_orders, false), vertex_count, Kind::vertex,
+                          [](const Functions& f) { return f.orders.convert_vertices; }));
+}
+
+Law convert_faces_law() {
+  constexpr auto in = &Orders::convert_faces;
+  using enum FaceOrder;
+  return on_batches(
+      {.id = "attribute.convert_faces",
+       .topic = "attribute",
+       .says = "a face's index made that of another order is the same face's there",
+       .source = cam_2,
+       .subjects = {"attribute-spec", "attribute"},
+       .fast = {0, 8},
+       .long_run = {0, 14},
+       .fast_seconds = 1,
+       .domain = [](const Subject&,
+                    Level) { return std::string("the 4^n faces, from each order to each other"); },
+       .mutants = {mutant(
+                       "rows to U-major keeps the index in the last row of level 6", "attribute-spec", {6, 6},
+                       on_conversion<in>([](auto from, auto to, Level n, std::uint32_t x, std::uint32_t y) {
+                         return n == 6 && from == rows && to == u_major && x == 63 * 63 + 5 ? x : y;
+                       })),
+                   mutant("from the curve the last digit is flipped where the middle child is",
+                          "attribute-spec", {3, 5},
+                          on_conversion<in>([](auto from, auto to, Level, std::uint32_t x, std::uint32_t y) {
+                            return from == curve && to == rows && x % 256 == 0x55 ? y + 1 : y;
+                          })),
+                   mutant("to the curve of level 7 the last one is the one before", "attribute", {7, 7},
+                          on_conversion<in>([](auto, auto to, Level n, std::uint32_t, std::uint32_t y) {
+                            return n == 7 && to == curve && y == face_count(7) - 1 ? y - 1 : y;
+                          }))}},
+      needing({entry::face_index, entry::convert_faces}),
+      conversions<MicroTriangle>(pairs(face_orders, face_orders, false), face_count, Kind::interior,
+                                 [](const Functions& f) { return f.orders.convert_faces; }));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// attribute.triangle_vertices
+// ---------------------------------------------------------------------------------------------------------------------
+
+Law triangle_vertices_law() {
+  const auto of = pairs(face_orders, vertex_orders);
+  struct Found {
+    std::vector<Triplet> expected, got;
+    std::vector<std::uint32_t> face, back;
+  };
+  const auto find = [of](const AttributeSubject& s, Level n, std::size_t setting,
+                         std::span<const MicroTriangle> at) {
+    const auto [faces, vertices] = of[setting];
+    const Orders& f = s.functions.orders;
+    Found found;
+    found.face = indices_of(s, faces, n, at);
+    found.got.resize(at.size());
+    f.triplet(faces, vertices, n, found.face, found.got);
+    std::vector<Vertex> corners;
+    for (const MicroTriangle& t : at)
+      for (const Vertex& c : spec::attribute::corners_of(t)) corners.push_back(c);
+    const auto index = indices_of(s, vertices, n, corners);
+    for (std::size_t k = 0; k < at.size(); ++k)
+      found.expected.push_back({index[3 * k], index[3 * k + 1], index[3 * k + 2]});
+    found.back.resize(at.size());
+    if (f.face_of) f.face_of(faces, vertices, n, found.expected, found.back);
+    return found;
+  };
+  Batches<MicroTriangle> cases;
+  cases.settings = settings_of(of);
+  cases.count = face_count;
+  cases.kind = Kind::interior;
+  cases.check = [find](const AttributeSubject& s, Level n, std::size_t setting,
+                       std::span<const MicroTriangle> at, std::span<Outcome> out) {
+    const Found found = find(s, n, setting, at);
+    for (std::size_t k = 0; k < at.size(); ++k)
+      out[k] = {found.got[k][0] + std::uint64_t{found.got[k][1]} * 3 + std::uint64_t{found.got[k][2]} * 5,
+                found.got[k] == found.expected[k] && found.back[k] == found.face[k]};
+  };
+  cases.words = [find](const AttributeSubject& s, Level n, std::size_t setting, const MicroTriangle& at) {
+    const Found found = find(s, n, setting, {&at, 1});
+    return Words{fmt::format("{}, of face {}", text_of(found.expected[0]), found.face[0]),
+                 fmt::format("{}, of face {}", text_of(found.got[0]), found.back[0])};
+  };
+  const auto on_triplet = [](auto change) {
+    return [change](Functions& f) {
+      f.orders.triplet = [change, real = f.orders.triplet](FaceOrder faces, VertexOrder vertices, Level n,
+                                                           std::span<const std::uint32_t> face,
+                                                           std::span<Triplet> out) {
+        real(faces, vertices, n, face, out);
+        for (std::size_t k = 0; k < out.size(); ++k) change(faces, vertices, n, face[k], out[k]);
+      };
+    };
+  };
+  return on_batches(
+      {.id = "attribute.triangle_vertices",
+       .topic = "attribute",
+       .says = "a face's triplet are its base's index and those one step along u and along v from there, "
+               "backwards of "
+               "an upper one; and of the triplet's faces it is that one",
+       .source = cam_4,
+       .subjects = related_subjects,
+       .fast = {0, 7},
+       .long_run = {0, 14},
+       .fast_seconds = 1,
+       .domain = [](const Subject&,
+                    Level) { return std::string("the 4^n faces, 3 orders of faces by 3 of vertices"); },
+       .mutants =
+           {mutant("figure 4's cycle: odd triplets of rows begin one corner earlier", "attribute-spec",
+                   {1, 4},
+                   on_triplet([](FaceOrder faces, VertexOrder, Level, std::uint32_t face, Triplet& t) {
+                     const std::uint32_t row = spec::index::w_minor_row(face);
+                     if (faces == FaceOrder::rows && (face - row * row) % 2 != 0) t = {t[2], t[0], t[1]};
+                   })),
+            mutant("the last two corners of one face of level 6 change places", "attribute-spec", {6, 6},
+                   on_triplet([](FaceOrder faces, VertexOrder vertices, Level n, std::uint32_t face,
+                                 Triplet& t) {
+                     if (n == 6 && face == 3000 && faces == FaceOrder::curve && vertices == VertexOrder::bird)
+                       std::swap(t[1], t[2]);
+                   })),
+            mutant("the way back takes an upper face of the last strip for a lower one", "attribute", {5, 5},
+                   [](Functions& f) {
+                     f.orders.face_of = [real = f.orders.face_of](FaceOrder faces, VertexOrder vertices,
+                                                                  Level n, std::span<const Triplet> of_these,
+                                                                  std::span<std::uint32_t> out) {
+                       real(faces, vertices, n, of_these, out);
+                       for (std::uint32_t& x : out)
+                         if (n == 5 && faces == FaceOrder::u_major && x == face_count(5) - 3) --x;
+                     };
+                   })}},
+      needing({entry::face_index, entry::vertex_index, entry::triplet, entry::face_of}), std::move(cases));
+}
+
+}  // namespace
+
+std::vector<Law> order_relation_laws() {
+  return {nested_law(),  prefix_law(),        reversed_law(),
+          convert_law(), convert_faces_law(), triangle_vertices_law()};
+}
+
+}  // namespace mmverify::proofs::attribute
