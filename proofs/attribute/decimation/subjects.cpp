@@ -9,7 +9,7 @@ namespace fast = mmverify::impl::attribute;
 
 namespace {
 
-double number(const spec::Fixed64& q) {
+double in_double(const spec::Fixed64& q) {
   return static_cast<double>(q.raw()) / static_cast<double>(std::int64_t{1} << spec::Fixed64::fraction_bits);
 }
 
@@ -44,7 +44,7 @@ Decimation specified_decimation() {
     const auto place = slow::decimated_place(p, n, flags);
     WeightedVertices found{place.corners, {}};
     for (std::size_t c = 0; c < 3; ++c)
-      found.weights[c] = number(place.shares[c]) / static_cast<double>(place.area);
+      found.weights[c] = in_double(place.shares[c]) / static_cast<double>(place.area);
     return found;
   };
   return f;
@@ -69,7 +69,7 @@ Decimation library_decimation() {
     return static_cast<std::uint8_t>(word >> 24);
   };
   f.place = [](Level n, EdgeFlags flags, const DyadicPoint& p) {
-    return looked_up(n, flags, static_cast<float>(number(p.u)), static_cast<float>(number(p.v)));
+    return looked_up(n, flags, static_cast<float>(in_double(p.u)), static_cast<float>(in_double(p.v)));
   };
   f.place_f32 = looked_up;
   return f;
