@@ -129,13 +129,12 @@ void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const T
       longer.insert(longer.end(), more, value);
       give(fmt::format("{} bytes {:02x} more,", more, value), longer);
     }
-  // Sizes that a byte and a word no longer hold, of a few maps.
-  if (n == 0 || hash_of(map.packed) % 64 == 0)
-    for (const std::size_t more : {std::size_t{1} << 8, std::size_t{1} << 16}) {
-      Bytes longer = code;
-      longer.insert(longer.end(), more, 0);
-      give(fmt::format("{} bytes 00 more,", more), longer);
-    }
+  // What a count of 8 or 16 bits takes for none.
+  for (const std::size_t more : {std::size_t{1} << 8, std::size_t{1} << 16}) {
+    Bytes longer = code;
+    longer.insert(longer.end(), more, 0);
+    give(fmt::format("{} bytes 00 more,", more), longer);
+  }
   Bytes twice = code;
   twice.insert(twice.end(), code.begin(), code.end());
   give("twice,", twice);
