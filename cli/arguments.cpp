@@ -77,7 +77,7 @@ std::string fits_64_bits(const std::string& text) {
 }
 
 std::string shell_quoted(const std::string& text) {
-  constexpr char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=,+-@";
+  constexpr char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=,+-";
   if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
   std::string quoted = "'";
   for (const char c : text) quoted.append(c == '\'' ? "'\\''" : std::string(1, c));

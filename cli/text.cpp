@@ -23,8 +23,7 @@ Level level_of(const Result& result, const Counterexample& c) {
 
 std::string replay_command(const Result& result, const Counterexample& c) {
   if (!result.replayed_by.empty())
-    return fmt::format("{} --case {}", result.replayed_by,
-                       shell_quoted(fmt::format("{}@{}", level_of(result, c), c.at)));
+    return fmt::format("{} --case {}@{}", result.replayed_by, level_of(result, c), shell_quoted(c.at));
   const Law* law = find_law(result.law);
   const Level level = level_of(result, c);
   // What the answers to laws of more than one question were is gone with them: the right one is shown.

@@ -20,7 +20,8 @@ namespace {
 using namespace mmverify::proofs;
 using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
 
-/// Whoever adds an entry point that takes floats comes by here: it needs a line in `Entries`, below.
+/// Whoever adds an entry point that takes floats comes by here: it needs a line in `Entries`, below.  Those of
+/// attribute maps are asked by samples of floats alone, so that no proof over cells has to bring one along.
 TEST(FloatLaws, TheHeadersEntryPointsForPointsAreThese) {
   std::ifstream file(MMVERIFY_HEADER);
   const std::string header{std::istreambuf_iterator<char>(file), {}};
@@ -30,7 +31,8 @@ TEST(FloatLaws, TheHeadersEntryPointsForPointsAreThese) {
     if (const std::string parameters = (*at)[2]; std::regex_search(parameters, floats))
       taking_floats.insert((*at)[1]);
   EXPECT_THAT(taking_floats,
-              testing::ElementsAre("index_f32", "index_f64", "row_index_f32", "tree_lookup_f32"));
+              testing::ElementsAre("attribute_triplet_f32", "attribute_weights_f32", "index_f32", "index_f64",
+                                   "row_index_f32", "tree_lookup_f32"));
 }
 
 /// A float subject that has every entry point, but for what is taken away.
