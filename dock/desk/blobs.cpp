@@ -125,13 +125,9 @@ void Desk::encode(bool thorough) {
 }
 
 void Desk::answer(bool thorough) {
-  // Each second time the other way round: so two questions follow each other at one address.
-  elsewhere_first_ = !elsewhere_first_;
-  const std::uint8_t* elsewhere = blob_elsewhere();
-  const std::uint64_t room = mailbox_.room,
-                      first = call_at_guard(room, blank, elsewhere_first_ ? elsewhere : nullptr);
+  const std::uint64_t room = mailbox_.room, first = call_at_guard(room, blank);
   again_.assign(blob_answer(room), blob_answer(room) + room);
-  const std::uint64_t second = call_at_guard(room, blank_again, elsewhere_first_ ? nullptr : elsewhere);
+  const std::uint64_t second = call_at_guard(room, blank_again, blob_elsewhere());
   if (first != second)
     stop(Outcome::non_deterministic, 0, first != 0 ? "taken, then refused" : "refused, then taken");
   if (first != 0) compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, "asked again");

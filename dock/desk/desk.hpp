@@ -140,9 +140,8 @@ class Desk {
   std::uint64_t probed_[calls][formats] = {};   ///< bit n: the entry point was asked at level n
   std::uint32_t questions_[calls][32][3] = {};  ///< so far, by entry point, level and format
   std::optional<Question> earlier_[calls];      ///< the last one that was asked from two threads
-  bool elsewhere_first_ = false;      ///< of a map or code, the copy is asked about before the original
-  std::vector<std::byte> again_;      ///< the other of two answers to one question
-  std::vector<std::byte> elsewhere_;  ///< holds blob_elsewhere()
+  std::vector<std::byte> again_;                ///< the other of two answers to one question
+  std::vector<std::byte> elsewhere_;            ///< holds blob_elsewhere()
 };
 
 }  // namespace mmverify::dock
