@@ -56,7 +56,7 @@ constexpr std::uint32_t formats = formats_side * formats_side;
   ROW(vq4_decode,          vq,       1, (a.blob, a.bytes()))                                                          \
   ROW(vq4_region,          vq,       1, (a.blob, a.words(0), a.words(1), a.bytes(), a.count))                         \
   ROW(vq4_encode,          vq,       1, (a.blob, a.bytes()))                                                          \
-  ROW(bake,                bake,     1, (BakeCase(a), a.bytes()))                                                     \
+  ROW(bake,                bake,     1, (CaseOf<mmverify_bake_case_t>(a), a.bytes()))                                 \
   ROW(attribute_vertex_index, attribute, 1, (a.level, a.format, a.words(0), a.words(1), a.numbers(), a.count))        \
   ROW(attribute_vertex_place, attribute, 2, (a.level, a.format, a.words(0), a.numbers(), a.count))                    \
   ROW(attribute_face_index, attribute, 1,                                                                             \
@@ -68,7 +68,9 @@ constexpr std::uint32_t formats = formats_side * formats_side;
   ROW(attribute_triplet_f32, attribute, 3, (a.level, a.format, a.floats(0), a.floats(1), a.numbers(), a.count))       \
   ROW(attribute_weights_f32, attribute, 3, (a.level, a.floats(0), a.floats(1), a.weights(), a.count))                 \
   ROW(attribute_decimate,  attribute, 2, (a.level, a.format, a.words(0), a.words(1), a.numbers(), a.count))           \
-  ROW(attribute_face_mip,  attribute, 1, (a.format, a.blob, a.room / bytes_of_face, a.bytes()))
+  ROW(attribute_face_mip,  attribute, 1, (a.format, a.blob, a.room / bytes_of_face, a.bytes()))                       \
+  ROW(attribute_bake_faces, attribute, 1, (CaseOf<mmverify_attribute_case_t>(a), a.bytes()))                          \
+  ROW(attribute_bake_vertices, attribute, 1, (CaseOf<mmverify_attribute_case_t>(a), a.bytes()))
 // clang-format on
 
 /// Entry points by number: their rows'.
@@ -95,7 +97,10 @@ constexpr std::size_t calls = entry_points.size();
 constexpr const EntryPoint& entry_point(Call c) { return entry_points[static_cast<std::size_t>(c)]; }
 
 /// Pointers to data may stand between those to functions.
-constexpr bool is_data(std::size_t offset) { return offset == offsetof(mmverify_subject_t, bake_support); }
+constexpr bool is_data(std::size_t offset) {
+  return offset == offsetof(mmverify_subject_t, bake_support) ||
+         offset == offsetof(mmverify_subject_t, attribute_support);
+}
 
 constexpr bool rows_are_the_headers() {
   constexpr std::size_t pointer = sizeof(void (*)()),

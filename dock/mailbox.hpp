@@ -28,6 +28,7 @@ struct Description {
   std::uint32_t max_level, flags;
   std::array<bool, calls> has;           ///< by number of Call
   mmverify_bake_support_t bake_support;  ///< zeros where it says nothing
+  mmverify_attribute_support_t attribute_support;
 };
 
 struct Mailbox {

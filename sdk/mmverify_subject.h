@@ -63,6 +63,12 @@ extern "C" {
 #define MMVERIFY_EDGE_U_V 2u /* w = 0 */
 #define MMVERIFY_EDGE_V_W 4u /* u = 0 */
 
+/* What codes of attributes mean, and so what is averaged; see attribute_bake_vertices. */
+#define MMVERIFY_LINEAR 0u
+#define MMVERIFY_SRGB 1u
+#define MMVERIFY_NORMAL 2u
+#define MMVERIFY_NORMAL_AND_LENGTH 3u
+
 /* What is baked. */
 #define MMVERIFY_UNORM8 1u  /* alpha = byte / 255 */
 #define MMVERIFY_UNORM16 2u /* alpha = word / 65535 */
@@ -138,6 +144,31 @@ typedef struct mmverify_bake_support {
    * these (a term falls away with its 0) and R is the range of the stored texels, times the factors. */
   uint32_t weight_bits, coordinate_bits;
 } mmverify_bake_support_t;
+
+/* One base triangle on a texture of attributes, or on one mip of it.  `size` bytes of it are there, as of
+ * mmverify_bake_case. */
+typedef struct mmverify_attribute_case {
+  uint32_t size;                   /* sizeof(mmverify_attribute_case) */
+  uint32_t level;                  /* up to 12 */
+  uint32_t width, height;          /* in texels */
+  const void* texels;              /* R G B A each, rows from the top, without gaps */
+  uint32_t texel;                  /* MMVERIFY_UNORM8: a byte a channel; others may follow */
+  uint32_t border[4];              /* R G B A outside with MMVERIFY_CLAMP_TO_BORDER, each by its bits */
+  uint32_t filter, wrap_u, wrap_v; /* as of mmverify_bake_case; the filter is that of vertices */
+  uint32_t meaning;                /* MMVERIFY_LINEAR, ... */
+  float uv[6];                     /* as of mmverify_bake_case */
+} mmverify_attribute_case_t;
+
+/* What a baker of attributes supports; fields that are 0, and sets, as of mmverify_bake_support. */
+typedef struct mmverify_attribute_support {
+  uint32_t size;         /* sizeof(mmverify_attribute_support) */
+  uint32_t max_level;    /* 0: 12 */
+  uint32_t meanings;     /* set of MMVERIFY_LINEAR, ... */
+  uint32_t filters;      /* set of MMVERIFY_BILINEAR, ... */
+  uint32_t wraps;        /* set of MMVERIFY_REPEAT, ... */
+  uint32_t restrictions; /* MMVERIFY_BAKE_SAME_WRAPS */
+  uint32_t tolerance; /* codes that a channel may be off by, up to 16; 0: each is the exact number, rounded */
+} mmverify_attribute_support_t;
 
 /* What a subject is: its name, its limits, its entry points. */
 typedef struct mmverify_subject {
@@ -297,6 +328,22 @@ typedef struct mmverify_subject {
    * 4k to 4k+3.  With s their sum, HALF_UP floor((s+2)/4); HALF_TO_EVEN to the nearest, halves to the even one; TRUNCATE
    * floor(s/4); HALVES_UP h(h(a,b), h(c,d)), h(x,y) = floor((x+y+1)/2).  `children` are 16 bytes a parent. */
   void (*attribute_face_mip)(uint32_t rounding, const uint8_t* children, size_t parents, uint8_t* out);
+
+  /* Maps of attributes from a texture (Color and Attribute Micromaps, 5.1): bytes R G B A for each micro-triangle in the
+   * order of the curve, and for each micro-vertex in W-minor order.  Nonzero if it is baked; 0 if the subject does not
+   * support the case, and then what lies in `map` does not count.
+   *   - Faces: the mean of the texels under the micro-triangle, each by its share of the area.  Along a segment texels
+   *     weigh by how much of the micro-triangle maps to them, and a point has its own: the limits of triangles with an area.
+   *   - Vertices: what the filter gives at the micro-vertex.
+   *   - Means are of codes with MMVERIFY_LINEAR.  MMVERIFY_SRGB has R, G and B on the sRGB curve and averages light.
+   *     MMVERIFY_NORMAL has directions 2 code / 255 - 1, whose mean is made one unit long again; MMVERIFY_NORMAL_AND_LENGTH
+   *     the same, and in the place of alpha the mean's own length.  Alpha is linear.
+   *   - A code is the one nearest to the number, of two the greater. */
+  int (*attribute_bake_faces)(const mmverify_attribute_case_t* what, uint8_t* map);
+  int (*attribute_bake_vertices)(const mmverify_attribute_case_t* what, uint8_t* map);
+
+  /* What these two support; null: all, and what they do not they decline, case by case. */
+  const mmverify_attribute_support_t* attribute_support;
 
   /* Arrays will have their entry points after these. */
 } mmverify_subject_t;

@@ -33,16 +33,17 @@ struct Arguments {
 };
 
 /// The case that a blob begins with; its texels are the rest of the blob.
-class BakeCase {
+template <class Case>
+class CaseOf {
  public:
-  explicit BakeCase(const Arguments& a) {
+  explicit CaseOf(const Arguments& a) {
     std::memcpy(&what_, a.blob, sizeof what_);
     what_.texels = a.blob + sizeof what_;
   }
-  operator const mmverify_bake_case_t*() const { return &what_; }
+  operator const Case*() const { return &what_; }
 
  private:
-  mmverify_bake_case_t what_;
+  Case what_;
 };
 
 }  // namespace mmverify::dock

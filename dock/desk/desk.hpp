@@ -106,8 +106,13 @@ class Desk {
   /// The map or code at an odd address: it is bytes, and may lie anywhere. A baker's case stays where it is, its
   /// texels are numbers.
   const std::uint8_t* blob_elsewhere();
+  /// Where the map or code lies for a question's first call, and for its second.
+  struct Blobs {
+    const std::uint8_t *first, *second;
+  };
+  Blobs blobs();
   /// Calls with the output at its guard page, filled with `filling` before.
-  std::uint64_t call_at_guard(std::uint64_t room, unsigned char filling, const std::uint8_t* blob = nullptr);
+  std::uint64_t call_at_guard(std::uint64_t room, unsigned char filling, const std::uint8_t* blob);
   /// The same for a map, a code or a case.
   FromThreads blob_from_threads_first();
   /// Compares those with the answer of `size` bytes in its place, of which as many as `room` were asked for.
@@ -142,6 +147,7 @@ class Desk {
   std::optional<Question> earlier_[calls];      ///< the last one that was asked from two threads
   std::vector<std::byte> again_;                ///< the other of two answers to one question
   std::vector<std::byte> elsewhere_;            ///< holds blob_elsewhere()
+  bool elsewhere_first_[calls] = {};            ///< of an entry point's last question
 };
 
 }  // namespace mmverify::dock

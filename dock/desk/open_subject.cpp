@@ -23,17 +23,20 @@ mmverify_subject_t as_of_today(const mmverify_subject_t& theirs) {
 }
 
 /// What it says that it supports, fields that its header did not have yet zero.
-mmverify_bake_support_t supported(const mmverify_bake_support_t* theirs) {
-  mmverify_bake_support_t ours{};
+template <class Support>
+Support supported(const Support* theirs) {
+  Support ours{};
   if (theirs == nullptr) return ours;
   const std::size_t size = std::min<std::size_t>(theirs->size, sizeof ours) / sizeof(std::uint32_t);
   std::memcpy(&ours, theirs, size * sizeof(std::uint32_t));
   return ours;
 }
 
+/// A set of values below a number.
+bool within(std::uint32_t set, std::uint32_t values) { return set >> values == 0; }
+
 /// What in it cannot be, or nothing.
 std::string contradiction(const mmverify_bake_support_t& s) {
-  const auto within = [](std::uint32_t set, std::uint32_t values) { return set >> values == 0; };
   if (s.max_level > 12) return "max_level is above 12";
   if ((s.formats & 1u) != 0 || !within(s.formats, 3)) return "formats is no set of formats";
   if ((s.texels & 1u) != 0 || !within(s.texels, 4)) return "texels is no set of texel types";
@@ -51,6 +54,16 @@ std::string contradiction(const mmverify_bake_support_t& s) {
       ((s.uv_min != 0 || s.uv_max != 0) && !(s.uv_min < s.uv_max)))
     return "uv_min is not below uv_max";
   if (s.weight_bits > 23 || s.coordinate_bits > 23) return "weight_bits or coordinate_bits is above 23";
+  return {};
+}
+
+std::string contradiction(const mmverify_attribute_support_t& s) {
+  if (s.max_level > 12) return "max_level is above 12";
+  if (!within(s.meanings, 4)) return "meanings is no set of meanings";
+  if (!within(s.filters, 2)) return "filters is no set of filters";
+  if (!within(s.wraps, 5)) return "wraps is no set of addressing modes";
+  if ((s.restrictions & ~MMVERIFY_BAKE_SAME_WRAPS) != 0) return "restrictions has a bit that means nothing";
+  if (s.tolerance > 16) return "tolerance is above 16";
   return {};
 }
 
@@ -87,6 +100,9 @@ std::string cannot_load(Description& description, const char* library, mmverify_
   description.bake_support = supported(subject.bake_support);
   if (const std::string wrong = contradiction(description.bake_support); !wrong.empty())
     return "of its bake_support " + wrong;
+  description.attribute_support = supported(subject.attribute_support);
+  if (const std::string wrong = contradiction(description.attribute_support); !wrong.empty())
+    return "of its attribute_support " + wrong;
   if (std::count(description.has.begin(), description.has.end(), true) == 0)
     return "all its entry points are null";
   std::snprintf(description.name, sizeof description.name, "%s", subject.name == nullptr ? "" : subject.name);

@@ -43,6 +43,8 @@ struct Cases {
   std::function<Finding(const AttributeSubject&, Level, const Case&)> check;
   std::uint64_t chunk = 256;
   Kind kind = Kind::interior;
+  /// A case that is drawn, as it is asked of a subject; empty: as it is.
+  std::function<Case(const AttributeSubject&, const Case&)> fit = {};
 };
 
 /// The law, case by case.
@@ -50,13 +52,17 @@ template <class Case>
 Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
   law.topic = "attribute";
   law.unfit = unfit_by(std::move(lacks));
+  const auto drawn = [cases](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+    const Case one = cases.number(n, k, run.seed);
+    return cases.fit ? cases.fit(of_attribute(s), one) : one;
+  };
   return on_numbered_cases(std::move(law),
                            {cases.count,
-                            [cases](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-                              return cases.check(of_attribute(s), n, cases.number(n, k, run.seed));
+                            [cases, drawn](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+                              return cases.check(of_attribute(s), n, drawn(s, n, k, run));
                             },
-                            [cases](const Subject&, Level n, std::uint64_t k, const Run& run) {
-                              return cases.text(n, cases.number(n, k, run.seed));
+                            [cases, drawn](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+                              return cases.text(n, drawn(s, n, k, run));
                             },
                             [cases](const Subject& s, Level n, const std::string& at) {
                               return cases.check(of_attribute(s), n, cases.read(n, at));

@@ -8,6 +8,7 @@
 
 #include "dock/codec.hpp"
 #include "dock/elements.hpp"
+#include "proofs/attribute/bake/plugin_subject.hpp"
 #include "proofs/attribute/elements.hpp"
 #include "proofs/attribute/subject_parts.hpp"
 #include "sdk/mmverify_subject.h"
@@ -234,6 +235,7 @@ AttributeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& li
   functions.lookup = lookup_of(library);
   functions.decimation = decimation_of(library);
   functions.mips = mips_of(library);
+  functions.baking = baking_of(library);
   return std::make_shared<AttributeSubject>(name, library->about(), std::move(functions),
                                             library->fingerprint());
 }

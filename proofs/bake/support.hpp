@@ -6,26 +6,12 @@
 #include <string>
 
 #include "proofs/bake/case.hpp"
+#include "proofs/engine/value_set.hpp"
 
 namespace mmverify::proofs::bake {
 
 /// Which unknown a micro-triangle is that is neither O nor T.
 enum class UnknownSide : std::uint8_t { any, centroid, coverage, opaque, transparent };
-
-/// A set of values below 32.
-class Set {
- public:
-  constexpr Set() = default;
-  constexpr explicit Set(std::uint32_t bits) : bits_(bits) {}
-  template <class Value>
-  constexpr bool has(Value value) const {
-    return (bits_ >> static_cast<unsigned>(value) & 1) != 0;
-  }
-  friend constexpr bool operator==(Set, Set) = default;
-
- private:
-  std::uint32_t bits_ = ~std::uint32_t{0};  ///< all
-};
 
 struct Support {
   Level max_level = 12;

@@ -30,6 +30,7 @@ Tally judge_numbered_cases(const NumberedCases& cases, const Subject& subject, L
         tally.decline(cases.kind);
       else
         tally.count(cases.kind, 1);
+      if (found.allowed) tally.allow(cases.kind);
       tally.digest(k, found.answer);
       if (found.holds) continue;
       const Simplicity simplicity{n, found.lesser ? 1u : 0u, k};

@@ -107,6 +107,32 @@ const Points& all_points(Level n) {
   return by_level[n];
 }
 
+/// The map with two siblings of the third quarter exchanged, four levels below the root where there are so many.  The code
+/// has as many bits and the same ends, and where the nodes have other shapes another tree.
+Map with_two_nodes_exchanged(const Map& map) {
+  Map other = map;
+  if (map.level == 0) return other;
+  const Level depth = std::min<Level>(map.level, 4);
+  const std::uint64_t run = micro_triangles(map.level - depth), quarter = micro_triangles(map.level) / 4;
+  States states = spec::micromap::unpack(map.packed, map.format, micro_triangles(map.level));
+  const auto first = states.begin() + static_cast<std::ptrdiff_t>(depth == 1 ? quarter : 2 * quarter);
+  std::swap_ranges(first, first + static_cast<std::ptrdiff_t>(run), first + static_cast<std::ptrdiff_t>(run));
+  other.packed = spec::micromap::pack(states, map.format);
+  return other;
+}
+
+/// Its first eight indices, and eight at even steps.
+std::vector<std::uint32_t> spread_over_the_third_quarter(Level n) {
+  constexpr std::uint64_t most = 8;
+  const std::uint64_t quarter = micro_triangles(n) / 4, step = std::max<std::uint64_t>(1, quarter / most);
+  std::vector<std::uint32_t> indices;
+  for (std::uint64_t k = 0; k < std::min(quarter, most); ++k) {
+    indices.push_back(static_cast<std::uint32_t>(2 * quarter + k));
+    indices.push_back(static_cast<std::uint32_t>(2 * quarter + k * step));
+  }
+  return indices;
+}
+
 }  // namespace
 
 Finding round_trip(const TreeSubject& s, const Map& map) {
@@ -139,16 +165,18 @@ Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most) {
 
 Finding asked_in_turn(const TreeSubject& s, const Map& map) {
   const std::uint64_t last = micro_triangles(map.level) - 1;
-  const std::vector<std::uint32_t> indices{static_cast<std::uint32_t>(last),
-                                           static_cast<std::uint32_t>(last / 2), 0};
+  std::vector<std::uint32_t> indices{static_cast<std::uint32_t>(last), static_cast<std::uint32_t>(last / 2),
+                                     0};
+  for (const std::uint32_t k : spread_over_the_third_quarter(map.level)) indices.push_back(k);
   std::vector<Map> maps(3, map);
   for (std::size_t k = 1; k < 3; ++k) {
     const std::uint64_t bit = indices[k - 1] * std::uint64_t{bits(map.format)};
     maps[k].packed[bit / 8] = static_cast<std::uint8_t>(maps[k].packed[bit / 8] ^ 1u << bit % 8);
   }
+  maps.push_back(with_two_nodes_exchanged(map));
   std::vector<Code> codes;
   for (const Map& one : maps) codes.push_back(s.functions.encode(one));
-  for (const std::size_t k : {0u, 1u, 0u, 2u, 1u, 2u, 0u}) {
+  for (const std::size_t k : {0u, 1u, 0u, 2u, 1u, 2u, 0u, 3u, 0u}) {
     if (s.functions.lookup)
       if (const Finding found = looked_up(s.functions, codes[k], maps[k], indices, indices.size());
           !found.holds)

@@ -12,8 +12,8 @@ Finding round_trip(const TreeSubject& s, const Map& map);
 /// most `most` of them where there are more, of which half lie where the state changes.
 Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most = ~std::uint64_t{0});
 
-/// Decoding and lookups of the map and of two like it but for one state, asked in turn: an answer is not that
-/// to an earlier question, however alike the codes begin.
+/// Decoding and lookups of the map, of two like it but for one state and of one with two nodes exchanged, asked in turn: an
+/// answer is not that to an earlier question, however alike the codes begin and end.
 Finding asked_in_turn(const TreeSubject& s, const Map& map);
 
 /// Both, encoding once.  Domain: level 2.

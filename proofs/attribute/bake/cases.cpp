@@ -9,15 +9,12 @@
 #include <cstdlib>
 #include <utility>
 
+#include "proofs/attribute/bake/names.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
-
-constexpr std::array<const char*, 5> wrap_names{"repeat", "mirror", "clamp", "border", "mirror-once"};
-constexpr std::array<const char*, 2> filter_names{"bilinear", "nearest"};
-constexpr std::array<const char*, 4> meaning_names{"linear", "srgb", "normal", "normal+length"};
 
 constexpr std::array<std::pair<Wrap, Wrap>, 8> family_wraps{{{Wrap::repeat, Wrap::repeat},
                                                              {Wrap::mirrored_repeat, Wrap::mirrored_repeat},
@@ -95,6 +92,16 @@ BakeCase family_case(std::uint64_t spot, std::uint64_t texture, Filter filter) {
     }
   }
   return one;
+}
+
+std::optional<std::uint64_t> family_spot(const BakeCase& one) {
+  for (std::uint64_t spot = 0; spot < family_spots(); ++spot) {
+    const BakeCase there = family_case(spot, 0, one.picture.filter);
+    if (there.uv == one.uv && there.picture.meaning == one.picture.meaning &&
+        there.picture.wrap_u == one.picture.wrap_u && there.picture.wrap_v == one.picture.wrap_v)
+      return spot;
+  }
+  return std::nullopt;
 }
 
 const char* family_domain() {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ constexpr std::uint64_t family_texture(std::uint64_t texture, std::size_t channe
 }
 std::uint64_t family_spots();  ///< addressing, meaning, triangle
 BakeCase family_case(std::uint64_t spot, std::uint64_t texture, Filter filter);
+/// The spot of a case with a texture of the family, if it is of it.
+std::optional<std::uint64_t> family_spot(const BakeCase& one);
 const char* family_domain();
 
 /// Textures of up to 9x7 texels, all meanings and modes; coordinates of few bits, of many, on lines, in points.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
+#include "proofs/engine/value_set.hpp"
 #include "spec/attribute/bake.hpp"
 #include "spec/attribute/plan.hpp"
 
@@ -62,8 +63,17 @@ struct PlannedTriangle {
   bool kept = true;
 };
 
-/// Maps: vertices in W-minor order, faces on the curve.
+/// What a baker supports, and by how many codes it may be off.
+struct BakingSupport {
+  Level max_level = 12;
+  Set meanings = {}, filters = {}, wraps = {};
+  bool same_wraps = false;
+  std::uint32_t tolerance = 0;
+};
+
+/// Maps: vertices in W-minor order, faces on the curve; an empty one where the case is declined.
 struct Baking {
+  BakingSupport support = {};
   std::function<std::vector<Rgba>(const BakeCase&, Level)> vertices = {}, faces = {};
   /// The mean of a channel over face `index`, exactly.
   std::function<Rational(const BakeCase&, Level, std::size_t channel, std::uint32_t index)> face_mean = {};

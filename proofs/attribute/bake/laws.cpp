@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "proofs/attribute/bake/parts.hpp"
+#include "proofs/attribute/bake/support.hpp"
 #include "proofs/attribute/bake/truth.hpp"
 #include "proofs/attribute/law_groups.hpp"
 #include "spec/attribute/order.hpp"
@@ -98,8 +99,20 @@ Cases<Case> family_of(MapForm form) {
   };
   cases.text = [](Level, const Case& c) { return text_of(c.one); };
   cases.read = [](Level, const std::string& text) { return Case{read_bake_case(text)}; };
-  cases.check = [form](const AttributeSubject& s, Level n, const Case& c) {
-    return compared(form, truth(form, n, c), map_baker(s.functions.baking, form)(c.one, n));
+  cases.check = [form](const AttributeSubject& s, Level n, const Case& c) -> Finding {
+    const Baking& baking = s.functions.baking;
+    if (!covers(baking.support, c.one)) return {.declined = true};
+    return compared(form, truth(form, n, c), map_baker(baking, form)(c.one, n), baking.support.tolerance);
+  };
+  cases.fit = [](const AttributeSubject& s, const Case& c) {
+    const BakingSupport& support = s.functions.baking.support;
+    if (covers(support, c.one)) return c;
+    Case other = c;
+    other.one = fitted(support, c.one);
+    const std::optional<std::uint64_t> spot = family_spot(other.one);
+    other.of_family = spot.has_value();
+    other.spot = spot.value_or(0);
+    return other;
   };
   cases.chunk = 27;
   return cases;
@@ -211,10 +224,13 @@ Rgba true_at(MapForm form, const BakeCase& one, Level n, std::uint32_t k) {
 }
 
 Finding sampled(const AttributeSubject& s, Level n, const BakeCase& one) {
-  std::uint64_t digest = 0;
+  const BakingSupport& support = s.functions.baking.support;
+  if (!covers(support, one)) return {.declined = true};
+  Finding found;
   for (const MapForm form : {MapForm::faces, MapForm::vertices}) {
     const std::vector<Rgba> got = map_baker(s.functions.baking, form)(one, n);
     const std::uint64_t count = form == MapForm::faces ? slow::face_count(n) : slow::vertex_count(n);
+    if (got.empty()) return {.declined = true};
     if (got.size() != count) return wrong(fmt::format("{} values", count), fmt::format("{}", got.size()));
     const std::uint64_t salt = one.picture.texels[0][0] + 7u * one.picture.width;
     for (const std::uint32_t k : judged_at(count, salt)) {
@@ -224,12 +240,14 @@ Finding sampled(const AttributeSubject& s, Level n, const BakeCase& one) {
       } catch (const std::overflow_error&) {
         expected = true_at<Rational>(form, one, n, k);
       }
-      if (got[k] != expected)
+      const Match here = match(expected, got[k], support.tolerance);
+      if (here == Match::wrong)
         return wrong(fmt::format("{} at {}", text_of(expected), name_of(form, k)), text_of(got[k]));
-      digest = digest * 31 + std::bit_cast<std::uint32_t>(got[k]);
+      found.allowed = found.allowed || here == Match::within;
+      found.answer = found.answer * 31 + std::bit_cast<std::uint32_t>(got[k]);
     }
   }
-  return {digest};
+  return found;
 }
 
 /// A direction's codes as the plain mean of the stored ones.
@@ -252,6 +270,7 @@ Law floats_law() {
   cases.text = [](Level, const BakeCase& one) { return text_of(one); };
   cases.read = [](Level, const std::string& text) { return read_bake_case(text); };
   cases.check = sampled;
+  cases.fit = fitted_case;
   cases.chunk = 4;
   const auto rounded_uv = [](BakeCase& one) {
     for (float& x : one.uv) x = std::nearbyint(x * 4096) / 4096;
@@ -295,7 +314,9 @@ Law floats_law() {
 
 }  // namespace
 
-std::vector<Law> bake_map_laws() { return {vertex_law(), face_law(), floats_law()}; }
+std::vector<Law> bake_map_laws() {
+  return {within_support(vertex_law()), within_support(face_law()), within_support(floats_law())};
+}
 
 std::vector<Law> bake_laws() {
   std::vector<Law> all;

@@ -1,7 +1,9 @@
 #include "proofs/attribute/bake/parts.hpp"
 
 #include <bit>
+#include <cstdlib>
 
+#include "proofs/attribute/bake/support.hpp"
 #include "proofs/attribute/bake/truth.hpp"
 #include "proofs/attribute/elements.hpp"
 #include "spec/attribute/order.hpp"
@@ -16,22 +18,49 @@ std::string name_of(MapForm form, std::uint32_t k) {
   return "micro-vertex " + text_of(slow::vertex_at(slow::VertexOrder::w_minor, k, 16));
 }
 
-Finding compared(MapForm form, const std::vector<Rgba>& expected, const std::vector<Rgba>& got) {
+Match match(const Rgba& expected, const Rgba& got, std::uint32_t tolerance) {
+  if (expected == got) return Match::same;
+  for (std::size_t c = 0; c < expected.size(); ++c)
+    if (std::abs(int{expected[c]} - int{got[c]}) > static_cast<int>(tolerance)) return Match::wrong;
+  return Match::within;
+}
+
+Finding compared(MapForm form, const std::vector<Rgba>& expected, const std::vector<Rgba>& got,
+                 std::uint32_t tolerance) {
+  if (got.empty()) return {.declined = true};
   if (got.size() != expected.size())
     return wrong(fmt::format("{} values", expected.size()), fmt::format("{}", got.size()));
-  std::uint64_t digest = 0;
+  Finding found;
   for (std::uint32_t k = 0; k < got.size(); ++k) {
-    if (got[k] != expected[k]) {
-      Finding found;
+    const Match here = match(expected[k], got[k], tolerance);
+    if (here == Match::wrong) {
       found.holds = false;
       found.in_words = [=, e = expected[k], g = got[k]] {
         return Words{fmt::format("{} at {}", text_of(e), name_of(form, k)), text_of(g)};
       };
       return found;
     }
-    digest = digest * 31 + std::bit_cast<std::uint32_t>(got[k]);
+    found.allowed = found.allowed || here == Match::within;
+    found.answer = found.answer * 31 + std::bit_cast<std::uint32_t>(got[k]);
   }
-  return {digest};
+  return found;
+}
+
+Law within_support(Law law) {
+  const auto support = [](const Subject& s) -> const BakingSupport& {
+    return of_attribute(s).functions.baking.support;
+  };
+  law.domain = [=, all = law.domain](const Subject& s, Level n) {
+    const std::string declared = text_of(support(s));
+    return all(s, n) + (declared.empty() ? "" : "; within what it declares: " + declared);
+  };
+  law.unfit = [=, fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
+    if (auto why = fits(s, n)) return why;
+    if (const Level last = support(s).max_level; n > last)
+      return fmt::format("{} bakes up to level {}", s.name(), last);
+    return std::nullopt;
+  };
+  return law;
 }
 
 std::function<void(Functions&)> bakes_another(MapForm form, std::function<void(BakeCase&)> change) {

@@ -19,8 +19,16 @@ inline constexpr Entry bakes_faces{"faces", [](const Functions& f) { return bool
 /// "micro-vertex i=1,j=2" of W-minor order, or "face 3" of the curve.
 std::string name_of(MapForm form, std::uint32_t k);
 
-/// A subject's map beside the true one.
-Finding compared(MapForm form, const std::vector<Rgba>& expected, const std::vector<Rgba>& got);
+/// How far from the true codes a subject's may be: none of the channels further than its tolerance.
+enum class Match : std::uint8_t { same, within, wrong };
+Match match(const Rgba& expected, const Rgba& got, std::uint32_t tolerance);
+
+/// A subject's map beside the true one; an empty one is declined.
+Finding compared(MapForm form, const std::vector<Rgba>& expected, const std::vector<Rgba>& got,
+                 std::uint32_t tolerance);
+
+/// The law with cases inside what its subjects support, which its domain says; up to their highest level.
+Law within_support(Law law);
 
 using MapBaker = std::function<std::vector<Rgba>(const BakeCase&, Level)>;
 inline MapBaker& map_baker(Baking& f, MapForm form) { return form == MapForm::faces ? f.faces : f.vertices; }

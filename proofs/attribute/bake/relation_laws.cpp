@@ -2,6 +2,8 @@
 #include <array>
 
 #include "proofs/attribute/bake/parts.hpp"
+#include "proofs/attribute/bake/support.hpp"
+#include "proofs/attribute/bake/truth.hpp"
 #include "proofs/engine/random.hpp"
 #include "spec/attribute/order.hpp"
 
@@ -35,6 +37,8 @@ std::array<std::uint32_t, 3> places(std::uint32_t turn) {
 }
 
 Finding agrees(const AttributeSubject& s, Level n, const EdgeCase& c) {
+  const BakingSupport& support = s.functions.baking.support;
+  if (!covers(support, c.one)) return {.declined = true};
   const auto [a, b, third] = places(c.turn);
   BakeCase other = c.one;
   for (std::uint32_t axis = 0; axis < 2; ++axis) {
@@ -43,16 +47,19 @@ Finding agrees(const AttributeSubject& s, Level n, const EdgeCase& c) {
     other.uv[2 * third + axis] = axis == 0 ? c.u : c.v;
   }
   const auto first = s.functions.baking.vertices(c.one, n), second = s.functions.baking.vertices(other, n);
-  std::uint64_t digest = 0;
+  if (first.empty() || second.empty()) return {.declined = true};
+  Finding found;
   for (std::uint32_t k = 0; k <= spec::side(n); ++k) {
     const Rgba &here = first.at(on_edge(0, 1, k, n)), &there = second.at(on_edge(a, b, k, n));
-    if (here != there)
+    const Match both = match(here, there, support.tolerance);
+    if (both == Match::wrong)
       return wrong(fmt::format("{} at {} of {} along the edge, as the first triangle has", text_of(here), k,
                                spec::side(n)),
                    text_of(there));
-    digest = digest * 31 + std::bit_cast<std::uint32_t>(here);
+    found.allowed = found.allowed || both == Match::within;
+    found.answer = found.answer * 31 + std::bit_cast<std::uint32_t>(here);
   }
-  return {digest};
+  return found;
 }
 
 Law edge_law() {
@@ -88,6 +95,11 @@ Law edge_law() {
     return c;
   };
   cases.check = agrees;
+  cases.fit = [](const AttributeSubject& s, const EdgeCase& c) {
+    EdgeCase other = c;
+    other.one = fitted_case(s, c.one);
+    return other;
+  };
   cases.chunk = 8;
   const auto clockwise = [](const BakeCase& one) {
     const auto& p = one.uv;
@@ -227,14 +239,18 @@ Law parent_law() {
 // ---------------------------------------------------------------------------------------------------------------------
 
 Finding is_constant(const AttributeSubject& s, Level n, const BakeCase& one) {
+  const Baking& baking = s.functions.baking;
+  if (!covers(baking.support, one) || is_normal(one.picture.meaning)) return {.declined = true};
   const Rgba colour = one.picture.texels[0];
+  Finding both{.answer = std::bit_cast<std::uint32_t>(colour)};
   for (const MapForm form : {MapForm::vertices, MapForm::faces}) {
     const std::vector<Rgba> expected(form == MapForm::faces ? slow::face_count(n) : slow::vertex_count(n),
                                      colour);
-    if (Finding found = compared(form, expected, map_baker(s.functions.baking, form)(one, n)); !found.holds)
-      return found;
+    const Finding found = compared(form, expected, map_baker(baking, form)(one, n), baking.support.tolerance);
+    if (!found.holds || found.declined) return found;
+    both.allowed = both.allowed || found.allowed;
   }
-  return {std::bit_cast<std::uint32_t>(colour)};
+  return both;
 }
 
 Law constant_law() {
@@ -258,6 +274,7 @@ Law constant_law() {
     return one;
   };
   cases.check = is_constant;
+  cases.fit = fitted_case;
   const auto spoilt = [](MapForm form, auto meant, std::size_t channel) {
     return [=](Functions& f) {
       MapBaker& baker = map_baker(f.baking, form);
@@ -305,6 +322,8 @@ Law constant_law() {
 
 }  // namespace
 
-std::vector<Law> bake_relation_laws() { return {edge_law(), parent_law(), constant_law()}; }
+std::vector<Law> bake_relation_laws() {
+  return {within_support(edge_law()), parent_law(), within_support(constant_law())};
+}
 
 }  // namespace mmverify::proofs::attribute
