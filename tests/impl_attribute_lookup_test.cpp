@@ -54,7 +54,7 @@ TEST(ImplAttributeLookup, spans_are_the_single_values) {
     const std::size_t count = u.size();
     std::vector<std::uint32_t> x0(count), x1(count), x2(count);
     std::vector<float> w0(count), w1(count), w2(count);
-    for (const fast::Level n : {0u, 1u, 6u, 12u, 16u, 20u}) {
+    for (const fast::Level n : {0u, 1u, 6u, 8u, 9u, 12u, 16u, 20u}) {
       fast::weights(u, v, n, {w0, w1, w2});
       for (std::size_t k = 0; k < count; ++k)
         ASSERT_EQ((fast::Weights{w0[k], w1[k], w2[k]}), fast::locate(u[k], v[k], n).weights)
@@ -69,12 +69,36 @@ TEST(ImplAttributeLookup, spans_are_the_single_values) {
   });
 }
 
+TEST(ImplAttributeLookup, triplets_of_every_micro_triangle_are_the_single_ones) {
+  on_every_target([] {
+    for (fast::Level n = 0; n <= 9; ++n) {
+      const std::size_t count = std::size_t{1} << 2 * n;
+      std::vector<fast::MicroTriangle> faces;
+      std::vector<float> u, v;
+      for (std::uint32_t k = 0; k < count; ++k) {
+        faces.push_back(fast::face_at(fast::FaceOrder::curve, k, n));
+        // Within the lower half of the square, or within the upper.
+        const float inside = faces.back().upper ? 0.625f : 0.25f, side = static_cast<float>(1u << n);
+        u.push_back((static_cast<float>(faces.back().iu) + inside) / side);
+        v.push_back((static_cast<float>(faces.back().iv) + inside) / side);
+      }
+      std::vector<std::uint32_t> x0(count), x1(count), x2(count);
+      for (const auto order : orders) {
+        fast::triplets(order, u, v, n, {x0, x1, x2});
+        for (std::size_t k = 0; k < count; ++k)
+          ASSERT_EQ((std::array{x0[k], x1[k], x2[k]}), fast::triplet(order, faces[k], n))
+              << "level " << n << ", micro-triangle " << k;
+      }
+    }
+  });
+}
+
 TEST(ImplAttributeLookup, values_of_spans_are_the_single_ones) {
   on_every_target([] {
     for (const std::size_t count : {0u, 1u, 7u, 16u, 515u}) {
       const auto [u, v] = points(count);
       std::mt19937 random(5);
-      for (const fast::Level n : {0u, 3u, 7u})
+      for (const fast::Level n : {0u, 1u, 3u, 7u, 8u, 9u})
         for (const auto order : orders) {
           std::vector<std::uint32_t> map(fast::vertex_count(n)), out(count + 2, 99);
           for (std::uint32_t& c : map) c = static_cast<std::uint32_t>(random());

@@ -12,6 +12,7 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
+#include "impl/attribute/bird-inl.hpp"
 #include "impl/attribute/order-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -47,42 +48,88 @@ HWY_INLINE LocatedVecs located(FloatVec u, FloatVec v, Level n) {
           hn::IfThenElse(upper, a, fv)};
 }
 
-// Runs `run(u, v, to)` on whole vectors in place; what is left over goes through buffers, as a vector must not touch
-// memory beyond the spans.
-template <std::size_t outs, class Out, class Run>
+// Runs `run(u, v, to)` on whole vectors in place, `vectors` of them at a time; what is left over goes through buffers, as
+// a vector must not touch memory beyond the spans.
+template <std::size_t vectors, std::size_t outs, class Out, class Run>
 HWY_INLINE void each_point(const float* u, const float* v, const std::array<Out*, outs>& out,
                            std::size_t count, Run run) {
   const Floats d;
-  const std::size_t lanes = hn::Lanes(d);
+  constexpr std::size_t most = vectors * hn::MaxLanes(Floats());
+  const std::size_t step = vectors * hn::Lanes(d);
   std::size_t k = 0;
   std::array<Out*, outs> to;
-  for (; count - k >= lanes; k += lanes) {
+  for (; count - k >= step; k += step) {
     for (std::size_t a = 0; a < outs; ++a) to[a] = out[a] + k;
-    run(hn::LoadU(d, u + k), hn::LoadU(d, v + k), to);
+    run(u + k, v + k, to);
   }
   if (k == count) return;
   const std::size_t left = count - k;
-  HWY_ALIGN float u_left[hn::MaxLanes(d)] = {}, v_left[hn::MaxLanes(d)] = {};
-  HWY_ALIGN Out out_left[outs][hn::MaxLanes(d)];
+  HWY_ALIGN float u_left[most] = {}, v_left[most] = {};
+  HWY_ALIGN Out out_left[outs][most];
   std::memcpy(u_left, u + k, left * sizeof(float));
   std::memcpy(v_left, v + k, left * sizeof(float));
   for (std::size_t a = 0; a < outs; ++a) to[a] = out_left[a];
-  run(hn::Load(d, u_left), hn::Load(d, v_left), to);
+  run(u_left, v_left, to);
   for (std::size_t a = 0; a < outs; ++a) std::memcpy(out[a] + k, out_left[a], left * sizeof(Out));
 }
 
+// Indices of three corners.
+struct TripletVecs {
+  WordVec x0, x1, x2;
+};
+
+// Calls `use(k, located, triplet)` for the vectors at u[k] and v[k], which a kernel takes one or two at a time.
 template <class Index>
+struct EachAlone {
+  static constexpr std::size_t vectors = 1;
+  template <class Use>
+  static HWY_INLINE void run(const Index& index, const float* u, const float* v, Level n, Use use) {
+    const Floats d;
+    const LocatedVecs p = located(hn::LoadU(d, u), hn::LoadU(d, v), n);
+    use(std::size_t{0}, p, TripletVecs{index(p.i, p.j), index(p.i1, p.j), index(p.i, p.j2)});
+  }
+};
+
+#if HWY_TARGET != HWY_SCALAR
+struct TwoAtOnce {
+  static constexpr std::size_t vectors = 2;
+  template <class Use>
+  static HWY_INLINE void run(const BirdHalves& index, const float* u, const float* v, Level n, Use use) {
+    const Floats d;
+    const std::size_t next = hn::Lanes(d);
+    const LocatedVecs p = located(hn::LoadU(d, u), hn::LoadU(d, v), n),
+                      q = located(hn::LoadU(d, u + next), hn::LoadU(d, v + next), n);
+    const auto i = paired(p.i, q.i), j = paired(p.j, q.j);
+    const auto x0 = index(i, j), x1 = index(paired(p.i1, q.i1), j), x2 = index(i, paired(p.j2, q.j2));
+    use(std::size_t{0}, p, TripletVecs{first_of(x0), first_of(x1), first_of(x2)});
+    use(next, q, TripletVecs{second_of(x0), second_of(x1), second_of(x2)});
+  }
+};
+#endif
+
+template <class Index, class Each = EachAlone<Index>>
 void triplets_of(const float* u, const float* v, std::uint32_t* x0, std::uint32_t* x1, std::uint32_t* x2,
                  std::size_t count, Level n) {
   const Words dw;
   const Index index(n);
-  each_point<3, std::uint32_t>(u, v, {x0, x1, x2}, count,
-                               [&](FloatVec pu, FloatVec pv, const auto& to) HWY_ATTR {
-                                 const LocatedVecs p = located(pu, pv, n);
-                                 hn::StoreU(index(p.i, p.j), dw, to[0]);
-                                 hn::StoreU(index(p.i1, p.j), dw, to[1]);
-                                 hn::StoreU(index(p.i, p.j2), dw, to[2]);
-                               });
+  each_point<Each::vectors, 3, std::uint32_t>(
+      u, v, {x0, x1, x2}, count, [&](const float* pu, const float* pv, const auto& to) HWY_ATTR {
+        Each::run(index, pu, pv, n, [&](std::size_t k, const LocatedVecs&, const TripletVecs& x) HWY_ATTR {
+          hn::StoreU(x.x0, dw, to[0] + k);
+          hn::StoreU(x.x1, dw, to[1] + k);
+          hn::StoreU(x.x2, dw, to[2] + k);
+        });
+      });
+}
+
+// Calls `run` with the kernel for Bird order at this level, and how it takes vectors.
+template <class Run>
+HWY_INLINE void with_bird([[maybe_unused]] Level n, Run run) {
+#if HWY_TARGET != HWY_SCALAR
+  if (n >= BirdHalves::least_level && n <= BirdHalves::last_level)
+    return run.template operator()<BirdHalves, TwoAtOnce>();
+#endif
+  run.template operator()<BirdIndex, EachAlone<BirdIndex>>();
 }
 
 void run_triplets(VertexOrder order, const float* u, const float* v, std::uint32_t* x0, std::uint32_t* x1,
@@ -93,19 +140,21 @@ void run_triplets(VertexOrder order, const float* u, const float* v, std::uint32
     case VertexOrder::u_major:
       return triplets_of<UMajorIndex>(u, v, x0, x1, x2, count, n);
     default:
-      return triplets_of<BirdIndex>(u, v, x0, x1, x2, count, n);
+      return with_bird(n, [&]<class Index, class Each>()
+                              HWY_ATTR { triplets_of<Index, Each>(u, v, x0, x1, x2, count, n); });
   }
 }
 
 void run_weights(const float* u, const float* v, float* w0, float* w1, float* w2, std::size_t count,
                  Level n) {
   const Floats d;
-  each_point<3, float>(u, v, {w0, w1, w2}, count, [&](FloatVec pu, FloatVec pv, const auto& to) HWY_ATTR {
-    const LocatedVecs p = located(pu, pv, n);
-    hn::StoreU(p.w0, d, to[0]);
-    hn::StoreU(p.w1, d, to[1]);
-    hn::StoreU(p.w2, d, to[2]);
-  });
+  each_point<1, 3, float>(u, v, {w0, w1, w2}, count,
+                          [&](const float* pu, const float* pv, const auto& to) HWY_ATTR {
+                            const LocatedVecs p = located(hn::LoadU(d, pu), hn::LoadU(d, pv), n);
+                            hn::StoreU(p.w0, d, to[0]);
+                            hn::StoreU(p.w1, d, to[1]);
+                            hn::StoreU(p.w2, d, to[2]);
+                          });
 }
 
 template <int shift>
@@ -122,22 +171,24 @@ HWY_INLINE WordVec mixed_channel(const LocatedVecs& p, WordVec c0, WordVec c1, W
   return hn::ShiftLeft<shift>(as_words(hn::ConvertTo(Ints(), sum)));
 }
 
-template <class Index>
+template <class Index, class Each = EachAlone<Index>>
 void interpolate(const std::uint32_t* map, const float* u, const float* v, std::uint32_t* out,
                  std::size_t count, Level n) {
   const Words dw;
   const Index index(n);
-  each_point<1, std::uint32_t>(u, v, {out}, count, [&](FloatVec pu, FloatVec pv, const auto& to) HWY_ATTR {
-    const LocatedVecs p = located(pu, pv, n);
-    // Offsets are signed: V(16) values are beyond 2^31, but no vertex of a level below 16 is, and level 16 is looked up
-    // one by one.
-    const auto c0 = hn::GatherIndex(dw, map, as_ints(index(p.i, p.j)));
-    const auto c1 = hn::GatherIndex(dw, map, as_ints(index(p.i1, p.j)));
-    const auto c2 = hn::GatherIndex(dw, map, as_ints(index(p.i, p.j2)));
-    const auto low = hn::Or(mixed_channel<0>(p, c0, c1, c2), mixed_channel<8>(p, c0, c1, c2));
-    const auto high = hn::Or(mixed_channel<16>(p, c0, c1, c2), mixed_channel<24>(p, c0, c1, c2));
-    hn::StoreU(hn::Or(low, high), dw, to[0]);
-  });
+  each_point<Each::vectors, 1, std::uint32_t>(
+      u, v, {out}, count, [&](const float* pu, const float* pv, const auto& to) HWY_ATTR {
+        Each::run(index, pu, pv, n, [&](std::size_t k, const LocatedVecs& p, const TripletVecs& x) HWY_ATTR {
+          // Offsets are signed: V(16) values are beyond 2^31, but no vertex of a level below 16 is, and level 16 is
+          // looked up one by one.
+          const auto c0 = hn::GatherIndex(dw, map, as_ints(x.x0));
+          const auto c1 = hn::GatherIndex(dw, map, as_ints(x.x1));
+          const auto c2 = hn::GatherIndex(dw, map, as_ints(x.x2));
+          const auto low = hn::Or(mixed_channel<0>(p, c0, c1, c2), mixed_channel<8>(p, c0, c1, c2));
+          const auto high = hn::Or(mixed_channel<16>(p, c0, c1, c2), mixed_channel<24>(p, c0, c1, c2));
+          hn::StoreU(hn::Or(low, high), dw, to[0] + k);
+        });
+      });
 }
 
 void run_interpolate(VertexOrder order, const std::uint32_t* map, const float* u, const float* v,
@@ -148,7 +199,8 @@ void run_interpolate(VertexOrder order, const std::uint32_t* map, const float* u
     case VertexOrder::u_major:
       return interpolate<UMajorIndex>(map, u, v, out, count, n);
     default:
-      return interpolate<BirdIndex>(map, u, v, out, count, n);
+      return with_bird(
+          n, [&]<class Index, class Each>() HWY_ATTR { interpolate<Index, Each>(map, u, v, out, count, n); });
   }
 }
 
