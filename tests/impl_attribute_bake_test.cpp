@@ -2,6 +2,7 @@
 // hand.  Small textures are the laws' (proofs/attribute/bake/laws.cpp).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <random>
@@ -9,9 +10,12 @@
 #include <vector>
 
 #include "impl/attribute/bake.hpp"
+#include "impl/attribute/bake/codes.hpp"
+#include "impl/attribute/bake/exact.hpp"
 #include "impl/attribute/error.hpp"
 #include "impl/attribute/plan.hpp"
 #include "spec/attribute/bake.hpp"
+#include "tests/every_target.hpp"
 
 namespace {
 
@@ -96,6 +100,53 @@ TEST(ImplAttributeBake, FewValuesOfAnOrdinaryTriangleTakeWholeNumbers) {
   EXPECT_LT(counts.exact, 5u);
   std::vector<Rgba> map(65 * 66 / 2);
   EXPECT_LT(baker.vertices(uv, 6, map).exact, 5u);
+}
+
+TEST(ImplAttributeBake, EveryTargetGivesTheExactCodes) {
+  const Picture picture(64, 64, 7);
+  const fast::BaseTriangle uv{{{0.1f, 0.2f}, {0.7f, 0.31f}, {0.33f, 0.87f}}};
+  constexpr std::uint32_t level = 5, side = 1u << level;
+  for (const fast::Meaning meaning : {fast::Meaning::linear, fast::Meaning::srgb}) {
+    const fast::AttributeSampling sampling{.meaning = meaning};
+    const fast::detail::Source source(picture.view(), sampling);
+    const fast::detail::Exact exact(source, uv, level);
+    std::vector<Rgba> right, right_vertices;
+    for (std::uint32_t k = 0; k < side * side; ++k)
+      right.push_back(exact.face(mmverify::impl::index::corners(k, level)));
+    for (std::uint32_t r = 0; r <= side; ++r)
+      for (std::uint32_t j = 0; j <= r; ++j) right_vertices.push_back(exact.vertex({r - j, j}));
+    mmverify::tests::on_every_target([&] {
+      const fast::AttributeBaker baker(picture.view(), sampling);
+      EXPECT_EQ(faces(baker, uv, level), right);
+      std::vector<Rgba> map(right_vertices.size());
+      baker.vertices(uv, level, map);
+      EXPECT_EQ(map, right_vertices);
+    });
+  }
+}
+
+// The middles themselves are what law attribute.srgb_table holds against the curve.
+TEST(ImplAttributeBake, EveryHalfNumberHasTheCodeOfTheMiddlesBelowIt) {
+  const auto& curve = fast::detail::Curve::srgb();
+  std::size_t right = 0;
+  std::uint64_t wrong = 0;
+  for (std::int32_t twice = 0; twice <= 1 << 25; ++twice) {
+    while (right < 255 && curve.twice_least[right + 1] <= twice) ++right;
+    const std::int32_t below = right == 0 ? 1 << 30 : twice - curve.twice_least[right],
+                       above = curve.twice_least[right + 1] - twice;
+    for (const double bound : {0.25, 3.0, curve.most_off}) {
+      bool sure = true;
+      const std::uint8_t code = curve.code(0.5 * twice, bound, sure);
+      wrong += code != right || sure != (0.5 * std::min(below, above) >= bound) ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(wrong, 0u);
+  EXPECT_EQ(right, 255u);
+  // Means may be beyond what numbers there are by as much as they may be off.
+  bool sure = true;
+  EXPECT_EQ(curve.code(-curve.most_off, curve.most_off, sure), 0);
+  EXPECT_EQ(curve.code(curve.full + curve.most_off, curve.most_off, sure), 255);
+  EXPECT_TRUE(sure);
 }
 
 TEST(ImplAttributeBake, RefusesWhatItCannotBake) {

@@ -23,6 +23,7 @@ const Curve& Curve::linear() {
     Curve c;
     for (int k = 0; k < 256; ++k) {
       c.number[static_cast<std::size_t>(k)] = k;
+      c.value[static_cast<std::size_t>(k)] = k;
       c.twice_least[static_cast<std::size_t>(k)] = k == 0 ? 0 : 2 * k - 1;
     }
     c.twice_least[256] = 512;
@@ -36,29 +37,29 @@ const Curve& Curve::srgb() {
     Curve c;
     for (int k = 0; k < 256; ++k) {
       c.number[static_cast<std::size_t>(k)] = light(2 * k);
+      c.value[static_cast<std::size_t>(k)] = light(2 * k);
       c.twice_least[static_cast<std::size_t>(k)] = k == 0 ? 0 : 2 * light(2 * k - 1);
     }
     c.twice_least[256] = std::numeric_limits<std::int32_t>::max();
     c.full = full_light;
-    c.to_guess = static_cast<double>(c.guess.size() - 1) / full_light;
-    std::uint32_t code = 0;
-    for (std::size_t k = 0; k < c.guess.size(); ++k) {
-      const double least = static_cast<double>(k) / c.to_guess;
-      while (code < 255 && 0.5 * c.twice_least[code + 1] <= least) ++code;
-      c.guess[k] = static_cast<std::uint8_t>(code);
+    c.most_off = 0x1p11;
+    const auto number_of = [](std::uint64_t first_bits) {
+      return std::bit_cast<double>(first_bits << Curve::bits_below);
+    };
+    const std::uint64_t last = std::bit_cast<std::uint64_t>(c.full) >> Curve::bits_below;
+    std::uint64_t code = 0;
+    for (std::uint64_t bits = Curve::first_bits; bits <= last; ++bits) {
+      while (0.5 * c.twice_least[code + 1] < number_of(bits) - c.most_off) ++code;
+      c.middles.push_back(std::bit_cast<std::uint64_t>(0.5 * c.twice_least[code + 1]) | code);
     }
     return c;
   }();
   return curve;
 }
 
-Rgba encoded(const std::array<double, 4>& means, const std::array<double, 4>& bound, Meaning meaning,
-             const Curves& curves, bool& sure) noexcept {
+Rgba encoded_normal(const std::array<double, 4>& means, const std::array<double, 4>& bound, Meaning meaning,
+                    const Curves& curves, bool& sure) noexcept {
   Rgba codes{};
-  if (!is_normal(meaning)) {
-    for (std::size_t k = 0; k < 4; ++k) codes[k] = curves[k]->code(means[k], bound[k], sure);
-    return codes;
-  }
   // m = 2 mean - 255, each within twice the bound, so its length within 4 bounds, and m / |m| within 8 bounds / |m|
   // where |m| is far beyond them.
   const double b = std::max({bound[0], bound[1], bound[2]});

@@ -5,8 +5,12 @@
 // Source: spec/attribute/colour.hpp, spec/attribute/normal.hpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "impl/attribute/bake.hpp"
 
@@ -15,30 +19,39 @@ namespace mmverify::impl::attribute::detail {
 /// The curve of one channel.
 struct Curve {
   std::array<std::int32_t, 256> number{};       ///< of a code
+  std::array<double, 256> value{};              ///< the same
   std::array<std::int32_t, 257> twice_least{};  ///< of a code, doubled; one more than any at 256
-  std::array<std::uint8_t, 4097> guess{};       ///< the code of the least number with these high bits
   double full = 255;                            ///< the greatest number
-  double to_guess = 0;
+  double most_off = 0.125;                      ///< the greatest bound of a mean
+
+  /// On the sRGB curve, by the first bits of a mean: the one middle that lies among the numbers with these bits or within
+  /// most_off of them, or if there is none the next one above.  Middles are halves of whole numbers below 2^31, so that
+  /// the lowest bits of their binary64 are free: these hold the code below the middle.
+  std::vector<std::uint64_t> middles = {};
+  /// Sign, exponent and 7 bits; the first middle is above 2^11.
+  static constexpr int bits_below = 45;
+  static constexpr double first_number = 0x1p11;
+  static constexpr std::uint64_t first_bits = std::bit_cast<std::uint64_t>(first_number) >> bits_below,
+                                 code_mask = 0xff;
 
   static const Curve& linear();
   static const Curve& srgb();
 
-  /// The code of a mean that is within `bound`; `sure` is cleared where another code's middle is that near.
-  /// Domain: 0 <= bound < 1/4.
+  /// The code of a mean that is within `bound`; `sure` is cleared where a middle is that near.
+  /// Domain: 0 <= bound <= most_off; mean within that of 0 .. full.
   std::uint8_t code(double mean, double bound, bool& sure) const noexcept {
-    if (to_guess == 0) {
+    if (middles.empty()) {
       const double up = mean + 0.5;
       const auto whole = static_cast<std::int32_t>(up);  // up >= 1/4
       const double rest = up - whole;
       sure = sure && rest >= bound && rest <= 1 - bound;
       return static_cast<std::uint8_t>(whole);
     }
-    const double inside = mean < 0 ? 0 : mean > full ? full : mean;
-    std::uint32_t k = guess[static_cast<std::size_t>(inside * to_guess)];
-    while (inside >= 0.5 * twice_least[k + 1]) ++k;
-    sure =
-        sure && (k == 0 || mean - 0.5 * twice_least[k] >= bound) && 0.5 * twice_least[k + 1] - mean >= bound;
-    return static_cast<std::uint8_t>(k);
+    const double inside = std::min(std::max(mean, first_number), full);
+    const std::uint64_t entry = middles[(std::bit_cast<std::uint64_t>(inside) >> bits_below) - first_bits];
+    const auto middle = std::bit_cast<double>(entry & ~code_mask);
+    sure = sure && std::fabs(mean - middle) >= bound;
+    return static_cast<std::uint8_t>((entry & code_mask) + (mean >= middle ? 1 : 0));
   }
 
   /// The code of the mean sum / count, exactly.  Domain: count > 0.
@@ -63,9 +76,18 @@ inline Curves curves_of(Meaning meaning) {
 }
 constexpr bool is_normal(Meaning m) { return m == Meaning::normal || m == Meaning::normal_and_length; }
 
+/// `encoded` for normals.
+Rgba encoded_normal(const std::array<double, 4>& means, const std::array<double, 4>& bound, Meaning meaning,
+                    const Curves& curves, bool& sure) noexcept;
+
 /// The codes of mean numbers, each within its `bound`; `sure` is cleared where another code may be right.
-Rgba encoded(const std::array<double, 4>& means, const std::array<double, 4>& bound, Meaning meaning,
-             const Curves& curves, bool& sure) noexcept;
+inline Rgba encoded(const std::array<double, 4>& means, const std::array<double, 4>& bound, Meaning meaning,
+                    const Curves& curves, bool& sure) noexcept {
+  if (is_normal(meaning)) return encoded_normal(means, bound, meaning, curves, sure);
+  Rgba codes{};
+  for (std::size_t k = 0; k < 4; ++k) codes[k] = curves[k]->code(means[k], bound[k], sure);
+  return codes;
+}
 
 /// Whether a >= t sqrt(square) for whole numbers.  Domain: square >= 0.
 template <class Int>

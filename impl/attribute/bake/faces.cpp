@@ -28,7 +28,7 @@ std::optional<std::array<double, 4>> bound_of(const Source& source, const Frame&
     const double m = source.curves()[k]->full;
     const double sum_off = m * half_ulp * frame.extent * (64 + 2 * longest_edge) * around;
     bound[k] = (2 * sum_off + m * off) / (area - off) + 8 * half_ulp * m;
-    if (!(bound[k] < 0.125 * m / 255)) return std::nullopt;
+    if (!(bound[k] < source.curves()[k]->most_off)) return std::nullopt;
   }
   return bound;
 }

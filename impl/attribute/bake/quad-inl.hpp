@@ -1,4 +1,5 @@
 // Four numbers of binary64, one a channel: a vector where one holds four, else an array.
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -52,6 +53,34 @@ HWY_INLINE Rgba linear_codes(Quad mean, Quad bound, bool& sure) {
   return codes;
 }
 
+/// The codes of means on the sRGB curve, alpha linear: Curve::code of each.
+HWY_INLINE Rgba srgb_codes(Quad mean, Quad bound, const Curve& curve, bool& sure) {
+  const Quad::Tag d;
+  const hn::FixedTag<std::uint64_t, 4> dw;
+  const hn::FixedTag<std::int32_t, 4> di;
+  const hn::FixedTag<std::uint8_t, 4> db;
+  const hn::FixedTag<std::uint32_t, 1> one;
+  const auto inside = hn::Min(hn::Max(mean.v, hn::Set(d, Curve::first_number)), hn::Set(d, curve.full));
+  const auto place =
+      hn::Sub(hn::ShiftRight<Curve::bits_below>(hn::BitCast(dw, inside)), hn::Set(dw, Curve::first_bits));
+  const auto entry =
+      hn::GatherIndex(dw, curve.middles.data(), hn::BitCast(hn::FixedTag<std::int64_t, 4>(), place));
+  const auto codes_below = hn::And(entry, hn::Set(dw, Curve::code_mask));
+  const auto middle = hn::BitCast(d, hn::Xor(entry, codes_below));
+  const auto reached = hn::VecFromMask(dw, hn::RebindMask(dw, hn::Ge(mean.v, middle)));  // all ones is -1
+  const auto up = hn::Add(mean.v, hn::Set(d, 0.5));
+  const auto whole = hn::DemoteTo(di, up);
+  const auto rest = hn::Sub(up, hn::PromoteTo(d, whole));
+  const auto colours = hn::FirstN(d, 3);
+  const auto off = hn::IfThenElse(colours, hn::Abs(hn::Sub(mean.v, middle)),
+                                  hn::Min(rest, hn::Sub(hn::Set(d, 1.0), rest)));
+  sure = hn::AllTrue(d, hn::Ge(off, bound.v));
+  const auto rgb = hn::TruncateTo(db, hn::Sub(codes_below, reached)), line = hn::DemoteTo(db, whole);
+  const std::uint32_t both =
+      (hn::GetLane(hn::BitCast(one, rgb)) & 0xffffff) | (hn::GetLane(hn::BitCast(one, line)) & 0xff000000);
+  return std::bit_cast<Rgba>(both);
+}
+
 #else
 
 struct Quad {
@@ -80,6 +109,13 @@ struct Quad {
 HWY_INLINE Rgba linear_codes(const Quad& mean, const Quad& bound, bool& sure) {
   Rgba codes;
   for (std::size_t k = 0; k < 4; ++k) codes[k] = Curve::linear().code(mean.v[k], bound.v[k], sure);
+  return codes;
+}
+
+HWY_INLINE Rgba srgb_codes(const Quad& mean, const Quad& bound, const Curve& curve, bool& sure) {
+  Rgba codes;
+  for (std::size_t k = 0; k < 3; ++k) codes[k] = curve.code(mean.v[k], bound.v[k], sure);
+  codes[3] = Curve::linear().code(mean.v[3], bound.v[3], sure);
   return codes;
 }
 

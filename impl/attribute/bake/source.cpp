@@ -32,7 +32,7 @@ void Source::add_row(std::int64_t y, std::int64_t left, std::int64_t width, Sum*
       if constexpr (std::is_same_v<Sum, float>)
         sum[k] += static_cast<Sum>(texel[k]);  // linear: the code is the number
       else
-        sum[k] += static_cast<Sum>(number(texel, k));
+        sum[k] += curves_[k]->value[texel[k]];
     }
   };
   if (y >= 0 && left >= 0 && left + width <= texture_.width) {

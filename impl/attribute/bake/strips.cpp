@@ -27,18 +27,21 @@ HWY_INLINE std::uint32_t on_curve(const Face& f) {
 template <class Sum>
 void strips(const StripJob<Sum>& job, Rgba* out, std::vector<Face>& unsure) {
   const std::uint32_t side = job.side;
-  const bool linear = job.source.sampling().meaning == Meaning::linear;
+  const Meaning meaning = job.source.sampling().meaning;
+  const Curve& first_curve = *job.source.curves()[0];
   const Quad bound = Quad::of(job.bound.data());
   const auto give = [&](const Face& face, const Quad& integral) HWY_ATTR {
     const Quad mean = job.scale * integral;
     bool sure = true;
     Rgba codes;
-    if (linear) {
+    if (meaning == Meaning::linear) {
       codes = linear_codes(mean, bound, sure);
+    } else if (meaning == Meaning::srgb) {
+      codes = srgb_codes(mean, bound, first_curve, sure);
     } else {
       std::array<double, 4> means;
       mean.store(means.data());
-      codes = encoded(means, job.bound, job.source.sampling().meaning, job.source.curves(), sure);
+      codes = encoded(means, job.bound, meaning, job.source.curves(), sure);
     }
     out[on_curve(face)] = codes;
     if (!sure) unsure.push_back(face);

@@ -25,7 +25,7 @@ struct StripJob {
 };
 
 /// Writes the faces that floats are sure of, in the order of the curve, and names the others.
-/// Domain: bounds below 1/4, on the sRGB curve 2^24 / 2048.
+/// Domain: bounds below each curve's most_off.
 void bake_strips(const StripJob<float>& job, Rgba* out, std::vector<Face>& unsure);
 void bake_strips(const StripJob<double>& job, Rgba* out, std::vector<Face>& unsure);
 

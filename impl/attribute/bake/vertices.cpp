@@ -42,7 +42,9 @@ class Row {
   }
 
  private:
-  double number(const std::uint8_t* texel, std::size_t k) const noexcept { return source_.number(texel, k); }
+  double number(const std::uint8_t* texel, std::size_t k) const noexcept {
+    return source_.curves()[k]->value[texel[k]];
+  }
 
   std::array<const std::uint8_t*, 4> cell(std::int64_t i, std::int64_t j) const noexcept {
     if (in_picture_) {
