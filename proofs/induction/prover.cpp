@@ -2,6 +2,10 @@
 
 #include <z3++.h>
 
+#include <map>
+#include <mutex>
+#include <optional>
+
 namespace mmverify::proofs::induction {
 namespace {
 
@@ -15,9 +19,26 @@ std::string constants_of(const z3::model& model) {
   return text;
 }
 
-}  // namespace
+/// The statements that z3 has settled in this process, by their text: a mutant shares most of its own with the right
+/// subject.  Threads share it.
+class Settled {
+ public:
+  std::optional<Found> answer(const std::string& text) const {
+    const std::lock_guard hold(lock_);
+    const auto one = found_.find(text);
+    return one == found_.end() ? std::nullopt : std::optional(one->second);
+  }
+  void keep(const std::string& text, const Found& found) {
+    const std::lock_guard hold(lock_);
+    found_.emplace(text, found);
+  }
 
-Found ask_z3(const Statement& statement, const Effort& effort) {
+ private:
+  mutable std::mutex lock_;
+  std::map<std::string, Found> found_;
+};
+
+Found ask_anew(const Statement& statement, const Effort& effort) {
   try {
     z3::context context;
     z3::solver solver(context);
@@ -42,6 +63,20 @@ Found ask_z3(const Statement& statement, const Effort& effort) {
   } catch (const z3::exception& error) {
     return {Answer::unknown, error.msg()};
   }
+}
+
+}  // namespace
+
+Found ask_z3(const Statement& statement, const Effort& effort) {
+  // Whether another effort settles it is a question of its own.
+  constexpr Effort usual;
+  if (effort.milliseconds != usual.milliseconds || effort.steps != usual.steps)
+    return ask_anew(statement, effort);
+  static Settled settled;
+  if (const auto before = settled.answer(statement.text)) return *before;
+  const Found found = ask_anew(statement, effort);
+  if (found.answer != Answer::unknown) settled.keep(statement.text, found);
+  return found;
 }
 
 std::string prover_name() {
