@@ -10,10 +10,14 @@
 
 namespace mmverify::dock {
 
-/// A worker out of the pool; it goes back only if it answered.
+/// A worker out of the pool; it goes back only if it answered, else another takes its place.
 class Borrowed {
  public:
   explicit Borrowed(Pool& pool) : pool_(pool), worker_(pool.take()) {}
+  ~Borrowed() {
+    if (worker_) pool_.replace(std::move(worker_));
+  }
+  Borrowed(Borrowed&&) = default;
   Worker& operator*() const { return *worker_; }
   Worker* operator->() const { return worker_.get(); }
   void give_back() { pool_.give_back(std::move(worker_)); }

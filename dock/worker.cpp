@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -47,11 +48,12 @@ constexpr int anywhere = -1, not_asked = -2;
 
 }  // namespace
 
-Worker::Worker(std::string library, const Options& options)
+Worker::Worker(std::string library, const Options& options, QuestionCounts asked)
     : library_(std::move(library)),
       options_(options),
       environment_(worker_environment(library_)),
-      layout_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
+      layout_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))),
+      asked_(std::move(asked)) {
   start();
 }
 
@@ -325,6 +327,7 @@ Reply Worker::ask(const Question& q) {
   mailbox_->one_by_one = 0;
   mailbox_->blob_bytes = q.blob.size();
   mailbox_->room = q.room;
+  mailbox_->asked_before = asked_[{q.call, q.level, q.format}]++;
   mailbox_->message[0] = 0;
   if (!q.blob.empty()) std::memcpy(base_ + layout_.blob_at(q.blob.size()), q.blob.data(), q.blob.size());
   if (!exchange()) throw Misbehaved{why_no_answer(), 0, q.count, hung_};
@@ -337,6 +340,7 @@ Reply Worker::ask(const Question& q) {
 }
 
 std::unique_ptr<Worker> Pool::take() {
+  QuestionCounts asked;
   {
     const std::lock_guard hold(lock_);
     if (!idle_.empty()) {
@@ -344,8 +348,14 @@ std::unique_ptr<Worker> Pool::take() {
       idle_.pop_back();
       return worker;
     }
+    asked = asked_;
   }
-  return std::make_unique<Worker>(library_, options_);
+  return std::make_unique<Worker>(library_, options_, std::move(asked));
+}
+
+void Pool::replace(std::unique_ptr<Worker> worker) {
+  const std::lock_guard hold(lock_);
+  for (const auto& [kind, count] : worker->asked()) asked_[kind] = std::max(asked_[kind], count);
 }
 
 void Pool::give_back(std::unique_ptr<Worker> worker) {

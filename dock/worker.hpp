@@ -4,11 +4,13 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "dock/layout.hpp"
@@ -50,16 +52,22 @@ struct Reply {
   std::span<const std::uint8_t> bytes;
 };
 
+/// How many questions on maps and codes were asked, by call, level and format: the first of each kind are asked in every
+/// way, which takes a hundred times as long as the answer.
+using QuestionCounts = std::map<std::tuple<Call, std::uint32_t, std::uint32_t>, std::uint32_t>;
+
 /// One process with the library loaded. Not for two threads at once.
 class Worker {
  public:
   /// Starts it; CannotLoad where the library is no subject, std::runtime_error where no process can be had.
-  Worker(std::string library, const Options& options);
+  /// `asked`: what those were asked whose place it takes.
+  Worker(std::string library, const Options& options, QuestionCounts asked = {});
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
   const Description& description() const { return mailbox_->description; }
+  const QuestionCounts& asked() const { return asked_; }
 
   /// Where element t of a command of `count` goes, and where its answer comes.  Domain: t < count <=
   /// capacity.
@@ -112,6 +120,7 @@ class Worker {
   std::unique_ptr<Printed> printed_;
   std::string over_;  ///< which bound it went over
   std::uint64_t questions_ = 0;
+  QuestionCounts asked_;
   std::array<bool, calls> this_level_alone_{};  ///< by call: it has crashed on another level
   std::byte* base_ = nullptr;
   Mailbox* mailbox_ = nullptr;
@@ -124,6 +133,9 @@ class Pool {
 
   std::unique_ptr<Worker> take();
   void give_back(std::unique_ptr<Worker> worker);
+  /// Ends one that did not answer.  A subject that crashes on a hundred cases is not asked the first ones of a worker in
+  /// every way a hundred times.
+  void replace(std::unique_ptr<Worker> worker);
   const std::string& library() const { return library_; }
 
  private:
@@ -131,6 +143,7 @@ class Pool {
   Options options_;
   std::mutex lock_;
   std::vector<std::unique_ptr<Worker>> idle_;
+  QuestionCounts asked_;  ///< of those that were replaced, the most of each kind
 };
 
 }  // namespace mmverify::dock

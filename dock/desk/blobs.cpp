@@ -19,18 +19,14 @@ std::string text(std::uint64_t number) { return std::to_string(number); }
 
 }  // namespace
 
-bool Desk::thorough() {
+bool Desk::thorough() const {
   if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough) return false;
-  const std::uint32_t before = questions_so_far()++;
+  const std::uint32_t before = mailbox_.asked_before;
   return before < first_thorough || before % later_one_in == 0;
 }
 
-std::uint32_t& Desk::questions_so_far() {
-  return questions_[static_cast<std::size_t>(mailbox_.call)][mailbox_.level % 32][mailbox_.format % 3];
-}
-
 Desk::FromThreads Desk::blob_from_threads_first() {
-  if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough || questions_so_far() != 0) return {};
+  if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough || mailbox_.asked_before != 0) return {};
   const Asked question{whole(nullptr, mailbox_.room), static_cast<std::size_t>(mailbox_.room), {}};
   return answers_from_threads(question, question, {1, 1});
 }
@@ -167,7 +163,7 @@ Desk::Question Desk::this_question(std::uint64_t size) const {
 
 void Desk::ask_blob_from_threads(std::uint64_t size) {
   // Memory that two threads share is seen only where they meet in it: some questions of a level are asked often.
-  const std::uint32_t before = questions_so_far() - 1;
+  const std::uint32_t before = mailbox_.asked_before;
   const bool early =
       before < first_from_threads || (before < later_from_threads && before % one_in_from_threads == 0);
   const Rounds rounds = early ? Rounds{2, 256, std::chrono::milliseconds(2)} : Rounds{};

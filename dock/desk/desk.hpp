@@ -132,22 +132,20 @@ class Desk {
   Question this_question(std::uint64_t size) const;
   std::byte* blob_answer(std::uint64_t size) const;
   /// The first questions of a kind, and one in so many of the later ones.
-  bool thorough();
-  std::uint32_t& questions_so_far();
+  bool thorough() const;
 
   std::byte* const base_;
   const Layout layout_;
   Mailbox& mailbox_;
   const mmverify_subject_t& subject_;
   const pid_t self_ = getpid();
-  const std::uint32_t mode_;                    ///< of the floating-point unit, as every call must leave it
-  cpu_set_t everywhere_;                        ///< processors that this process had before the tool moved it
-  std::uint64_t probed_[calls][formats] = {};   ///< bit n: the entry point was asked at level n
-  std::uint32_t questions_[calls][32][3] = {};  ///< so far, by entry point, level and format
-  std::optional<Question> earlier_[calls];      ///< the last one that was asked from two threads
-  std::vector<std::byte> again_;                ///< the other of two answers to one question
-  std::vector<std::byte> elsewhere_;            ///< holds blob_elsewhere()
-  bool elsewhere_first_[calls] = {};            ///< of an entry point's last question
+  const std::uint32_t mode_;                   ///< of the floating-point unit, as every call must leave it
+  cpu_set_t everywhere_;                       ///< processors that this process had before the tool moved it
+  std::uint64_t probed_[calls][formats] = {};  ///< bit n: the entry point was asked at level n
+  std::optional<Question> earlier_[calls];     ///< the last one that was asked from two threads
+  std::vector<std::byte> again_;               ///< the other of two answers to one question
+  std::vector<std::byte> elsewhere_;           ///< holds blob_elsewhere()
+  bool elsewhere_first_[calls] = {};           ///< of an entry point's last question
 };
 
 }  // namespace mmverify::dock
