@@ -49,5 +49,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # To link the library, and to draw what bench --plot draws.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libhwy-dev)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS gnuplot-nox)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "astcenc, gnuplot-nox")
 include(CPack)

@@ -53,6 +53,10 @@ std::vector<Result> all_results() {
   attributes.sets[0].levels[1].nearest.emplace();
   for (auto& level : attributes.sets[0].levels)
     level.packed = {.plain = 3, .packed = 2, .entropy = 1, .peer = 4};
+  for (const mmverify::scene::BlockSize block : {mmverify::scene::BlockSize{4, 4}, {12, 12}})
+    attributes.sets[0].compressed.push_back(
+        {block, 1, 16u * 144 / (block.width * block.height), 16, {1, 0.5}});
+  attributes.sets[0].levels[0].error = {1, 0.5};
   mmverify::scene::AttributeScene read;
   read.left_out.push_back({.why = "no texture"});
   return {index_tables({index}, {}),
@@ -64,7 +68,9 @@ std::vector<Result> all_results() {
           subject_tables({}),
           scene_bake_tables({}, {}),
           baker_tables({"b", "f", {{}}}),
-          scene_attribute_tables(attributes, read, {.packed = true})};
+          scene_attribute_tables(
+              attributes, read,
+              {.packed = true, .texture_coder = {.name = "coder", .compress = [](auto&&...) {}}})};
 }
 
 /// What the schema says of one place, and of the places that it lies in.

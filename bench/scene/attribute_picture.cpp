@@ -34,6 +34,18 @@ picture::Series curve(const AttributeSetFigures& set, Shown shown, Coordinate co
   return series;
 }
 
+/// The set's textures in ASTC, a point a block size; none where none were compressed.
+template <class Error>
+void add_astc(picture::Panel& panel, const AttributeSetFigures& set, Error error) {
+  if (set.compressed.empty()) return;
+  picture::Series series{
+      .name = "texture in ASTC", .colour = picture::green, .shape = picture::Shape::diamond};
+  for (const scene::CompressedTextures& one : set.compressed)
+    series.points.push_back(
+        {static_cast<double>(one.bytes) / static_cast<double>(set.texture_bytes), error(one.error)});
+  panel.series.push_back(series);
+}
+
 }  // namespace
 
 picture::Picture scene_attribute_picture(const AttributeFigures& figures) {
@@ -79,6 +91,8 @@ picture::Picture scene_attribute_picture(const AttributeFigures& figures) {
         return Point{share(at), error.rmse};
       }));
     }
+    add_astc(by_bytes, set, [](const scene::MapError& error) { return error.flip.value_or(0); });
+    add_astc(squares, set, [](const scene::MapError& error) { return error.rmse; });
     drawn.rows.front().push_back(by_level);
     drawn.rows.push_back({by_bytes, squares});
     break;

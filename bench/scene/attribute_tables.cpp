@@ -1,7 +1,10 @@
 #include "bench/scene/attribute_tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+
+#include "scene/attribute/equal_error.hpp"
 
 namespace mmverify::bench {
 namespace {
@@ -23,6 +26,20 @@ struct SetLevel {
 struct AllAtLevel {
   unsigned level;
   std::uint64_t texture_bytes, faces, vertices;
+};
+
+/// Textures of a set, compressed.
+struct SetBlocks {
+  std::string set;
+  std::uint64_t texture_bytes;
+  const scene::CompressedTextures* textures;
+};
+
+/// Maps of a set, beside its textures compressed to the same error.
+struct BesideTextures {
+  std::string set;
+  const MapsAtLevel* at;
+  const std::vector<scene::CompressedTextures>* textures;
 };
 
 struct LeftOutFigures {
@@ -95,6 +112,116 @@ Fields<SetLevel> fields_of(MapKind kind) {
                       [at](const SetLevel& s) { return optional(at(s).nearest->flip); }});
   }
   return fields;
+}
+
+/// One of the two measures of error.
+enum class Measure { flip, rmse };
+
+std::optional<double> error_by(const scene::MapError& error, Measure measure) {
+  return measure == Measure::flip ? error.flip : std::optional(error.rmse);
+}
+
+/// What the textures take at the maps' error; nothing where they have none of this measure.
+std::optional<scene::BytesAtError> textures_at(const BesideTextures& b, Measure measure) {
+  const std::optional<double> error = error_by(b.at->error, measure);
+  if (!error) return std::nullopt;
+  std::vector<scene::BytesAndError> sizes;
+  for (const scene::CompressedTextures& one : *b.textures)
+    sizes.push_back({static_cast<double>(one.bytes), error_by(one.error, measure).value_or(0)});
+  return scene::bytes_at_error(sizes, *error);
+}
+
+std::string name_of(scene::AmongSizes where) {
+  switch (where) {
+    case scene::AmongSizes::within:
+      return "within";
+    case scene::AmongSizes::coarsest_is_closer:
+      return "all are closer";
+    case scene::AmongSizes::finest_is_farther:
+      break;
+  }
+  return "all are farther";
+}
+
+/// Columns of textures at the maps' error, by one measure.
+Fields<BesideTextures> equal_fields(Measure measure) {
+  using B = BesideTextures;
+  const bool flip = measure == Measure::flip;
+  const std::string group = flip ? "at equal FLIP" : "at equal RMSE", key = flip ? "flip." : "rmse.";
+  const auto bytes = [measure](const B& b) -> std::optional<std::uint64_t> {
+    const auto textures = textures_at(b, measure);
+    if (!textures || textures->where != scene::AmongSizes::within) return std::nullopt;
+    return static_cast<std::uint64_t>(std::llround(textures->bytes));
+  };
+  const auto times = [bytes](const B& b, std::uint64_t scene::PackedBytes::*of) -> Value {
+    const auto textures = bytes(b);
+    if (!textures || !b.at->packed) return {};
+    return share_of((*b.at->packed).*of, *textures);
+  };
+  return {
+      {{key + "error", flip ? "FLIP" : "RMSE", flip ? "" : "codes", {.digits = flip ? 4 : 3}, group},
+       [measure](const B& b) { return optional(error_by(b.at->error, measure)); }},
+      {{key + "where", "among sizes", "", {}, group},
+       [measure](const B& b) -> Value {
+         const auto textures = textures_at(b, measure);
+         return textures ? Value(name_of(textures->where)) : Value();
+       }},
+      {{key + "astc", "ASTC bytes", "", {}, group},
+       [bytes](const B& b) {
+         const auto textures = bytes(b);
+         return textures ? Value(*textures) : Value();
+       }},
+      {{key + "plain_to_astc", "plain to it", "", {}, group},
+       [times](const B& b) { return times(b, &scene::PackedBytes::plain); }},
+      {{key + "packed_to_astc", "packed to it", "", {}, group},
+       [times](const B& b) { return times(b, &scene::PackedBytes::packed); }},
+  };
+}
+
+/// Textures by block size, and maps beside them.
+std::vector<Table> astc_tables(const AttributeFigures& figures) {
+  std::vector<SetBlocks> blocks;
+  std::vector<BesideTextures> maps;
+  for (const AttributeSetFigures& set : figures.sets) {
+    if (set.compressed.empty()) continue;
+    for (const scene::CompressedTextures& one : set.compressed)
+      blocks.push_back({scene::name(set.set), set.texture_bytes, &one});
+    for (const MapsAtLevel& at : set.levels) maps.push_back({scene::name(set.set), &at, &set.compressed});
+  }
+  const Print shares{2, 'f', per_cent, "%"};
+  const Fields<SetBlocks> of_blocks{
+      {{.key = "set", .heading = "attributes", .leads = true}, [](const SetBlocks& s) { return s.set; }},
+      {{.key = "block", .heading = "block", .leads = true},
+       [](const SetBlocks& s) { return s.textures->block.name(); }},
+      {{.key = "reduced", .heading = "reduced by", .leads = true},
+       [](const SetBlocks& s) { return std::uint64_t{s.textures->reduced}; }},
+      {{"bytes", "bytes"}, [](const SetBlocks& s) { return s.textures->bytes; }},
+      {{"of_textures", "of textures", "", shares},
+       [](const SetBlocks& s) { return share_of(s.textures->bytes, s.texture_bytes); }},
+      {{"shown", "blocks shown", "", {1, 'f', per_cent, "%"}},
+       [](const SetBlocks& s) { return share_of(s.textures->shown_bytes, s.textures->bytes); }},
+      {{"rmse", "RMSE", "codes", {.digits = 3}}, [](const SetBlocks& s) { return s.textures->error.rmse; }},
+      {{"flip", "FLIP", "", {.digits = 4}},
+       [](const SetBlocks& s) { return optional(s.textures->error.flip); }},
+  };
+  Fields<BesideTextures> beside{
+      {{.key = "set", .heading = "attributes", .leads = true}, [](const BesideTextures& b) { return b.set; }},
+      {{.key = "level", .heading = "level", .leads = true},
+       [](const BesideTextures& b) { return std::uint64_t{b.at->level}; }},
+      {{.key = "maps", .heading = "maps of", .leads = true},
+       [](const BesideTextures& b) -> Value {
+         return std::string(b.at->kind == MapKind::faces ? "faces" : "vertices");
+       }},
+      {{"plain", "plain bytes"},
+       [](const BesideTextures& b) { return packed_value(*b.at, &scene::PackedBytes::plain); }},
+      {{"packed", "packed"},
+       [](const BesideTextures& b) { return packed_value(*b.at, &scene::PackedBytes::packed); }},
+  };
+  for (const Measure measure : {Measure::flip, Measure::rmse})
+    for (const Field<BesideTextures>& field : equal_fields(measure)) beside.push_back(field);
+  return {table_of<SetBlocks>({.key = "astc", .caption = "textures in ASTC"}, of_blocks, blocks),
+          table_of<BesideTextures>({.key = "beside_astc", .caption = "maps beside ASTC of the same error"},
+                                   beside, maps)};
 }
 
 std::vector<SetLevel> set_levels(const AttributeFigures& figures) {
@@ -204,6 +331,13 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
         ". packed: the maps in the channels in use, lossless or each code off by the error at most; entropy: "
         "order 0 "
         "of its residuals; zstd: level 19 of the plain bytes";
+  }
+  if (options.texture_coder.compress) {
+    result.settings.emplace_back("astc", options.texture_coder.name);
+    for (Table& table : astc_tables(figures)) result.tables.push_back(std::move(table));
+    result.about +=
+        ". ASTC: all blocks of the textures, no mips; reduced by: sides so many times shorter first, sampled "
+        "bilinearly in the end. Equal error: between two sizes, on a line of logarithms of bytes and errors";
   }
   if (!read.left_out.empty())
     result.tables.push_back(table_of<LeftOutFigures>({.key = "left_out"}, reasons, left_out(read)));

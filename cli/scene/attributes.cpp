@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "bench/scene/astcenc.hpp"
 #include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/zstd.hpp"
 #include "cli/arguments.hpp"
@@ -104,6 +105,10 @@ int scene_attributes(const AttributeArguments& arguments) {
   };
   if (!arguments.quiet)
     options.progress = [](const std::string& what) { fmt::print(stderr, "attributes: {}\n", what); };
+  // Found before anything is measured.
+  if (arguments.astc)
+    options.texture_coder =
+        bench::astc_coder({.threads = options.threads, .progress = options.progress, .stop = options.stop});
   if (!arguments.pictures.empty())
     options.picture = [&arguments](const AttributePicture& picture) {
       write_picture(arguments.pictures, picture);

@@ -12,6 +12,7 @@ struct AttributeArguments {
   unsigned threads = 0;
   bool packed = false;  ///< pack the maps as well
   unsigned packed_error = 0;
+  bool astc = false;  ///< compress the textures beside
 };
 
 /// Prints the tables, writes JSON, the picture of the figures and pictures of the textures.  Returns the exit code.

@@ -46,7 +46,7 @@ struct SceneOptions {
   double timeout = 10;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
-  bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false;
+  bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false, astc = false;
   float margin = 0;
   int states = 4;
   unsigned packed_error = 0;
@@ -292,16 +292,21 @@ int attributes(const SceneOptions& options) {
       options.states != 4 || options.margin != 0 || options.exhaustive)
     throw UsageError(
         "--attributes: it measures and writes --json, --plot and --pictures; leave the others out");
+  if (options.astc && options.packed_error != 0)
+    throw UsageError(
+        "--astc: errors are measured of lossless maps, and held against their bytes; leave --packed-error "
+        "out");
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
                            options.files, options.codes, options.quiet, options.threads,
-                           options.packed || options.packed_error != 0, options.packed_error});
+                           options.packed || options.packed_error != 0 || options.astc, options.packed_error,
+                           options.astc});
 }
 
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
   if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
-  if (options.packed || options.packed_error != 0 || !options.files.empty())
-    throw UsageError("--packed, --packed-error, --files: for --attributes");
+  if (options.packed || options.packed_error != 0 || options.astc || !options.files.empty())
+    throw UsageError("--packed, --packed-error, --astc, --files: for --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -406,6 +411,9 @@ Action add_scene(CLI::App& program) {
                    "the most that a code of them may be off, and --packed; 0 is lossless")
       ->check(whole_within(0, 127))
       ->type_name("CODES");
+  command->add_flag("--astc", options->astc,
+                    "of --attributes: compress the textures as ASTC beside, and say what they take at the "
+                    "maps' errors; implies --packed, needs the program astcenc");
   command
       ->add_option("--pictures", options->pictures,
                    "of --attributes: write each base colour beside its maps and their FLIP, a PNG a level")

@@ -14,6 +14,7 @@
 #include "flip/flip.hpp"
 #include "scene/attribute/atlas.hpp"
 #include "scene/attribute/map_reading.hpp"
+#include "scene/attribute/reduced_texture.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -72,6 +73,8 @@ class SetMeasurement {
     std::set<std::size_t> images;
     for (const auto& [number, baker] : bakers_) images.insert(scene_.textures[number].image);
     for (const std::size_t image : images) measure_image(image);
+    for (std::size_t k = 0; k < compressed_sums_.size(); ++k)
+      figures_.compressed[k].error = error_of(compressed_sums_[k]);
     for (unsigned level = options_.first; level <= options_.last; ++level)
       for (const MapKind kind : map_kinds) figures_.levels.push_back(at_level(level, kind));
     return figures_;
@@ -128,7 +131,7 @@ class SetMeasurement {
     std::transform(first.begin(), first.end(), shown.begin(),
                    [](std::uint32_t triangle) { return std::uint8_t{triangle != no_triangle}; });
     figures_.shown += static_cast<std::uint64_t>(std::count(shown.begin(), shown.end(), 1));
-    const std::vector<std::uint8_t> original = original_of(image, maps);
+    const std::vector<std::uint8_t> original = original_of(image);
     for (unsigned level = options_.first; level <= options_.last; ++level) {
       AttributePicture picture{image, set_, level, original, original, original, {}, {}};
       std::vector<std::uint8_t> nearest = original;
@@ -152,19 +155,95 @@ class SetMeasurement {
       }
       if (options_.picture && is_srgb(set_)) options_.picture(picture);
     }
+    if (options_.texture_coder.compress) compress(image, original, shown);
+  }
+
+  /// What the coder makes of an image, beside what it made of the set's others at the same size.
+  void compress(const ColourImage& image, const std::vector<std::uint8_t>& original,
+                const std::vector<std::uint8_t>& shown) {
+    const TextureCoder& coder = options_.texture_coder;
+    const CodeMeaning meaning(set_, options_.averaging);
+    RgbTexels used{image.width, image.height, original};
+    for (std::size_t k = 0; k < used.rgb.size(); ++k)
+      if ((channels_ >> k % 3 & 1) == 0) used.rgb[k] = 0;
+    std::size_t size = 0;
+    for (std::uint32_t factor = 1; factor <= most_reduced; factor *= 2) {
+      const std::vector<BlockSize>& blocks = factor == 1 ? coder.blocks : coder.reduced_blocks;
+      if (blocks.empty()) continue;
+      const RgbTexels small = factor == 1 ? used : reduced(used, factor, meaning);
+      std::size_t block = 0;
+      coder.compress(pixels_of(small), blocks, [&](const DecodedTexture& decoded) {
+        if (options_.stop) options_.stop();
+        if (block == blocks.size() || decoded.block != blocks[block] ||
+            decoded.rgb.size() != small.rgb.size())
+          throw std::invalid_argument(
+              "attributes: a texture coder tells of the block sizes that it was given");
+        measure_decoded(image, original, shown, size++, decoded, factor,
+                        factor == 1 ? decoded.rgb
+                                    : enlarged({small.width, small.height, decoded.rgb}, factor, image.width,
+                                               image.height, meaning));
+        ++block;
+      });
+      if (block != blocks.size())
+        throw std::invalid_argument("attributes: a texture coder tells of all block sizes that it was given");
+    }
+  }
+
+  TexturePixels pixels_of(const RgbTexels& texels) const {
+    using impl::attribute::Meaning;
+    TexturePixels pixels{texels.width, texels.height, texels.rgb, Meaning::linear};
+    if (is_srgb(set_)) pixels.meaning = Meaning::srgb;
+    if (meaning_of(set_, options_.averaging) == Meaning::normal) pixels.meaning = Meaning::normal;
+    return pixels;
+  }
+
+  /// Adds an image at one size; `codes`: what came back, at full resolution.
+  void measure_decoded(const ColourImage& image, const std::vector<std::uint8_t>& original,
+                       const std::vector<std::uint8_t>& shown, std::size_t size,
+                       const DecodedTexture& decoded, std::uint32_t factor,
+                       const std::vector<std::uint8_t>& codes) {
+    if (size == figures_.compressed.size()) {
+      figures_.compressed.push_back({decoded.block, factor, 0, 0, {}});
+      compressed_sums_.emplace_back();
+    }
+    std::vector<std::uint8_t> rgb = original;
+    for (std::size_t k = 0; k < rgb.size(); ++k)
+      if ((channels_ >> k % 3 & 1) != 0) rgb[k] = codes[k];
+    make_unit(rgb);
+    std::vector<float> unused;
+    sum(image, original, rgb, shown, compressed_sums_[size], unused);
+    const BlockSize covers{factor * decoded.block.width, factor * decoded.block.height};
+    CompressedTextures& all = figures_.compressed[size];
+    all.bytes += decoded.bytes;
+    all.shown_bytes +=
+        decoded.bytes / covers.blocks_of(image.width, image.height) * blocks_shown(image, covers, shown);
+  }
+
+  static std::uint64_t blocks_shown(const ColourImage& image, BlockSize block,
+                                    const std::vector<std::uint8_t>& shown) {
+    const std::uint64_t across = block.blocks_of(image.width, 1);
+    std::vector<bool> seen(block.blocks_of(image.width, image.height));
+    for (std::size_t texel = 0; texel < shown.size(); ++texel)
+      if (shown[texel] != 0)
+        seen[texel % image.width / block.width + texel / image.width / block.height * across] = true;
+    return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
   }
 
   /// What maps are held against: the texture, its normals made one unit long as theirs are.
-  std::vector<std::uint8_t> original_of(const ColourImage& image,
-                                        const std::vector<std::size_t>& maps) const {
+  std::vector<std::uint8_t> original_of(const ColourImage& image) const {
     std::vector<std::uint8_t> rgb = rgb_of(image);
-    if (maps.empty() || !has(set_, Attribute::normal)) return rgb;
-    const CodeMeaning& meaning = bakers_.at(all_[maps.front()].texture).meaning();
+    make_unit(rgb);
+    return rgb;
+  }
+
+  /// Normals alone: each one unit long, where they are averaged as such.
+  void make_unit(std::vector<std::uint8_t>& rgb) const {
+    if (!has(set_, Attribute::normal)) return;
+    const CodeMeaning meaning(set_, options_.averaging);
     for (std::size_t texel = 0; texel < rgb.size() / 3; ++texel)
       paint(rgb, texel,
             meaning.code_of(meaning.mean_of({rgb[3 * texel], rgb[3 * texel + 1], rgb[3 * texel + 2], 0})),
             channels_);
-    return rgb;
   }
 
   /// Paints the texels that the triangle is the first to show.  Returns how many of its micro-triangles have a texel's
@@ -278,6 +357,7 @@ class SetMeasurement {
   // By place_of(): a key a map; sums.
   std::vector<std::vector<MapKey>> keys_;
   std::vector<ErrorSums> sums_, nearest_sums_;
+  std::vector<ErrorSums> compressed_sums_;  ///< of figures_.compressed
   std::vector<std::uint64_t> seen_faces_;
 };
 

@@ -10,6 +10,7 @@
 #include "scene/attribute/baker.hpp"
 #include "scene/attribute/packed_maps.hpp"
 #include "scene/attribute/shared_maps.hpp"
+#include "scene/attribute/texture_coder.hpp"
 
 namespace mmverify::scene {
 
@@ -33,12 +34,25 @@ struct MapsAtLevel {
   std::uint64_t bytes() const { return bytes_of_maps(maps.distinct, kind, level); }
 };
 
+/// The most by which textures are reduced before they are compressed.
+inline constexpr std::uint32_t most_reduced = 32;
+
+/// All textures of a set, compressed in blocks of one size, without mips.
+struct CompressedTextures {
+  BlockSize block;
+  std::uint32_t reduced = 1;  ///< sides are so many times shorter first, and sampled bilinearly in the end
+  std::uint64_t bytes = 0;
+  std::uint64_t shown_bytes = 0;  ///< of the blocks of which a triangle shows a texel
+  MapError error;                 ///< over the same texels as that of maps
+};
+
 struct AttributeSetFigures {
   AttributeSet set = 0;
   std::uint64_t triangles = 0, images = 0;
   std::uint64_t texture_bytes = 0;  ///< 4 a texel, without mips
   std::uint64_t texels = 0, shown = 0;
-  std::vector<MapsAtLevel> levels;  ///< by level, faces before vertices
+  std::vector<MapsAtLevel> levels;             ///< by level, faces before vertices
+  std::vector<CompressedTextures> compressed;  ///< at full resolution, 1/2, 1/4 ...; empty without a coder
 };
 
 struct AttributeFigures {
@@ -78,6 +92,7 @@ struct AttributeOptions {
   bool packed = false;                                    ///< pack the maps as well
   std::uint8_t packed_error = 0;                          ///< the most that a code may be off in them, 0..127
   PeerCoder peer = {};                                    ///< that packs them beside
+  TextureCoder texture_coder = {};                        ///< that compresses the textures beside
   std::function<void(const std::string&)> progress = {};  ///< told what begins
   std::function<void()> stop = {};  ///< asked before each triangle, from any thread; may throw
   std::function<void(const StoredAttributes&)> stored = {};   ///< given each set, level and kind, packed

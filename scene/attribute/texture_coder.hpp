@@ -1,0 +1,53 @@
+// Textures compressed in blocks, beside the maps in their place.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "impl/attribute/bake.hpp"
+
+namespace mmverify::scene {
+
+/// Texels of a block, as the GPU reads it.
+struct BlockSize {
+  std::uint32_t width = 0, height = 0;
+  bool operator==(const BlockSize&) const = default;
+  std::string name() const { return std::to_string(width) + "x" + std::to_string(height); }
+
+  /// Blocks of an image; those at its right and lower border may reach beyond it.
+  std::uint64_t blocks_of(std::uint32_t image_width, std::uint32_t image_height) const {
+    const auto along = [](std::uint32_t side, std::uint32_t block) {
+      return (std::uint64_t{side} + block - 1) / block;
+    };
+    return along(image_width, width) * along(image_height, height);
+  }
+};
+
+/// Rows of RGB.  Channels that no attribute reads are 0.
+struct TexturePixels {
+  std::uint32_t width = 0, height = 0;
+  std::span<const std::uint8_t> rgb;
+  impl::attribute::Meaning meaning = impl::attribute::Meaning::linear;  ///< normal: each one unit long
+};
+
+struct DecodedTexture {
+  BlockSize block;
+  std::uint64_t bytes = 0;        ///< of its blocks, without a file's header
+  std::vector<std::uint8_t> rgb;  ///< what comes back, as many as went in
+};
+
+struct TextureCoder {
+  std::string name = {};               ///< with its version and settings
+  std::vector<BlockSize> blocks = {};  ///< from the smallest on
+  std::vector<BlockSize> reduced_blocks =
+      {};  ///< of textures at lower resolutions; none: there are none of these
+  /// Compresses a texture at each of these block sizes, in this order, and tells what each makes of it.
+  std::function<void(const TexturePixels&, std::span<const BlockSize>,
+                     const std::function<void(const DecodedTexture&)>& made)>
+      compress = {};
+};
+
+}  // namespace mmverify::scene
