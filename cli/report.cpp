@@ -11,6 +11,7 @@
 #include "cli/output_file.hpp"
 #include "cli/report_again.hpp"
 #include "cli/report_input.hpp"
+#include "cli/report_pictures.hpp"
 #include "report/page.hpp"
 
 namespace mmverify::cli {
@@ -55,6 +56,7 @@ int report(const ReportOptions& options) {
               {"source_hash", build::source_hash}}},
             {"files", Json::array()}};
   data.update(asked_again(inputs));
+  data.update(pictures_of(inputs));
   for (ReportInput& input : inputs)
     data["files"].push_back({{"name", input.name}, {"content", std::move(input.content)}});
 

@@ -25,6 +25,11 @@ using namespace mmverify::bench;
 namespace gate = mmverify::gate;
 using Json = nlohmann::ordered_json;
 
+Result with_pictures(Result result) {
+  result.tables.push_back(attribute_pictures_table({{"baseColor", "leaves", 1, "leaves_level1.png"}}));
+  return result;
+}
+
 /// One of each, with figures enough for every table.
 std::vector<Result> all_results() {
   IndexFigures index;
@@ -68,9 +73,9 @@ std::vector<Result> all_results() {
           subject_tables({}),
           scene_bake_tables({}, {}),
           baker_tables({"b", "f", {{}}}),
-          scene_attribute_tables(
+          with_pictures(scene_attribute_tables(
               attributes, read,
-              {.packed = true, .texture_coder = {.name = "coder", .compress = [](auto&&...) {}}})};
+              {.packed = true, .texture_coder = {.name = "coder", .compress = [](auto&&...) {}}}))};
 }
 
 /// What the schema says of one place, and of the places that it lies in.

@@ -344,4 +344,16 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
   return result;
 }
 
+Table attribute_pictures_table(const std::vector<AttributePictureFile>& pictures) {
+  using P = AttributePictureFile;
+  const Fields<P> fields{
+      {{.key = "set", .heading = "attributes", .leads = true}, [](const P& p) { return p.set; }},
+      {{.key = "image", .heading = "picture", .leads = true}, [](const P& p) { return p.image; }},
+      {{.key = "level", .heading = "level", .leads = true},
+       [](const P& p) { return std::uint64_t{p.level}; }},
+      {{"file", "file"}, [](const P& p) { return p.file; }},
+  };
+  return table_of<P>({.key = "pictures"}, fields, pictures);
+}
+
 }  // namespace mmverify::bench

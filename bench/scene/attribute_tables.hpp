@@ -1,6 +1,9 @@
 // Attribute micromaps of a scene, as tables and a picture.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "bench/result.hpp"
 #include "scene/attribute/measure.hpp"
 
@@ -10,6 +13,16 @@ namespace mmverify::bench {
 /// these options.
 Result scene_attribute_tables(const scene::AttributeFigures& figures, const scene::AttributeScene& read,
                               const scene::AttributeOptions& options);
+
+/// A picture of an image at a level, as side_by_side() of scene/attribute/picture.hpp draws it, in a file.
+struct AttributePictureFile {
+  std::string set, image;  ///< glTF's names of the attributes; the image's, as files have it
+  unsigned level = 0;
+  std::string file;  ///< a path from the folder that the program was called in, or an absolute one
+};
+
+/// Which pictures a run wrote.
+Table attribute_pictures_table(const std::vector<AttributePictureFile>& pictures);
 
 /// Bytes by level beside the textures; FLIP and RMSE of base colours by level, and against bytes.
 picture::Picture scene_attribute_picture(const scene::AttributeFigures& figures);

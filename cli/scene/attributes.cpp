@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "bench/scene/astcenc.hpp"
 #include "bench/scene/attribute_tables.hpp"
@@ -30,21 +32,43 @@ using namespace mmverify::scene;
 /// A tile of a picture is no wider.
 constexpr std::uint32_t longest_tile = 1024;
 
-/// A file's name that an image's name makes: letters, digits, '-' and '_' stay.
-std::string file_name(const AttributePicture& picture) {
-  std::string stem = std::filesystem::path(picture.image.name).stem().string();
-  std::replace_if(
-      stem.begin(), stem.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '-' && c != '_'; },
-      '_');
-  return fmt::format("{}_level{}.png", stem.empty() ? "image" : stem, picture.level);
-}
+/// Pictures of levels, a PNG each, and what they are called.
+class PictureFolder {
+ public:
+  explicit PictureFolder(std::string folder) : folder_(std::move(folder)) {}
 
-void write_picture(const std::string& folder, const AttributePicture& picture) {
-  const RgbPicture all = side_by_side(picture, longest_tile);
-  const std::vector<unsigned char> bytes = png(all.width, all.height, all.rgb);
-  OutputFile file((std::filesystem::path(folder) / file_name(picture)).string());
-  file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
+  void write(const AttributePicture& picture) {
+    const RgbPicture all = side_by_side(picture, longest_tile);
+    const std::vector<unsigned char> bytes = png(all.width, all.height, all.rgb);
+    const std::string stem = stem_of(picture);
+    const auto path = std::filesystem::path(folder_) / fmt::format("{}_level{}.png", stem, picture.level);
+    OutputFile file(path.string());
+    file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    written_.push_back({name(picture.set), stem, picture.level, path.generic_string()});
+  }
+
+  const std::vector<bench::AttributePictureFile>& written() const { return written_; }
+
+ private:
+  /// What an image's name makes: letters, digits, '-' and '_' stay; a number where another image's is the same.
+  std::string stem_of(const AttributePicture& picture) {
+    const auto known = stems_.find({&picture.image, picture.set});
+    if (known != stems_.end()) return known->second;
+    std::string stem = std::filesystem::path(picture.image.name).stem().string();
+    std::replace_if(
+        stem.begin(), stem.end(),
+        [](unsigned char c) { return std::isalnum(c) == 0 && c != '-' && c != '_'; }, '_');
+    if (stem.empty()) stem = "image";
+    std::string own = stem;
+    for (unsigned k = 2; !taken_.insert(own).second; ++k) own = fmt::format("{}_{}", stem, k);
+    return stems_[{&picture.image, picture.set}] = own;
+  }
+
+  std::string folder_;
+  std::map<std::pair<const ColourImage*, AttributeSet>, std::string> stems_;
+  std::set<std::string> taken_;
+  std::vector<bench::AttributePictureFile> written_;
+};
 
 /// FOLDER/baseColor_faces_level3.mmat, or nothing: OutputFile takes its name only once it is whole.
 void write_maps(const std::string& folder, const StoredAttributes& stored) {
@@ -109,10 +133,9 @@ int scene_attributes(const AttributeArguments& arguments) {
   if (arguments.astc)
     options.texture_coder =
         bench::astc_coder({.threads = options.threads, .progress = options.progress, .stop = options.stop});
+  PictureFolder pictures(arguments.pictures);
   if (!arguments.pictures.empty())
-    options.picture = [&arguments](const AttributePicture& picture) {
-      write_picture(arguments.pictures, picture);
-    };
+    options.picture = [&pictures](const AttributePicture& picture) { pictures.write(picture); };
   const AttributeScene read = loaded_attributes(arguments.file);
   std::FILE* const out = arguments.json == "-" ? stderr : stdout;
   if (read.textures.empty()) {
@@ -123,7 +146,10 @@ int scene_attributes(const AttributeArguments& arguments) {
     if (!arguments.json.empty() || plot) throw UsageError("--json, --plot: there is nothing to write");
     return complete;
   }
-  const bench::Result result = bench::scene_attribute_tables(measure(read, options), read, options);
+  const AttributeFigures figures = measure(read, options);
+  bench::Result result = bench::scene_attribute_tables(figures, read, options);
+  if (!pictures.written().empty())
+    result.tables.push_back(bench::attribute_pictures_table(pictures.written()));
   print_result(out, result);
   if (plot) plot->commit(run_gnuplot(plot_script(*result.drawn)));
   if (json) json->commit(result_json(result));

@@ -12,6 +12,8 @@ export type TreeBench = bench.Tree;
 export type VqBench = bench.Vq;
 export type BakeBench = bench.Bake;
 export type AttributeBench = bench.Attribute;
+export type SceneAttributes = bench.SceneAttributes;
+export type AttributeRow = SceneAttributes["rows"][number];
 export type { VqEncoded, VqRow } from "mmverify/bench";
 
 /** What a subject of topic index answered on all cells of a level, where it differs from the right answer. */
@@ -48,12 +50,23 @@ export interface Again {
   states?: { level: number; expected: string; got: string };
 }
 
+/** A picture that a run of attributes names, as it was found when the page was made. */
+export interface Pictured {
+  file: number;
+  picture: number;
+  /** In base64. */
+  png?: string;
+  /** Why it is not there. */
+  why?: string;
+}
+
 export interface Report {
   schema: "mmverify.report/1";
   tool: { version: string; compiler: string; spec_hash: string; source_hash: string };
   files: { name: string; content: ResultFile | AnyBench }[];
   asked: Asked[];
   again: Again[];
+  pictures: Pictured[];
 }
 
 export interface Run {
@@ -70,10 +83,10 @@ export const runs = (report: Report): Run[] =>
 export function benches<T extends AnyBench["topic"]>(
   report: Report,
   topic: T,
-): { name: string; content: Extract<AnyBench, { topic: T }> }[] {
-  return report.files.flatMap((f) =>
+): { file: number; name: string; content: Extract<AnyBench, { topic: T }> }[] {
+  return report.files.flatMap((f, file) =>
     f.content.schema === "mmverify.bench/1" && f.content.topic === topic
-      ? [{ name: f.name, content: f.content as Extract<AnyBench, { topic: T }> }]
+      ? [{ file, name: f.name, content: f.content as Extract<AnyBench, { topic: T }> }]
       : [],
   );
 }

@@ -1,4 +1,5 @@
 // The page: reads its data, puts the sections together.
+import { attributeSections } from "./attributes";
 import { costCharts } from "./cost";
 import { type Report, runs, type Tool } from "./data";
 import { el, plainTable } from "./dom";
@@ -45,6 +46,7 @@ const sections: Section[] = [
   { id: "cost", charts: true, title: "Cost against level", needs: "a result of mmverify bench --json, or of laws on three levels or more", make: costCharts },
   { id: "footprint", title: "Footprint against level", needs: "a result of mmverify scene --sizes A..B --json", make: footprintCharts },
   { id: "savings", charts: true, title: "VQ savings", needs: "a result of mmverify bench vq --json", make: savingsCharts },
+  { id: "attributes", title: "Attribute micromaps", needs: "a result of mmverify scene FILE --attributes --json", make: attributeSections },
   { id: "plan", title: "The scene's plan", needs: "a result of mmverify scene --json", make: planSections },
 ];
 
@@ -77,7 +79,7 @@ function toolLine(tool: Tool): string {
 
 function sources(report: Report): HTMLElement {
   const rows = report.files.map(({ name, content }) => {
-    if (content.schema === "mmverify.bench/1") return [name, `bench ${content.topic}`, toolLine(content.tool)];
+    if (content.schema === "mmverify.bench/1") return [name, content.topic === "scene_attributes" ? "scene --attributes" : `bench ${content.topic}`, toolLine(content.tool)];
     const time = content.results.reduce((sum, r) => sum + r.seconds, 0);
     const shard = content.shard ? `, shard ${content.shard.number} of ${content.shard.of}: a part of a run` : "";
     return [name, `${content.scene ? "scene" : "prove"}: ${plural(content.results.length, "result")}, ${seconds(time)}${shard}`, toolLine(content.tool)];

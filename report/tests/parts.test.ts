@@ -3,8 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { answersOf } from "../src/answers";
+import { beyondWords, countRows, packedBytes } from "../src/attributes";
 import { coordinate, differsAt, indexOfCase, mapOf, pointOf, squareOf } from "../src/cases";
-import type { Result, Run, Verdict } from "../src/data";
+import type { Result, Run, SceneAttributes, Verdict } from "../src/data";
 import { bytes, grouped, plural, powerOfTen, ranges, seconds, short } from "../src/format";
 import { front } from "../src/front";
 import { line } from "../src/path";
@@ -160,4 +161,31 @@ test("a group is as weak as its weakest level", () => {
   assert.equal(groups([run("proved", "not_applicable")])[0]!.verdict, "proved");
   assert.equal(groups([run("not_applicable", "not_applicable")])[0]!.verdict, "not_applicable");
   assert.equal(levelsText(groups([run("proved", "proved", "proved")])[0]!), "0..2");
+});
+
+test("attribute maps: counts, packed bytes, the level beyond the textures", () => {
+  const maps = (level: number, set: string, n: number, packed?: number) => {
+    const at = (values: number) => ({
+      maps: n, constant: 1, bytes: 4 * values * n, of_textures: 1, rmse: 1, unseen: 0, nearest_rmse: 2,
+      ...(packed === undefined ? {} : { packed: { plain: 9, bytes: packed, of_plain: packed / 9, entropy: 1, zstd: 1 } }),
+    });
+    return { set, level, faces: at(4 ** level), vertices: at(((2 ** level + 1) * (2 ** level + 2)) / 2) };
+  };
+  const total = (level: number) => ({ level, faces: { bytes: 1, of_textures: 1 }, vertices: { bytes: 1, of_textures: 1 } });
+  const run: SceneAttributes = {
+    schema: "mmverify.bench/1", topic: "scene_attributes",
+    tool: { version: "0", compiler: "c", flags: "", cpu: "", averaging: "meaning", spec_hash: "0" },
+    file: "a.glb", triangles: 2000, images: 2, texture_bytes: 64, far: 0, beyond_textures: { faces: 2, vertices: 17 },
+    sets: ["baseColor", "normal"].map((set) => ({ set, triangles: 2000, images: 1, texture_bytes: 32, shown: 1 })),
+    rows: [maps(0, "baseColor", 10, 5), maps(1, "baseColor", 1999, 6), maps(0, "normal", 7, 8), maps(1, "normal", 2000)],
+    totals: [total(0), total(1)],
+  };
+  assert.deepEqual(countRows(run)[0], ["baseColor", "faces", "2,000", "10..1,999", "1,990..1", "1..1"]);
+  assert.equal(countRows(run).length, 4);
+  assert.equal(packedBytes(run, 0, "faces"), 5 + 8);
+  assert.equal(packedBytes(run, 1, "faces"), undefined);
+  assert.match(beyondWords(run, "faces"), /^Maps of faces would take more than the textures from level 2 on, if they stayed as many as at level 1\.$/);
+  assert.match(beyondWords(run, "vertices"), /^Maps of vertices would take less than the textures at all levels up to 16/);
+  run.beyond_textures.faces = 1;
+  assert.equal(beyondWords(run, "faces"), "Maps of faces take more than the textures from level 1 on.");
 });

@@ -39,7 +39,7 @@ async function open(file: string, options: { width?: number; height?: number; da
   page.on("pageerror", (error) => assert.fail(`page: ${error.message}`));
   page.on("request", (r) => assert.ok(r.url() === url || r.url().startsWith("data:"), `request: ${r.url()}`));
   await page.goto(url);
-  await page.waitForSelector("#verdicts, #trade");
+  await page.waitForSelector("#verdicts, #trade, #attributes");
   await page.waitForTimeout(150);
   return page;
 }
@@ -59,7 +59,8 @@ before(async () => {
   run("bench", "index", "--levels", "3..6", "--samples", "2000", "--quiet", "--json", "index.json");
   run("bench", "vq", "--maps", "4", "--quiet", "--json", "vq.json");
   run("bench", "bake", "--levels", "3..4", "--maps", "1", "--quiet", "--json", "bake.json");
-  run("report", "wrong.json", "scene.json", "index.json", "vq.json", "bake.json", "-o", "all.html");
+  run("scene", "--attributes", "--level", "1..3", "--packed", "--quiet", "--json", "attributes.json", "--pictures", "pictures");
+  run("report", "wrong.json", "scene.json", "index.json", "vq.json", "bake.json", "attributes.json", "-o", "all.html");
   run("prove", "index.bijective", "--levels", "0..3", "--quiet", "--json", "right.json");
   run("report", "right.json", "-o", "right.html");
 });
@@ -71,7 +72,7 @@ after(async () => {
 
 test("every section is there, nothing is asked of a network, nothing complains", async () => {
   const page = await open("all.html");
-  assert.deepEqual(await page.$$eval("section", (all) => all.map((s) => s.id)), ["verdicts", "refuted", "trade", "cost", "footprint", "savings", "plan"]);
+  assert.deepEqual(await page.$$eval("section", (all) => all.map((s) => s.id)), ["verdicts", "refuted", "trade", "cost", "footprint", "savings", "attributes", "plan"]);
   assert.equal(await page.$$eval(".plot canvas", (all) => all.length), await page.$$eval(".plot", (all) => all.length));
   assert.equal(await page.$("footer p"), null);
   await page.context().close();
@@ -380,9 +381,15 @@ test("texts of a file stay texts", async () => {
   wrong.diagnoses = [{ law: wrong.results[0].law, subject: hostile, lines: [hostile] }];
   const scene = JSON.parse(readFileSync(join(folder, "scene.json"), "utf8"));
   scene.scene.file = scene.scene.plan.surfaces[0].image = scene.scene.plan.left_out[0].why = hostile;
+  const attributes = JSON.parse(readFileSync(join(folder, "attributes.json"), "utf8").replaceAll('"baseColor"', () => JSON.stringify(hostile)));
+  attributes.file = attributes.left_out[0].why = attributes.pictures[0].image = attributes.pictures[0].file = hostile;
+  // A path to a file that is no picture must not carry that file into the page.
+  attributes.pictures[1].file = "wrong.json";
+  for (const picture of attributes.pictures.slice(2)) picture.image = "harmless";
+  writeFileSync(join(folder, "hostile_attributes.json"), JSON.stringify(attributes));
   writeFileSync(join(folder, "hostile.json"), JSON.stringify(wrong));
   writeFileSync(join(folder, "hostile_scene.json"), JSON.stringify(scene));
-  run("report", "hostile.json", "hostile_scene.json", "-o", "hostile.html");
+  run("report", "hostile.json", "hostile_scene.json", "hostile_attributes.json", "-o", "hostile.html");
   const page = await open("hostile.html");
   await page.locator(".verdicts .more").first().click();
   assert.equal(await page.evaluate(() => (window as { hacked?: number }).hacked), undefined);
@@ -390,6 +397,56 @@ test("texts of a file stay texts", async () => {
   assert.equal(await page.$$eval("main img", (all) => all.length), 0);
   assert.equal(await page.locator(".verdicts td").first().textContent(), hostile);
   assert.match((await page.textContent(".viewer"))!, /not asked again: the subject is not built in/);
+  await page.context().close();
+});
+
+test("attributes: counts, a footprint, errors and pictures are those of the file", async () => {
+  const run = JSON.parse(readFileSync(join(folder, "attributes.json"), "utf8"));
+  const grouped = (n: number) => n.toLocaleString("en-US");
+  const page = await open("all.html");
+  const section = page.locator("#attributes");
+  const counts = await section.locator("table").first().locator("tbody tr").allTextContents();
+  const of = run.rows.map((r: { faces: { maps: number } }) => r.faces.maps);
+  assert.equal(counts.length, 2);
+  assert.ok(counts[0]!.startsWith(`baseColorfaces${run.sets[0].triangles}${of[0]}..${of.at(-1)}`), counts[0]);
+  assert.deepEqual(await section.locator("figcaption").allTextContents().then((all) => all.slice(0, 5)), [
+    "Bytes of all maps by level", "FLIP of baseColor by level", "RMSE of baseColor by level", "FLIP of baseColor against bytes", "RMSE of baseColor against bytes",
+  ]);
+  const said = async (chart: number, key: string) => {
+    const plot = section.locator(".plot").nth(chart);
+    await plot.focus();
+    await page.keyboard.press(key);
+    return (await plot.locator(".tip").textContent())!;
+  };
+  // From the left: level 1, where faces packed take the least.
+  assert.match(await said(0, "ArrowRight"), new RegExp(`^faces, packedlevel 1${run.rows[0].faces.packed.bytes} B`));
+  assert.match(await said(1, "ArrowRight"), /level 1FLIP 0\.\d/);
+  await section.locator("summary", { hasText: "The numbers" }).click();
+  const last = (await section.locator("details tbody tr").last().allTextContents())[0]!;
+  assert.ok(last.startsWith(`3vertices${run.rows[2].vertices.maps}`) && last.includes(grouped(run.rows[2].vertices.bytes)), last);
+  assert.equal((await section.locator("table", { hasText: "bytes of packed maps" }).locator("tbody tr").allTextContents()).length, 6);
+
+  const picture = section.locator("img");
+  const shown = async () => [await picture.getAttribute("alt"), createHash("sha256").update((await picture.getAttribute("src"))!).digest("hex")] as const;
+  const [words, first] = await shown();
+  assert.match(words!, /at level 1: above the texture/);
+  assert.ok(await picture.evaluate((img) => (img as HTMLImageElement).naturalWidth > 100));
+  await section.getByLabel("Level of the picture").selectOption("3");
+  assert.notEqual((await shown())[1], first);
+  await section.getByLabel("Image").selectOption("leaves");
+  assert.match((await shown())[0]!, /^leaves at level 1/);
+  await page.context().close();
+});
+
+test("a picture that is gone is named, and the page is made", async () => {
+  const run1 = JSON.parse(readFileSync(join(folder, "attributes.json"), "utf8"));
+  for (const picture of run1.pictures) picture.file = "no such folder/x.png";
+  writeFileSync(join(folder, "gone.json"), JSON.stringify(run1));
+  run("report", "gone.json", "-o", "gone.html");
+  const page = await open("gone.html");
+  assert.deepEqual(await page.$$eval("section", (all) => all.map((s) => s.id)), ["attributes"]);
+  assert.match((await page.textContent("#attributes"))!, /The picture of level 1 is not here: no such folder\/x\.png: /);
+  assert.equal(await page.$("#attributes img"), null);
   await page.context().close();
 });
 

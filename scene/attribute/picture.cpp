@@ -34,6 +34,17 @@ std::array<std::uint8_t, 3> colour_of_error(float error) {
   return colour;
 }
 
+RgbPicture made_smaller(const ColourImage& image, std::uint32_t longest) {
+  const std::uint32_t block = (std::max(image.width, image.height) + longest - 1) / longest;
+  RgbPicture small{(image.width + block - 1) / block, (image.height + block - 1) / block, {}};
+  for (std::uint32_t y = 0; y < small.height; ++y)
+    for (std::uint32_t x = 0; x < small.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        small.rgb.push_back(mean_of_block(image.width, image.height, x, y, block,
+                                          [&](std::size_t texel) { return image.rgba[4 * texel + c]; }));
+  return small;
+}
+
 RgbPicture side_by_side(const AttributePicture& picture, std::uint32_t longest) {
   const std::uint32_t width = picture.image.width, height = picture.image.height;
   const std::uint32_t block = (std::max(width, height) + longest - 1) / longest;

@@ -18,6 +18,9 @@ struct RgbPicture {
 /// Domain: longest > 0.
 RgbPicture side_by_side(const AttributePicture& picture, std::uint32_t longest);
 
+/// Smaller by the least whole number that leaves no side above `longest`, as means of codes.  Domain: longest > 0.
+RgbPicture made_smaller(const ColourImage& image, std::uint32_t longest);
+
 /// The colour of an error in [0, 1]: black, blue, purple, orange, yellow, white, in equal steps, between them linearly.
 std::array<std::uint8_t, 3> colour_of_error(float error);
 

@@ -1,0 +1,65 @@
+#include "cli/report_pictures.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include "scene/attribute/picture.hpp"
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/file.hpp"
+#include "scene/read/image.hpp"
+#include "scene/write/png.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Three tiles of 512 and what lies between them: what a page of 1280 pixels shows, in a megabyte or two.
+constexpr std::uint32_t longest_shown = 1560;
+
+/// Source: RFC 4648, section 4.
+std::string base64(std::span<const unsigned char> bytes) {
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t j = 0; j < 3; ++j) three = three << 8 | (k + j < bytes.size() ? bytes[k + j] : 0u);
+    for (std::size_t j = 0; j < 4; ++j)
+      text += k + j <= bytes.size() ? digits[three >> (18 - 6 * j) & 63] : '=';
+  }
+  return text;
+}
+
+std::string shown_picture(const std::string& result, const std::string& named) {
+  std::filesystem::path path = named;
+  std::error_code none;
+  if (path.is_relative() && !std::filesystem::exists(path, none))
+    path = std::filesystem::path(result).parent_path() / path;
+  scene::ColourImage image;
+  scene::decode_colour(scene::read_file(path, named, "picture"), image, named, "picture");
+  const scene::RgbPicture small = scene::made_smaller(image, longest_shown);
+  return base64(scene::png(small.width, small.height, small.rgb));
+}
+
+}  // namespace
+
+Json pictures_of(const std::vector<ReportInput>& inputs) {
+  Json pictures = Json::array();
+  for (std::size_t file = 0; file < inputs.size(); ++file) {
+    const auto named = inputs[file].content.find("pictures");
+    if (named == inputs[file].content.end()) continue;
+    for (std::size_t k = 0; k < named->size(); ++k) {
+      Json picture{{"file", file}, {"picture", k}};
+      try {
+        picture["png"] = shown_picture(inputs[file].name, (*named)[k]["file"]);
+      } catch (const scene::BadScene& bad) {
+        picture["why"] = bad.what();
+      }
+      pictures.push_back(std::move(picture));
+    }
+  }
+  return {{"pictures", std::move(pictures)}};
+}
+
+}  // namespace mmverify::cli
