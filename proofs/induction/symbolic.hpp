@@ -21,6 +21,8 @@ class Integer {
   friend Integer operator+(const Integer& a, const Integer& b) { return make("+", a, b); }
   friend Integer operator-(const Integer& a, const Integer& b) { return make("-", a, b); }
   friend Integer operator*(const Integer& a, const Integer& b) { return make("*", a, b); }
+  /// SMT-LIB's div by a positive number rounds down.
+  friend Integer operator/(const Integer& a, const Integer& b) { return make("div", a, b); }
   friend Integer operator~(const Integer& a) {
     return Integer(apply("-", {apply("-", {a.term}, integer), whole_number(1)}, integer));
   }

@@ -240,35 +240,35 @@ struct Vertex {
 /// middle).
 using Corners = std::array<Vertex, 3>;
 
-/// Corners of the micro-triangle that carries an index, on the grid of level n.
-///   P = (w-corner, u-corner, v-corner); per digit, with P_ab the midpoint of P_a and P_b:
+/// The corners of child `digit` of a triangle P = (w-corner, u-corner, v-corner), with P_ab the midpoint of P_a and P_b:
 ///   0: (P0, P01, P02)   1: (P02, P12, P01)   2: (P01, P1, P12)   3: (P12, P02, P2)
+/// At: a pair of whole numbers i and j.  Domain: digit in 0..3; sums of two corners' numbers are even.
+template <class At>
+constexpr std::array<At, 3> corners_turn(const std::array<At, 3>& P, std::uint32_t digit) {
+  const auto mid = [&P](std::size_t a, std::size_t b) {
+    return At{(P[a].i + P[b].i) / 2, (P[a].j + P[b].j) / 2};
+  };
+  const At P01 = mid(0, 1), P02 = mid(0, 2), P12 = mid(1, 2);
+  switch (digit) {
+    case 0:
+      return {P[0], P01, P02};
+    case 1:
+      return {P02, P12, P01};
+    case 2:
+      return {P01, P[1], P12};
+    default:
+      return {P12, P02, P[2]};
+  }
+}
+
+/// Corners of the micro-triangle that carries an index, on the grid of level n: child by child, highest digit first.
 /// Domain: index in [0, 4^n), n in 0..16.
 /// Source: Succinct Opacity Micromaps, Algorithm 4, each case's map inverted; top-flip becomes the order of
 /// P0 and P1.
 constexpr Corners corners(std::uint32_t index, Level n) {
   const std::uint32_t N = side(n);
   Corners P{Vertex{0, 0}, Vertex{N, 0}, Vertex{0, N}};
-  const auto mid = [&P](std::size_t a, std::size_t b) {
-    return Vertex{(P[a].i + P[b].i) / 2, (P[a].j + P[b].j) / 2};
-  };
-  for (Level depth = n; depth-- > 0;) {
-    const Vertex P01 = mid(0, 1), P02 = mid(0, 2), P12 = mid(1, 2);
-    switch (index >> (2 * depth) & 3) {
-      case 0:
-        P = {P[0], P01, P02};
-        break;
-      case 1:
-        P = {P02, P12, P01};
-        break;
-      case 2:
-        P = {P01, P[1], P12};
-        break;
-      default:
-        P = {P12, P02, P[2]};
-        break;
-    }
-  }
+  for (Level depth = n; depth-- > 0;) P = corners_turn(P, index >> (2 * depth) & 3);
   return P;
 }
 
@@ -297,14 +297,27 @@ constexpr std::uint32_t w_minor(const Point<Q>& p, Level n) {
   return row * row + col + (dia - (N - 1 - row));
 }
 
+/// r^2, the number of micro-triangles in the rows before row r.
+template <class Word>
+constexpr Word square(const Word& r) {
+  return r * r;
+}
+
+/// One bit of a root: r + bit where its square is x or less, else r.
+/// r^2 <= x < (r + 2 bit)^2 before it, and r^2 <= x < (r + bit)^2 of the new r after it.
+template <class Word>
+constexpr Word square_root_turn(const Word& x, const Word& r, const Word& bit) {
+  return x < square(r + bit) ? r : r + bit;
+}
+
 /// The row that holds an index of row order: the greatest row with row^2 <= index.
 /// Domain: every index.  Source: Color and Attribute Micromaps, figure 4, with the square root taken in whole
 /// numbers.
 constexpr std::uint32_t w_minor_row(std::uint32_t index) {
-  std::uint32_t row = 0;
-  for (std::uint32_t bit = 1u << 15; bit != 0; bit /= 2)
-    if (std::uint64_t{row + bit} * (row + bit) <= index) row += bit;
-  return row;
+  std::uint64_t row = 0;
+  for (std::uint64_t bit = 1u << 15; bit != 0; bit /= 2)
+    row = square_root_turn(std::uint64_t{index}, row, bit);
+  return static_cast<std::uint32_t>(row);
 }
 
 /// Corners of the micro-triangle that carries an index of row order, in the order v0, v1, v2 of the source.
