@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "proofs/attribute/induction/provable.hpp"
 #include "proofs/index/induction/provable.hpp"
 #include "proofs/tree/induction/provable.hpp"
 
@@ -22,6 +23,10 @@ inline std::map<std::string, proofs::induction::Statement> shipped_statements() 
   add("index/wide_is_vulkan", proofs::index::induction::shipped_wide_is_vulkan());
   add("index/impl_wide_is_wide", proofs::index::induction::shipped_impl_wide());
   add("tree/all_levels", proofs::tree::induction::shipped_all_levels());
+  add("attribute/w_minor_all_levels", proofs::attribute::induction::shipped_w_minor());
+  add("attribute/u_major_all_levels", proofs::attribute::induction::shipped_u_major());
+  add("attribute/bird_all_levels", proofs::attribute::induction::shipped_bird());
+  add("attribute/faces_all_levels", proofs::attribute::induction::shipped_faces());
   return all;
 }
 

@@ -1,0 +1,229 @@
+#include "proofs/attribute/induction/formula.hpp"
+#include "proofs/attribute/induction/provable.hpp"
+#include "proofs/attribute/induction/statements.hpp"
+
+namespace mmverify::proofs::attribute::induction {
+namespace {
+
+template <class Formula>
+Functions functions_by() {
+  Functions f;
+  f.orders = orders_by<Formula>();
+  return f;
+}
+
+/// An altered part, run on numbers and in the statements where it takes the right one's place.
+class Wrong : public AttributeSubject, public Provable {
+ public:
+  using Statements = std::vector<Statement> (*)();
+  Wrong(const std::string& name, Functions functions, Statements statements)
+      : AttributeSubject(name, "broken on purpose", std::move(functions)), statements_(statements) {}
+  std::vector<Statement> statements() const override { return statements_(); }
+
+ private:
+  Statements statements_;
+};
+
+template <class Formula>
+Mutant wrong(const char* name, Wrong::Statements statements, Level at) {
+  return {name, std::make_shared<Wrong>(name, functions_by<Formula>(), statements), {at, at}};
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// W-minor
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct SixteenRows : Specified {
+  template <class Word>
+  static Word w_minor(const Word& i, const Word& j) {
+    const Word r = i + j < Word(16) ? i + j : Word(15);
+    return triangular_of(r) + j;
+  }
+
+ private:
+  template <class Word>
+  static Word triangular_of(const Word& r) {
+    using spec::attribute::triangular;
+    return triangular(r);
+  }
+};
+
+struct RowsBeginOneLate : Specified {
+  template <class Word>
+  static Word triangular_root_turn(const Word& x, const Word& r, const Word& bit) {
+    // The first index of a row goes to the row before.
+    return specified::triangular_root_turn<Word>(x - 1, r, bit);
+  }
+};
+
+struct RowsFromTheOtherEnd : Specified {
+  template <class Word>
+  static VertexOf<Word> w_minor_in_row(const Word& x, const Word& r) {
+    const VertexOf<Word> at = specified::w_minor_in_row(x, r);
+    return {at.j, at.i};
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// U-major
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct ColumnsOfOneLength : Specified {
+  template <class Word>
+  static Word u_major(const Word& i, const Word& j, const Word& N) {
+    return i * (N + 1) + j;
+  }
+};
+
+struct EightColumnsGetShorter : Specified {
+  template <class Word>
+  static Word u_major(const Word& i, const Word& j, const Word& N) {
+    if (!(Word(9) < i)) return specified::u_major_of_side(i, j, N);
+    return specified::u_major_of_side(Word(9), j, N) + (i - 9) * (N - 8);
+  }
+};
+
+struct ColumnsBackwards : Specified {
+  template <class Word>
+  static VertexOf<Word> u_major_in_row(const Word& y, const Word& r, const Word& N) {
+    const VertexOf<Word> at = specified::u_major_in_row(y, r, N);
+    return {at.i, r - at.j};
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Faces
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct UpperOnesInTheRowBelow : Specified {
+  template <class Word>
+  static Word rows(const Word& iu, const Word& iv, bool upper) {
+    const Word lower = specified::row_index(iu, iv, false);
+    return upper ? lower + 1 : lower;
+  }
+};
+
+struct EightStripsGetShorter : Specified {
+  template <class Word>
+  static Word u_major_face(const Word& iu, const Word& iv, bool upper, const Word& N) {
+    if (!(Word(8) < iu)) return specified::u_major_face_of_side(iu, iv, upper, N);
+    return specified::u_major_face_of_side(Word(8), iv, upper, N) + (iu - 8) * (2 * N - 17);
+  }
+};
+
+struct UpperOnesWindTheOtherWay : Specified {
+  template <class Word>
+  static std::array<VertexOf<Word>, 3> corners(const Word& iu, const Word& iv, bool upper) {
+    const auto c = specified::corners_of_square(iu, iv, upper);
+    if (!upper) return c;
+    return {c[0], c[2], c[1]};
+  }
+};
+
+struct ChildThreeIsNotTurned : Specified {
+  template <class At>
+  static std::array<At, 3> corners_turn(const std::array<At, 3>& P, std::uint32_t digit) {
+    const auto right = spec::index::corners_turn(P, digit);
+    if (digit != 3) return right;
+    return {right[1], right[0], right[2]};
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Bird
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct TripletsBeginWithUV : Specified {
+  template <class Word>
+  static EdgeMiddle<Word> edge_middle(const VertexOf<Word>& at) {
+    const EdgeMiddle<Word> right = specified::edge_middle(at);
+    return {right.iu, right.iv, (right.edge + 2) % 3};
+  }
+};
+
+struct MiddlesKeepTheSign : Specified {
+  template <class Word>
+  static UprightExcess<Word> upright_turn(const UprightExcess<Word>& at, std::uint64_t digit, const Word& S) {
+    return {specified::upright_turn(at, digit, S).excess, at.upright};
+  }
+};
+
+struct ChildrenOfFourHoldTwo : Specified {
+  template <class Word>
+  static UprightExcess<Word> upright_turn(const UprightExcess<Word>& at, std::uint64_t digit, const Word& S) {
+    return specified::upright_turn<Word>(at, digit, S < Word(4) ? S : Word(2));
+  }
+};
+
+struct BeginsAtTheRowBefore : Specified {
+  template <class Word>
+  static Word bird_number(const Word& before, const Word& edge, const Word& M) {
+    // Level m-1 has T(M+1) vertices; M more are left out.
+    return specified::bird_number<Word>(before, edge, M - 1);
+  }
+};
+
+struct MiddleTakenForUpright : Specified {
+  template <class Word>
+  static std::uint64_t upright_child(Word& k, const Word& S, bool upright) {
+    // Child 1 is taken for one that stands as its parent does.
+    std::uint64_t digit = 0;
+    for (; digit < 3; ++digit) {
+      const Word inside = specified::upright_within(S, upright);
+      if (k < inside) break;
+      k = k - inside;
+    }
+    return digit;
+  }
+};
+
+}  // namespace
+
+std::vector<Mutant> mutants_of_w_minor() {
+  return {wrong<SixteenRows>("rows from number 16 on begin where row 15 does",
+                             w_minor_statements<SixteenRows>, 4),
+          wrong<RowsBeginOneLate>("a row's first index is taken for the row before",
+                                  w_minor_statements<RowsBeginOneLate>, 0),
+          wrong<RowsFromTheOtherEnd>("the way back counts j from the edge w-v",
+                                     w_minor_statements<RowsFromTheOtherEnd>, 0)};
+}
+
+std::vector<Mutant> mutants_of_u_major() {
+  return {
+      wrong<ColumnsOfOneLength>("each column has N+1 vertices", u_major_statements<ColumnsOfOneLength>, 1),
+      wrong<EightColumnsGetShorter>("columns from number 9 on have one length",
+                                    u_major_statements<EightColumnsGetShorter>, 4),
+      wrong<ColumnsBackwards>("the way back reads columns from their far end",
+                              u_major_statements<ColumnsBackwards>, 0)};
+}
+
+std::vector<Mutant> mutants_of_faces() {
+  return {wrong<UpperOnesInTheRowBelow>("an upper face has its square's row",
+                                        faces_statements<UpperOnesInTheRowBelow>, 1),
+          wrong<EightStripsGetShorter>("strips from number 8 on have one length",
+                                       faces_statements<EightStripsGetShorter>, 4),
+          wrong<UpperOnesWindTheOtherWay>("an upper face's corners wind the other way",
+                                          faces_statements<UpperOnesWindTheOtherWay>, 1),
+          wrong<ChildThreeIsNotTurned>("on the way back child 3 does not change the first two corners",
+                                       faces_statements<ChildThreeIsNotTurned>, 2)};
+}
+
+std::vector<Mutant> mutants_of_bird() {
+  return {
+      wrong<TripletsBeginWithUV>("triplets begin with the edge u-v", bird_statements<TripletsBeginWithUV>, 1),
+      wrong<MiddlesKeepTheSign>("a middle child's children are counted as if it were not turned",
+                                bird_statements<MiddlesKeepTheSign>, 3),
+      wrong<ChildrenOfFourHoldTwo>("children with 4 to a side or more are counted as with 2",
+                                   bird_statements<ChildrenOfFourHoldTwo>, 4),
+      wrong<BeginsAtTheRowBefore>("a level's vertices begin at T(M), not at T(M+1)",
+                                  bird_statements<BeginsAtTheRowBefore>, 1),
+      wrong<MiddleTakenForUpright>("the way back takes the middle child for an upright one",
+                                   bird_statements<MiddleTakenForUpright>, 2)};
+}
+
+AttributeSubjectPtr specified_by_parts() {
+  return std::make_shared<AttributeSubject>("attribute-spec-by-parts", "the specification's parts",
+                                            functions_by<Specified>());
+}
+
+}  // namespace mmverify::proofs::attribute::induction

@@ -1,0 +1,33 @@
+; The words that spec::attribute::curve_words gives a micro-triangle with N to a side are held by a
+; triangle that is not turned, upright ones being the lower ones.  iw is negative, and its low n
+; bits are those of iw + N.
+; Written by the program itself from the specification's templates (./run statements); a test compares.
+(set-logic ALL)
+(set-info :status unsat)
+
+; A triangle with M micro-triangles to a side, and the words iu iv iw of one of them, reduced to the bits
+; that are still to come.
+;   mid        the triangle is turned, an odd number of middle children having been entered
+;   above      the XOR of the formula's t over the bits that are done
+;   upright    how the micro-triangle itself stands
+(define-fun held ((M Int) (mid Bool) (upright Bool) (iu Int) (iv Int) (iw Int)) Bool
+  (and (<= 0 iu) (< iu M) (<= 0 iv) (< iv M) (<= 0 iw) (< iw M)
+       (= (+ iu iv iw) (- (ite mid (- (* 2 M) 1) (- M 1)) (ite upright 0 1)))))
+; The words' highest bits in child d: all alike in the middle one, and else one differs.
+(define-fun bit_u ((d Int) (mid Bool) (above Bool)) Bool (ite (or (= d 0) (= d 2)) (xor above (= d 2)) mid))
+(define-fun bit_v ((d Int) (mid Bool) (above Bool)) Bool (ite (= d 3) (not mid) mid))
+(define-fun bit_w ((d Int) (mid Bool) (above Bool)) Bool
+  (ite (or (= d 0) (= d 2)) (not (bit_u d mid above)) mid))
+(declare-const N Int)
+(declare-const iu Int)
+(declare-const iv Int)
+(declare-const upper Int)
+(assert (and (<= 0 iu) (<= 0 iv) (and (<= 0 upper) (< upper 2)) (< (+ (+ iu iv) upper) N)))
+(define-fun word_u () Int iu)
+(define-fun word_v () Int iv)
+(define-fun word_w () Int (ite (= upper 1) (- (- (- (+ iu iv)) 1) 1) (- (- (+ iu iv)) 1)))
+
+; Denied:
+(assert
+  (not (and (held N false (= upper 0) word_u word_v (+ word_w N)) (= word_u iu) (= word_v iv))))
+(check-sat)
