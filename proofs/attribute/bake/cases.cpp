@@ -145,6 +145,12 @@ BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
     one.uv[5] = (one.uv[1] + one.uv[3]) / 2;
   }
   if (random.below(16) == 0) std::copy_n(one.uv.begin(), 2, one.uv.begin() + 2);
+  // Some lie whole repeats away, where a mode that begins anew with each second one is in another.
+  if (random.below(4) == 0)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto repeats = static_cast<float>(random.between(-5, 5));
+      for (std::size_t k = axis; k < 6; k += 2) one.uv[k] += repeats;
+    }
   return one;
 }
 

@@ -202,10 +202,11 @@ Law face_law() {
 
 /// Some elements of a map, other ones for another case: the first, the last and up to six between.
 std::vector<std::uint32_t> judged_at(std::uint64_t count, std::uint64_t salt) {
-  std::vector<std::uint32_t> at;
-  const std::uint64_t step = count <= 8 ? 1 : count / 7;
-  for (std::uint64_t k = count <= 8 ? 0 : salt % step; k < count; k += step)
-    at.push_back(static_cast<std::uint32_t>(k));
+  std::vector<std::uint32_t> at{0};
+  const std::uint64_t between = count < 2 ? 0 : count - 2, step = between <= 6 ? 1 : between / 6;
+  for (std::uint64_t k = 0; k < std::min<std::uint64_t>(between, 6); ++k)
+    at.push_back(static_cast<std::uint32_t>(1 + k * step + (between <= 6 ? 0 : salt % step)));
+  if (count > 1) at.push_back(static_cast<std::uint32_t>(count - 1));
   return at;
 }
 

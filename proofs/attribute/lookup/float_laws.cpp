@@ -53,6 +53,36 @@ Cases<FloatCase> on_floats(std::uint64_t fast, std::uint64_t long_run) {
   return cases;
 }
 
+/// A point as one of a batch, anywhere in it: what takes eight or sixteen points at a time has another way for few.
+class Among {
+ public:
+  explicit Among(const FloatCase& p)
+      : at_((std::bit_cast<std::uint32_t>(p.u) * 0x9e3779b1u ^
+             std::bit_cast<std::uint32_t>(p.v) * 0x85ebca6bu) %
+            size) {
+    for (std::size_t k = 0; k < size; ++k) {
+      const float share = static_cast<float>(k) / 32;
+      u_[k] = share;
+      v_[k] = 0.25f - share / 4;
+    }
+    u_[at_] = p.u;
+    v_[at_] = p.v;
+  }
+  FloatPoints points() const { return {u_, v_}; }
+  /// What `ask(points, answers)` says of the point.
+  template <class Answer, class Ask>
+  Answer answer(Ask ask) const {
+    std::array<Answer, size> all{};
+    ask(points(), std::span<Answer>(all));
+    return all[at_];
+  }
+
+ private:
+  static constexpr std::size_t size = 19;
+  std::size_t at_;
+  std::array<float, size> u_{}, v_{};
+};
+
 MicroTriangle exact_holder(Level n, const FloatCase& p) {
   return index::on_exact(p.u, p.v, [n](const auto& q) { return spec::attribute::vulkan_triangle(q, n); });
 }
@@ -81,8 +111,9 @@ Law triplets_law() {
     const MicroTriangle t = exact_holder(n, p);
     Finding finding;
     for (const VertexOrder order : vertex_orders) {
-      Triplet got{};
-      s.functions.lookup.triplet_of_floats(order, n, {{&p.u, 1}, {&p.v, 1}}, {&got, 1});
+      const auto got = Among(p).answer<Triplet>([&](FloatPoints points, std::span<Triplet> out) {
+        s.functions.lookup.triplet_of_floats(order, n, points, out);
+      });
       finding.answer = 31 * finding.answer + got[0] + 3 * std::uint64_t{got[1]} + 5 * std::uint64_t{got[2]};
       if (const Triplet want = exact_triplet(order, n, t); got != want)
         return wrong(fmt::format("{} in {}", text_of(want), name_of(order)), text_of(got));
@@ -150,8 +181,9 @@ Law weights_law() {
   Cases<FloatCase> cases = on_floats(2'000, 300'000);
   cases.check = [](const AttributeSubject& s, Level n, const FloatCase& p) {
     const RationalWeights exact = exact_weights(n, exact_holder(n, p), p);
-    FloatWeights got{};
-    s.functions.lookup.weights_of_floats(n, {{&p.u, 1}, {&p.v, 1}}, {&got, 1});
+    const auto got = Among(p).answer<FloatWeights>([&](FloatPoints points, std::span<FloatWeights> out) {
+      s.functions.lookup.weights_of_floats(n, points, out);
+    });
     const double error = greatest_error(exact, got);
     const bool none_negative = got[0] >= 0 && got[1] >= 0 && got[2] >= 0;
     Finding finding{std::bit_cast<std::uint32_t>(got[0]) +
@@ -240,8 +272,9 @@ Law rgba8_law() {
     const spec::Rational most(spec::Integer(4097), spec::Integer(8192));
     Finding finding;
     for (const VertexOrder order : vertex_orders) {
-      std::uint32_t got = 0;
-      s.functions.lookup.rgba8(order, n, colour_map(order, n), {{&p.u, 1}, {&p.v, 1}}, {&got, 1});
+      const auto got = Among(p).answer<std::uint32_t>([&](FloatPoints points, std::span<std::uint32_t> out) {
+        s.functions.lookup.rgba8(order, n, colour_map(order, n), points, out);
+      });
       finding.answer = got;
       for (unsigned channel = 0; channel < 4; ++channel) {
         const std::uint32_t code = got >> (8 * channel) & 0xff;

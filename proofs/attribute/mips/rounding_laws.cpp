@@ -41,22 +41,22 @@ struct TwoMore {
 };
 
 /// Pairs (c, d): word k has quadruple (a, b, c, d) number k in its first code, the next in its second, and so on, so that
-/// each is met in each of the four.
+/// each is met in each of the four.  Three words more begin anew, for what is left of whole eights.
 Finding all_with(const AttributeSubject& s, const TwoCodes& two, std::span<const TwoMore> pairs) {
-  const std::size_t count = pairs.size();
-  std::vector<std::uint32_t> children(4 * count), parents(count);
+  const std::size_t count = pairs.size(), words = count + 3;
+  std::vector<std::uint32_t> children(4 * words), parents(words);
   const auto codes = [&](std::size_t k, unsigned which) {
     const auto [c, d] = pairs[(k + which) % count];
     return Codes{two.a, two.b, c, d};
   };
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < words; ++k)
     for (unsigned which = 0; which < 4; ++which)
       for (std::size_t child = 0; child < 4; ++child)
         children[4 * k + child] |= codes(k, which)[child] << 8 * which;
   s.functions.mips.face_mip(two.rounding, children, parents);
   Finding found;
-  for (std::size_t k = 0; k < count; ++k) {
-    found.answer += Tally::digest_of(k, parents[k]);
+  for (std::size_t k = 0; k < words; ++k) {
+    if (k < count) found.answer += Tally::digest_of(k, parents[k]);
     for (unsigned which = 0; which < 4; ++which) {
       const Codes x = codes(k, which);
       const std::uint32_t got = parents[k] >> 8 * which & 255;

@@ -35,7 +35,7 @@ std::vector<std::string> settings_of(const std::array<Order, 3>& orders) {
   return {name_of(orders[0]), name_of(orders[1]), name_of(orders[2])};
 }
 
-/// "from>to" for the pairs: nine, or the six that differ.
+/// "from>to" for the nine pairs.
 template <class A, class B>
 struct Pair {
   A from;
@@ -43,11 +43,10 @@ struct Pair {
   std::string name() const { return fmt::format("{}>{}", name_of(from), name_of(to)); }
 };
 template <class A, class B>
-std::vector<Pair<A, B>> pairs(const std::array<A, 3>& from, const std::array<B, 3>& to, bool same = true) {
+std::vector<Pair<A, B>> pairs(const std::array<A, 3>& from, const std::array<B, 3>& to) {
   std::vector<Pair<A, B>> all;
   for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t b = 0; b < 3; ++b)
-      if (same || a != b) all.push_back({from[a], to[b]});
+    for (std::size_t b = 0; b < 3; ++b) all.push_back({from[a], to[b]});
   return all;
 }
 template <class P>

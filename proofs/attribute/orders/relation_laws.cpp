@@ -254,8 +254,10 @@ Law convert_law() {
        .fast = {0, 9},
        .long_run = {0, 14},
        .fast_seconds = 1,
-       .domain = [](const Subject&,
-                    Level) { return std::string("the V(n) vertices, from each order to each other"); },
+       .domain =
+           [](const Subject&, Level) {
+             return std::string("the V(n) vertices, from each order to each, itself as well");
+           },
        .mutants = {mutant(
                        "U-major to W-minor is backwards alone, not turned", "attribute-spec", {2, 5},
                        on_conversion<in>([](auto from, auto to, Level n, std::uint32_t x, std::uint32_t y) {
@@ -274,7 +276,7 @@ Law convert_law() {
                             return (y - coarser) % 3 == 1 ? y + 1 : y - 1;
                           }))}},
       needing({entry::vertex_index, entry::convert_vertices}),
-      conversions<Vertex>(pairs(vertex_orders, vertex_orders, false), vertex_count, Kind::vertex,
+      conversions<Vertex>(pairs(vertex_orders, vertex_orders), vertex_count, Kind::vertex,
                           [](const Functions& f) { return f.orders.convert_vertices; }));
 }
 
@@ -291,7 +293,7 @@ Law convert_faces_law() {
        .long_run = {0, 14},
        .fast_seconds = 1,
        .domain = [](const Subject&,
-                    Level) { return std::string("the 4^n faces, from each order to each other"); },
+                    Level) { return std::string("the 4^n faces, from each order to each, itself as well"); },
        .mutants = {mutant(
                        "rows to U-major keeps the index in the last row of level 6", "attribute-spec", {6, 6},
                        on_conversion<in>([](auto from, auto to, Level n, std::uint32_t x, std::uint32_t y) {
@@ -307,7 +309,7 @@ Law convert_faces_law() {
                             return n == 7 && to == curve && y == face_count(7) - 1 ? y - 1 : y;
                           }))}},
       needing({entry::face_index, entry::convert_faces}),
-      conversions<MicroTriangle>(pairs(face_orders, face_orders, false), face_count, Kind::interior,
+      conversions<MicroTriangle>(pairs(face_orders, face_orders), face_count, Kind::interior,
                                  [](const Functions& f) { return f.orders.convert_faces; }));
 }
 
