@@ -49,6 +49,7 @@ Vertex snapped(Level n, EdgeFlags flags, const Vertex& at, Fault wrong) {
   };
   if (leaves(at, wu, n, flags, wrong)) {
     if (wrong == snaps_by_i_alone_on_wu && flags == 5) return {at.i + 1, 0};
+    if (wrong == snaps_three_steps_at_6 && n == 6 && before(k) && at.i + 3 <= N) return {at.i + 3, 0};
     return before(k) ? Vertex{at.i + 1, 0} : Vertex{at.i - 1, 0};
   }
   if (leaves(at, uv, n, flags, wrong))

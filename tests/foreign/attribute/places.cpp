@@ -106,9 +106,11 @@ MicroTriangle on_curve(std::uint64_t x, Level n, Fault wrong) {
 
 std::uint64_t bird(Level n, const Vertex& at, Fault wrong) {
   const std::uint32_t N = side_of(n), k = N - at.i - at.j;
+  const bool exchanged =
+      (wrong == bird_corners_uv_at_6 && n == 6) || (wrong == bird_corners_uv_at_16 && n == 16);
   if (k == N) return 0;
-  if (at.i == N) return wrong == bird_corners_uv_at_6 && n == 6 ? 2 : 1;
-  if (at.j == N) return wrong == bird_corners_uv_at_6 && n == 6 ? 1 : 2;
+  if (at.i == N) return exchanged ? 2 : 1;
+  if (at.j == N) return exchanged ? 1 : 2;
   Level coarser = static_cast<Level>(std::countr_zero(at.i | at.j | k));
   if (wrong == bird_twos_of_i_alone && at.i != 0) coarser = static_cast<Level>(std::countr_zero(at.i));
   if (wrong == bird_by_own_level) coarser = 0;

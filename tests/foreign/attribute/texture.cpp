@@ -51,7 +51,9 @@ const Rgba& texel(const Picture& p, std::int64_t i, std::int64_t j, Fault wrong)
 
 std::uint32_t light_at(std::uint32_t m, Fault wrong) {
   const long double y = static_cast<long double>(m) / 510;
-  const long double knee = wrong == srgb_knee_of_light ? 0.0031308L : 0.04045L;
+  const bool without_line =
+      wrong == (m % 2 == 0 ? srgb_decodes_without_its_line : srgb_encodes_without_its_line);
+  const long double knee = without_line ? -1 : wrong == srgb_knee_of_light ? 0.0031308L : 0.04045L;
   long double light = y <= knee ? y / 12.92L : std::pow((y + 0.055L) / 1.055L, 2.4L);
   if (wrong == srgb_gamma_of_22) light = std::pow(y, 2.2L);
   if (wrong == srgb_middles_of_light && m % 2 == 1)
