@@ -114,7 +114,7 @@ TEST(SceneSubject, OtherRulesAreHeldAgainstTheSpecification) {
 
 TEST(SceneSubject, WhatItDoesNotDeclareIsNotAsked) {
   proofs::bake::Support clamped;
-  clamped.wraps = proofs::bake::Set(1u << static_cast<unsigned>(proofs::bake::Wrap::clamp_to_border));
+  clamped.wraps = proofs::Set(1u << static_cast<unsigned>(proofs::bake::Wrap::clamp_to_border));
   std::uint64_t asked = 0;
   const Judged none = judged(changed([&](const Case&, std::vector<State>&) { ++asked; }, clamped));
   EXPECT_EQ(asked, 0u);
