@@ -47,18 +47,17 @@ int bake(int (*right)(const Case*, std::uint8_t*), const Case& what, std::uint8_
     return 0;
   std::vector<std::uint8_t> room;
   const Case other = changed(what, room);
-  const int taken = right(&other, map);
-  if (taken == 0) return 0;
+  std::vector<std::uint8_t> baked(4 * values);
+  if (right(&other, baked.data()) == 0) return 0;
+  std::memcpy(map, baked.data(), baked.size() - (wrong_is("unwritten") ? 4 : 0));
   std::uint8_t& last = map[4 * values - 2];
   if (wrong_is("two_codes_off_at_4") && what.level == 4) last = static_cast<std::uint8_t>(last ^ 2);
-  if (wrong_is("one_code_off") && last > 0) --last;
-  if (wrong_is("unwritten") && what.level == 2)
-    for (std::size_t k = 0; k < 4; ++k) map[4 * values - 1 - k] = 0xD3;
+  if ((wrong_is("one_code_off") || wrong_is("exact_by_its_word")) && last > 0) --last;
   static volatile std::uint8_t sum = 0;
   const auto* texels = static_cast<const std::uint8_t*>(what.texels);
   if (wrong_is("reads_past")) sum = texels[std::size_t{4} * what.width * what.height];
   if (wrong_is("overrun")) map[4 * values] = sum;
-  return taken;
+  return 1;
 }
 
 int bake_faces(const Case* what, std::uint8_t* map) {

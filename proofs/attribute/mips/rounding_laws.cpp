@@ -41,12 +41,15 @@ struct TwoMore {
 };
 
 /// Pairs (c, d): word k has quadruple (a, b, c, d) number k in its first code, the next in its second, and so on, so that
-/// each is met in each of the four.  Three words more begin anew, for what is left of whole eights.
-Finding all_with(const AttributeSubject& s, const TwoCodes& two, std::span<const TwoMore> pairs) {
-  const std::size_t count = pairs.size(), words = count + 3;
+/// each is met in each of the four.  A second round takes the next but one, for carries from code to code.  Three words
+/// more begin anew, for what is left of whole eights.
+Finding all_with(const AttributeSubject& s, const TwoCodes& two, std::span<const TwoMore> pairs,
+                 std::size_t rounds) {
+  const std::size_t count = pairs.size(), words = rounds * count + 3;
   std::vector<std::uint32_t> children(4 * words), parents(words);
   const auto codes = [&](std::size_t k, unsigned which) {
-    const auto [c, d] = pairs[(k + which) % count];
+    const std::size_t step = k / count == 1 ? 2 : 1;
+    const auto [c, d] = pairs[(k + which * step) % count];
     return Codes{two.a, two.b, c, d};
   };
   for (std::size_t k = 0; k < words; ++k)
@@ -90,8 +93,8 @@ Law mip_rounding_law(const char* id, bool all) {
     pairs.resize(65536);
     for (std::uint32_t k = 0; k < pairs.size(); ++k) pairs[k] = {k >> 8, k & 255};
   }
-  cases.check = [pairs](const AttributeSubject& s, Level, const TwoCodes& t) {
-    return all_with(s, t, pairs);
+  cases.check = [pairs, rounds = all ? 1u : 2u](const AttributeSubject& s, Level, const TwoCodes& t) {
+    return all_with(s, t, pairs, rounds);
   };
   Law law{
       .id = id,
