@@ -15,7 +15,10 @@ class Borrowed {
  public:
   explicit Borrowed(Pool& pool) : pool_(pool), worker_(pool.take()) {}
   ~Borrowed() {
-    if (worker_) pool_.replace(std::move(worker_));
+    if (worker_) try {
+        pool_.replace(std::move(worker_));
+      } catch (const std::bad_alloc&) {  // the next worker asks its first questions in every way again
+      }
   }
   Borrowed(Borrowed&&) = default;
   Worker& operator*() const { return *worker_; }

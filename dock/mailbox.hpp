@@ -44,8 +44,8 @@ struct Mailbox {
   std::uint32_t format;
   std::uint64_t blob_bytes;  ///< of the map or code that is asked about
   std::uint64_t room;        ///< of the answer to it: bytes that must be written, of an encoder that may be
-  /// Questions on maps and codes to this entry point, at this level and of this format, that this worker was asked before,
-  /// or the one whose place it took.
+  /// Questions on maps and codes to this entry point, at this level and of this format, that this worker was asked before;
+  /// of one that came after others had died, the most that any of those was asked as well.
   std::uint32_t asked_before;
   // From the worker, the first also while it works.
   std::atomic<std::uint64_t> begun;          ///< elements before the batch that is being worked on

@@ -151,7 +151,7 @@ typedef struct mmverify_attribute_case {
   uint32_t size;                   /* sizeof(mmverify_attribute_case) */
   uint32_t level;                  /* up to 12 */
   uint32_t width, height;          /* in texels */
-  const void* texels;              /* R G B A each, rows from the top, without gaps */
+  const void* texels;              /* R G B A each, rows from the top, without gaps; at any address */
   uint32_t texel;                  /* MMVERIFY_UNORM8: a byte a channel; others may follow */
   uint32_t border[4];              /* R G B A outside with MMVERIFY_CLAMP_TO_BORDER, each by its bits */
   uint32_t filter, wrap_u, wrap_v; /* as of mmverify_bake_case; the filter is that of vertices */

@@ -46,10 +46,12 @@ TEST(AttributeStatements, EachLemmaHasItsWitness) {
 }
 
 /// The names of the statements that do not come out as expected.
+/// Those that z3 settles the other way: an answer of `unknown` is none.
 Names failing(const std::vector<Statement>& statements) {
   Names names;
   for (const Statement& s : statements)
-    if (ask_z3(s).answer != s.expected) names.insert(s.name);
+    if (const Answer answer = ask_z3(s).answer; answer != s.expected && answer != Answer::unknown)
+      names.insert(s.name);
   return names;
 }
 

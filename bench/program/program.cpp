@@ -48,6 +48,11 @@ class Running {
   ~Running() {
     if (child_ == 0) return;
     kill(child_, SIGTERM);
+    for (int waits = 0; waits < 100; ++waits) {
+      if (waitpid(child_, nullptr, WNOHANG) != 0) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    kill(child_, SIGKILL);
     while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) continue;
   }
   Running(const Running&) = delete;

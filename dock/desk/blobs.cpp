@@ -73,8 +73,8 @@ Arguments Desk::whole(std::byte* out, std::uint64_t room) const {
 const std::uint8_t* Desk::blob_elsewhere() {
   const std::uint8_t* here = whole(nullptr, 0).blob;
   if (asked().topic == Topic::bake) return here;
-  // One to seven bytes behind a multiple of eight, by the size and the first and last bytes: so the same question lies
-  // alike each time, and codes that differ in their middle alone lie at one address, where a cache may take them for one.
+  // One to seven bytes behind a multiple of eight, by the size and the first and last bytes: so what is
+  // moved lies alike each time, and codes that differ in their middle alone lie at one address, where a cache may take them for one.
   constexpr std::size_t word = 8;
   const std::size_t end = std::min<std::size_t>(word, mailbox_.blob_bytes);
   std::uint64_t sum = mailbox_.blob_bytes;

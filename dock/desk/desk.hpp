@@ -103,8 +103,8 @@ class Desk {
   /// A map, a code or a case (blobs.cpp).
   void run_on_blob();
   Arguments whole(std::byte* out, std::uint64_t room) const;
-  /// The map or code at an odd address: it is bytes, and may lie anywhere. A baker's case stays where it is, its
-  /// texels are numbers.
+  /// The map or code at an odd address: it is bytes, and may lie anywhere, as texels of attributes may. A case of topic
+  /// bake stays where it is, its texels are numbers.
   const std::uint8_t* blob_elsewhere();
   /// Where the map or code lies for a question's first call, and for its second.
   struct Blobs {

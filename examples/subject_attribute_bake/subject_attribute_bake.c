@@ -1,5 +1,5 @@
-/* Maps of attributes from a texture of colours, in binary64: a value is a code off at most where the exact number lies
- * between two codes.  Directions, and triangles without an area, are declined. */
+/* Maps of attributes from a texture of colours, in binary64: a value is a code off at most, where the exact number is near
+ * the middle between two codes.  Directions, and triangles without an area, are declined. */
 #include <math.h>
 #include <string.h>
 

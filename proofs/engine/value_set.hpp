@@ -14,7 +14,6 @@ class Set {
   constexpr bool has(Value value) const {
     return (bits_ >> static_cast<unsigned>(value) & 1) != 0;
   }
-  constexpr bool whole() const { return bits_ == ~std::uint32_t{0}; }
   friend constexpr bool operator==(Set, Set) = default;
 
  private:

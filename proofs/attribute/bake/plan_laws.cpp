@@ -173,6 +173,10 @@ Law graded_law() {
                           replanned([](const PlanCase&, std::vector<PlannedTriangle>& p) {
                             if (p[0].level == 2 && p[1].level == 2) --p[0].level;
                           })),
+                   mutant("level 1 is lost where triangle 0 has level 4", "attribute", {4, 4},
+                          replanned([](const PlanCase&, std::vector<PlannedTriangle>& p) {
+                            if (p.front().level == 4 && p.back().level == 1) --p.back().level;
+                          })),
                    mutant("a flag on the edge of the coarser side", "attribute", {1, 1},
                           replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
                             for (std::size_t t = 0; t < p.size(); ++t)

@@ -48,10 +48,11 @@ Finding agrees(const AttributeSubject& s, Level n, const EdgeCase& c) {
   }
   const auto first = s.functions.baking.vertices(c.one, n), second = s.functions.baking.vertices(other, n);
   if (first.empty() || second.empty()) return {.declined = true};
+  // Each of two codes may be off, one up and one down.
   Finding found;
   for (std::uint32_t k = 0; k <= spec::side(n); ++k) {
     const Rgba &here = first.at(on_edge(0, 1, k, n)), &there = second.at(on_edge(a, b, k, n));
-    const Match both = match(here, there, support.tolerance);
+    const Match both = match(here, there, 2 * support.tolerance);
     if (both == Match::wrong)
       return wrong(fmt::format("{} at {} of {} along the edge, as the first triangle has", text_of(here), k,
                                spec::side(n)),
