@@ -66,11 +66,12 @@ constexpr std::uint64_t triangular_root(std::uint64_t x) {
   return r;
 }
 
-/// A micro-vertex and a micro-triangle in words of any kind; `upper` is 0 or 1.
+/// A micro-vertex in words of any kind.
 template <class Word>
 struct VertexOf {
   Word i, j;
 };
+/// A micro-triangle in words of any kind; `upper` is 0 or 1.
 template <class Word>
 struct FaceOf {
   Word iu, iv, upper;
