@@ -25,6 +25,7 @@ using gate::Difference;
 
 struct GateOptions {
   std::string baseline, result;
+  std::vector<std::string> runs;  ///< of the same, for their speeds
   double tolerance = 1.5;
   bool bless = false, all = false;
 };
@@ -130,8 +131,17 @@ int bless(const GateOptions& options, const gate::Figures& result) {
 }
 
 int run_gate(const GateOptions& options) {
-  const gate::Figures result =
-      of_file(options.result, [](const auto& json) { return gate::figures_of(json); });
+  const auto figures = [](const std::string& path) {
+    return of_file(path, [](const auto& json) { return gate::figures_of(json); });
+  };
+  gate::Figures result = figures(options.result);
+  for (const std::string& path : options.runs) {
+    try {
+      take_better_speeds(result, figures(path));
+    } catch (const gate::NoResult& why) {
+      throw UsageError(fmt::format("--speeds {}: {}", path, why.what()));
+    }
+  }
   if (options.bless) return bless(options, result);
   const Baseline baseline =
       of_file(options.baseline, [](const auto& json) { return gate::baseline_of(json); });
@@ -167,6 +177,12 @@ Action add_gate(CLI::App& program) {
   command->add_option("result", options->result, "what prove, scene or bench wrote with --json")
       ->type_name("RESULT.json")
       ->required();
+  command
+      ->add_option("--speeds", options->runs,
+                   "another run of the same, may be given again: of each speed the best counts, which other "
+                   "work on the machine spoils least")
+      ->type_name("RUN.json")
+      ->allow_extra_args(false);
   command->add_flag("--bless", options->bless, "write the result's figures as the new baseline");
   command->add_flag("--all", options->all, "print every difference");
   command

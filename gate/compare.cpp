@@ -93,6 +93,16 @@ std::string listed(const Settings& settings) {
   return all.empty() ? "none" : all;
 }
 
+/// whose: "the baseline's", of what `result` is held against.
+void refuse_others(const char* whose, const std::string& schema, const Settings& settings,
+                   const Figures& result) {
+  if (schema != result.schema)
+    throw NoResult(fmt::format("a result of {}, {} is of {}", result.schema, whose, schema));
+  if (settings != result.settings)
+    throw NoResult(fmt::format("runs of other settings: {} {}; the result's {}", whose, listed(settings),
+                               listed(result.settings)));
+}
+
 }  // namespace
 
 bool Comparison::red() const { return count(Change::faster) != differences.size(); }
@@ -103,11 +113,7 @@ std::size_t Comparison::count(Change change) const {
 }
 
 Comparison compare(const Baseline& baseline, const Figures& result, double tolerance) {
-  if (baseline.schema != result.schema)
-    throw NoResult(fmt::format("a result of {}, the baseline's is of {}", result.schema, baseline.schema));
-  if (baseline.settings != result.settings)
-    throw NoResult(fmt::format("runs of other settings: the baseline's {}; the result's {}",
-                               listed(baseline.settings), listed(result.settings)));
+  refuse_others("the baseline's", baseline.schema, baseline.settings, result);
   Comparison out;
   Comparing comparing(out, tolerance);
   for (const auto& [name, members] : baseline.groups) {
@@ -123,6 +129,22 @@ Comparison compare(const Baseline& baseline, const Figures& result, double toler
   std::stable_sort(out.differences.begin(), out.differences.end(),
                    [](const Difference& x, const Difference& y) { return x.change < y.change; });
   return out;
+}
+
+void take_better_speeds(Figures& result, const Figures& other) {
+  refuse_others("the first run's", result.schema, result.settings, other);
+  for (auto& [name, figures] : result.groups) {
+    const auto group = other.groups.find(name);
+    if (group == other.groups.end()) continue;
+    for (auto& [figure, mine] : figures) {
+      const auto theirs = group->second.find(figure);
+      if (!is_speed(mine.rule) || theirs == group->second.end()) continue;
+      const double a = mine.value.number, b = theirs->second.value.number;
+      // A time that was too short to be taken leaves a ratio of 0.
+      if (b > 0 && (!(a > 0) || (mine.rule == Rule::speed_more ? b > a : b < a)))
+        mine.value = theirs->second.value;
+    }
+  }
 }
 
 }  // namespace mmverify::gate

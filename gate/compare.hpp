@@ -34,4 +34,8 @@ struct Comparison {
 /// comparison.
 Comparison compare(const Baseline& baseline, const Figures& result, double tolerance);
 
+/// Of each speed that both have, `result` gets the better: other work on the machine slows a run down, none makes it
+/// faster.  Exact figures stay.  Throws NoResult where schemas or settings differ.
+void take_better_speeds(Figures& result, const Figures& other);
+
 }  // namespace mmverify::gate

@@ -126,6 +126,39 @@ TEST(Gate, ProcessorsAreNamedWhereSpeedsAreCompared) {
   }
 }
 
+TEST(Gate, OfSeveralRunsTheBestSpeedCounts) {
+  const auto run = [](const char* same, const char* more, const char* less) {
+    return Figures{"s",
+                   "",
+                   {},
+                   {{"group",
+                     {{"same", {value(same), Rule::same}},
+                      {"more", {value(more), Rule::speed_more}},
+                      {"less", {value(less), Rule::speed_less}}}}}};
+  };
+  const auto best = [&](Figures result, const Figures& other) {
+    take_better_speeds(result, other);
+    std::string all;
+    for (const auto& [name, figure] : result.groups.at("group")) all += figure.value.text + " ";
+    return all;
+  };
+  // In the order of the names: less, more, same.
+  EXPECT_EQ(best(run("1", "2", "2"), run("3", "4", "1")), "1 4 1 ");
+  EXPECT_EQ(best(run("1", "2", "2"), run("3", "1", "3")), "2 2 1 ");
+  // No ratio is no better one, and any is better than none.
+  EXPECT_EQ(best(run("1", "2", "2"), run("1", "null", "0")), "2 2 1 ");
+  EXPECT_EQ(best(run("1", "null", "0"), run("1", "2", "2")), "2 2 1 ");
+  // What one of the two lacks stays as it is.
+  Figures bare = run("1", "2", "2");
+  bare.groups["group"].erase("more");
+  bare.groups["more of it"] = {};
+  EXPECT_EQ(best(bare, run("1", "4", "2")), "2 1 ");
+  EXPECT_EQ(best(run("1", "2", "2"), bare), "2 2 1 ");
+  Figures other_seed = run("1", "2", "2");
+  other_seed.settings["seed"] = "2";
+  EXPECT_THROW(best(run("1", "2", "2"), other_seed), NoResult);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Rules and files
 // ---------------------------------------------------------------------------------------------------------------------

@@ -27,6 +27,22 @@ inline std::array<std::uint32_t, 3> figure_4_triplet(float u, float v, std::uint
   return {to_index(row, col / 2), to_index(row + 1, col / 2 + 1), to_index(row, col / 2 + 1)};
 }
 
+/// RGBA8 between four texels, c[x + 2y]: f of the way to the right and g down, each channel rounded half up.
+/// Domain: f, g in [0, 1).
+inline std::uint32_t mixed_bilinear(const std::array<std::uint32_t, 4>& c, float f, float g) {
+  const float w3 = f * g, w2 = g - w3, w1 = f - w3, w0 = 1 - f - w2;
+  std::uint32_t out = 0;
+  for (int shift = 0; shift < 32; shift += 8) {
+    const auto channel = [shift](std::uint32_t texel) {
+      return static_cast<float>(static_cast<std::int32_t>(texel >> shift & 0xff));
+    };
+    const float sum =
+        (w0 * channel(c[0]) + w1 * channel(c[1])) + (w2 * channel(c[2]) + (w3 * channel(c[3]) + 0.5f));
+    out |= static_cast<std::uint32_t>(static_cast<std::int32_t>(sum)) << shift;
+  }
+  return out;
+}
+
 /// A square texture of 2^level RGBA8 texels a side, repeated.
 struct SquareTexture {
   std::span<const std::uint32_t> texels;
@@ -44,18 +60,7 @@ inline std::uint32_t bilinear_rgba8(const SquareTexture& t, float u, float v) {
   const auto r = static_cast<std::uint32_t>(right), b = static_cast<std::uint32_t>(below);
   const std::uint32_t x1 = r & last, x0 = (r - 1) & last;
   const std::uint32_t y1 = (b & last) << t.level, y0 = ((b - 1) & last) << t.level;
-  const std::uint32_t c[] = {t.texels[y0 + x0], t.texels[y0 + x1], t.texels[y1 + x0], t.texels[y1 + x1]};
-  const float w3 = f * g, w2 = g - w3, w1 = f - w3, w0 = 1 - f - w2;
-  std::uint32_t out = 0;
-  for (int shift = 0; shift < 32; shift += 8) {
-    const auto channel = [shift](std::uint32_t texel) {
-      return static_cast<float>(static_cast<std::int32_t>(texel >> shift & 0xff));
-    };
-    const float sum =
-        (w0 * channel(c[0]) + w1 * channel(c[1])) + (w2 * channel(c[2]) + (w3 * channel(c[3]) + 0.5f));
-    out |= static_cast<std::uint32_t>(static_cast<std::int32_t>(sum)) << shift;
-  }
-  return out;
+  return mixed_bilinear({t.texels[y0 + x0], t.texels[y0 + x1], t.texels[y1 + x0], t.texels[y1 + x1]}, f, g);
 }
 
 /// The same in SIMD, chosen at run time; bit for bit.  Domain: three spans of one length.

@@ -10,6 +10,7 @@
 
 #include "bench/scene/astcenc.hpp"
 #include "bench/scene/attribute_tables.hpp"
+#include "bench/scene/attribute_times.hpp"
 #include "bench/scene/zstd.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/plot.hpp"
@@ -146,8 +147,11 @@ int scene_attributes(const AttributeArguments& arguments) {
     if (!arguments.json.empty() || plot) throw UsageError("--json, --plot: there is nothing to write");
     return complete;
   }
+  bench::AttributeTimer timer(read, {});
+  if (arguments.time) options.laid = [&timer](const LaidMaps& laid) { timer.take(laid); };
   const AttributeFigures figures = measure(read, options);
   bench::Result result = bench::scene_attribute_tables(figures, read, options);
+  if (arguments.time) result.tables.push_back(bench::attribute_times_table(timer.times()));
   if (!pictures.written().empty())
     result.tables.push_back(bench::attribute_pictures_table(pictures.written()));
   print_result(out, result);

@@ -13,6 +13,7 @@ struct AttributeArguments {
   bool packed = false;  ///< pack the maps as well
   unsigned packed_error = 0;
   bool astc = false;  ///< compress the textures beside
+  bool time = false;  ///< take times of lookups in textures and maps
 };
 
 /// Prints the tables, writes JSON, the picture of the figures and pictures of the textures.  Returns the exit code.

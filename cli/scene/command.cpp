@@ -46,7 +46,8 @@ struct SceneOptions {
   double timeout = 10;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
-  bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false, astc = false;
+  bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false, astc = false,
+       time = false;
   float margin = 0;
   int states = 4;
   unsigned packed_error = 0;
@@ -299,14 +300,14 @@ int attributes(const SceneOptions& options) {
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
                            options.files, options.codes, options.quiet, options.threads,
                            options.packed || options.packed_error != 0 || options.astc, options.packed_error,
-                           options.astc});
+                           options.astc, options.time});
 }
 
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
   if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
-  if (options.packed || options.packed_error != 0 || options.astc || !options.files.empty())
-    throw UsageError("--packed, --packed-error, --astc, --files: for --attributes");
+  if (options.packed || options.packed_error != 0 || options.astc || options.time || !options.files.empty())
+    throw UsageError("--packed, --packed-error, --astc, --time, --files: for --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -414,6 +415,9 @@ Action add_scene(CLI::App& program) {
   command->add_flag("--astc", options->astc,
                     "of --attributes: compress the textures as ASTC beside, and say what they take at the "
                     "maps' errors; implies --packed, needs the program astcenc");
+  command->add_flag("--time", options->time,
+                    "of --attributes: take the time of a lookup at random points, in the textures and in the "
+                    "maps; one thread");
   command
       ->add_option("--pictures", options->pictures,
                    "of --attributes: write each base colour beside its maps and their FLIP, a PNG a level")

@@ -19,12 +19,6 @@
 namespace mmverify::scene {
 namespace {
 
-/// A triangle in one attribute set.
-struct MapOfTriangle {
-  std::size_t texture;  ///< of the scene
-  UvTriangle uvs;
-};
-
 using MapValues = std::vector<MapValue>;
 
 /// Sums over texels.
@@ -305,6 +299,7 @@ class SetMeasurement {
       return values;
     });
     if (options_.packed || options_.stored) at.packed = packed(kind, level);
+    if (options_.laid) tell_laid(kind, level);
     at.error = error_of(sums_[place]);
     if (kind == MapKind::vertices) {
       at.nearest = error_of(nearest_sums_[place]);
@@ -313,6 +308,13 @@ class SetMeasurement {
       at.unseen = faces == 0 ? 0 : 1 - static_cast<double>(seen_faces_[level - options_.first]) / faces;
     }
     return at;
+  }
+
+  void tell_laid(MapKind kind, unsigned level) const {
+    LaidMaps laid{set_, level, kind, all_, {}, {}};
+    lay(laid, keys_[place_of(level, kind)],
+        [&](std::size_t k, MapValues& values) { bake(all_[k], kind, level, values); });
+    if (!laid.values.empty()) options_.laid(laid);
   }
 
   std::optional<PackedBytes> packed(MapKind kind, unsigned level) const {

@@ -8,6 +8,7 @@
 
 #include "impl/attribute/container.hpp"
 #include "scene/attribute/baker.hpp"
+#include "scene/attribute/laid_maps.hpp"
 #include "scene/attribute/packed_maps.hpp"
 #include "scene/attribute/shared_maps.hpp"
 #include "scene/attribute/texture_coder.hpp"
@@ -95,7 +96,9 @@ struct AttributeOptions {
   TextureCoder texture_coder = {};                        ///< that compresses the textures beside
   std::function<void(const std::string&)> progress = {};  ///< told what begins
   std::function<void()> stop = {};  ///< asked before each triangle, from any thread; may throw
-  std::function<void(const StoredAttributes&)> stored = {};   ///< given each set, level and kind, packed
+  std::function<void(const StoredAttributes&)> stored = {};  ///< given each set, level and kind, packed
+  std::function<void(const LaidMaps&)> laid =
+      {};  ///< given each set, level and kind, where they are not too many
   std::function<void(const AttributePicture&)> picture = {};  ///< told of each level of each sRGB image
 };
 

@@ -1,0 +1,174 @@
+#include "bench/scene/attribute_times.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "bench/scene/texture_sample.hpp"
+#include "bench/timing.hpp"
+#include "impl/attribute/lookup.hpp"
+
+namespace mmverify::bench {
+namespace {
+
+using impl::attribute::VertexOrder;
+using scene::AttributeScene;
+using scene::LaidMaps;
+using scene::MapKind;
+using scene::MapOfTriangle;
+
+constexpr PointOrder orders[] = {PointOrder::scattered, PointOrder::along};
+
+double area_in_texels(const AttributeScene& scene, const MapOfTriangle& triangle) {
+  const scene::ColourImage& image = scene.images[scene.textures[triangle.texture].image];
+  const auto [a, b, c] = scene::in_texels(triangle.uvs, image.width, image.height);
+  return std::fabs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
+}
+
+/// The sum of what is read, which keeps a compiler from leaving the reading out.
+template <class Read>
+std::uint32_t sum_of(std::span<const SurfacePoint> points, const Read& read) {
+  std::uint32_t sum = 0;
+  for (const SurfacePoint& p : points) sum += read(p);
+  return sum;
+}
+
+const char* name_of(LookupWay way) {
+  switch (way) {
+    case LookupWay::face:
+      return "faces";
+    case LookupWay::vertices_w_minor:
+      return "vertices, W-minor";
+    default:
+      return "vertices, Bird";
+  }
+}
+
+const char* name_of(PointOrder order) { return order == PointOrder::scattered ? "scattered" : "along"; }
+
+/// Maps of vertices, each from its rows into the Bird order.
+std::vector<std::uint32_t> in_bird_order(const LaidMaps& laid) {
+  const auto size = static_cast<std::size_t>(scene::values_of_map(laid.kind, laid.level));
+  std::vector<std::uint32_t> row(size), values(laid.values.size());
+  std::iota(row.begin(), row.end(), 0u);
+  impl::attribute::convert(VertexOrder::bird, VertexOrder::w_minor, row, laid.level, row);
+  for (std::size_t map = 0; map < values.size(); map += size)
+    for (std::size_t x = 0; x < size; ++x) values[map + x] = laid.values[map + row[x]];
+  return values;
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> surface_points(const AttributeScene& scene,
+                                         std::span<const MapOfTriangle> triangles, std::size_t count,
+                                         std::uint64_t seed) {
+  std::vector<double> areas;
+  for (const MapOfTriangle& triangle : triangles) areas.push_back(area_in_texels(scene, triangle));
+  if (std::all_of(areas.begin(), areas.end(), [](double area) { return area == 0; }))
+    areas.assign(areas.size(), 1);
+  std::mt19937_64 engine(seed);
+  std::discrete_distribution<std::uint32_t> any(areas.begin(), areas.end());
+  constexpr std::uint32_t one = std::uint32_t{1} << 24;
+  std::vector<SurfacePoint> points;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::uint32_t triangle = any(engine);
+    // Multiples of 2^-24, so that the fold is exact.
+    auto u = static_cast<std::uint32_t>(engine() >> 40), v = static_cast<std::uint32_t>(engine() >> 40);
+    if (u + v > one) u = one - u, v = one - v;
+    points.push_back({triangle, static_cast<float>(u) * 0x1p-24f, static_cast<float>(v) * 0x1p-24f});
+  }
+  return points;
+}
+
+std::vector<SurfacePoint> along_surfaces(std::vector<SurfacePoint> points) {
+  const auto place = [](const SurfacePoint& p) {
+    return std::pair(p.triangle, impl::index::from_barycentrics(p.u, p.v, 8));
+  };
+  std::stable_sort(points.begin(), points.end(),
+                   [&](const SurfacePoint& a, const SurfacePoint& b) { return place(a) < place(b); });
+  return points;
+}
+
+void AttributeTimer::take(const LaidMaps& laid) {
+  if (laid.triangles.empty()) return;
+  if (!points_.contains(laid.set)) {
+    auto& [scattered, along] = points_[laid.set];
+    scattered = surface_points(scene_, laid.triangles, options_.points, options_.seed);
+    along = along_surfaces(scattered);
+  }
+  if (laid.kind == MapKind::faces) {
+    take(laid, LookupWay::face, laid.values);
+    return;
+  }
+  take(laid, LookupWay::vertices_w_minor, laid.values);
+  take(laid, LookupWay::vertices_bird, in_bird_order(laid));
+}
+
+void AttributeTimer::take(const LaidMaps& laid, LookupWay way, std::span<const std::uint32_t> values) {
+  std::vector<TextureSample> samples;
+  for (const scene::AttributeTexture& texture : scene_.textures)
+    samples.emplace_back(scene_.images[texture.image], texture.sampler);
+  const auto in_texture = [&](const SurfacePoint& p) {
+    const MapOfTriangle& triangle = laid.triangles[p.triangle];
+    const auto& [a, b, c] = triangle.uvs;
+    const float w = 1 - p.u - p.v;
+    return samples[triangle.texture].at(w * a[0] + p.u * b[0] + p.v * c[0],
+                                        w * a[1] + p.u * b[1] + p.v * c[1]);
+  };
+  const auto face = [&](const SurfacePoint& p) {
+    return values[laid.first[p.triangle] + impl::index::from_barycentrics(p.u, p.v, laid.level)];
+  };
+  const auto size = static_cast<std::size_t>(scene::values_of_map(laid.kind, laid.level));
+  const auto between = [&](VertexOrder order) {
+    return [&, order](const SurfacePoint& p) {
+      return impl::attribute::interpolated_rgba8(order, values.subspan(laid.first[p.triangle], size), p.u,
+                                                 p.v, laid.level);
+    };
+  };
+  for (const PointOrder order : orders) {
+    const std::vector<SurfacePoint>& points = points_.at(laid.set)[static_cast<std::size_t>(order)];
+    std::vector<double> texture, map;
+    const auto round = [&](const auto& read) {
+      return once_ns([&] { benchmark::DoNotOptimize(sum_of(points, read)); });
+    };
+    const auto rounds = [&](const auto& read) {
+      for (std::size_t k = 0; k < options_.rounds; ++k) {
+        texture.push_back(round(in_texture));
+        map.push_back(round(read));
+      }
+    };
+    if (way == LookupWay::face)
+      rounds(face);
+    else if (way == LookupWay::vertices_w_minor)
+      rounds(between(VertexOrder::w_minor));
+    else
+      rounds(between(VertexOrder::bird));
+    const auto count = static_cast<double>(points.size());
+    times_.push_back(
+        {laid.set, laid.level, way, order, points.size(), median(texture) / count, median(map) / count});
+  }
+}
+
+Table attribute_times_table(const std::vector<LookupTimes>& times) {
+  using L = LookupTimes;
+  const Fields<L> fields{
+      {{.key = "set", .heading = "attributes", .leads = true}, [](const L& l) { return scene::name(l.set); }},
+      {{.key = "level", .heading = "level", .leads = true},
+       [](const L& l) { return std::uint64_t{l.level}; }},
+      {{.key = "maps", .heading = "maps of", .leads = true},
+       [](const L& l) -> Value { return std::string(name_of(l.way)); }},
+      {{.key = "order", .heading = "points", .leads = true},
+       [](const L& l) -> Value { return std::string(name_of(l.order)); }},
+      {{"points", "number"}, [](const L& l) { return l.points; }},
+      {{"texture_ns", "texture", "ns"}, [](const L& l) { return l.texture_ns; }},
+      {{"map_ns", "map", "ns"}, [](const L& l) { return l.map_ns; }},
+      {{"map_to_texture", "map to texture"}, [](const L& l) { return l.map_ns / l.texture_ns; }},
+  };
+  return table_of<L>({.key = "times", .caption = "a lookup at a point, in the texture and in its map"},
+                     fields, times);
+}
+
+}  // namespace mmverify::bench

@@ -1,0 +1,81 @@
+// Times of lookups at points of a scene's triangles: in its textures, and in the maps that stand for them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "bench/table.hpp"
+#include "scene/attribute/laid_maps.hpp"
+
+namespace mmverify::bench {
+
+/// A point of a triangle, by its barycentrics there: u + v <= 1.
+struct SurfacePoint {
+  std::uint32_t triangle;
+  float u, v;
+};
+
+/// In which order points are looked up.
+enum class PointOrder : std::uint8_t {
+  scattered,  ///< as drawn, each on another triangle: rays that bounced
+  along,      ///< triangle by triangle, along the curve of level 8: neighbouring pixels
+};
+
+/// What is read at a point.
+enum class LookupWay : std::uint8_t {
+  face,              ///< the micro-triangle's value
+  vertices_w_minor,  ///< interpolated between its three vertices, which are stored in W-minor order
+  vertices_bird,     ///< the same, in the Bird order
+};
+
+/// One thread, processor time, the median of the rounds.
+struct LookupTimes {
+  scene::AttributeSet set = 0;
+  unsigned level = 0;
+  LookupWay way = LookupWay::face;
+  PointOrder order = PointOrder::scattered;
+  std::uint64_t points = 0;
+  double texture_ns = 0;  ///< a point: its texture coordinates between the corners', then TextureSample
+  double map_ns = 0;      ///< a point: its micro-triangle, the map's value there
+};
+
+struct AttributeTimesOptions {
+  std::size_t points = std::size_t{1} << 18, rounds = 5;
+  std::uint64_t seed = 1;
+};
+
+/// Points drawn on triangles, as many as their areas in texels ask for, uniformly on each; where no triangle has an area,
+/// on all alike.  The same points for the same seed and triangles.
+/// Domain: a triangle at least, at most 2^32 - 1.
+std::vector<SurfacePoint> surface_points(const scene::AttributeScene& scene,
+                                         std::span<const scene::MapOfTriangle> triangles, std::size_t count,
+                                         std::uint64_t seed);
+std::vector<SurfacePoint> along_surfaces(std::vector<SurfacePoint> points);
+
+/// Takes times as maps are laid out (AttributeOptions::laid).
+/// Both ways of a row take turns, round by round.  The maps' values are RGBA8 and so are the textures'; neither knows of
+/// sRGB, mips or blocks.  Source: Color and Attribute Micromaps, 6.2, figure 10, which has frames of a GPU.
+class AttributeTimer {
+ public:
+  /// The scene must outlive it.
+  AttributeTimer(const scene::AttributeScene& scene, const AttributeTimesOptions& options)
+      : scene_(scene), options_(options) {}
+
+  void take(const scene::LaidMaps& laid);
+  const std::vector<LookupTimes>& times() const { return times_; }
+
+ private:
+  void take(const scene::LaidMaps& laid, LookupWay way, std::span<const std::uint32_t> values);
+
+  const scene::AttributeScene& scene_;
+  AttributeTimesOptions options_;
+  std::map<scene::AttributeSet, std::array<std::vector<SurfacePoint>, 2>> points_;  ///< by PointOrder
+  std::vector<LookupTimes> times_;
+};
+
+Table attribute_times_table(const std::vector<LookupTimes>& times);
+
+}  // namespace mmverify::bench
