@@ -47,8 +47,6 @@ const char* name_of(LookupWay way) {
   }
 }
 
-const char* name_of(PointOrder order) { return order == PointOrder::scattered ? "scattered" : "along"; }
-
 /// Maps of vertices, each from its rows into the Bird order.
 std::vector<std::uint32_t> in_bird_order(const LaidMaps& laid) {
   const auto size = static_cast<std::size_t>(scene::values_of_map(laid.kind, laid.level));
@@ -128,8 +126,9 @@ void AttributeTimer::take(const LaidMaps& laid, LookupWay way, std::span<const s
                                                  p.v, laid.level);
     };
   };
-  for (const PointOrder order : orders) {
-    const std::vector<SurfacePoint>& points = points_.at(laid.set)[static_cast<std::size_t>(order)];
+  LookupTimes times{laid.set, laid.level, way, options_.points, {}};
+  for (std::size_t order = 0; order < times.by_order.size(); ++order) {
+    const std::vector<SurfacePoint>& points = points_.at(laid.set)[order];
     std::vector<double> texture, map;
     const auto round = [&](const auto& read) {
       return once_ns([&] { benchmark::DoNotOptimize(sum_of(points, read)); });
@@ -147,26 +146,30 @@ void AttributeTimer::take(const LaidMaps& laid, LookupWay way, std::span<const s
     else
       rounds(between(VertexOrder::bird));
     const auto count = static_cast<double>(points.size());
-    times_.push_back(
-        {laid.set, laid.level, way, order, points.size(), median(texture) / count, median(map) / count});
+    times.by_order[order] = {median(texture) / count, median(map) / count};
   }
+  times_.push_back(times);
 }
 
 Table attribute_times_table(const std::vector<LookupTimes>& times) {
   using L = LookupTimes;
-  const Fields<L> fields{
+  Fields<L> fields{
       {{.key = "set", .heading = "attributes", .leads = true}, [](const L& l) { return scene::name(l.set); }},
       {{.key = "level", .heading = "level", .leads = true},
        [](const L& l) { return std::uint64_t{l.level}; }},
       {{.key = "maps", .heading = "maps of", .leads = true},
        [](const L& l) -> Value { return std::string(name_of(l.way)); }},
-      {{.key = "order", .heading = "points", .leads = true},
-       [](const L& l) -> Value { return std::string(name_of(l.order)); }},
-      {{"points", "number"}, [](const L& l) { return l.points; }},
-      {{"texture_ns", "texture", "ns"}, [](const L& l) { return l.texture_ns; }},
-      {{"map_ns", "map", "ns"}, [](const L& l) { return l.map_ns; }},
-      {{"map_to_texture", "map to texture"}, [](const L& l) { return l.map_ns / l.texture_ns; }},
+      {{"points", "points"}, [](const L& l) { return l.points; }},
   };
+  for (const PointOrder order : orders) {
+    const std::string group = order == PointOrder::scattered ? "scattered" : "along", key = group + ".";
+    const auto of = [order](const L& l) { return l.by_order[static_cast<std::size_t>(order)]; };
+    fields.push_back(
+        {{key + "texture_ns", "texture", "ns", {}, group}, [of](const L& l) { return of(l).texture_ns; }});
+    fields.push_back({{key + "map_ns", "map", "ns", {}, group}, [of](const L& l) { return of(l).map_ns; }});
+    fields.push_back({{key + "map_to_texture", "map to texture", "", {}, group},
+                      [of](const L& l) { return of(l).map_ns / of(l).texture_ns; }});
+  }
   return table_of<L>({.key = "times", .caption = "a lookup at a point, in the texture and in its map"},
                      fields, times);
 }

@@ -32,14 +32,17 @@ enum class LookupWay : std::uint8_t {
 };
 
 /// One thread, processor time, the median of the rounds.
+struct TimesOfOrder {
+  double texture_ns = 0;  ///< a point: its texture coordinates between the corners', then TextureSample
+  double map_ns = 0;      ///< a point: its micro-triangle, the map's value there
+};
+
 struct LookupTimes {
   scene::AttributeSet set = 0;
   unsigned level = 0;
   LookupWay way = LookupWay::face;
-  PointOrder order = PointOrder::scattered;
   std::uint64_t points = 0;
-  double texture_ns = 0;  ///< a point: its texture coordinates between the corners', then TextureSample
-  double map_ns = 0;      ///< a point: its micro-triangle, the map's value there
+  std::array<TimesOfOrder, 2> by_order;  ///< by PointOrder
 };
 
 struct AttributeTimesOptions {

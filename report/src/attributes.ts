@@ -140,13 +140,34 @@ function packedTable(run: SceneAttributes, set: string): HTMLElement | null {
   );
 }
 
-interface Measure {
+/** How long a lookup takes at random points, in the texture and in its maps; both orders of the points. */
+function timesTable(run: SceneAttributes, set: string): HTMLElement | null {
+  const rows = (run.times ?? [])
+    .filter((t) => t.set === set)
+    .map((t) => [
+      String(t.level), t.maps, grouped(t.points),
+      ...[t.scattered, t.along].flatMap((o) => [short(o.texture_ns), short(o.map_ns), short(o.map_to_texture)]),
+    ]);
+  if (rows.length === 0) return null;
+  return el(
+    "div",
+    { class: "wide" },
+    el("p", { class: "note" }, "Nanoseconds a lookup, one thread, texture and map in turns. Scattered: each point on another triangle; along: triangle by triangle, along the curve."),
+    plainTable(
+      `${set}: the time of a lookup`,
+      ["Level", "Maps of", "Points", "Texture, scattered", "Map, scattered", "Map to texture", "Texture, along", "Map, along", "Map to texture"],
+      rows,
+    ),
+  );
+}
+
+export interface Measure {
   title: string;
   axis: string;
   of: (reading: Reading, row: AttributeRow) => number | undefined;
 }
 
-const measures: Measure[] = [
+export const measures: Measure[] = [
   { title: "FLIP", axis: "mean FLIP", of: (reading, row) => reading.flip(row) },
   { title: "RMSE", axis: "RMSE, codes of 8 bits", of: (reading, row) => reading.rmse(row) },
 ];
@@ -193,6 +214,39 @@ function errorByBytes(run: SceneAttributes, rows: AttributeRow[], set: string, m
   });
 }
 
+/** A mark a level of each kind of maps that lookups were timed in, at points along surfaces. */
+export function timedSeries(run: SceneAttributes, set: string, measure: Measure): Series[] {
+  const timed = (run.times ?? []).filter((t) => t.set === set);
+  return [...new Set(timed.map((t) => t.maps))]
+    .map((maps): Series => ({
+      name: maps,
+      line: true,
+      dashed: false,
+      marks: timed.filter((t) => t.maps === maps).flatMap((t) => {
+        const row = run.rows.find((r) => r.set === set && r.level === t.level);
+        const y = row && measure.of(maps === "faces" ? readings[0]! : readings[1]!, row);
+        if (y === undefined) return [];
+        return [{ x: t.along.map_ns, y, words: [`level ${t.level}`, `${short(t.along.map_ns)} ns, ${short(t.along.map_to_texture)} of the texture's`, `${measure.title} ${short(y)}`] }];
+      }),
+    }))
+    .filter((s) => s.marks.length > 0);
+}
+
+function errorByTime(run: SceneAttributes, set: string, measure: Measure): HTMLElement[] {
+  const series = timedSeries(run, set, measure);
+  if (series.length === 0) return [];
+  return [
+    chart({
+      title: `${measure.title} of ${set} against the time of a lookup`,
+      note: "A mark a level, of points along surfaces. Ringed, joined by steps: what nothing beats in both.",
+      x: { label: "ns a lookup", log: true },
+      y: { label: measure.axis, from: 0 },
+      series,
+      fronts: [front(series.flatMap((s) => s.marks))],
+    }),
+  ];
+}
+
 /** One of some things, chosen from a list where there are several. */
 function chosen(label: string, names: string[], make: (name: string) => HTMLElement): HTMLElement {
   const box = el("div", {}, make(names[0]!));
@@ -210,8 +264,10 @@ function ofSet(run: SceneAttributes, set: string): HTMLElement {
     { class: "charts" },
     ...(several ? known.map((m) => errorByLevel(rows, set, m)) : []),
     ...known.map((m) => errorByBytes(run, rows, set, m)),
+    ...known.flatMap((m) => errorByTime(run, set, m)),
     el("div", { class: "wide" }, numbers(run, set)),
     packedTable(run, set),
+    timesTable(run, set),
   );
 }
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { answersOf } from "../src/answers";
-import { beyondWords, countRows, packedBytes } from "../src/attributes";
+import { beyondWords, countRows, measures, packedBytes, timedSeries } from "../src/attributes";
 import { coordinate, differsAt, indexOfCase, mapOf, pointOf, squareOf } from "../src/cases";
 import type { Result, Run, SceneAttributes, Verdict } from "../src/data";
 import { bytes, grouped, plural, powerOfTen, ranges, seconds, short } from "../src/format";
@@ -182,6 +182,16 @@ test("attribute maps: counts, packed bytes, the level beyond the textures", () =
   };
   assert.deepEqual(countRows(run)[0], ["baseColor", "faces", "2,000", "10..1,999", "1,990..1", "1..1"]);
   assert.equal(countRows(run).length, 4);
+  // Of the two measures RMSE alone is known here; the other set has its own times.
+  const of = (map_ns: number) => ({ texture_ns: 8, map_ns, map_to_texture: map_ns / 8 });
+  assert.deepEqual(timedSeries(run, "baseColor", measures[1]!), []);
+  run.times = [["baseColor", 0, "faces"], ["baseColor", 0, "vertices, Bird"], ["baseColor", 1, "faces"], ["normal", 0, "faces"]].map(
+    ([set, level, maps], k) => ({ set, level, maps, points: 5, scattered: of(100), along: of(k + 1) }) as NonNullable<SceneAttributes["times"]>[number]);
+  assert.deepEqual(timedSeries(run, "baseColor", measures[0]!), []);
+  assert.deepEqual(
+    timedSeries(run, "baseColor", measures[1]!).map((s) => [s.name, s.marks.map((m) => [m.x, m.y, m.words[1]])]),
+    [["faces", [[1, 1, "1 ns, 0.125 of the texture's"], [3, 1, "3 ns, 0.375 of the texture's"]]], ["vertices, Bird", [[2, 1, "2 ns, 0.25 of the texture's"]]]],
+  );
   assert.equal(packedBytes(run, 0, "faces"), 5 + 8);
   assert.equal(packedBytes(run, 1, "faces"), undefined);
   assert.match(beyondWords(run, "faces"), /^Maps of faces would take more than the textures from level 2 on, if they stayed as many as at level 1\.$/);

@@ -59,7 +59,7 @@ before(async () => {
   run("bench", "index", "--levels", "3..6", "--samples", "2000", "--quiet", "--json", "index.json");
   run("bench", "vq", "--maps", "4", "--quiet", "--json", "vq.json");
   run("bench", "bake", "--levels", "3..4", "--maps", "1", "--quiet", "--json", "bake.json");
-  run("scene", "--attributes", "--level", "1..3", "--packed", "--quiet", "--json", "attributes.json", "--pictures", "pictures");
+  run("scene", "--attributes", "--level", "1..3", "--packed", "--time", "--quiet", "--json", "attributes.json", "--pictures", "pictures");
   run("report", "wrong.json", "scene.json", "index.json", "vq.json", "bake.json", "attributes.json", "-o", "all.html");
   run("prove", "index.bijective", "--levels", "0..3", "--quiet", "--json", "right.json");
   run("report", "right.json", "-o", "right.html");
@@ -409,8 +409,9 @@ test("attributes: counts, a footprint, errors and pictures are those of the file
   const of = run.rows.map((r: { faces: { maps: number } }) => r.faces.maps);
   assert.equal(counts.length, 2);
   assert.ok(counts[0]!.startsWith(`baseColorfaces${run.sets[0].triangles}${of[0]}..${of.at(-1)}`), counts[0]);
-  assert.deepEqual(await section.locator("figcaption").allTextContents().then((all) => all.slice(0, 5)), [
+  assert.deepEqual(await section.locator("figcaption").allTextContents().then((all) => all.slice(0, 7)), [
     "Bytes of all maps by level", "FLIP of baseColor by level", "RMSE of baseColor by level", "FLIP of baseColor against bytes", "RMSE of baseColor against bytes",
+    "FLIP of baseColor against the time of a lookup", "RMSE of baseColor against the time of a lookup",
   ]);
   const said = async (chart: number, key: string) => {
     const plot = section.locator(".plot").nth(chart);
@@ -425,6 +426,10 @@ test("attributes: counts, a footprint, errors and pictures are those of the file
   const last = (await section.locator("details tbody tr").last().allTextContents())[0]!;
   assert.ok(last.startsWith(`3vertices${run.rows[2].vertices.maps}`) && last.includes(grouped(run.rows[2].vertices.bytes)), last);
   assert.equal((await section.locator("table", { hasText: "bytes of packed maps" }).locator("tbody tr").allTextContents()).length, 6);
+
+  const timed = await section.locator("table", { hasText: "the time of a lookup" }).locator("tbody tr").allTextContents();
+  assert.equal(timed.length, 9);
+  assert.match(timed[8]!, /^3vertices, Bird262,144[\d.]+/);
 
   const picture = section.locator("img");
   const shown = async () => [await picture.getAttribute("alt"), createHash("sha256").update((await picture.getAttribute("src"))!).digest("hex")] as const;
