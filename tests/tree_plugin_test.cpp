@@ -139,6 +139,15 @@ INSTANTIATE_TEST_SUITE_P(
 
 // -----------------------------------------------------------------------------------------------------------------
 
+// Codes that differ in their middle alone are asked in turn, at one address.
+TEST(TreeSubject, a_code_known_by_its_address_and_ends_is_caught) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome o = judge_tree("tree_keeps_by_ends", "tree.on_samples --levels 4 --no-companions");
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("broken     tree.on_samples"));
+  EXPECT_THAT(o.out, HasSubstr("non-deterministic"));
+}
+
 // The specification does what is missing, and is not judged for it.
 TEST(TreeSubject, an_encoder_alone_is_judged_by_the_specifications_decoder) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
