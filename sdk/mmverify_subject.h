@@ -91,7 +91,7 @@ typedef struct mmverify_bake_case {
   uint32_t format; /* MMVERIFY_2_STATE or MMVERIFY_4_STATE */
 
   uint32_t width, height; /* of mip 0; of mip k max(1, width >> k) and max(1, height >> k) */
-  uint32_t mips;          /* 1 or more */
+  uint32_t mips;          /* 1 or more, up to the one of 1 x 1 texel */
   uint32_t texel;         /* MMVERIFY_UNORM8, ... */
   uint32_t border;        /* the texel that lies outside with MMVERIFY_CLAMP_TO_BORDER, by its bits */
   const void* texels; /* rows from the top, without gaps, mip after mip; aligned as one texel asks for it */
@@ -100,8 +100,10 @@ typedef struct mmverify_bake_case {
   float factor, vertex_factor;     /* alpha is what is sampled, times both */
   uint32_t alpha_mode;             /* MMVERIFY_MASK or MMVERIFY_BLEND */
   uint32_t cutoff_numerator, cutoff_denominator; /* of MMVERIFY_MASK: one over the other, exactly */
-  float margin; /* texels by which each micro-triangle is grown to either side, along x and along y */
-  float uv[6];  /* u and v of the three vertices; (0, 0) and (1, 1) are outer corners of the texture */
+  float margin; /* texels, of each mip its own, by which each micro-triangle is grown to either side, along x and along
+                 * y: by a square, not a disc */
+  float uv[6];  /* u and v of the three vertices; (0, 0) is the outer corner of the first texel of the first row, (1, 1)
+                 * that of the last one of the last */
 } mmverify_bake_case_t;
 
 /* What a baker declares of its rules. */
@@ -275,8 +277,14 @@ typedef struct mmverify_subject {
    *     MASK: alpha >= cutoff; BLEND: alpha >= 1.
    *   - T: transparent on all of it. MASK: alpha < cutoff; BLEND: alpha <= 0.
    *   - Anything may be unknown; how much of it has to be is for the law bake.tight to say.
-   *   - With the flag MMVERIFY_BAKE_CENTROID an unknown one is UO where alpha at its centroid, in mip 0, is
-   *     >= cutoff (BLEND: >= 1/2), else UT.  A map in 2-state has O for O and UO, T for T and UT. */
+   *   - Alpha is not clamped to [0, 1]: factors and texels of binary32 may take it beyond.  All numbers are finite.  With
+   *     BLEND the cutoff says nothing.
+   *   - MMVERIFY_NEAREST: the texel at (floor(x), floor(y)), x and y in texels.  A point on the line between two is the
+   *     second one's, and an edge that lies on the line has such points.
+   *   - With the flag MMVERIFY_BAKE_CENTROID, or MMVERIFY_UNKNOWN_BY_CENTROID in what it supports, an unknown one is UO
+   *     where alpha at its centroid, without margin and in mip 0, is >= cutoff (BLEND: >= 1/2), else UT.
+   *   - A map in 2-state has O for O and UO of the one in 4-state, T for T and UT, by whichever rule a baker tells its
+   *     unknown ones apart. */
   int (*bake)(const mmverify_bake_case_t* what, uint8_t* map);
 
   /* What it supports; null: all, and what it does not it declines, case by case. */
