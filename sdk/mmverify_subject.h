@@ -100,9 +100,11 @@ typedef struct mmverify_bake_case {
   float factor, vertex_factor;     /* alpha is what is sampled, times both */
   uint32_t alpha_mode;             /* MMVERIFY_MASK or MMVERIFY_BLEND */
   uint32_t cutoff_numerator, cutoff_denominator; /* of MMVERIFY_MASK: one over the other, exactly */
-  float margin; /* texels, of each mip its own, by which each micro-triangle is grown to either side, along x and along
+  float
+      margin; /* texels, of each mip its own, by which each micro-triangle is grown to either side, along x and along
                  * y: by a square, not a disc */
-  float uv[6];  /* u and v of the three vertices; (0, 0) is the outer corner of the first texel of the first row, (1, 1)
+  float uv
+      [6]; /* u and v of the three vertices; (0, 0) is the outer corner of the first texel of the first row, (1, 1)
                  * that of the last one of the last */
 } mmverify_bake_case_t;
 
