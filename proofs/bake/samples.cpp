@@ -1,6 +1,7 @@
 #include "proofs/bake/samples.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -66,6 +67,31 @@ void place_beside_lines(Random& random, Case& one) {
   }
 }
 
+/// Micro-vertices 2^-9 to 2^-20 of a texel beside lines: those of texels and of their centres; and of stripes a texel wide
+/// the lines where bilinear alpha is the cutoff, anywhere between two centres.  Whoever rounds coordinates to coarser
+/// steps puts some of them on a line, or beyond it.
+void place_a_hair_beside_lines(Random& random, Case& one) {
+  std::array<double, 2> line{};  // from a line of texels, or centres, in texels
+  const std::size_t kind = random.below(4);
+  if (kind < 2) {
+    const auto less = static_cast<std::uint32_t>(random.below(64)),
+               span = static_cast<std::uint32_t>(8 + random.below(184)),
+               over = static_cast<std::uint32_t>(1 + random.below(2 * span - 1));
+    one.cutoff = {2 * less + over, 510};
+    line[kind] = over / (2.0 * span);
+    for (std::uint32_t k = 0; k < one.width * one.height; ++k)
+      one.alpha[k] = (kind == 0 ? k % one.width : k / one.width) % 2 == 0 ? less : less + span;
+  }
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double size = axis == 0 ? one.width : one.height,
+                 hair =
+                     std::ldexp(random.below(2) != 0 ? 1.0 : -1.0, -static_cast<int>(9 + random.below(12)));
+    for (std::size_t k = axis; k < 6; k += 2)
+      one.uv[k] =
+          static_cast<float>((static_cast<double>(random.between(-4, 12)) / 2 + line[axis] + hair) / size);
+  }
+}
+
 void place_far(Random& random, Case& one) {
   place_anywhere(random, one);
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -111,8 +137,8 @@ Case sample(std::uint64_t seed, std::uint64_t k) {
   draw_texture(random, one);
   constexpr void (*place[])(Random&, Case&) = {place_anywhere, place_sliver, place_beside_lines,
                                                place_far,      flatten,      degenerate,
-                                               place_below,    repeat_often};
-  place[k % 8](random, one);
+                                               place_below,    repeat_often, place_a_hair_beside_lines};
+  place[k % std::size(place)](random, one);
   return one;
 }
 
@@ -188,7 +214,9 @@ const char* large_samples_text() {
 const char* samples_text() {
   return "textures of up to 7x7 texels, any addressing, bilinear: any triangle, slivers of 10^6 to 1, "
          "corners an "
-         "ulp off texel lines, 10^6 repeats away, one alpha throughout at the cutoff or beside it, lines and "
+         "ulp off texel lines, micro-vertices 2^-9 to 2^-20 of a texel off them and off lines of the cutoff, "
+         "10^6 repeats away, one "
+         "alpha throughout at the cutoff or beside it, lines and "
          "points, far below 0, many repeats; up to 96 micro-triangles of each";
 }
 

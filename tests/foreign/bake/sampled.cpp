@@ -110,7 +110,7 @@ Point<T> Sampled<T>::vertex(const std::array<std::uint32_t, 2>& k) const {
       s = to<T>(rounded(std::ldexp(x * size - half - base, 40), unit_));
     }
   }
-  if (has(vertices_in_256ths) && case_.level >= 6) {
+  if (has(vertices_in_256ths_always) || (has(vertices_in_256ths) && case_.level >= 6)) {
     const T step = unit_ / 256;
     if (step > 0) p = {floor_div(T(p.x + step / 2), step) * step, floor_div(T(p.y + step / 2), step) * step};
   }
