@@ -344,8 +344,11 @@ std::unique_ptr<Worker> Pool::take() {
   {
     const std::lock_guard hold(lock_);
     if (!idle_.empty()) {
-      auto worker = std::move(idle_.back());
-      idle_.pop_back();
+      const auto own = std::find_if(idle_.begin(), idle_.end(),
+                                    [](const Idle& idle) { return idle.by == std::this_thread::get_id(); });
+      const auto taken = own != idle_.end() ? own : idle_.end() - 1;
+      auto worker = std::move(taken->worker);
+      idle_.erase(taken);
       return worker;
     }
     asked = asked_;
@@ -360,7 +363,7 @@ void Pool::replace(std::unique_ptr<Worker> worker) {
 
 void Pool::give_back(std::unique_ptr<Worker> worker) {
   const std::lock_guard hold(lock_);
-  idle_.push_back(std::move(worker));
+  idle_.push_back({std::move(worker), std::this_thread::get_id()});
 }
 
 }  // namespace mmverify::dock

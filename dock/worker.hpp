@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -126,7 +127,8 @@ class Worker {
   Mailbox* mailbox_ = nullptr;
 };
 
-/// Workers that wait for use, one a thread at most.
+/// Workers that wait for use, one a thread at most.  A thread gets the one again that it gave back: what a subject has in
+/// mind of a thread's last question then shows in its next one, however threads meet.
 class Pool {
  public:
   Pool(std::string library, const Options& options) : library_(std::move(library)), options_(options) {}
@@ -142,7 +144,12 @@ class Pool {
   std::string library_;
   Options options_;
   std::mutex lock_;
-  std::vector<std::unique_ptr<Worker>> idle_;
+  /// Who gave it back.
+  struct Idle {
+    std::unique_ptr<Worker> worker;
+    std::thread::id by;
+  };
+  std::vector<Idle> idle_;
   QuestionCounts asked_;  ///< of those that were replaced, the most of each kind
 };
 

@@ -86,6 +86,26 @@ INSTANTIATE_TEST_SUITE_P(
 
 // -----------------------------------------------------------------------------------------------------------------
 
+// Whether the dock or the law sees it first hangs on how many questions a worker was asked before.
+TEST(BakeSubject, a_texture_known_by_its_first_row_is_caught) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  for (const char* threads : {"1", "2"}) {
+    const Outcome o = judge_bake("bake_keeps_by_first_row",
+                                 std::string("bake.asked_in_turn --levels 3..5 --threads ") + threads);
+    EXPECT_EQ(o.exit_code, 1) << o.err;
+    EXPECT_THAT(o.out, testing::AnyOf(HasSubstr("broken     bake.asked_in_turn"),
+                                      HasSubstr("refuted    bake.asked_in_turn")));
+  }
+}
+
+// The example promises to be conservative and no more: laws that compare its maps take an unknown beside O or T.
+TEST(BakeSubject, who_is_only_conservative_is_refuted_by_tight_alone) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome o = judge_bake(
+      "bake_example", "bake.shift bake.order bake.nested bake.cutoff bake.asked_in_turn --levels 0..5");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+}
+
 // The law goes on after them, and the case that is named does not depend on who was first.
 TEST(BakeSubject, cases_on_which_it_crashes_are_counted_and_the_others_judged) {
   std::string first;

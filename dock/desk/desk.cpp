@@ -131,7 +131,9 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
     sched_setaffinity(0, sizeof everywhere_, &everywhere_);
     ask(there, answers[1]);
   });
-  ask(here, answers[0]);
+  // Not this thread itself: what a subject keeps for it is of the question before, and may be in the next one's way.
+  std::thread one([&] { ask(here, answers[0]); });
+  one.join();
   other.join();
   return answers;
 }

@@ -13,16 +13,19 @@ using spec::micromap::as_unknown;
 using spec::micromap::force2;
 using spec::micromap::unknown;
 
-/// Whether two unknown states may differ: which unknown it is, only those promise who go by the centroid.
-bool may_differ(const BakeSubject& s, State a, State b) {
-  return !s.functions.centroid && unknown(a) && unknown(b);
+/// Whether one micro-triangle cannot be both.  Anything may be unknown, so that O beside T alone is wrong; where unknown
+/// ones go by the centroid, also what force-2-state tells apart; and of who promises to be tight every difference.
+bool contradict(const BakeSubject& s, State a, State b) {
+  if (s.functions.tight) return a != b;
+  if (s.functions.centroid) return force2(a) != force2(b);
+  return a != b && !unknown(a) && !unknown(b);
 }
 
 /// The first micro-triangle whose state is another, if there is one.
 std::optional<Finding> differ(const BakeSubject& s, const char* of, const std::vector<State>& expected,
                               const std::vector<State>& got) {
   for (std::size_t k = 0; k < expected.size(); ++k)
-    if (got.at(k) != expected[k] && !may_differ(s, got[k], expected[k]))
+    if (contradict(s, got.at(k), expected[k]))
       return wrong(fmt::format("{} micro-triangle {} {}", of, k, name_of(expected[k])), name_of(got[k]));
   return std::nullopt;
 }
@@ -153,7 +156,8 @@ Finding keeps_levels(const BakeSubject& s, const Case& one, Level n) {
   for (std::size_t k = 0; k < parents.size(); ++k) {
     const auto four = children.begin() + static_cast<std::ptrdiff_t>(4 * k);
     const bool uniform = !unknown(*four) && std::count(four, four + 4, *four) == 4;
-    if (unknown(parents[k]) ? uniform : !uniform || *four != parents[k])
+    const auto is_other = [&](State child) { return contradict(s, parents[k], child); };
+    if (unknown(parents[k]) ? uniform && is_other(*four) : std::any_of(four, four + 4, is_other))
       return wrong(fmt::format("micro-triangle {} {}", k, uniform ? name_of(*four) : "unknown"),
                    name_of(parents[k]));
   }
@@ -176,8 +180,9 @@ Finding keeps_cutoffs(const BakeSubject& s, const Case& one, Level n) {
     for (std::size_t k = 0; k < before.size(); ++k) {
       const std::string what =
           fmt::format("cutoff {}/{}: micro-triangle {}", cutoff.numerator, cutoff.denominator, k);
-      if (map[k] == State::O && before[k] != State::O) return wrong(what + " not O", "O");
-      if (before[k] == State::T && map[k] != State::T) return wrong(what + " T", name_of(map[k]));
+      if (map[k] == State::O && contradict(s, before[k], State::O)) return wrong(what + " not O", "O");
+      if (before[k] == State::T && contradict(s, State::T, map[k]))
+        return wrong(what + " T", name_of(map[k]));
     }
     before = std::move(map);
     hash = hash * 31 + hash_of(before);
@@ -193,13 +198,55 @@ Finding keeps_margins(const BakeSubject& s, const Case& one, Level n) {
     other.margin = margin;
     std::vector<State> map = map_of(s, other, n);
     for (std::size_t k = 0; k < before.size(); ++k)
-      if (!unknown(map[k]) && map[k] != before[k])
+      if (!unknown(map[k]) && contradict(s, map[k], before[k]))
         return wrong(fmt::format("margin {}: micro-triangle {} {} or unknown", margin, k, name_of(before[k])),
                      name_of(map[k]));
     before = std::move(map);
     hash = hash * 31 + hash_of(before);
   }
   return {hash};
+}
+
+namespace {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Other textures in between
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// The texels from one on in the opposite order.
+Case turned_round(Case one, std::size_t from) {
+  std::reverse(one.alpha.begin() + static_cast<std::ptrdiff_t>(std::min(from, one.alpha.size())),
+               one.alpha.end());
+  one.drawn.clear();
+  return one;
+}
+
+/// Its first texel alone.
+Case of_one_texel(Case one) {
+  one.width = one.height = one.mips = 1;
+  one.alpha.resize(1);
+  one.drawn.clear();
+  return one;
+}
+
+}  // namespace
+
+Finding keeps_no_other(const BakeSubject& s, const Case& one, Level n) {
+  const std::array<Case, 4> cases{one, turned_round(one, one.width), turned_round(one, 0), of_one_texel(one)};
+  std::array<std::vector<State>, 4> maps;
+  // Each of the first three comes after another of them, and after one of other sides, when none of them is in mind.
+  for (const std::size_t k : {0u, 1u, 3u, 1u, 0u, 3u, 2u, 0u, 3u, 0u}) {
+    std::vector<State> map = map_of(s, cases[k], n);
+    if (maps[k].empty())
+      maps[k] = std::move(map);
+    else
+      for (std::size_t at = 0; at < map.size(); ++at)
+        if (map[at] != maps[k][at])
+          return wrong(fmt::format("texture {} of four asked again: micro-triangle {} {}", k, at,
+                                   name_of(maps[k][at])),
+                       name_of(map[at]));
+  }
+  return {hash_of(maps[1])};
 }
 
 namespace {
@@ -231,7 +278,7 @@ Finding keeps_mips(const BakeSubject& s, const Case& one, Level n) {
       if (!unknown(all[k]) && all[k] != other[k]) all[k] = as_unknown(all[k]);
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k] == map[k] || may_differ(s, all[k], map[k])) continue;
+    if (!contradict(s, all[k], map[k])) continue;
     return wrong(fmt::format("micro-triangle {} {}", k, name_of(all[k])), name_of(map[k]));
   }
   return {hash_of(map)};

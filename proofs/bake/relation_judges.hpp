@@ -11,12 +11,13 @@ struct Declined {};
 struct Unpadded {};
 
 // All throw Declined and Unpadded.
-Finding keeps_shifts(const BakeSubject&, const Case&, Level);   ///< by whole repeats
-Finding keeps_orders(const BakeSubject&, const Case&, Level);   ///< of the vertices
-Finding keeps_formats(const BakeSubject&, const Case&, Level);  ///< 2-state beside 4-state
-Finding keeps_levels(const BakeSubject&, const Case&, Level);   ///< children beside parents
-Finding keeps_cutoffs(const BakeSubject&, const Case&, Level);  ///< rising ones
-Finding keeps_margins(const BakeSubject&, const Case&, Level);  ///< wider ones
-Finding keeps_mips(const BakeSubject&, const Case&, Level);     ///< all together beside each alone
+Finding keeps_shifts(const BakeSubject&, const Case&, Level);    ///< by whole repeats
+Finding keeps_orders(const BakeSubject&, const Case&, Level);    ///< of the vertices
+Finding keeps_formats(const BakeSubject&, const Case&, Level);   ///< 2-state beside 4-state
+Finding keeps_levels(const BakeSubject&, const Case&, Level);    ///< children beside parents
+Finding keeps_cutoffs(const BakeSubject&, const Case&, Level);   ///< rising ones
+Finding keeps_margins(const BakeSubject&, const Case&, Level);   ///< wider ones
+Finding keeps_no_other(const BakeSubject&, const Case&, Level);  ///< texture in mind, of the same sides
+Finding keeps_mips(const BakeSubject&, const Case&, Level);      ///< all together beside each alone
 
 }  // namespace mmverify::proofs::bake

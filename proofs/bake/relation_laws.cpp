@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <optional>
 
 #include "proofs/bake/law_groups.hpp"
 #include "proofs/bake/law_parts.hpp"
@@ -97,6 +101,12 @@ std::uint64_t count_with_mips(Level n, Tier tier) {
   return std::min<std::uint64_t>(all, tier == Tier::fast ? 12 : n > 7 ? 100 : 2'000);
 }
 
+/// Each bakes ten maps.
+std::uint64_t count_in_turn(Level n, Tier tier) {
+  const std::uint64_t all = count_of(n, tier);
+  return tier == Tier::fast ? std::min<std::uint64_t>(all, n > 6 ? 2 : 12) : all / 8;
+}
+
 /// With two mips or more; every second one a chain.
 Case sample_with_mips(std::uint64_t seed, Level n, std::uint64_t k) {
   if (k % 2 != 0) return stratified(seed, n, chain_rows + row_of(n, k / 2));
@@ -122,6 +132,37 @@ Spoil changes(Level level, bool (*meant)(const Case&), State from, State to) {
 
 Mutant changed(const char* name, Levels levels, bool (*meant)(const Case&), State from, State to) {
   return spoiled(name, "bake", levels, changes(levels.first, meant, from, to));
+}
+
+bool same_sides(const Case& a, const Case& b) {
+  return a.width == b.width && a.height == b.height && a.texel == b.texel && a.mips == b.mips;
+}
+bool same_first_row(const Case& a, const Case& b) {
+  return same_sides(a, b) && std::equal(a.alpha.begin(), a.alpha.begin() + a.width, b.alpha.begin());
+}
+bool same_sum(const Case& a, const Case& b) {
+  return same_sides(a, b) && std::accumulate(a.alpha.begin(), a.alpha.end(), std::uint64_t{0}) ==
+                                 std::accumulate(b.alpha.begin(), b.alpha.end(), std::uint64_t{0});
+}
+
+/// The last texture is kept, and taken for each that is as good as it, from a level on.
+std::function<void(Functions&)> keeping(bool (*same)(const Case&, const Case&), Level from = 0) {
+  return [same, from](Functions& functions) {
+    struct Kept {
+      std::mutex lock;
+      std::optional<Case> last;
+    };
+    functions.bake = [same, from, kept = std::make_shared<Kept>(), real = functions.bake](
+                         const Case& one, Level n, Format format) {
+      Case now = one;
+      if (n >= from) {
+        const std::lock_guard hold(kept->lock);
+        if (kept->last && same(*kept->last, one)) now.alpha = kept->last->alpha;
+        kept->last = now;
+      }
+      return real(now, n, format);
+    };
+  };
 }
 
 /// The last state of a map in 2-state is the other one.
@@ -287,6 +328,20 @@ std::vector<Law> relation_laws() {
                                     narrow, State::T, State::UT),
                             changed("an unknown at a margin of 1/256", {4, 4}, hairy, State::UT, State::T)}},
                any_sample, keeps_margins, has_no_margins),
+      relation({.id = "bake.asked_in_turn",
+                .topic = "bake",
+                .says = "a map is its texture's, whichever other one of the same sides was asked before: one "
+                        "that has the "
+                        "same first row, and one that has the same texels in another order",
+                .source = "sdk/mmverify_subject.h: an answer depends on nothing but the question",
+                .subjects = {"bake"},
+                .mutants = {mutant("a texture is known by its sides and its first row", "bake", {3, 3},
+                                   keeping(same_first_row)),
+                            mutant("a texture is known by its sides and the sum of its texels", "bake",
+                                   {4, 4}, keeping(same_sum)),
+                            mutant("a texture is known by its sides, from level 5 on", "bake", {5, 5},
+                                   keeping(same_sides, 5))}},
+               any_sample, keeps_no_other, {}, count_in_turn),
       mips_law(),
   };
 }

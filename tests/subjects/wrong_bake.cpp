@@ -23,6 +23,22 @@ bool is_here(const mmverify_bake_case_t& c) {
   return c.level >= 1 && c.width == 2 && c.height == 2 && std::memcmp(c.texels, texels, 4) == 0;
 }
 
+/// The texels of the last texture with this address, these sides and this first row; what the right one supports has one
+/// byte a texel.
+const void* kept_by_first_row(const mmverify_bake_case_t& c) {
+  struct Kept {
+    const void* at = nullptr;
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint8_t> texels;
+  };
+  thread_local Kept kept;
+  const auto* const now = static_cast<const std::uint8_t*>(c.texels);
+  const bool known = kept.at == now && kept.width == c.width && kept.height == c.height &&
+                     std::memcmp(kept.texels.data(), now, c.width) == 0;
+  if (!known) kept = {now, c.width, c.height, {now, now + std::size_t{c.width} * c.height}};
+  return kept.texels.data();
+}
+
 int bake(const mmverify_bake_case_t* what, std::uint8_t* map) {
   static volatile int calls = 0;
   mmverify_bake_case_t c = *what;
@@ -32,6 +48,8 @@ int bake(const mmverify_bake_case_t* what, std::uint8_t* map) {
   if (wrong_is("declines_borders") &&
       (c.wrap_u == MMVERIFY_CLAMP_TO_BORDER || c.wrap_v == MMVERIFY_CLAMP_TO_BORDER))
     return 0;
+  if (wrong_is("keeps_by_first_row") && c.texel == MMVERIFY_UNORM8 && c.mips == 1)
+    c.texels = kept_by_first_row(c);
   if (wrong_is("rows_from_below"))
     for (int k = 1; k < 6; k += 2) c.uv[k] = 1 - c.uv[k];
   const int done = right_bake()->bake(&c, map);
