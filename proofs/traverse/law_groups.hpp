@@ -1,0 +1,15 @@
+// The laws of topic traverse, by what they are about.
+#pragma once
+
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+
+namespace mmverify::proofs::traverse {
+
+/// What becomes of a candidate, in every combination.
+std::vector<Law> decision_laws();
+/// What a lossy substitution of states may do to it.
+std::vector<Law> lossy_laws();
+
+}  // namespace mmverify::proofs::traverse
