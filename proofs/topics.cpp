@@ -66,7 +66,7 @@ const std::vector<Topic> table{
     {"attribute", {"attribute", "paper"}, attribute::laws, all<attribute::built_in_subjects>, {"attribute"},
      [](const LibraryPtr& l, bool first) { return one<attribute::plugin_subject>(l, "attribute", first); },
      Call::attribute_vertex_index, 16, "attribute"},
-    {"traverse", {"traverse"}, traverse::laws, all<traverse::built_in_subjects>, {"traverse"},
+    {"traverse", {"traverse", "paper"}, traverse::laws, all<traverse::built_in_subjects>, {"traverse"},
      [](const LibraryPtr& l, bool first) { return one<traverse::plugin_subject>(l, "traverse", first); },
      Call::traverse_decide, 0},
 };

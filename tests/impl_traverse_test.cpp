@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "impl/traverse/blend.hpp"
 #include "impl/traverse/decision.hpp"
 
 namespace {
@@ -18,6 +19,17 @@ TEST(ImplTraverse, RefusesSpansOfOtherSizes) {
   EXPECT_THROW(decide(two, two, three, out), std::invalid_argument);
   EXPECT_EQ(out, std::vector<Outcome>(2, Outcome::opaque));
   EXPECT_NO_THROW(decide({}, {}, {}, {}));
+  std::vector<std::uint32_t> words(2, 7);
+  EXPECT_THROW(blend(Operation::add, three, two, words), std::invalid_argument);
+  EXPECT_THROW(blend(Operation::add, two, three, words), std::invalid_argument);
+  EXPECT_EQ(words, (std::vector<std::uint32_t>{7, 7}));
+  EXPECT_NO_THROW(blend(Operation::over, {}, {}, {}));
+}
+
+TEST(ImplTraverse, NoHitsLeaveThePayload) {
+  EXPECT_EQ(blended(Operation::over, 0x12345678, {}), 0x12345678u);
+  const Hit wall{1, true, 5};
+  EXPECT_EQ(blended(Operation::over, 0x12345678, {&wall, 1}), 0x12345678u);
 }
 
 // Such as those of culling by facing.

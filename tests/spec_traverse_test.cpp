@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "spec/traverse/blend.hpp"
 #include "spec/traverse/decision.hpp"
 
 namespace {
@@ -129,6 +130,57 @@ TEST(SpecTraverse, ATwoStateMapHasNoUnknownStates) {
     EXPECT_TRUE(exists({Held::four_state, s, false}));
     EXPECT_TRUE(exists({Held::special, s, false}));
   }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Blending
+// ---------------------------------------------------------------------------------------------------------------------
+
+TEST(SpecTraverse, OperationsOnCodes) {
+  EXPECT_EQ(blend(Operation::max, 7, 200, 0), 200u);
+  EXPECT_EQ(blend(Operation::min, 7, 200, 0), 7u);
+  EXPECT_EQ(blend(Operation::add, 100, 155, 0), 255u);
+  EXPECT_EQ(blend(Operation::add, 100, 156, 0), 255u);
+  EXPECT_EQ(blend(Operation::add, 100, 1, 0), 101u);
+  // 255 is 1.  128 * 128 / 255 = 64.25, 2 * 64 / 255 = 0.502, 2 * 63 / 255 = 0.494.
+  EXPECT_EQ(blend(Operation::multiply, 255, 93, 0), 93u);
+  EXPECT_EQ(blend(Operation::multiply, 128, 128, 0), 64u);
+  EXPECT_EQ(blend(Operation::multiply, 2, 64, 0), 1u);
+  EXPECT_EQ(blend(Operation::multiply, 2, 63, 0), 0u);
+  // Opaque hides the payload, transparent leaves it; 200 * (255 - 51) / 255 = 160.
+  EXPECT_EQ(blend(Operation::over, 200, 30, 255), 30u);
+  EXPECT_EQ(blend(Operation::over, 200, 0, 0), 200u);
+  EXPECT_EQ(blend(Operation::over, 200, 30, 51), 190u);
+  EXPECT_EQ(blend(Operation::over, 255, 100, 0), 255u);
+}
+
+TEST(SpecTraverse, OverTakesTheValuesAlphaForEachChannel) {
+  EXPECT_EQ(blend(Operation::over, Colour{200, 100, 0, 255}, Colour{30, 10, 51, 51}),
+            (Colour{190, 90, 51, 255}));
+  EXPECT_EQ(blend(Operation::max, Colour{200, 100, 0, 255}, Colour{30, 110, 51, 51}),
+            (Colour{200, 110, 51, 255}));
+}
+
+// Products of codes and their quotients by 255: never halfway, since 255 is odd.
+TEST(SpecTraverse, TheNearestCode) {
+  for (std::uint32_t x = 0; x <= 255 * 255; ++x) {
+    const std::uint32_t code = nearest(x);
+    ASSERT_LT(2 * (code > x / 255 ? code * 255 - x : x - code * 255), 255u) << x;
+  }
+}
+
+// The paper's figure 6 with an accepted hit in front: max of what lies behind it stays or not.
+TEST(SpecTraverse, AnAcceptedHitDoesNotTakeBackWhatWasMetBefore) {
+  const Hit wall{1, true, {}}, glass{2, false, {2, 2, 2, 2}};
+  constexpr Colour nothing{0, 0, 0, 0}, two{2, 2, 2, 2};
+  EXPECT_EQ(blended_as_met(Operation::max, nothing, std::array{wall, glass}), nothing);
+  EXPECT_EQ(blended_as_met(Operation::max, nothing, std::array{glass, wall}), two);
+  EXPECT_EQ(blended_before_closest(Operation::max, nothing, std::array{wall, glass}), nothing);
+  EXPECT_EQ(blended_before_closest(Operation::max, nothing, std::array{glass, wall}), nothing);
+  const Hit near{0, false, {1, 1, 1, 1}};
+  for (const auto& hits :
+       {std::array{near, wall, glass}, std::array{glass, wall, near}, std::array{wall, glass, near}})
+    EXPECT_EQ(blended_before_closest(Operation::add, nothing, hits), (Colour{1, 1, 1, 1}));
 }
 
 }  // namespace

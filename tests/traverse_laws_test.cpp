@@ -52,6 +52,13 @@ TEST(TraverseLaws, HaveAsManyCasesAsTheirDomainsSay) {
   // and UO to the other.  With it, 3 ways: T and O to their own side.
   EXPECT_EQ(cases("traverse.lossy_is_conservative"), 8u * (2 * 10 + 2 * 13 + 2 * 15 + 3 * 2 * 15));
   EXPECT_EQ(cases("traverse.lossy_shows"), 8u * (2 * 5 + 2 * 2 + 3 * 2));
+  // Pairs of codes; the third code runs within a case.
+  EXPECT_EQ(cases("traverse.blend"), 5u * 65'536);
+  EXPECT_EQ(cases("traverse.blend_order_free"), 3u * 65'536);
+  EXPECT_EQ(cases("traverse.blend_duplicates"), 4u * 65'536);
+  // Kinds of one to four hits; with all orders, and 3 + 3 + 1 ways to report them.
+  EXPECT_EQ(cases("paper.blend_with_accepted_hit"), 3u * (2 + 4 + 8 + 16));
+  EXPECT_EQ(cases("traverse.blend_before_closest"), 7u * (2 * 1 + 4 * 2 + 8 * 6 + 16 * 24));
 }
 
 }  // namespace

@@ -11,5 +11,9 @@ namespace mmverify::proofs::traverse {
 std::vector<Law> decision_laws();
 /// What a lossy substitution of states may do to it.
 std::vector<Law> lossy_laws();
+/// Values of hits blended into a payload: which operations need no order.
+std::vector<Law> blend_laws();
+/// The same where hits are accepted among them.
+std::vector<Law> order_laws();
 
 }  // namespace mmverify::proofs::traverse

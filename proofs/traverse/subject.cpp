@@ -4,7 +4,9 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "impl/traverse/blend.hpp"
 #include "impl/traverse/decision.hpp"
+#include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "proofs/traverse/words.hpp"
 
@@ -18,6 +20,18 @@ Functions specified() {
   Functions f;
   f.decide = slow::decide;
   f.undefined = slow::undefined;
+  f.blend = [](Operation o, std::span<const std::uint32_t> payload, std::span<const std::uint32_t> value,
+               std::span<std::uint32_t> out) {
+    for (std::size_t k = 0; k < out.size(); ++k)
+      out[k] = word_of(slow::blend(o, colour_of(payload[k]), colour_of(value[k])));
+  };
+  f.gather = slow::blended_before_closest;
+  return f;
+}
+
+Functions as_met() {
+  Functions f;
+  f.gather = slow::blended_as_met;
   return f;
 }
 
@@ -35,6 +49,16 @@ Functions singles() {
     return static_cast<Outcome>(fast::decide(w.candidate, w.instance, w.ray));
   };
   f.undefined = reasons;
+  f.blend = [](Operation o, std::span<const std::uint32_t> payload, std::span<const std::uint32_t> value,
+               std::span<std::uint32_t> out) {
+    for (std::size_t k = 0; k < out.size(); ++k)
+      out[k] = fast::blend(static_cast<fast::Operation>(o), payload[k], value[k]);
+  };
+  f.gather = [](Operation o, const slow::Colour& payload, std::span<const Hit> hits) {
+    std::vector<fast::Hit> all;
+    for (const Hit& h : hits) all.push_back({static_cast<float>(h.distance), h.accepted, word_of(h.value)});
+    return colour_of(fast::blended(static_cast<fast::Operation>(o), word_of(payload), all));
+  };
   return f;
 }
 
@@ -66,6 +90,10 @@ class Batch {
 Functions spans() {
   Functions f = singles();
   f.decide = [batch = std::make_shared<const Batch>()](const Combination& c) { return (*batch)(c); };
+  f.blend = [](Operation o, std::span<const std::uint32_t> payload, std::span<const std::uint32_t> value,
+               std::span<std::uint32_t> out) {
+    fast::blend(static_cast<fast::Operation>(o), payload, value, out);
+  };
   return f;
 }
 
@@ -79,7 +107,8 @@ const std::vector<TraverseSubjectPtr>& built_in_subjects() {
   static const std::vector<TraverseSubjectPtr> all{
       subject("traverse-spec", "the specification, step by step", specified()),
       subject("traverse", "impl/traverse: words of flags, many at once", spans()),
-      subject("traverse-single", "impl/traverse: one at a time", singles())};
+      subject("traverse-single", "impl/traverse: one at a time", singles()),
+      subject("traverse-as-met", "blends hits as it meets them, accepted ones behind them or not", as_met())};
   return all;
 }
 
