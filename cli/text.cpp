@@ -129,7 +129,8 @@ void TextReport::line(const std::vector<Result>& results) {
       say(out_, "  level {}: {} of {} cases wrong ({})\n", r.level, grouped(r.mismatches()),
           grouped(r.cases_run()), by_kind(r));
     else
-      say(out_, "  {}: {} of {} statements not proved\n", r.at_once, r.mismatches(), r.cases_run());
+      say(out_, "  {}: {} of {} {}\n", r.at_once, grouped(r.mismatches()), grouped(r.cases_run()),
+          r.proof.empty() ? "cases wrong" : "statements not proved");
     for (const Counterexample& c : r.counterexamples) say(out_, "{}\n", counterexample_line(r, c));
     if (!by_level_) break;
   }

@@ -12,7 +12,7 @@
 namespace mmverify::dock {
 
 /// Whose laws ask.
-enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute };
+enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute, traverse };
 
 /// Of a face of RGBA8.
 constexpr std::size_t bytes_of_face = 4;
@@ -70,7 +70,8 @@ constexpr std::uint32_t formats = formats_side * formats_side;
   ROW(attribute_decimate,  attribute, 2, (a.level, a.format, a.words(0), a.words(1), a.numbers(), a.count))           \
   ROW(attribute_face_mip,  attribute, 1, (a.format, a.blob, a.room / bytes_of_face, a.bytes()))                       \
   ROW(attribute_bake_faces, attribute, 1, (CaseOf<mmverify_attribute_case_t>(a), a.bytes()))                          \
-  ROW(attribute_bake_vertices, attribute, 1, (CaseOf<mmverify_attribute_case_t>(a), a.bytes()))
+  ROW(attribute_bake_vertices, attribute, 1, (CaseOf<mmverify_attribute_case_t>(a), a.bytes()))                       \
+  ROW(traverse_decide,     traverse, 1, (a.format, a.words(0), a.words(1), a.words(2), a.bytes(), a.count))
 // clang-format on
 
 /// Entry points by number: their rows'.

@@ -20,6 +20,8 @@
 #include "impl/micromap/micromap.hpp"
 #include "impl/micromap/reorder.hpp"
 #include "impl/micromap/validate.hpp"
+#include "impl/traverse/blend.hpp"
+#include "impl/traverse/decision.hpp"
 #include "impl/tree/container.hpp"
 #include "impl/tree/stream.hpp"
 #include "impl/tree/tree.hpp"

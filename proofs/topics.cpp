@@ -10,6 +10,8 @@
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/micromap/laws.hpp"
 #include "proofs/micromap/plugin_subject.hpp"
+#include "proofs/traverse/laws.hpp"
+#include "proofs/traverse/plugin_subject.hpp"
 #include "proofs/tree/dialogue.hpp"
 #include "proofs/tree/laws.hpp"
 #include "proofs/tree/plugin_subject.hpp"
@@ -64,6 +66,9 @@ const std::vector<Topic> table{
     {"attribute", {"attribute", "paper"}, attribute::laws, all<attribute::built_in_subjects>, {"attribute"},
      [](const LibraryPtr& l, bool first) { return one<attribute::plugin_subject>(l, "attribute", first); },
      Call::attribute_vertex_index, 16, "attribute"},
+    {"traverse", {"traverse", "paper"}, traverse::laws, all<traverse::built_in_subjects>, {"traverse"},
+     [](const LibraryPtr& l, bool first) { return one<traverse::plugin_subject>(l, "traverse", first); },
+     Call::traverse_decide, 0},
 };
 // clang-format on
 

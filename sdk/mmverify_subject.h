@@ -63,6 +63,20 @@ extern "C" {
 #define MMVERIFY_EDGE_U_V 2u /* w = 0 */
 #define MMVERIFY_EDGE_V_W 4u /* u = 0 */
 
+/* Who traces, and what becomes of a candidate; see traverse_decide. */
+#define MMVERIFY_EXT_PIPELINE 0u /* VK_EXT_opacity_micromap, a ray tracing pipeline */
+#define MMVERIFY_EXT_QUERY 1u
+#define MMVERIFY_KHR_PIPELINE 2u /* VK_KHR_opacity_micromap */
+#define MMVERIFY_KHR_QUERY 3u
+#define MMVERIFY_DXR_PIPELINE 4u /* TraceRay */
+#define MMVERIFY_DXR_QUERY 5u    /* RayQuery */
+#define MMVERIFY_IGNORED 0u      /* dropped without a shader */
+#define MMVERIFY_OPAQUE 1u       /* confirmed without a shader */
+#define MMVERIFY_NON_OPAQUE 2u   /* a shader decides */
+#define MMVERIFY_CANDIDATE_STATE 3u
+#define MMVERIFY_CANDIDATE_HAS_MICROMAP 4u
+#define MMVERIFY_CANDIDATE_GEOMETRY_OPAQUE 8u
+
 /* What codes of attributes mean, and so what is averaged; see attribute_bake_vertices. */
 #define MMVERIFY_LINEAR 0u
 #define MMVERIFY_SRGB 1u
@@ -354,6 +368,18 @@ typedef struct mmverify_subject {
 
   /* What these two support; null: all, and what they do not they decline, case by case. */
   const mmverify_attribute_support_t* attribute_support;
+
+  /* What traversal does with a candidate hit on a triangle before any shader runs: a byte each, MMVERIFY_IGNORED, ...
+   *   - candidate[k]: the state that was read, T 0, O 1, UT 2, UO 3, after any lossy substitution, with
+   *     MMVERIFY_CANDIDATE_HAS_MICROMAP where a micromap or a special index gave it (else 0), and
+   *     MMVERIFY_CANDIDATE_GEOMETRY_OPAQUE where the geometry was built so.
+   *   - instance_flags[k] has Vulkan's and DXR's numbers: FORCE_OPAQUE 4, FORCE_NO_OPAQUE 8, force-2-state 16, micromaps
+   *     disabled 32.  ray_flags[k] has SPIR-V's and DXR's: Opaque 1, NoOpaque 2, CullOpaque 64, CullNoOpaque 128,
+   *     force-2-state 1024.
+   *   - `api` is MMVERIFY_EXT_PIPELINE, ...; the pipeline, the shader or the RayQuery is set up for micromaps wherever there
+   *     is one.  Combinations that no API defines are asked of nobody: docs/TRAVERSE.md names them. */
+  void (*traverse_decide)(uint32_t api, const uint32_t* candidate, const uint32_t* instance_flags,
+                          const uint32_t* ray_flags, uint8_t* outcome, size_t count);
 
   /* Arrays will have their entry points after these. */
 } mmverify_subject_t;

@@ -7,14 +7,19 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/micromap.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/kinds.hpp"
 #include "proofs/registry.hpp"
+#include "proofs/traverse/combinations.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace {
@@ -90,6 +95,90 @@ std::string modes() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// What becomes of a candidate hit
+// ---------------------------------------------------------------------------------------------------------------------
+
+namespace flow = mmverify::spec::traverse;
+
+/// The outcomes of all combinations that share a row and a column, which should be one.
+using Cell = std::set<flow::Outcome>;
+
+/// What a decision reads before any flag that overrides it.
+std::string read_in(const flow::Combination& c) {
+  if (!flow::consulted(c))
+    return c.candidate.geometry_opaque ? "no micromap, opaque geometry" : "no micromap, other geometry";
+  const bool two = flow::two_state_override(c) && mmverify::spec::micromap::unknown(c.candidate.state);
+  return fmt::format("{}{}", mmverify::spec::micromap::name_of(c.candidate.state),
+                     two ? ", force-2-state" : "");
+}
+
+std::string forced_by(const flow::Instance& i) {
+  return i.force_opaque ? "FORCE_OPAQUE" : i.force_no_opaque ? "FORCE_NO_OPAQUE" : "-";
+}
+
+std::string ray_of(const flow::Ray& r) {
+  flow::Ray one = r;
+  one.force_two_state = false;
+  return traverse::flags_of(one);
+}
+
+/// Of all combinations that an API defines; throws where those of one cell differ.
+std::string decisions() {
+  std::map<std::pair<std::string, std::string>, std::map<std::string, Cell>> rows;
+  std::map<std::string, std::uint64_t> counts;
+  for (const flow::Combination& c : traverse::defined()) {
+    const auto key = std::pair(read_in(c), forced_by(c.instance));
+    rows[key][ray_of(c.ray)].insert(flow::decide(c));
+    ++counts[key.first + key.second];
+  }
+  std::string text =
+      "| what is read | instance | no ray flag | Opaque | NoOpaque | CullOpaque | CullNoOpaque | "
+      "combinations |\n"
+      "|---|---|---|---|---|---|---|---|\n";
+  for (const char* read : {"no micromap, other geometry", "no micromap, opaque geometry", "T", "O", "UT",
+                           "UO", "UT, force-2-state", "UO, force-2-state"})
+    for (const char* forced : {"-", "FORCE_OPAQUE", "FORCE_NO_OPAQUE"}) {
+      text += fmt::format("| {} | {} |", read, forced);
+      for (const char* ray : {"none", "opaque", "no-opaque", "cull-opaque", "cull-no-opaque"}) {
+        const Cell& outcomes = rows.at({read, forced}).at(ray);
+        if (outcomes.size() != 1)
+          throw std::logic_error(fmt::format("{}, {}, {}: not one outcome", read, forced, ray));
+        text += fmt::format(" {} |", flow::name_of(*outcomes.begin()));
+      }
+      text += fmt::format(" {} |\n", counts.at(std::string(read) + forced));
+    }
+  return text;
+}
+
+/// How many combinations of each way to trace are defined, and how many have each reason not to be.
+std::string undefined_ones() {
+  struct Row {
+    std::uint64_t all = 0, defined = 0, ray_flags = 0, instance_flags = 0, not_enabled = 0;
+  };
+  std::map<std::pair<flow::Api, bool>, Row> rows;
+  for (std::uint64_t k = 0; k < traverse::all_combinations; ++k) {
+    const flow::Combination c = traverse::combination(k);
+    const flow::Undefined u = flow::undefined(c);
+    Row& row = rows[{c.api, !c.enabled}];
+    ++row.all;
+    row.defined += !u.any();
+    row.ray_flags += u.ray_flags;
+    row.instance_flags += u.instance_flags;
+    row.not_enabled += u.not_enabled;
+  }
+  std::string text =
+      "| API | set up for micromaps | combinations | defined | ray flags | instance flags | not enabled |\n"
+      "|---|---|---|---|---|---|---|\n";
+  for (const auto& [way, r] : rows)
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", traverse::name_of(way.first),
+                        way.second                    ? "no"
+                        : flow::has_switch(way.first) ? "yes"
+                                                      : "always",
+                        r.all, r.defined, r.ray_flags, r.instance_flags, r.not_enabled);
+  return text;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // Into the documents
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -98,7 +187,9 @@ struct Table {
   std::string (*make)();
 };
 constexpr Table tables[] = {{"readings", MMVERIFY_DOCS "/ERRATA.md", readings},
-                            {"modes", MMVERIFY_DOCS "/MICROMAP.md", modes}};
+                            {"modes", MMVERIFY_DOCS "/MICROMAP.md", modes},
+                            {"decisions", MMVERIFY_DOCS "/TRAVERSE.md", decisions},
+                            {"undefined", MMVERIFY_DOCS "/TRAVERSE.md", undefined_ones}};
 
 std::string read(const char* path) {
   std::ifstream in(path);

@@ -71,14 +71,20 @@ std::vector<Fault> faults_of_attribute() {
 #include "tests/foreign/attribute_faults.def"
   };
 }
+std::vector<Fault> faults_of_traverse() {
+  static constexpr char topic[] = "traverse";
+  return {
+#include "tests/foreign/traverse_faults.def"
+  };
+}
 #undef MMVERIFY_FAULT
 
-const std::vector<std::string> topics{"index", "micromap", "tree", "vq", "bake", "attribute"};
+const std::vector<std::string> topics{"index", "micromap", "tree", "vq", "bake", "attribute", "traverse"};
 
 std::vector<Fault> all_faults() {
   std::vector<Fault> all;
   for (const auto& of : {faults_of_index(), faults_of_micromap(), faults_of_tree(), faults_of_vq(),
-                         faults_of_bake(), faults_of_attribute()})
+                         faults_of_bake(), faults_of_attribute(), faults_of_traverse()})
     all.insert(all.end(), of.begin(), of.end());
   return all;
 }

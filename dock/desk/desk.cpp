@@ -160,12 +160,15 @@ void Desk::compare(const std::byte* before, const std::byte* again, std::size_t 
   const std::size_t number = wide > sizeof(std::uint32_t) ? static_cast<std::size_t>(differs - was) /
                                                                 sizeof(std::uint32_t) * sizeof(std::uint32_t)
                                                           : 0;
-  const auto word = asked().signature.answers_floats ? number_at<float> : number_at<std::uint32_t>;
+  const Signature& signature = asked().signature;
+  const auto byte = [&](const std::byte* at) { return text(std::to_integer<unsigned>(*at)); };
+  const auto word = [&](const std::byte* at) {
+    if (signature.value_bytes == 1) return byte(at);
+    return signature.answers_floats ? number_at<float>(at) : number_at<std::uint32_t>(at);
+  };
   stop(Outcome::non_deterministic, first + t,
-       how + (asked().signature.of_blob
-                  ? ": byte " + text(t) + " was " + text(std::to_integer<unsigned>(*was)) + ", then " +
-                        text(std::to_integer<unsigned>(*is))
-                  : ": " + word(was + number) + " before, " + word(is + number) + " then"));
+       how + (signature.of_blob ? ": byte " + text(t) + " was " + byte(was) + ", then " + byte(is)
+                                : ": " + word(was + number) + " before, " + word(is + number) + " then"));
 }
 
 }  // namespace mmverify::dock

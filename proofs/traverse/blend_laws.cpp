@@ -1,0 +1,322 @@
+// Operations on payloads, code by code.  If any two hits may change places on any payload, hits of any number may be met in
+// any order: each order comes of each other one by exchanging neighbours.
+#include <array>
+
+#include "proofs/engine/shape.hpp"
+#include "proofs/spoils.hpp"
+#include "proofs/traverse/law_groups.hpp"
+#include "proofs/traverse/law_parts.hpp"
+
+namespace mmverify::proofs::traverse {
+namespace {
+
+constexpr char cam_functions[] = "Color and Attribute Micromaps, 4.3, figure 6";
+
+using spec::traverse::Code;
+
+/// An operation and two codes; a third one runs through all 256.
+struct Codes {
+  Operation operation;
+  Code first, second;
+};
+
+constexpr std::size_t all_codes = 256;
+using Column = std::array<std::uint32_t, all_codes>;
+
+/// A code in each of the four channels, so that every channel meets every combination, and no two the same at once.
+constexpr std::uint32_t in_all(Code code) {
+  return code | ((code + 85) & 255) << 8 | ((code + 170) & 255) << 16 | (255 - code) << 24;
+}
+/// The same code in all four.
+constexpr std::uint32_t alike(Code code) { return code * 0x01010101u; }
+
+Column blended(const TraverseSubject& s, Operation o, const Column& payload, const Column& value) {
+  Column out{};
+  s.functions.blend(o, payload, value, out);
+  return out;
+}
+
+template <class Word>
+Column column(Word word) {
+  Column all{};
+  for (Code k = 0; k < all_codes; ++k) all[k] = word(k);
+  return all;
+}
+
+std::string codes_of(std::uint32_t word) {
+  return fmt::format("{} {} {} {}", word & 255, word >> 8 & 255, word >> 16 & 255, word >> 24);
+}
+
+std::uint64_t digest_of(const Column& column) {
+  std::uint64_t sum = 0;
+  for (std::size_t k = 0; k < column.size(); ++k) sum += Tally::digest_of(k, column[k]);
+  return sum;
+}
+
+/// Operations first to last, with all pairs of codes.
+Cases<Codes> on_codes(Operation first, Operation last,
+                      std::function<Finding(const TraverseSubject&, const Codes&)> check) {
+  const auto from = static_cast<std::uint64_t>(first), to = static_cast<std::uint64_t>(last) + 1;
+  Cases<Codes> cases;
+  cases.count = [from, to] { return (to - from) << 16; };
+  cases.number = [from](std::uint64_t k) {
+    return Codes{static_cast<Operation>(from + (k >> 16)), static_cast<Code>(k >> 8 & 255),
+                 static_cast<Code>(k & 255)};
+  };
+  cases.text = [](const Codes& c) {
+    return fmt::format("{},{},{}", name_of(c.operation), c.first, c.second);
+  };
+  cases.read = [from, to](const std::string& at) {
+    const Groups g = groups_of(at, "(max|min|add|multiply|over),(\\d{1,3}),(\\d{1,3})");
+    if (!g) throw BadCase(fmt::format("'{:.60}': write max,7,200", at));
+    unsigned o = 0;
+    while ((*g)[1] != name_of(static_cast<Operation>(o))) ++o;
+    const Codes c{static_cast<Operation>(o), static_cast<Code>(std::stoul((*g)[2])),
+                  static_cast<Code>(std::stoul((*g)[3]))};
+    if (o < from || o >= to) throw BadCase(fmt::format("'{:.60}': the law is about other operations", at));
+    if (c.first > 255 || c.second > 255) throw BadCase(fmt::format("'{:.60}': codes go up to 255", at));
+    return c;
+  };
+  cases.check = std::move(check);
+  cases.chunk = 256;
+  return cases;
+}
+
+/// A mutant's change: `wrong` may alter a word that was blended.
+std::function<void(Functions&)> blending(void (*wrong)(Operation, std::uint32_t payload, std::uint32_t value,
+                                                       std::uint32_t& out)) {
+  return spoils(&Functions::blend,
+                [wrong](Operation o, std::span<const std::uint32_t> payload,
+                        std::span<const std::uint32_t> value, std::span<std::uint32_t> out) {
+                  for (std::size_t k = 0; k < out.size(); ++k) wrong(o, payload[k], value[k], out[k]);
+                });
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The operations
+// ---------------------------------------------------------------------------------------------------------------------
+
+Law blend_law() {
+  return on_cases(
+      {.id = "traverse.blend",
+       .topic = "traverse",
+       .says = "a payload's codes after a hit are the maximum, the minimum, the sum up to 255, the product, "
+               "or the value over "
+               "the payload, to the nearest code",
+       .source = cam_functions,
+       .subjects = {"traverse", "traverse-single"},
+       .fast_seconds = 1,
+       .domain = named_domain("5 operations, all payloads and alphas, all values: 5 * 2^24"),
+       .mutants = {mutant("add wraps in blue", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            const std::uint32_t sum = (p >> 16 & 255) + (v >> 16 & 255);
+                            if (o == Operation::add) out = (out & ~0xFF0000u) | (sum & 255) << 16;
+                          })),
+                   mutant("multiply truncates 254 by 254", "traverse-single",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::multiply && (p & 255) == 254 && (v & 255) == 254)
+                              out = (out & ~255u) | 252;
+                          })),
+                   mutant("over multiplies alpha into a red of 9 again", "traverse",
+                          blending([](Operation o, std::uint32_t, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::over && (v & 255) == 9 && v >> 24 < 128) --out;
+                          }))}},
+      {entry::blend}, on_codes(Operation::max, Operation::over, [](const TraverseSubject& s, const Codes& c) {
+        // The payload's code, and the value's alpha.
+        const std::uint32_t payload = in_all(c.first);
+        const Column value = column([&](Code v) { return (in_all(v) & 0xFFFFFF) | c.second << 24; });
+        const Column got = blended(s, c.operation, column([&](Code) { return payload; }), value);
+        for (std::size_t k = 0; k < all_codes; ++k)
+          for (unsigned shift = 0; shift < 32; shift += 8) {
+            const Code right =
+                spec::traverse::blend(c.operation, payload >> shift & 255, value[k] >> shift & 255, c.second);
+            if ((got[k] >> shift & 255) != right)
+              return wrong(fmt::format("{} in channel {} of {} and {}", right, shift / 8, codes_of(payload),
+                                       codes_of(value[k])),
+                           fmt::format("{}", got[k] >> shift & 255));
+          }
+        return Finding{digest_of(got)};
+      }));
+}
+
+/// Both orders of two values on a payload.
+struct Orders {
+  Column one, other;
+};
+Orders in_both_orders(const TraverseSubject& s, const Codes& c, std::uint32_t (*word)(Code)) {
+  const Column payload = column([&](Code) { return word(c.first); }),
+               a = column([&](Code) { return word(c.second); }), b = column(word);
+  return {blended(s, c.operation, blended(s, c.operation, payload, a), b),
+          blended(s, c.operation, blended(s, c.operation, payload, b), a)};
+}
+
+Law order_free() {
+  return on_cases(
+      {.id = "traverse.blend_order_free",
+       .topic = "traverse",
+       .says = "max, min and add up to 255 give one payload in any order of hits: on every payload any two "
+               "values may change "
+               "places, and so any number",
+       .source = cam_functions,
+       .subjects = {"traverse"},
+       .fast_seconds = 1.5,
+       .domain = named_domain("3 operations, all payloads and pairs of values: 3 * 2^24"),
+       .mutants = {mutant("add of 255 begins anew", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::add && (p & 255) == 255) out = (out & ~255u) | (v & 255);
+                          })),
+                   mutant("max keeps a payload of 17 from a value of 18", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::max && (p & 255) == 17 && (v & 255) == 18) --out;
+                          })),
+                   mutant("min takes signs in alpha", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::min && p >> 24 == 128 && v >> 24 == 127) out |= 0xFF000000;
+                          }))}},
+      {entry::blend}, on_codes(Operation::max, Operation::add, [](const TraverseSubject& s, const Codes& c) {
+        const Orders orders = in_both_orders(s, c, in_all);
+        for (std::size_t b = 0; b < all_codes; ++b)
+          if (orders.one[b] != orders.other[b])
+            return wrong(fmt::format("{} on payload {} with {}, then {}", codes_of(orders.one[b]),
+                                     codes_of(in_all(c.first)), codes_of(in_all(c.second)),
+                                     codes_of(in_all(static_cast<Code>(b)))),
+                         fmt::format("{} the other way around", codes_of(orders.other[b])));
+        return Finding{digest_of(orders.one)};
+      }));
+}
+
+Law duplicates() {
+  return on_cases(
+      {.id = "traverse.blend_duplicates",
+       .topic = "traverse",
+       .says = "a hit that is reported twice counts once for max and min; for add only where the value is 0 "
+               "or the sum reaches "
+               "255, and for multiply only where the product m has 2 m (255 - v) < 255",
+       .source = "Color and Attribute Micromaps, 4.3; VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR",
+       .subjects = {"traverse-spec", "traverse"},
+       .fast_seconds = 0.3,
+       .domain = named_domain("4 operations, all payloads and values: 4 * 2^16, in four channels"),
+       .mutants = {mutant("max adds one to equal codes of 77", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::max && (p & 255) == 77 && (v & 255) == 77) ++out;
+                          })),
+                   mutant("add stops at 254", "traverse-spec",
+                          blending([](Operation o, std::uint32_t, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::add && (out & 255) == 255 && (v & 255) == 1) --out;
+                          })),
+                   mutant("multiply by 254 leaves green at 128", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::multiply && (p >> 8 & 255) == 128 && (v >> 8 & 255) == 254)
+                              out = (out & ~0xFF00u) | 128 << 8;
+                          }))}},
+      {entry::blend},
+      on_codes(Operation::max, Operation::multiply, [](const TraverseSubject& s, const Codes& c) {
+        const std::array<std::uint32_t, 1> payload{in_all(c.first)}, value{in_all(c.second)};
+        std::array<std::uint32_t, 1> once{}, twice{};
+        s.functions.blend(c.operation, payload, value, once);
+        s.functions.blend(c.operation, once, value, twice);
+        for (unsigned shift = 0; shift < 32; shift += 8) {
+          const Code p = payload[0] >> shift & 255, v = value[0] >> shift & 255, m = once[0] >> shift & 255,
+                     n = twice[0] >> shift & 255;
+          const bool counts_once = c.operation == Operation::add        ? v == 0 || p + v >= 255
+                                   : c.operation == Operation::multiply ? 2 * m * (255 - v) < 255
+                                                                        : true;
+          if ((m == n) != counts_once)
+            return wrong(fmt::format("{}{} on payload {} with {} twice", counts_once ? "" : "not ", m, p, v),
+                         fmt::format("{}", n));
+        }
+        return Finding{once[0] + (std::uint64_t{twice[0]} << 32) + 1};
+      }));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What does depend on the order
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// By payload, value and value.
+constexpr std::array<Code, 3> smallest{2, 64, 128};
+
+Law multiply_depends() {
+  return on_cases(
+      {.id = "paper.blend_multiply_depends_on_order",
+       .topic = "traverse",
+       .says = "multiply, rounded to codes, is not independent of the order of hits, as exact multiplication "
+               "is: payload 2 "
+               "with 64 and 128 is the smallest case, 1 or 0; two hits that change places change a code by 1 "
+               "at most",
+       .source = cam_functions,
+       .subjects = {"traverse"},
+       .fast_seconds = 0.5,
+       .domain = named_domain("all payloads and pairs of values: 2^24"),
+       .mutants = {mutant("2 by 64 is 0", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::multiply && (p & 255) == 2 && (v & 255) == 64) out &= ~255u;
+                          })),
+                   mutant("1 by 128 is 0", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::multiply && (p & 255) == 1 && (v & 255) == 128) out &= ~255u;
+                          })),
+                   mutant("products of 200 and more lose 2", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::multiply && (out & 255) >= 200 && (p & 255) < 255 && v != p)
+                              out -= 2;
+                          }))},
+       .general = false},
+      {entry::blend},
+      on_codes(Operation::multiply, Operation::multiply, [](const TraverseSubject& s, const Codes& c) {
+        const Orders orders = in_both_orders(s, c, alike);
+        for (Code b = 0; b < all_codes; ++b) {
+          const std::array<Code, 3> here{c.first, c.second, b};
+          const int change = static_cast<int>(orders.one[b] & 255) - static_cast<int>(orders.other[b] & 255);
+          const int least = here == smallest ? 1 : 0, most = here < smallest ? 0 : 1;
+          if (std::abs(change) < least || std::abs(change) > most)
+            return wrong(fmt::format("a difference of {} to {} on payload {} with {} and {}", least, most,
+                                     c.first, c.second, b),
+                         fmt::format("{} and {}", orders.one[b] & 255, orders.other[b] & 255));
+        }
+        return Finding{digest_of(orders.one)};
+      }));
+}
+
+Law over_depends() {
+  return on_cases(
+      {.id = "paper.blend_over_depends_on_order",
+       .topic = "traverse",
+       .says = "over keeps of opaque hits the one that is met last alone, so any two different ones depend "
+               "on their order: 0 "
+               "and 1 on payload 0 are the smallest case",
+       .source = cam_functions,
+       .subjects = {"traverse"},
+       .fast_seconds = 0.5,
+       .domain = named_domain("all payloads and pairs of opaque values: 2^24"),
+       .mutants = {mutant("payloads of 255 shine through", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::over && (p & 255) == 255 && (v & 255) < 255) ++out;
+                          })),
+                   mutant("the darker one stays", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
+                            if (o == Operation::over) out = (out & ~255u) | std::min(p & 255, v & 255);
+                          })),
+                   mutant("under, not over", "traverse",
+                          blending([](Operation o, std::uint32_t p, std::uint32_t, std::uint32_t& out) {
+                            if (o == Operation::over) out = p;
+                          }))},
+       .general = false},
+      {entry::blend},
+      on_codes(Operation::over, Operation::over, [](const TraverseSubject& s, const Codes& c) {
+        const Orders orders = in_both_orders(s, c, [](Code code) { return code * 0x010101u | 0xFF000000; });
+        for (Code b = 0; b < all_codes; ++b)
+          if ((orders.one[b] & 255) != b || (orders.other[b] & 255) != c.second)
+            return wrong(fmt::format("{} and {} on payload {}", b, c.second, c.first),
+                         fmt::format("{} and {}", orders.one[b] & 255, orders.other[b] & 255));
+        return Finding{digest_of(orders.one)};
+      }));
+}
+
+}  // namespace
+
+std::vector<Law> blend_laws() {
+  return {blend_law(), order_free(), duplicates(), multiply_depends(), over_depends()};
+}
+
+}  // namespace mmverify::proofs::traverse

@@ -1,0 +1,65 @@
+#include "proofs/traverse/law_parts.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "proofs/spoils.hpp"
+
+namespace mmverify::proofs::traverse {
+
+const TraverseSubject& of_traverse(const Subject& s) { return dynamic_cast<const TraverseSubject&>(s); }
+
+std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries) {
+  return [entries = std::move(entries)](const Subject& subject, Level) -> std::optional<std::string> {
+    const auto* s = dynamic_cast<const TraverseSubject*>(&subject);
+    if (s == nullptr) return "not a subject of topic traverse";
+    for (const Entry& e : entries)
+      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
+    return std::nullopt;
+  };
+}
+
+std::function<std::string(const Subject&, Level)> named_domain(const char* text) {
+  return [text](const Subject&, Level) { return std::string(text); };
+}
+
+std::function<void(Functions&)> deciding(Outcome (*wrong)(const Combination&, Outcome)) {
+  return spoils(&Functions::decide, [wrong](const Combination& c, Outcome& o) { o = wrong(c, o); });
+}
+
+std::function<void(Functions&)> mistaking(void (*change)(Combination&)) {
+  return [change](Functions& f) {
+    f.decide = [change, real = f.decide](Combination c) {
+      change(c);
+      return real(c);
+    };
+  };
+}
+
+std::string text_of(Outcome o) {
+  return o <= Outcome::non_opaque ? name_of(o) : fmt::format("outcome {}", static_cast<unsigned>(o));
+}
+
+Finding same(Outcome expected, Outcome got) {
+  if (got == expected) return {static_cast<std::uint64_t>(got) + 1};
+  return wrong(text_of(expected), text_of(got));
+}
+
+Law on_defined(Law law, bool (*about)(const Combination&), Check check) {
+  const auto some = std::make_shared<std::vector<Combination>>();
+  std::copy_if(defined().begin(), defined().end(), std::back_inserter(*some), about);
+  Cases<Combination> cases;
+  cases.count = [some] { return std::uint64_t{some->size()}; };
+  cases.number = [some](std::uint64_t k) { return (*some)[k]; };
+  cases.text = [](const Combination& c) { return text_of(c); };
+  cases.read = [about, id = law.id](const std::string& at) {
+    const Combination c = combination_of(at);
+    if (undefined(c).any()) throw BadCase(fmt::format("'{:.100}': no API defines the outcome", at));
+    if (!about(c)) throw BadCase(fmt::format("'{:.100}': {} is about others", at, id));
+    return c;
+  };
+  cases.check = std::move(check);
+  return on_cases(std::move(law), {entry::decide}, std::move(cases));
+}
+
+}  // namespace mmverify::proofs::traverse

@@ -1,0 +1,78 @@
+// What the laws of topic traverse are put together from: a check of one case, and the cases that it is run on.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proofs/engine/cases.hpp"
+#include "proofs/kinds.hpp"
+#include "proofs/traverse/combinations.hpp"
+#include "proofs/traverse/subject.hpp"
+
+namespace mmverify::proofs::traverse {
+
+inline constexpr char vulkan_culling[] = "Vulkan, Ray Opacity Culling and Ray Opacity Micromap";
+
+/// Domain: a subject of this topic.
+const TraverseSubject& of_traverse(const Subject& s);
+
+/// Why the law does not apply, if so: another topic, or an entry point that is missing.
+std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries);
+
+/// Cases by number: how many, which, the text of one, the case of a text (or BadCase), and how one is judged.
+template <class Case>
+struct Cases {
+  std::function<std::uint64_t()> count;
+  std::function<Case(std::uint64_t k)> number;
+  std::function<std::string(const Case&)> text;
+  std::function<Case(const std::string&)> read;
+  std::function<Finding(const TraverseSubject&, const Case&)> check;
+  std::uint64_t chunk = 1024;
+};
+
+/// The law, case by case, at all levels at once.
+template <class Case>
+Law on_cases(Law law, std::vector<Entry> entries, Cases<Case> cases) {
+  law.topic = "traverse";
+  law.method = Method::exhaustive;
+  law.at_once = "all levels";
+  law.unfit = needing(std::move(entries));
+  return on_numbered_cases(std::move(law), {[cases](Level, const Run&) { return cases.count(); },
+                                            [cases](const Subject& s, Level, std::uint64_t k, const Run&) {
+                                              return cases.check(of_traverse(s), cases.number(k));
+                                            },
+                                            [cases](const Subject&, Level, std::uint64_t k, const Run&) {
+                                              return cases.text(cases.number(k));
+                                            },
+                                            [cases](const Subject& s, Level, const std::string& at) {
+                                              return cases.check(of_traverse(s), cases.read(at));
+                                            },
+                                            cases.chunk, Kind::interior});
+}
+
+using Check = std::function<Finding(const TraverseSubject&, const Combination&)>;
+
+/// The law on those of the defined combinations that it is about; a text of another one is a BadCase.
+Law on_defined(Law law, bool (*about)(const Combination&), Check check);
+
+/// A law's domain, where it is the same for all.
+std::function<std::string(const Subject&, Level)> named_domain(const char* text);
+
+/// A mutant's change: `wrong` makes its outcome of the combination and the right one.
+std::function<void(Functions&)> deciding(Outcome (*wrong)(const Combination&, Outcome));
+/// A mutant's change: it takes one combination for another.
+std::function<void(Functions&)> mistaking(void (*change)(Combination&));
+
+/// `opaque`; of a code that is no outcome its number.
+std::string text_of(Outcome o);
+
+/// Holds where the outcome is the one expected.
+Finding same(Outcome expected, Outcome got);
+
+}  // namespace mmverify::proofs::traverse

@@ -1,0 +1,81 @@
+// An implementation of topic traverse in the dock: what it decides of a candidate, a function each.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+#include "spec/traverse/blend.hpp"
+#include "spec/traverse/decision.hpp"
+
+namespace mmverify::proofs::traverse {
+
+using spec::micromap::State;
+using spec::traverse::Api;
+using spec::traverse::Combination;
+using spec::traverse::Held;
+using spec::traverse::Hit;
+using spec::traverse::Operation;
+using spec::traverse::Outcome;
+using spec::traverse::Undefined;
+
+/// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads at
+/// once.
+struct Functions {
+  /// Domain: a combination whose outcome is defined.
+  std::function<Outcome(const Combination&)> decide = {};
+  /// Domain: a candidate that exists.
+  std::function<Undefined(const Combination&)> undefined = {};
+  /// Payloads and values to payloads, four codes to a word, R in the lowest byte.  Domain: spans of one size.
+  std::function<void(Operation, std::span<const std::uint32_t> payload, std::span<const std::uint32_t> value,
+                     std::span<std::uint32_t> out)>
+      blend = {};
+  /// The payload that a ray ends with, of hits in the order in which they are met.
+  std::function<spec::traverse::Colour(Operation, const spec::traverse::Colour& payload,
+                                       std::span<const Hit>)>
+      gather = {};
+};
+
+/// An entry point that must be there, as messages call it.
+struct Entry {
+  const char* name;
+  bool (*there)(const Functions&);
+};
+namespace entry {
+inline constexpr Entry decide{"decide", [](const Functions& f) { return bool{f.decide}; }};
+inline constexpr Entry undefined{"undefined", [](const Functions& f) { return bool{f.undefined}; }};
+inline constexpr Entry blend{"blend", [](const Functions& f) { return bool{f.blend}; }};
+inline constexpr Entry gather{"gather", [](const Functions& f) { return bool{f.gather}; }};
+}  // namespace entry
+
+class TraverseSubject final : public Subject {
+ public:
+  TraverseSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
+      : Subject("traverse", std::move(name), std::move(about)),
+        functions(std::move(functions)),
+        fingerprint_(std::move(fingerprint)) {}
+  /// Combinations have nothing between theirs.
+  bool exact() const override { return true; }
+  std::string fingerprint() const override { return fingerprint_; }
+
+  const Functions functions;
+
+ private:
+  std::string fingerprint_;
+};
+using TraverseSubjectPtr = std::shared_ptr<const TraverseSubject>;
+
+/// traverse-spec, the specification; traverse, the library's spans; traverse-single, its single values; traverse-as-met,
+/// which blends hits as it meets them.
+const std::vector<TraverseSubjectPtr>& built_in_subjects();
+
+/// The built-in subject of that name.  Domain: there is one.
+TraverseSubjectPtr built_in(const std::string& name);
+
+/// A subject with one thing broken on purpose.
+Mutant mutant(const char* name, const std::string& base, const std::function<void(Functions&)>& change);
+
+}  // namespace mmverify::proofs::traverse

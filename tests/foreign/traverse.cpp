@@ -1,0 +1,137 @@
+// The decision of a traversal, written from the header and docs/TRAVERSE.md alone: each step is a list of who has a say, and
+// the last who has one is heard.  Each fault of the table is one slip inside this code.
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "sdk/mmverify_subject.h"
+#include "tests/foreign/fault.hpp"
+
+namespace {
+
+using mmverify::tests::foreign::chosen_fault;
+
+enum Fault {
+#define MMVERIFY_FAULT(name, wrong, laws) name,
+#include "tests/foreign/traverse_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+constexpr const char* fault_names[] = {
+#define MMVERIFY_FAULT(name, wrong, laws) #name,
+#include "tests/foreign/traverse_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+const std::optional<int> fault = chosen_fault(fault_names);
+bool has(Fault f) { return fault == f; }
+
+/// The words of one candidate, taken apart.
+struct Seen {
+  unsigned api, state;
+  bool micromap, geometry_opaque;
+  bool instance_opaque, instance_no_opaque, instance_two, disabled;
+  bool ray_opaque, ray_no_opaque, cull_opaque, cull_no_opaque, ray_two;
+};
+
+Seen seen(std::uint32_t api, std::uint32_t candidate, std::uint32_t instance, std::uint32_t ray) {
+  Seen s{};
+  s.api = api;
+  s.state = candidate % 4;
+  s.micromap = candidate / 4 % 2 != 0;
+  s.geometry_opaque = candidate / 8 % 2 != 0;
+  s.instance_opaque = instance / 4 % 2 != 0;
+  s.instance_no_opaque = instance / 8 % 2 != 0;
+  s.instance_two = instance / 16 % 2 != 0;
+  s.disabled = instance / 32 % 2 != 0;
+  s.ray_opaque = ray % 2 != 0;
+  s.ray_no_opaque = ray / 2 % 2 != 0;
+  s.cull_opaque = ray / 64 % 2 != 0;
+  s.cull_no_opaque = ray / 128 % 2 != 0;
+  s.ray_two = ray / (has(two_state_is_one_bit_late) ? 2048 : 1024) % 2 != 0;
+  if (has(two_state_of_the_instance_alone)) s.ray_two = false;
+  if (has(two_state_wants_both)) s.instance_two = s.ray_two = s.instance_two && s.ray_two;
+  if (has(culls_are_exchanged)) {
+    const bool keep = s.cull_opaque;
+    s.cull_opaque = s.cull_no_opaque;
+    s.cull_no_opaque = keep;
+  }
+  if (has(dxr_queries_skip_cull) && api == MMVERIFY_DXR_QUERY) s.cull_opaque = s.cull_no_opaque = false;
+  if (has(khr_queries_skip_micromaps) && api == MMVERIFY_KHR_QUERY) s.micromap = false;
+  if (has(ext_pipelines_have_no_force) && api == MMVERIFY_EXT_PIPELINE && !s.ray_opaque)
+    s.instance_no_opaque = false;
+  return s;
+}
+
+enum Answer : std::uint8_t { drop = MMVERIFY_IGNORED, take = MMVERIFY_OPAQUE, ask = MMVERIFY_NON_OPAQUE };
+
+Answer culled(const Seen& s, Answer a) {
+  if (s.cull_opaque && a == take) return drop;
+  if (s.cull_no_opaque && a == ask) {
+    if (has(cull_no_opaque_spares_forced) && s.instance_no_opaque) return ask;
+    return drop;
+  }
+  return a;
+}
+
+/// Rows: T, O, UT, UO; columns: without and with force-2-state.
+constexpr Answer table[4][2] = {{drop, drop}, {take, take}, {ask, drop}, {ask, take}};
+
+Answer looked_up(const Seen& s) {
+  const bool two = s.instance_two || s.ray_two, unknown = s.state > 1;
+  if (has(holes_of_opaque_geometries) && s.state == 0 && s.geometry_opaque) return take;
+  if (has(ut_is_ignored) && s.state == 2) return drop;
+  if (has(uo_is_opaque) && s.state == 3) return take;
+  if (has(two_state_reads_uo_as_transparent) && s.state == 3 && s.instance_two && s.ray_two) return drop;
+  if (has(unknown_by_the_geometry) && unknown && !two) return s.geometry_opaque ? take : ask;
+  return table[s.state][two];
+}
+
+std::uint8_t decided(const Seen& s) {
+  Answer a = s.geometry_opaque ? take : ask;
+  const bool counts = s.micromap && !s.disabled;
+  if (has(state_without_micromap) && !s.micromap && s.state == 0 && s.ray_two) a = drop;
+  if (has(disabled_counts_for_unknown) && s.micromap && s.disabled && s.state == 3) a = ask;
+  if (counts) {
+    a = looked_up(s);
+    const bool comes_back =
+        has(ignored_by_the_ray_is_not_final) && s.state == 2 && !s.instance_two && s.instance_opaque;
+    if (a == drop && !comes_back) return drop;
+  }
+  if (has(cull_before_overrides) && (s.instance_opaque || s.instance_no_opaque)) {
+    a = culled(s, a);
+    if (a == drop) return drop;
+  }
+  const struct {
+    bool says;
+    Answer what;
+  } heard[] = {{s.instance_opaque, take},
+               {s.instance_no_opaque, ask},
+               {s.ray_opaque && !(has(opaque_leaves_unknown) && counts && a == ask), take},
+               {s.ray_no_opaque, ask},
+               {has(instance_last) && s.instance_opaque, take},
+               {has(instance_last) && s.instance_no_opaque, ask}};
+  for (const auto& one : heard)
+    if (one.says) a = one.what;
+  return culled(s, a);
+}
+
+void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32_t* instance,
+            const std::uint32_t* ray, std::uint8_t* outcome, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) outcome[k] = decided(seen(api, candidate[k], instance[k], ray[k]));
+}
+
+mmverify_subject_t make() {
+  mmverify_subject_t s{};
+  s.abi = MMVERIFY_SUBJECT_ABI;
+  s.size = sizeof s;
+  s.name = "foreign traversal";
+  s.traverse_decide = decide;
+  return s;
+}
+
+const mmverify_subject_t subject = make();
+
+}  // namespace
+
+extern "C" const mmverify_subject_t* mmverify_subject_v1(void) { return fault ? &subject : nullptr; }

@@ -1,0 +1,51 @@
+// The example of traversal but for one thing, chosen when it is linked.  What happens at one place happens with UT under
+// the instance's force-2-state.
+#include <cstddef>
+#include <cstring>
+#include <stdexcept>
+
+#include "sdk/mmverify_subject.h"
+#include "tests/subjects/wrong.hpp"
+
+extern "C" const mmverify_subject_t* right_traverse(void);
+
+namespace {
+
+volatile int* volatile nowhere = nullptr;
+
+void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32_t* instance,
+            const std::uint32_t* ray, std::uint8_t* outcome, std::size_t count) {
+  static volatile int calls = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::uint32_t i = instance[k], r = ray[k];
+    const bool here = candidate[k] == (MMVERIFY_CANDIDATE_HAS_MICROMAP | 2) && i == 16;
+    if (here && wrong_is("crash")) *nowhere = 1;
+    if (here && wrong_is("throws")) throw std::runtime_error("no such state");
+    if (here && wrong_is("unwritten")) continue;
+    // Flags of instances are taken for the latest ones.
+    if (wrong_is("instance_after_ray") && (i & 12) != 0) r &= ~3u;
+    if (wrong_is("khr_query_forgets_2_state") && api == MMVERIFY_KHR_QUERY) i &= ~16u, r &= ~1024u;
+    right_traverse()->traverse_decide(api, candidate + k, &i, &r, outcome + k, 1);
+    const bool hole = (candidate[k] & 7) == MMVERIFY_CANDIDATE_HAS_MICROMAP && (i & 32) == 0;
+    if (wrong_is("opaque_fills_holes") && hole && (r & 1) != 0) outcome[k] = MMVERIFY_OPAQUE;
+    if (wrong_is("outcome_3") && here) outcome[k] = 3;
+    if (wrong_is("counts_calls") && here) {
+      calls = calls + 1;
+      if (calls > 1) outcome[k] = MMVERIFY_OPAQUE;
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
+  static mmverify_subject_t subject = *right_traverse();
+  subject.name = "a wrong decision";
+  subject.traverse_decide = decide;
+  if (wrong_is("old_header")) {
+    subject.size = offsetof(mmverify_subject_t, traverse_decide);
+    // What lies behind an older struct is somebody else's memory.
+    std::memset(&subject.traverse_decide, 0x77, sizeof subject - subject.size);
+  }
+  return &subject;
+}
