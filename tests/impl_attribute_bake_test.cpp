@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <random>
@@ -24,24 +25,28 @@ namespace slow = mmverify::spec::attribute;
 using fast::Rgba;
 using mmverify::spec::Rational;
 
-struct Picture {
+template <class Channel>
+struct PictureOf {
   std::uint32_t width, height;
-  std::vector<Rgba> texels;
+  std::vector<fast::RgbaOf<Channel>> texels;
 
-  Picture(std::uint32_t w, std::uint32_t h, unsigned seed) : width(w), height(h), texels(std::size_t{w} * h) {
+  PictureOf(std::uint32_t w, std::uint32_t h, unsigned seed)
+      : width(w), height(h), texels(std::size_t{w} * h) {
     std::mt19937 random(seed);
-    for (Rgba& t : texels)
-      for (std::uint8_t& c : t) c = static_cast<std::uint8_t>(random());
+    for (auto& t : texels)
+      for (Channel& c : t) c = static_cast<Channel>(random());
   }
-  fast::RgbaView view() const { return {texels.data()->data(), width, height, width}; }
-  slow::TextureOf<std::uint8_t> channel(std::size_t c, slow::Filter filter) const {
-    slow::TextureOf<std::uint8_t> t{width, height};
-    for (const Rgba& texel : texels) t.alpha.push_back(texel[c]);
+  fast::RgbaViewOf<Channel> view() const { return {texels.data()->data(), width, height, width}; }
+  slow::TextureOf<Channel> channel(std::size_t c, slow::Filter filter) const {
+    slow::TextureOf<Channel> t{width, height};
+    for (const auto& texel : texels) t.alpha.push_back(texel[c]);
     t.wrap_x = t.wrap_y = mmverify::spec::bake::Wrap::repeat;
     t.filter = filter;
     return t;
   }
 };
+using Picture = PictureOf<std::uint8_t>;
+using Picture16 = PictureOf<std::uint16_t>;
 
 slow::BaseTriangle<Rational> exact(const fast::BaseTriangle& uv) {
   const auto place = [](const fast::TexturePoint& p) {
@@ -51,33 +56,39 @@ slow::BaseTriangle<Rational> exact(const fast::BaseTriangle& uv) {
   return {place(uv[0]), place(uv[1]), place(uv[2])};
 }
 
-std::vector<Rgba> faces(const fast::AttributeBaker& baker, const fast::BaseTriangle& uv, std::uint32_t level,
-                        fast::AttributeCounts* counts = nullptr) {
-  std::vector<Rgba> map(std::size_t{1} << 2 * level);
+template <class Channel>
+std::vector<fast::RgbaOf<Channel>> faces(const fast::AttributeBakerOf<Channel>& baker,
+                                         const fast::BaseTriangle& uv, std::uint32_t level,
+                                         fast::AttributeCounts* counts = nullptr) {
+  std::vector<fast::RgbaOf<Channel>> map(std::size_t{1} << 2 * level);
   const fast::AttributeCounts c = baker.faces(uv, level, map);
   if (counts != nullptr) *counts = c;
   return map;
 }
 
-void expect_faces(const Picture& picture, const fast::BaseTriangle& uv, std::uint32_t level,
+template <class Channel>
+void expect_faces(const PictureOf<Channel>& picture, const fast::BaseTriangle& uv, std::uint32_t level,
                   const std::vector<std::uint32_t>& at) {
-  const fast::AttributeBaker baker(picture.view());
+  const fast::AttributeBakerOf<Channel> baker(picture.view());
   const auto map = faces(baker, uv, level);
   for (const std::uint32_t k : at)
     for (const std::size_t c : {std::size_t{0}, std::size_t{3}})
-      EXPECT_EQ(map[k][c], slow::Rounded<std::uint8_t>::of(slow::face_value(
+      EXPECT_EQ(map[k][c], slow::Rounded<Channel>::of(slow::face_value(
                                picture.channel(c, slow::Filter::nearest), exact(uv), level, k)))
           << "face " << k << ", channel " << c;
 }
 
 TEST(ImplAttributeBake, ATriangleOverTheWholeOfALargePicture) {
   // The box does not leave the picture and is large: the sums of the whole picture.
-  expect_faces(Picture(300, 280, 1), {{{0.0625f, 0.0625f}, {0.9375f, 0.125f}, {0.125f, 0.9375f}}}, 3,
-               {0, 21, 63});
+  const fast::BaseTriangle uv{{{0.0625f, 0.0625f}, {0.9375f, 0.125f}, {0.125f, 0.9375f}}};
+  expect_faces(Picture(300, 280, 1), uv, 3, {0, 21, 63});
+  expect_faces(Picture16(300, 280, 1), uv, 3, {0, 21, 63});
 }
 
 TEST(ImplAttributeBake, ATriangleOverManyRepeats) {
-  expect_faces(Picture(7, 5, 2), {{{-40, -31.5f}, {12.25f, 3}, {-3, 25.5f}}}, 4, {0, 100, 255});
+  const fast::BaseTriangle uv{{{-40, -31.5f}, {12.25f, 3}, {-3, 25.5f}}};
+  expect_faces(Picture(7, 5, 2), uv, 4, {0, 100, 255});
+  expect_faces(Picture16(7, 5, 2), uv, 4, {0, 100, 255});
 }
 
 TEST(ImplAttributeBake, ThinTrianglesTakeWholeNumbers) {
@@ -91,38 +102,50 @@ TEST(ImplAttributeBake, ThinTrianglesTakeWholeNumbers) {
   EXPECT_EQ(counts.exact, 16u);
 }
 
-TEST(ImplAttributeBake, FewValuesOfAnOrdinaryTriangleTakeWholeNumbers) {
-  const Picture picture(64, 64, 4);
+template <class Channel>
+void expect_few_whole_numbers() {
+  const PictureOf<Channel> picture(64, 64, 4);
   fast::AttributeCounts counts;
-  const fast::AttributeBaker baker(picture.view());
+  const fast::AttributeBakerOf<Channel> baker(picture.view());
   const fast::BaseTriangle uv{{{0.1f, 0.2f}, {0.7f, 0.31f}, {0.33f, 0.87f}}};
   faces(baker, uv, 6, &counts);
   EXPECT_LT(counts.exact, 5u);
-  std::vector<Rgba> map(65 * 66 / 2);
+  std::vector<fast::RgbaOf<Channel>> map(65 * 66 / 2);
   EXPECT_LT(baker.vertices(uv, 6, map).exact, 5u);
 }
 
-TEST(ImplAttributeBake, EveryTargetGivesTheExactCodes) {
-  const Picture picture(64, 64, 7);
+TEST(ImplAttributeBake, FewValuesOfAnOrdinaryTriangleTakeWholeNumbers) {
+  expect_few_whole_numbers<std::uint8_t>();
+  expect_few_whole_numbers<std::uint16_t>();
+}
+
+template <class Channel>
+void expect_exact_on_every_target(const fast::AttributeSamplingOf<Channel>& sampling) {
+  const PictureOf<Channel> picture(64, 64, 7);
   const fast::BaseTriangle uv{{{0.1f, 0.2f}, {0.7f, 0.31f}, {0.33f, 0.87f}}};
   constexpr std::uint32_t level = 5, side = 1u << level;
-  for (const fast::Meaning meaning : {fast::Meaning::linear, fast::Meaning::srgb}) {
-    const fast::AttributeSampling sampling{.meaning = meaning};
-    const fast::detail::Source source(picture.view(), sampling);
-    const fast::detail::Exact exact(source, uv, level);
-    std::vector<Rgba> right, right_vertices;
-    for (std::uint32_t k = 0; k < side * side; ++k)
-      right.push_back(exact.face(mmverify::impl::index::corners(k, level)));
-    for (std::uint32_t r = 0; r <= side; ++r)
-      for (std::uint32_t j = 0; j <= r; ++j) right_vertices.push_back(exact.vertex({r - j, j}));
-    mmverify::tests::on_every_target([&] {
-      const fast::AttributeBaker baker(picture.view(), sampling);
-      EXPECT_EQ(faces(baker, uv, level), right);
-      std::vector<Rgba> map(right_vertices.size());
-      baker.vertices(uv, level, map);
-      EXPECT_EQ(map, right_vertices);
-    });
-  }
+  const fast::detail::Source<Channel> source(picture.view(), sampling);
+  const fast::detail::Exact<Channel> exact(source, uv, level);
+  std::vector<fast::RgbaOf<Channel>> right, right_vertices;
+  for (std::uint32_t k = 0; k < side * side; ++k)
+    right.push_back(exact.face(mmverify::impl::index::corners(k, level)));
+  for (std::uint32_t r = 0; r <= side; ++r)
+    for (std::uint32_t j = 0; j <= r; ++j) right_vertices.push_back(exact.vertex({r - j, j}));
+  mmverify::tests::on_every_target([&] {
+    const fast::AttributeBakerOf<Channel> baker(picture.view(), sampling);
+    EXPECT_EQ(faces(baker, uv, level), right);
+    std::vector<fast::RgbaOf<Channel>> map(right_vertices.size());
+    baker.vertices(uv, level, map);
+    EXPECT_EQ(map, right_vertices);
+  });
+}
+
+TEST(ImplAttributeBake, EveryTargetGivesTheExactCodes) {
+  using fast::Meaning;
+  for (const Meaning meaning : {Meaning::linear, Meaning::srgb})
+    expect_exact_on_every_target<std::uint8_t>({.meaning = meaning});
+  for (const Meaning meaning : {Meaning::linear, Meaning::normal, Meaning::normal_and_length})
+    expect_exact_on_every_target<std::uint16_t>({.meaning = meaning});
 }
 
 // The middles themselves are what law attribute.srgb_table holds against the curve.
@@ -164,6 +187,40 @@ TEST(ImplAttributeBake, RefusesWhatItCannotBake) {
   EXPECT_THROW(baker.faces({{{0, 0}, {2'000, 0}, {0, 2'000}}}, 2, map), std::invalid_argument);  // 64 million
   EXPECT_THROW(fast::AttributeBaker({nullptr, 0, 1, 0}), std::invalid_argument);
   EXPECT_THROW(fast::AttributeBaker({nullptr, 16385, 1, 16385}), std::invalid_argument);
+  const Picture16 picture16(4, 4, 5);
+  EXPECT_THROW(fast::AttributeBaker16({nullptr, 0, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(fast::AttributeBaker16(picture16.view(), {.meaning = fast::Meaning::srgb}),
+               std::invalid_argument);
+  std::vector<fast::Rgba16> map16(15);
+  EXPECT_THROW(fast::AttributeBaker16(picture16.view()).faces(uv, 2, map16), std::invalid_argument);
+}
+
+TEST(ImplAttributeBake, MiddlesOf16BitsAreRoundedUp) {
+  // From code to code + 1 along u: in the middle of two texels, and over as much of both.
+  Picture16 picture(2, 1, 0);
+  for (const std::uint16_t code : std::array<std::uint16_t, 4>{0, 255, 32767, 65534}) {
+    const auto next = static_cast<std::uint16_t>(code + 1);
+    picture.texels = {{code, next, code, 0}, {next, code, code, 65535}};
+    const fast::AttributeBaker16 baker(picture.view());
+    const fast::Rgba16 middle{next, next, code, 32768};
+    std::vector<fast::Rgba16> map(3);
+    baker.vertices({{{0.5f, 0.5f}, {0.5f, 1.5f}, {0.5f, -4.5f}}}, 0, map);
+    EXPECT_EQ(map, std::vector<fast::Rgba16>(3, middle));
+    map.resize(1);
+    EXPECT_EQ(baker.faces({{{0.25f, 0}, {0.75f, 0}, {0.5f, 1}}}, 0, map).exact, 1u);
+    EXPECT_EQ(map[0], middle);
+  }
+}
+
+TEST(ImplAttributeBake, TheMeanOf16BitsOfNoDirectionIsTheSurfacesOwn) {
+  Picture16 picture(2, 1, 0);
+  picture.texels = {{0, 65535, 0, 7}, {65535, 0, 65535, 7}};
+  const fast::BaseTriangle uv{{{0.5f, 0.5f}, {0.5f, 1.5f}, {0.5f, -4.5f}}};
+  std::vector<fast::Rgba16> map(3);
+  fast::AttributeBaker16(picture.view(), {.meaning = fast::Meaning::normal}).vertices(uv, 0, map);
+  EXPECT_EQ(map[0], (fast::Rgba16{32768, 32768, 65535, 7}));
+  fast::AttributeBaker16(picture.view(), {.meaning = fast::Meaning::normal_and_length}).vertices(uv, 0, map);
+  EXPECT_EQ(map[0], (fast::Rgba16{32768, 32768, 65535, 0}));
 }
 
 TEST(ImplAttributeBake, APitchSkipsWhatIsBetweenRows) {

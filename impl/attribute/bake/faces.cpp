@@ -16,7 +16,8 @@ constexpr std::int64_t most_texels = std::int64_t{1} << 24, small_box = std::int
                        longest = std::int64_t{1} << 15;
 
 /// Of each channel; none where floats cannot tell anything.
-std::optional<std::array<double, 4>> bound_of(const Source& source, const Frame& frame) {
+template <class Channel>
+std::optional<std::array<double, 4>> bound_of(const Source<Channel>& source, const Frame& frame) {
   const auto size = [](const Point& p) { return std::fabs(p.x) + std::fabs(p.y); };
   const Point slant{frame.down.x - frame.across.x, frame.down.y - frame.across.y};
   const double longest_edge = std::max({size(frame.across), size(frame.down), size(slant)}) + frame.position,
@@ -25,10 +26,10 @@ std::optional<std::array<double, 4>> bound_of(const Source& source, const Frame&
   if (!(area > 4 * off)) return std::nullopt;
   std::array<double, 4> bound;
   for (std::size_t k = 0; k < 4; ++k) {
-    const double m = source.curves()[k]->full;
+    const double m = source.coding().full(k);
     const double sum_off = m * half_ulp * frame.extent * (64 + 2 * longest_edge) * around;
     bound[k] = (2 * sum_off + m * off) / (area - off) + 8 * half_ulp * m;
-    if (!(bound[k] < source.curves()[k]->most_off)) return std::nullopt;
+    if (!(bound[k] < source.coding().most_off(k))) return std::nullopt;
   }
   return bound;
 }
@@ -47,9 +48,9 @@ std::uint32_t index_of(const Face& f, std::uint32_t level) {
   return index::from_barycentrics(third(f.iu), third(f.iv), level);
 }
 
-template <class Sum>
-AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uint32_t level,
-                          std::span<Rgba> out) {
+template <class Sum, class Channel>
+AttributeCounts bake_with(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level,
+                          std::span<RgbaOf<Channel>> out) {
   const Frame frame(source, uv, level);
   const TexelBox box = frame.box();
   if (box.width > longest || box.height > longest)
@@ -59,7 +60,7 @@ AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uin
     throw std::invalid_argument("attribute: a triangle over more than 2^24 texels");
   AttributeCounts counts;
   counts.values = out.size();
-  const Exact exact(source, uv, level);
+  const Exact<Channel> exact(source, uv, level);
   const auto bound = bound_of(source, frame);
   if (!bound) {
     for (std::uint32_t k = 0; k < out.size(); ++k) out[k] = exact.face(index::corners(k, level));
@@ -68,10 +69,11 @@ AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uin
   }
   thread_local std::vector<Sum> room;
   const RowSums<Sum> sums = box.width * box.height > small_box && in_picture
-                                ? source.sums_from<Sum>(*in_picture)
+                                ? source.template sums_from<Sum>(*in_picture)
                                 : source.sums(box, room);
   std::vector<Face> unsure;
-  bake_strips(StripJob<Sum>{source, frame, sums, 1u << level, 2 / frame.area, *bound}, out.data(), unsure);
+  bake_strips(StripJob<Channel, Sum>{source, frame, sums, 1u << level, 2 / frame.area, *bound}, out.data(),
+              unsure);
   for (const Face& face : unsure) out[index_of(face, level)] = exact.face(corners_of(face));
   counts.exact = unsure.size();
   return counts;
@@ -79,11 +81,17 @@ AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uin
 
 }  // namespace
 
-AttributeCounts bake_faces(const Source& source, const BaseTriangle& uv, std::uint32_t level,
-                           std::span<Rgba> out) {
+template <class Channel>
+AttributeCounts bake_faces(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level,
+                           std::span<RgbaOf<Channel>> out) {
   // 255 x 2^15 < 2^24: floats hold every sum of codes.
-  if (source.sampling().meaning == Meaning::srgb) return bake_with<double>(source, uv, level, out);
-  return bake_with<float>(source, uv, level, out);
+  if constexpr (sizeof(Channel) == 1)
+    if (source.sampling().meaning != Meaning::srgb) return bake_with<float>(source, uv, level, out);
+  return bake_with<double>(source, uv, level, out);
 }
+template AttributeCounts bake_faces(const Source<std::uint8_t>&, const BaseTriangle&, std::uint32_t,
+                                    std::span<Rgba>);
+template AttributeCounts bake_faces(const Source<std::uint16_t>&, const BaseTriangle&, std::uint32_t,
+                                    std::span<Rgba16>);
 
 }  // namespace mmverify::impl::attribute::detail

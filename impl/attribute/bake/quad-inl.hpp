@@ -39,16 +39,17 @@ struct Quad {
   HWY_INLINE Quad plus(double a, Quad b) const { return {hn::MulAdd(hn::Set(Tag(), a), b.v, v)}; }
 };
 
-/// The codes of linear means: Curve::code of each.
-HWY_INLINE Rgba linear_codes(Quad mean, Quad bound, bool& sure) {
+/// The codes of linear means: linear_code of each.
+template <class Channel>
+HWY_INLINE RgbaOf<Channel> linear_codes(Quad mean, Quad bound, bool& sure) {
   const Quad::Tag d;
   const hn::FixedTag<std::int32_t, 4> di;
-  const hn::FixedTag<std::uint8_t, 4> db;
+  const hn::FixedTag<Channel, 4> db;
   const auto up = hn::Add(mean.v, hn::Set(d, 0.5));
   const auto whole = hn::DemoteTo(di, up);  // up >= 1/4
   const auto rest = hn::Sub(up, hn::PromoteTo(d, whole));
   sure = hn::AllTrue(d, hn::And(hn::Ge(rest, bound.v), hn::Le(rest, hn::Sub(hn::Set(d, 1.0), bound.v))));
-  Rgba codes;
+  RgbaOf<Channel> codes;
   hn::StoreU(hn::DemoteTo(db, whole), db, codes.data());
   return codes;
 }
@@ -106,9 +107,10 @@ struct Quad {
   HWY_INLINE Quad plus(double a, const Quad& b) const { return *this + a * b; }
 };
 
-HWY_INLINE Rgba linear_codes(const Quad& mean, const Quad& bound, bool& sure) {
-  Rgba codes;
-  for (std::size_t k = 0; k < 4; ++k) codes[k] = Curve::linear().code(mean.v[k], bound.v[k], sure);
+template <class Channel>
+HWY_INLINE RgbaOf<Channel> linear_codes(const Quad& mean, const Quad& bound, bool& sure) {
+  RgbaOf<Channel> codes;
+  for (std::size_t k = 0; k < 4; ++k) codes[k] = linear_code<Channel>(mean.v[k], bound.v[k], sure);
   return codes;
 }
 

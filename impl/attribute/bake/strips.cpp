@@ -24,26 +24,25 @@ HWY_INLINE std::uint32_t on_curve(const Face& f) {
   return index::detail::interleaved(b0, ((index::detail::xor_from_above(t) ^ f.iu) & ~b0) | t);
 }
 
-template <class Sum>
-void strips(const StripJob<Sum>& job, Rgba* out, std::vector<Face>& unsure) {
+template <class Channel, class Sum>
+void strips(const StripJob<Channel, Sum>& job, RgbaOf<Channel>* out, std::vector<Face>& unsure) {
   const std::uint32_t side = job.side;
   const Meaning meaning = job.source.sampling().meaning;
-  const Curve& first_curve = *job.source.curves()[0];
+  const Curve& curve = Curve::srgb();
   const Quad bound = Quad::of(job.bound.data());
   const auto give = [&](const Face& face, const Quad& integral) HWY_ATTR {
     const Quad mean = job.scale * integral;
     bool sure = true;
-    Rgba codes;
+    RgbaOf<Channel>& codes = out[on_curve(face)];
     if (meaning == Meaning::linear) {
-      codes = linear_codes(mean, bound, sure);
+      codes = linear_codes<Channel>(mean, bound, sure);
     } else if (meaning == Meaning::srgb) {
-      codes = srgb_codes(mean, bound, first_curve, sure);
+      if constexpr (sizeof(Channel) == 1) codes = srgb_codes(mean, bound, curve, sure);
     } else {
       std::array<double, 4> means;
       mean.store(means.data());
-      codes = encoded(means, job.bound, meaning, job.source.curves(), sure);
+      codes = job.source.coding().encoded(means, job.bound, sure);
     }
-    out[on_curve(face)] = codes;
     if (!sure) unsure.push_back(face);
   };
   std::vector<double> along(4 * (side + 1)), next(4 * (side + 1));  // quads
@@ -68,10 +67,13 @@ void strips(const StripJob<Sum>& job, Rgba* out, std::vector<Face>& unsure) {
   }
 }
 
-void strips_of_floats(const StripJob<float>& job, Rgba* out, std::vector<Face>& unsure) {
+void strips_8_floats(const StripJob<std::uint8_t, float>& job, Rgba* out, std::vector<Face>& unsure) {
   strips(job, out, unsure);
 }
-void strips_of_doubles(const StripJob<double>& job, Rgba* out, std::vector<Face>& unsure) {
+void strips_8_doubles(const StripJob<std::uint8_t, double>& job, Rgba* out, std::vector<Face>& unsure) {
+  strips(job, out, unsure);
+}
+void strips_16(const StripJob<std::uint16_t, double>& job, Rgba16* out, std::vector<Face>& unsure) {
   strips(job, out, unsure);
 }
 
@@ -82,14 +84,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace mmverify::impl::attribute::detail {
 
-HWY_EXPORT(strips_of_floats);
-HWY_EXPORT(strips_of_doubles);
+HWY_EXPORT(strips_8_floats);
+HWY_EXPORT(strips_8_doubles);
+HWY_EXPORT(strips_16);
 
-void bake_strips(const StripJob<float>& job, Rgba* out, std::vector<Face>& unsure) {
-  HWY_DYNAMIC_DISPATCH(strips_of_floats)(job, out, unsure);
+void bake_strips(const StripJob<std::uint8_t, float>& job, Rgba* out, std::vector<Face>& unsure) {
+  HWY_DYNAMIC_DISPATCH(strips_8_floats)(job, out, unsure);
 }
-void bake_strips(const StripJob<double>& job, Rgba* out, std::vector<Face>& unsure) {
-  HWY_DYNAMIC_DISPATCH(strips_of_doubles)(job, out, unsure);
+void bake_strips(const StripJob<std::uint8_t, double>& job, Rgba* out, std::vector<Face>& unsure) {
+  HWY_DYNAMIC_DISPATCH(strips_8_doubles)(job, out, unsure);
+}
+void bake_strips(const StripJob<std::uint16_t, double>& job, Rgba16* out, std::vector<Face>& unsure) {
+  HWY_DYNAMIC_DISPATCH(strips_16)(job, out, unsure);
 }
 
 }  // namespace mmverify::impl::attribute::detail

@@ -14,9 +14,9 @@ struct Face {
 };
 
 /// What faces of a base triangle are made of.
-template <class Sum>
+template <class Channel, class Sum>
 struct StripJob {
-  const Source& source;
+  const Source<Channel>& source;
   const Frame& frame;
   RowSums<Sum> sums;            ///< of the frame's box
   std::uint32_t side;           ///< N
@@ -25,8 +25,9 @@ struct StripJob {
 };
 
 /// Writes the faces that floats are sure of, in the order of the curve, and names the others.
-/// Domain: bounds below each curve's most_off.
-void bake_strips(const StripJob<float>& job, Rgba* out, std::vector<Face>& unsure);
-void bake_strips(const StripJob<double>& job, Rgba* out, std::vector<Face>& unsure);
+/// Domain: bounds below most_off() of the channels' coding.
+void bake_strips(const StripJob<std::uint8_t, float>& job, Rgba* out, std::vector<Face>& unsure);
+void bake_strips(const StripJob<std::uint8_t, double>& job, Rgba* out, std::vector<Face>& unsure);
+void bake_strips(const StripJob<std::uint16_t, double>& job, Rgba16* out, std::vector<Face>& unsure);
 
 }  // namespace mmverify::impl::attribute::detail
