@@ -35,19 +35,25 @@ constexpr std::array<UvTriangle, 7> family_triangles{{{0.125f, 0.25f, 0.875f, 0.
                                                       {0.5f, 0.75f, 0.5f, 0.75f, 0.5f, 0.75f}}};
 constexpr std::uint64_t family_meanings = 2;
 
-std::string hex(const std::vector<Rgba>& texels) {
+/// Hexadecimal digits of a channel.
+template <class Channel>
+constexpr std::size_t digits = 2 * sizeof(Channel);
+
+template <class Channel>
+std::string hex(const std::vector<RgbaOf<Channel>>& texels) {
   std::string text;
-  for (const Rgba& t : texels)
-    for (const std::uint8_t c : t) text += fmt::format("{:02x}", c);
+  for (const auto& t : texels)
+    for (const Channel c : t) text += fmt::format("{:0{}x}", bits_of(c), digits<Channel>);
   return text;
 }
 
-std::vector<Rgba> unhexed(const std::string& text) {
-  std::vector<Rgba> texels(text.size() / 8);
+template <class Channel>
+std::vector<RgbaOf<Channel>> unhexed(const std::string& text) {
+  std::vector<RgbaOf<Channel>> texels(text.size() / (4 * digits<Channel>));
   for (std::size_t k = 0; k < texels.size(); ++k)
     for (std::size_t c = 0; c < 4; ++c)
-      texels[k][c] =
-          static_cast<std::uint8_t>(std::strtoul(text.substr(8 * k + 2 * c, 2).c_str(), nullptr, 16));
+      texels[k][c] = channel_of_bits<Channel>(static_cast<std::uint32_t>(
+          std::strtoul(text.substr((4 * k + c) * digits<Channel>, digits<Channel>).c_str(), nullptr, 16)));
   return texels;
 }
 
@@ -154,30 +160,70 @@ BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
   return one;
 }
 
-std::string text_of(const BakeCase& one) {
-  const Picture& p = one.picture;
+BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
+  const BakeCase narrow = sample_case(seed, n, k);
+  Random random(seed, 0x77696400 + n, k);
+  BakeCaseOf<std::uint16_t> one;
+  one.uv = narrow.uv;
+  auto& p = one.picture;
+  p.width = narrow.picture.width;
+  p.height = narrow.picture.height;
+  p.wrap_u = narrow.picture.wrap_u;
+  p.wrap_v = narrow.picture.wrap_v;
+  p.filter = narrow.picture.filter;
+  p.meaning = narrow.picture.meaning == Meaning::srgb ? Meaning::linear : narrow.picture.meaning;
+  const bool ties = k % 8 == 0 || k % 8 == 5;  // of both linear codes
+  const std::uint64_t kind = random.below(4), base = random.below(65534);
+  const auto code = [&] {
+    const std::uint64_t any = random.below(65536);
+    return static_cast<std::uint16_t>(ties        ? base + any % 2
+                                      : kind == 0 ? any % 2 * 65535
+                                      : kind == 1 ? 32760 + any % 16
+                                                  : any);
+  };
+  if (ties) {  // Halves, quarters and eighths of texels.
+    p.width = 1u << random.below(4);
+    p.height = 1u << random.below(3);
+    p.filter = Filter::bilinear;
+    for (float& x : one.uv) x = std::nearbyint(x * 16) / 16;
+  }
+  p.texels.resize(std::size_t{p.width} * p.height);
+  for (auto& t : p.texels)
+    for (std::uint16_t& c : t) c = code();
+  for (std::uint16_t& c : p.border) c = code();
+  return one;
+}
+
+template <class Channel>
+std::string text_of(const BakeCaseOf<Channel>& one) {
+  const auto& p = one.picture;
   std::string uv;
   for (const float x : one.uv) uv += fmt::format("{}{:a}", uv.empty() ? "" : ",", x);
   return fmt::format("{}x{}:{}:{},{},{},{},{}:{}", p.width, p.height, hex(p.texels),
                      wrap_names[static_cast<std::size_t>(p.wrap_u)],
                      wrap_names[static_cast<std::size_t>(p.wrap_v)],
                      filter_names[static_cast<std::size_t>(p.filter)],
-                     meaning_names[static_cast<std::size_t>(p.meaning)], hex({p.border}), uv);
+                     meaning_names[static_cast<std::size_t>(p.meaning)], hex(std::vector{p.border}), uv);
 }
 
-BakeCase read_bake_case(const std::string& text) {
-  const Groups groups = groups_of(
-      text, "([1-9]|1[0-6])x([1-9]|1[0-6]):((?:[0-9a-f]{8})+):([a-z,+-]+),([0-9a-f]{8}):([0-9a-fxp.,+-]+)");
+template <class Channel>
+BakeCaseOf<Channel> read_bake_case_of(const std::string& text) {
+  constexpr std::size_t texel = 4 * digits<Channel>;
+  static const std::string form = fmt::format(
+      "([1-9]|1[0-6])x([1-9]|1[0-6]):((?:[0-9a-f]{{{0}}})+):([a-z,+-]+),([0-9a-f]{{{0}}}):"
+      "([0-9a-fxp.,+-]+)",
+      texel);
+  const Groups groups = groups_of(text, form.c_str());
   if (!groups)
     throw BadCase(fmt::format(
         "'{:.60}': write WxH:TEXELS:WRAP,WRAP,FILTER,MEANING,BORDER:U,V,U,V,U,V, texels and border "
-        "eight hexadecimal digits each",
-        text));
-  BakeCase one;
-  Picture& p = one.picture;
+        "{} hexadecimal digits each",
+        text, texel == 8 ? "eight" : fmt::to_string(texel)));
+  BakeCaseOf<Channel> one;
+  auto& p = one.picture;
   p.width = static_cast<std::uint32_t>(std::stoul((*groups)[1]));
   p.height = static_cast<std::uint32_t>(std::stoul((*groups)[2]));
-  p.texels = unhexed((*groups)[3]);
+  p.texels = unhexed<Channel>((*groups)[3]);
   if (p.texels.size() != std::size_t{p.width} * p.height)
     throw BadCase(fmt::format("'{:.60}': {} texels of {}x{}", text, p.texels.size(), p.width, p.height));
   const std::vector<std::string> names = split((*groups)[4], ',');
@@ -186,7 +232,7 @@ BakeCase read_bake_case(const std::string& text) {
   p.wrap_v = static_cast<Wrap>(named(wrap_names, names[1]));
   p.filter = static_cast<Filter>(named(filter_names, names[2]));
   p.meaning = static_cast<Meaning>(named(meaning_names, names[3]));
-  p.border = unhexed((*groups)[5])[0];
+  p.border = unhexed<Channel>((*groups)[5])[0];
   const std::vector<std::string> uv = split((*groups)[6], ',');
   if (uv.size() != 6) throw BadCase(fmt::format("'{:.60}': six coordinates", text));
   for (std::size_t k = 0; k < 6; ++k) {
@@ -198,6 +244,14 @@ BakeCase read_bake_case(const std::string& text) {
   return one;
 }
 
+template std::string text_of(const BakeCaseOf<std::uint8_t>&);
+template std::string text_of(const BakeCaseOf<std::uint16_t>&);
+template BakeCaseOf<std::uint8_t> read_bake_case_of(const std::string&);
+template BakeCaseOf<std::uint16_t> read_bake_case_of(const std::string&);
+
 std::string text_of(const Rgba& c) { return fmt::format("{} {} {} {}", c[0], c[1], c[2], c[3]); }
+std::string text_of(const RgbaOf<std::uint16_t>& c) {
+  return fmt::format("{} {} {} {}", c[0], c[1], c[2], c[3]);
+}
 
 }  // namespace mmverify::proofs::attribute
