@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "impl/attribute/bake.hpp"
@@ -25,6 +29,23 @@ namespace slow = mmverify::spec::attribute;
 using fast::Rgba;
 using mmverify::spec::Rational;
 
+/// A channel's number, as the specification has it.
+template <class Channel>
+Channel stored(Channel c) {
+  return c;
+}
+slow::Binary32 stored(float c) { return {std::bit_cast<std::uint32_t>(c)}; }
+template <class Channel>
+using Stored = decltype(stored(Channel()));
+template <class Channel>
+std::uint32_t bits(Channel c) {
+  if constexpr (std::is_same_v<Channel, float>)
+    return std::bit_cast<std::uint32_t>(c);
+  else
+    return c;
+}
+std::uint32_t bits(slow::Binary32 c) { return c.bits; }
+
 template <class Channel>
 struct PictureOf {
   std::uint32_t width, height;
@@ -34,12 +55,16 @@ struct PictureOf {
       : width(w), height(h), texels(std::size_t{w} * h) {
     std::mt19937 random(seed);
     for (auto& t : texels)
-      for (Channel& c : t) c = static_cast<Channel>(random());
+      for (Channel& c : t)
+        if constexpr (std::is_same_v<Channel, float>)
+          c = static_cast<float>(random() % 65536) / 64 - 256;
+        else
+          c = static_cast<Channel>(random());
   }
   fast::RgbaViewOf<Channel> view() const { return {texels.data()->data(), width, height, width}; }
-  slow::TextureOf<Channel> channel(std::size_t c, slow::Filter filter) const {
-    slow::TextureOf<Channel> t{width, height};
-    for (const auto& texel : texels) t.alpha.push_back(texel[c]);
+  auto channel(std::size_t c, slow::Filter filter) const {
+    slow::TextureOf<decltype(stored(Channel()))> t{width, height};
+    for (const auto& texel : texels) t.alpha.push_back(stored(texel[c]));
     t.wrap_x = t.wrap_y = mmverify::spec::bake::Wrap::repeat;
     t.filter = filter;
     return t;
@@ -47,6 +72,7 @@ struct PictureOf {
 };
 using Picture = PictureOf<std::uint8_t>;
 using Picture16 = PictureOf<std::uint16_t>;
+using PictureFloat = PictureOf<float>;
 
 slow::BaseTriangle<Rational> exact(const fast::BaseTriangle& uv) {
   const auto place = [](const fast::TexturePoint& p) {
@@ -73,8 +99,8 @@ void expect_faces(const PictureOf<Channel>& picture, const fast::BaseTriangle& u
   const auto map = faces(baker, uv, level);
   for (const std::uint32_t k : at)
     for (const std::size_t c : {std::size_t{0}, std::size_t{3}})
-      EXPECT_EQ(map[k][c], slow::Rounded<Channel>::of(slow::face_value(
-                               picture.channel(c, slow::Filter::nearest), exact(uv), level, k)))
+      EXPECT_EQ(bits(map[k][c]), bits(slow::Rounded<Stored<Channel>>::of(slow::face_value(
+                                     picture.channel(c, slow::Filter::nearest), exact(uv), level, k))))
           << "face " << k << ", channel " << c;
 }
 
@@ -83,12 +109,14 @@ TEST(ImplAttributeBake, ATriangleOverTheWholeOfALargePicture) {
   const fast::BaseTriangle uv{{{0.0625f, 0.0625f}, {0.9375f, 0.125f}, {0.125f, 0.9375f}}};
   expect_faces(Picture(300, 280, 1), uv, 3, {0, 21, 63});
   expect_faces(Picture16(300, 280, 1), uv, 3, {0, 21, 63});
+  expect_faces(PictureFloat(300, 280, 1), uv, 3, {0, 21, 63});
 }
 
 TEST(ImplAttributeBake, ATriangleOverManyRepeats) {
   const fast::BaseTriangle uv{{{-40, -31.5f}, {12.25f, 3}, {-3, 25.5f}}};
   expect_faces(Picture(7, 5, 2), uv, 4, {0, 100, 255});
   expect_faces(Picture16(7, 5, 2), uv, 4, {0, 100, 255});
+  expect_faces(PictureFloat(7, 5, 2), uv, 4, {0, 100, 255});
 }
 
 TEST(ImplAttributeBake, ThinTrianglesTakeWholeNumbers) {
@@ -103,20 +131,21 @@ TEST(ImplAttributeBake, ThinTrianglesTakeWholeNumbers) {
 }
 
 template <class Channel>
-void expect_few_whole_numbers() {
+void expect_few_whole_numbers(std::uint64_t few) {
   const PictureOf<Channel> picture(64, 64, 4);
   fast::AttributeCounts counts;
   const fast::AttributeBakerOf<Channel> baker(picture.view());
   const fast::BaseTriangle uv{{{0.1f, 0.2f}, {0.7f, 0.31f}, {0.33f, 0.87f}}};
   faces(baker, uv, 6, &counts);
-  EXPECT_LT(counts.exact, 5u);
+  EXPECT_LT(counts.exact, few);
   std::vector<fast::RgbaOf<Channel>> map(65 * 66 / 2);
-  EXPECT_LT(baker.vertices(uv, 6, map).exact, 5u);
+  EXPECT_LT(baker.vertices(uv, 6, map).exact, few);
 }
 
 TEST(ImplAttributeBake, FewValuesOfAnOrdinaryTriangleTakeWholeNumbers) {
-  expect_few_whole_numbers<std::uint8_t>();
-  expect_few_whole_numbers<std::uint16_t>();
+  expect_few_whole_numbers<std::uint8_t>(5);
+  expect_few_whole_numbers<std::uint16_t>(5);
+  expect_few_whole_numbers<float>(50);  // signs differ, some means are nearly 0
 }
 
 template <class Channel>
@@ -146,6 +175,109 @@ TEST(ImplAttributeBake, EveryTargetGivesTheExactCodes) {
     expect_exact_on_every_target<std::uint8_t>({.meaning = meaning});
   for (const Meaning meaning : {Meaning::linear, Meaning::normal, Meaning::normal_and_length})
     expect_exact_on_every_target<std::uint16_t>({.meaning = meaning});
+  expect_exact_on_every_target<float>({});
+}
+
+/// Vertices and the face of level 0 of a picture of 2x1 texels, in the middle of both.
+std::pair<fast::RgbaFloat, fast::RgbaFloat> middles(const fast::RgbaFloat& a, const fast::RgbaFloat& b) {
+  PictureFloat picture(2, 1, 0);
+  picture.texels = {a, b};
+  const fast::AttributeBakerFloat baker(picture.view());
+  std::vector<fast::RgbaFloat> map(3);
+  baker.vertices({{{0.5f, 0.5f}, {0.5f, 1.5f}, {0.5f, -4.5f}}}, 0, map);
+  std::vector<fast::RgbaFloat> face(1);
+  baker.faces({{{0.25f, 0}, {0.75f, 0}, {0.5f, 1}}}, 0, face);
+  return {map[0], face[0]};
+}
+
+void expect_middle(float a, float b, float middle) {
+  const auto [vertex, face] = middles({a, b, -a, 1}, {b, a, -b, 1});
+  const float minus = middle == 0 && a == -b ? 0.0f : -middle;
+  for (const auto& got : {vertex, face}) {
+    EXPECT_EQ(bits(got[0]), bits(middle)) << a << " " << b;
+    EXPECT_EQ(bits(got[1]), bits(middle)) << a << " " << b;
+    EXPECT_EQ(bits(got[2]), bits(minus)) << a << " " << b;
+    EXPECT_EQ(got[3], 1);
+  }
+}
+
+TEST(ImplAttributeBakeFloats, TheMiddleOfTwoNumbersIsTheExactOneRoundedToEven) {
+  constexpr float least = std::numeric_limits<float>::denorm_min(),
+                  normal = std::numeric_limits<float>::min(), most = std::numeric_limits<float>::max();
+  expect_middle(1, 3, 2);
+  expect_middle(16777214, 16777215, 16777214);  // ties
+  expect_middle(16777213, 16777214, 16777214);
+  expect_middle(33554430, 33554432, 33554432);  // between two exponents
+  expect_middle(1e30f, 1e-30f, 5e29f);
+  expect_middle(1e30f, -1e30f, 0);
+  expect_middle(most, most, most);
+  expect_middle(most, -most, 0);
+  expect_middle(most, least, most / 2);
+  expect_middle(least, 0, 0);  // a tie of the least number
+  expect_middle(3 * least, 0, 2 * least);
+  expect_middle(3 * least, 2 * least, 2 * least);
+  expect_middle(normal, normal - least, normal);
+  expect_middle(normal, -least, normal / 2);
+  expect_middle(0, 0, 0);
+  expect_middle(-0.0f, -0.0f, 0);
+}
+
+TEST(ImplAttributeBakeFloats, WhatIsSmallIsNotLostBesideWhatIsLarge) {
+  // Two texels cancel, the third is far below the last place of both.
+  PictureFloat picture(3, 1, 0);
+  picture.texels = {
+      {1e30f, 1e30f, 3e38f, 0}, {-1e30f, 1e-30f, -3e38f, -0.0f}, {1e-30f, -1e30f, 0x1p-149f, 0}};
+  const fast::AttributeBakerFloat baker(picture.view());
+  std::vector<fast::RgbaFloat> map(1);
+  // Along a line over six texels these weigh 1, 3, 5, 5, 3, 1: each of the three has a third.
+  EXPECT_EQ(baker.faces({{{0, 0.5f}, {1, 0.5f}, {2, 0.5f}}}, 0, map).exact, 1u);
+  EXPECT_EQ(map[0][0], 1e-30f / 3);
+  EXPECT_EQ(map[0][1], 1e-30f / 3);
+  EXPECT_EQ(bits(map[0][2]), 0u);
+  EXPECT_EQ(bits(map[0][3]), 0u);
+  expect_faces(picture, {{{0, 0}, {1, 0.5f}, {0, 1}}}, 3, {0, 1, 31, 32, 63});
+}
+
+TEST(ImplAttributeBakeFloats, RegionsOfOneTexelNeedNoWholeNumbers) {
+  PictureFloat picture(32, 32, 0);
+  for (std::uint32_t k = 0; k < 32 * 32; ++k)
+    picture.texels[k] = k % 32 < 16 ? fast::RgbaFloat{0, -0.0f, 0.1f, 1} : fast::RgbaFloat{7e4f, 1, 3, 0};
+  const fast::AttributeBakerFloat baker(picture.view());
+  const auto map = faces(baker, {{{0.01f, 0.02f}, {0.97f, 0.03f}, {0.02f, 0.93f}}}, 4);
+  EXPECT_EQ(map[0], (fast::RgbaFloat{0, 0, 0.1f, 1}));
+  EXPECT_FALSE(std::signbit(map[0][1]));
+  EXPECT_EQ(bits(map[0][2]), bits(0.1f));
+}
+
+TEST(ImplAttributeBakeFloats, ManyTexelsSumExactlyEnough) {
+  // Rows of 2^12 texels, sums of which one number of binary64 would hold within thousands of its last places alone.
+  PictureFloat picture(4096, 256, 0);
+  std::mt19937 random(11);
+  for (auto& t : picture.texels)
+    for (float& c : t) c = std::ldexp(static_cast<float>(random() % 16777216), -24);
+  fast::AttributeCounts counts;
+  const fast::AttributeBakerFloat baker(picture.view());
+  const fast::BaseTriangle uv{{{0.001f, 0.1f}, {0.993f, 0.2f}, {0.4f, 0.9f}}};
+  faces(baker, uv, 6, &counts);
+  EXPECT_LT(counts.exact, counts.values / 20);
+  expect_faces(picture, uv, 6, {0, 1, 700, 4095});
+}
+
+TEST(ImplAttributeBakeFloats, RefusesWhatIsNotFiniteOrNotLinear) {
+  PictureFloat picture(4, 4, 5);
+  for (const fast::Meaning meaning :
+       {fast::Meaning::srgb, fast::Meaning::normal, fast::Meaning::normal_and_length})
+    EXPECT_THROW(fast::AttributeBakerFloat(picture.view(), {.meaning = meaning}), std::invalid_argument);
+  EXPECT_THROW(fast::AttributeBakerFloat({nullptr, 0, 1, 0}), std::invalid_argument);
+  for (const float no : {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+                         std::numeric_limits<float>::quiet_NaN()}) {
+    EXPECT_THROW(fast::AttributeBakerFloat(picture.view(), {.border = {0, 0, no, 0}}), std::invalid_argument);
+    PictureFloat other = picture;
+    other.texels[15][3] = no;
+    EXPECT_THROW(fast::AttributeBakerFloat(other.view()), std::invalid_argument);
+    // Of three columns alone it is not looked at.
+    EXPECT_NO_THROW(fast::AttributeBakerFloat({other.texels.data()->data(), 3, 4, 4}));
+  }
 }
 
 // The middles themselves are what law attribute.srgb_table holds against the curve.

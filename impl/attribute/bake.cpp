@@ -52,5 +52,6 @@ AttributeCounts AttributeBakerOf<Channel>::vertices(const BaseTriangle& uv, std:
 
 template class AttributeBakerOf<std::uint8_t>;
 template class AttributeBakerOf<std::uint16_t>;
+template class AttributeBakerOf<float>;
 
 }  // namespace mmverify::impl::attribute

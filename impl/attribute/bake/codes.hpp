@@ -145,7 +145,7 @@ void encode_normal_exactly(const std::array<Int, 4>& sums, const Int& count, Mea
         }));
 }
 
-/// How the channels of a texture are averaged, and means become values of a map.
+/// How the channels of a texture are averaged, and means become values of a map.  floats.hpp has that of floats.
 template <class Channel>
 class Coding {
  public:
@@ -153,12 +153,13 @@ class Coding {
   template <class Int>
   using Number = std::int64_t;
   /// Bits of such, and of what compares them with a code.
-  static constexpr int number_bits = sizeof(Channel) == 1 ? 25 : 17;
+  int number_bits() const noexcept { return sizeof(Channel) == 1 ? 25 : 17; }
   static constexpr int code_bits = sizeof(Channel) == 1 ? 10 : 18;
 
   /// Errors: std::invalid_argument for the sRGB curve of 16 bits.
-  explicit Coding(Meaning meaning) : meaning_(meaning), curves_(curves_of(meaning)) {
-    if (sizeof(Channel) != 1 && meaning == Meaning::srgb)
+  Coding(const RgbaViewOf<Channel>&, const AttributeSamplingOf<Channel>& sampling)
+      : meaning_(sampling.meaning), curves_(curves_of(sampling.meaning)) {
+    if (sizeof(Channel) != 1 && meaning_ == Meaning::srgb)
       throw std::invalid_argument("attribute: only textures of 8 bits are on the sRGB curve");
   }
 

@@ -113,29 +113,32 @@ template <class Channel>
 RgbaOf<Channel> Exact<Channel>::vertex(const index::Vertex& at) const {
   const int fraction = below_point_ + level_;
   // Two fractions, a number, a code, sums; positions, of 20 bits of u, 14 of size and 3 for sums.
-  const int values = 2 * fraction + source_.coding().number_bits + source_.coding().code_bits + 3;
+  const int values = 2 * fraction + source_.coding().number_bits() + source_.coding().code_bits + 3;
   const int bits = std::max(source_.coding().normal() ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
   if (bits <= 128) return vertex_in<Int128>(at);
   if (bits <= 384) return vertex_in<Wide<6>>(at);
   // The most that can be: 150 + 12 below the point.
-  static_assert(2 * (2 * (150 + 12) + 25 + 10 + 3) + 32 <= 12 * 64);
+  static_assert(2 * (2 * (150 + 12) + 25 + 10 + 3) + 32 <= 12 * 64 &&
+                2 * (150 + 12) + 278 + 4 + 3 <= 12 * 64);
   return vertex_in<Wide<12>>(at);
 }
 
 template <class Channel>
 RgbaOf<Channel> Exact<Channel>::face(const index::Corners& corners) const {
   const int fraction = below_point_ + level_, position = fraction + cell_bits_ + 1;
-  const int values = 8 * position + 41 + source_.coding().number_bits + source_.coding().code_bits;
+  const int values = 8 * position + 41 + source_.coding().number_bits() + source_.coding().code_bits;
   const int bits = std::max(source_.coding().normal() ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
   if (bits <= 256) return face_in<Wide<4>>(corners);
   if (bits <= 512) return face_in<Wide<8>>(corners);
   if (bits <= 1024) return face_in<Wide<16>>(corners);
   // The most that can be: 150 + 12 below the point, 16 above it.
-  static_assert(2 * (8 * (150 + 12 + 17) + 41 + 25 + 10) + 32 <= 50 * 64);
+  static_assert(2 * (8 * (150 + 12 + 17) + 41 + 25 + 10) + 32 <= 50 * 64 &&
+                8 * (150 + 12 + 17) + 41 + 278 + 4 <= 50 * 64);
   return face_in<Wide<50>>(corners);
 }
 
 template class Exact<std::uint8_t>;
 template class Exact<std::uint16_t>;
+template class Exact<float>;
 
 }  // namespace mmverify::impl::attribute::detail

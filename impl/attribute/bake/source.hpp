@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "impl/attribute/bake/codes.hpp"
+#include "impl/attribute/bake/floats.hpp"
 #include "impl/bake/texture/wrap.hpp"
 
 namespace mmverify::impl::attribute::detail {
@@ -19,7 +19,8 @@ struct TexelBox {
 };
 
 /// Sums of a box's rows: at 4 (i + pitch j) + k, the values of channel k of texels 0 .. i-1 of row j, i in 0..width.
-/// Sum: float where all sums are below 2^24, or double; exact in both.
+/// Sum: float where all sums are below 2^24, or double; exact in both, but for texels that are floats: those sums are
+/// within 1.01 u of the greatest that |texels| allow, u = 2^-53 (source.cpp).
 template <class Sum>
 struct RowSums {
   const Sum* first;
@@ -58,6 +59,9 @@ class Source {
     std::int64_t x, y;
   };
   std::optional<InPicture> in_picture(const TexelBox& box) const noexcept;
+
+  /// The greatest size of each channel in a box: of codes, what it may be; of floats, what it is.
+  std::array<double, 4> greatest_in(const TexelBox& box) const noexcept;
 
   /// The sums of a box's rows, in `room`.
   template <class Sum>

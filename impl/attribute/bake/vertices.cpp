@@ -1,9 +1,13 @@
 // Bound.  Positions are within 8 u E of the true ones (frame.hpp), and the bilinear number changes by m a texel along
 // each axis at most: 16 u E m.  Weights and sums of four numbers up to m add 8 u m.  Nearest: the texel is sure where
 // the position is not that near a texel's edge.
+// Floats: the number changes by 2 m a texel, signs may differ, and m is that of the cell's texels, or of all cells around
+// where the position is that near the cell's edge; the ends of the interval round once more: (32 u E + 12 u) m.
 #include "impl/attribute/bake/vertices.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "impl/attribute/bake/exact.hpp"
 #include "impl/attribute/bake/frame.hpp"
@@ -16,8 +20,9 @@ class Row {
  public:
   Row(const Source<Channel>& source, const Frame& frame)
       : source_(source), frame_(frame), in_picture_(source.in_picture(frame.box())) {
-    for (std::size_t k = 0; k < 4; ++k)
-      bound_[k] = source.coding().full(k) * (2 * frame.position + 8 * half_ulp);
+    if constexpr (!floats)
+      for (std::size_t k = 0; k < 4; ++k)
+        bound_[k] = source.coding().full(k) * (2 * frame.position + 8 * half_ulp);
   }
 
   RgbaOf<Channel> bilinear(const Point& p, bool& sure) const noexcept {
@@ -29,6 +34,11 @@ class Row {
     std::array<double, 4> mean{};
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t t = 0; t < 4; ++t) mean[k] += weight[t] * value(texels[t], k);
+    if constexpr (floats) {
+      const double near = frame_.position;
+      const bool inside = f > near && f < 1 - near && h > near && h < 1 - near;
+      return source_.coding().encoded(mean, inside ? bound_by(texels) : bound_around(i, j), sure);
+    }
     return source_.coding().encoded(mean, bound_, sure);
   }
 
@@ -42,6 +52,30 @@ class Row {
   }
 
  private:
+  static constexpr bool floats = std::is_same_v<Channel, float>;
+
+  /// By the greatest of some texels.
+  template <std::size_t count>
+  std::array<double, 4> bound_by(const std::array<const Channel*, count>& texels) const noexcept {
+    std::array<double, 4> bound{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (const Channel* const texel : texels) bound[k] = std::max(bound[k], std::fabs(value(texel, k)));
+      bound[k] *= 4 * frame_.position + 12 * half_ulp;
+    }
+    return bound;
+  }
+  /// By those of a cell and of the eight around it.
+  std::array<double, 4> bound_around(std::int64_t i, std::int64_t j) const noexcept {
+    std::array<const Channel*, 16> texels;
+    for (std::size_t t = 0; t < 4; ++t) {
+      const std::int64_t x = i - 1 + 2 * static_cast<std::int64_t>(t % 2),
+                         y = j - 1 + 2 * static_cast<std::int64_t>(t / 2);
+      const auto four = cell(x, y);
+      std::copy(four.begin(), four.end(), texels.begin() + static_cast<std::ptrdiff_t>(4 * t));
+    }
+    return bound_by(texels);
+  }
+
   double value(const Channel* texel, std::size_t k) const noexcept {
     return source_.coding().value(texel[k], k);
   }
@@ -61,7 +95,7 @@ class Row {
   const Source<Channel>& source_;
   const Frame& frame_;
   std::optional<typename Source<Channel>::InPicture> in_picture_;
-  std::array<double, 4> bound_;
+  std::array<double, 4> bound_{};  ///< of codes
 };
 
 }  // namespace
@@ -93,5 +127,7 @@ template AttributeCounts bake_vertices(const Source<std::uint8_t>&, const BaseTr
                                        std::span<Rgba>);
 template AttributeCounts bake_vertices(const Source<std::uint16_t>&, const BaseTriangle&, std::uint32_t,
                                        std::span<Rgba16>);
+template AttributeCounts bake_vertices(const Source<float>&, const BaseTriangle&, std::uint32_t,
+                                       std::span<RgbaFloat>);
 
 }  // namespace mmverify::impl::attribute::detail

@@ -194,6 +194,66 @@ BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uin
   return one;
 }
 
+namespace {
+
+/// A finite number of a kind.
+float drawn_float(Random& random, std::uint64_t kind, std::uint32_t base) {
+  const auto any = static_cast<std::uint32_t>(random.below(std::uint64_t{1} << 32));
+  const std::uint32_t sign = any & 0x80000000, fraction = any & 0x7fffff;
+  const auto with_exponent = [&](std::int64_t exponent) {
+    return std::bit_cast<float>(sign | static_cast<std::uint32_t>(exponent + 127) << 23 | fraction);
+  };
+  switch (kind) {
+    case 0:
+      return std::fabs(with_exponent(random.between(-10, 14)));
+    case 1:
+      return with_exponent(random.below(2) == 0 ? random.between(95, 105) : random.between(-105, -95));
+    case 2: {  // x and -x, and a little
+      const float one = std::bit_cast<float>(base);
+      const std::uint64_t which = random.below(5);
+      return which == 0 ? one * 0x1p-40f : which < 3 ? one : -one;
+    }
+    case 3:
+      return std::bit_cast<float>(sign | (random.below(2) == 0 ? fraction >> random.below(23) : any % 4));
+    case 4:
+      return std::bit_cast<float>(base + any % 2);
+    case 5:
+      return random.below(3) == 0 ? with_exponent(0) : std::bit_cast<float>(sign);
+    default:
+      return with_exponent(random.between(-126, 127));
+  }
+}
+
+}  // namespace
+
+BakeCaseOf<float> float_sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
+  const BakeCase narrow = sample_case(seed, n, k);
+  Random random(seed, 0x666c7400 + n, k);
+  BakeCaseOf<float> one;
+  one.uv = narrow.uv;
+  auto& p = one.picture;
+  p.width = std::min(narrow.picture.width, 7u);
+  p.height = narrow.picture.height;
+  p.wrap_u = narrow.picture.wrap_u;
+  p.wrap_v = narrow.picture.wrap_v;
+  p.filter = narrow.picture.filter;
+  const std::uint64_t kind = k % 7;
+  // Of a sign, and an exponent that a smaller one by 40 is not below the least of.
+  const auto base = static_cast<std::uint32_t>(random.below(2) << 31 | (60 + random.below(150)) << 23 |
+                                               random.below(1u << 23));
+  if (kind == 2 || kind == 4) {  // Halves, quarters and eighths of texels.
+    p.width = 1u << random.below(3);
+    p.height = 1u << random.below(3);
+    p.filter = Filter::bilinear;
+    for (float& x : one.uv) x = std::nearbyint(x * 16) / 16;
+  }
+  p.texels.resize(std::size_t{p.width} * p.height);
+  for (auto& t : p.texels)
+    for (float& c : t) c = drawn_float(random, kind, base);
+  for (float& c : p.border) c = drawn_float(random, kind, base);
+  return one;
+}
+
 template <class Channel>
 std::string text_of(const BakeCaseOf<Channel>& one) {
   const auto& p = one.picture;
@@ -233,6 +293,14 @@ BakeCaseOf<Channel> read_bake_case_of(const std::string& text) {
   p.filter = static_cast<Filter>(named(filter_names, names[2]));
   p.meaning = static_cast<Meaning>(named(meaning_names, names[3]));
   p.border = unhexed<Channel>((*groups)[5])[0];
+  if constexpr (std::is_same_v<Channel, float>) {
+    const auto finite = [](const auto& t) {
+      return std::all_of(t.begin(), t.end(), [](float c) { return std::isfinite(c); });
+    };
+    if (!finite(p.border) || !std::all_of(p.texels.begin(), p.texels.end(), finite))
+      throw BadCase(fmt::format("'{:.60}': texels are finite numbers", text));
+    if (p.meaning != Meaning::linear) throw BadCase(fmt::format("'{:.60}': floats are linear", text));
+  }
   const std::vector<std::string> uv = split((*groups)[6], ',');
   if (uv.size() != 6) throw BadCase(fmt::format("'{:.60}': six coordinates", text));
   for (std::size_t k = 0; k < 6; ++k) {
@@ -246,12 +314,18 @@ BakeCaseOf<Channel> read_bake_case_of(const std::string& text) {
 
 template std::string text_of(const BakeCaseOf<std::uint8_t>&);
 template std::string text_of(const BakeCaseOf<std::uint16_t>&);
+template std::string text_of(const BakeCaseOf<float>&);
 template BakeCaseOf<std::uint8_t> read_bake_case_of(const std::string&);
 template BakeCaseOf<std::uint16_t> read_bake_case_of(const std::string&);
+template BakeCaseOf<float> read_bake_case_of(const std::string&);
 
 std::string text_of(const Rgba& c) { return fmt::format("{} {} {} {}", c[0], c[1], c[2], c[3]); }
 std::string text_of(const RgbaOf<std::uint16_t>& c) {
   return fmt::format("{} {} {} {}", c[0], c[1], c[2], c[3]);
+}
+
+std::string text_of(const RgbaOf<float>& c) {
+  return fmt::format("{:a} {:a} {:a} {:a}", c[0], c[1], c[2], c[3]);
 }
 
 }  // namespace mmverify::proofs::attribute

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "proofs/engine/law.hpp"
@@ -19,7 +21,7 @@ using spec::attribute::Filter;
 using spec::attribute::Neighbours;
 using spec::bake::Wrap;
 
-/// A texel, or a value of a map.  Channel: std::uint8_t or std::uint16_t.
+/// A texel, or a value of a map.  Channel: std::uint8_t, std::uint16_t or float.
 template <class Channel>
 using RgbaOf = std::array<Channel, 4>;
 using Rgba = RgbaOf<std::uint8_t>;
@@ -27,11 +29,17 @@ using Rgba = RgbaOf<std::uint8_t>;
 /// The bits of a channel.
 template <class Channel>
 constexpr std::uint32_t bits_of(Channel c) {
-  return c;
+  if constexpr (std::is_same_v<Channel, float>)
+    return std::bit_cast<std::uint32_t>(c);
+  else
+    return c;
 }
 template <class Channel>
 constexpr Channel channel_of_bits(std::uint32_t bits) {
-  return static_cast<Channel>(bits);
+  if constexpr (std::is_same_v<Channel, float>)
+    return std::bit_cast<float>(bits);
+  else
+    return static_cast<Channel>(bits);
 }
 
 /// What codes mean, and so what is averaged; alpha is linear.
@@ -102,11 +110,12 @@ struct Bakers {
   const MapBakerOf<Channel>& of(MapForm form) const { return form == MapForm::faces ? faces : vertices; }
 };
 
-/// What a subject has of baking: of 8 bits a channel; `wide`, of 16.
+/// What a subject has of baking: of 8 bits a channel; `wide`, of 16; `floats`, of binary32.
 struct Baking {
   BakingSupport support = {};
   MapBakerOf<std::uint8_t> vertices = {}, faces = {};
   Bakers<std::uint16_t> wide = {};
+  Bakers<float> floats = {};
   /// The mean of a channel over face `index`, exactly.
   std::function<Rational(const BakeCase&, Level, std::size_t channel, std::uint32_t index)> face_mean = {};
   /// Of the texture sampled bilinearly against a map; bounds that are above it by `slack` at most.

@@ -152,6 +152,7 @@ Baking specified_baking() {
   f.vertices = true_vertices;
   f.faces = true_faces;
   f.wide = specified_bakers<std::uint16_t>();
+  f.floats = specified_bakers<float>();
   f.face_mean = specified_mean;
   f.error = specified_error;
   f.light = [](std::uint32_t m) { return slow::light_table()[m]; };
@@ -165,6 +166,7 @@ Baking library_baking() {
   f.vertices = bakers.vertices;
   f.faces = bakers.faces;
   f.wide = library_bakers<std::uint16_t>();
+  f.floats = library_bakers<float>();
   f.error = [](const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map) {
     const Taken taken(one);
     const fast::MapError error =

@@ -66,5 +66,6 @@ std::vector<RgbaOf<Channel>> true_map(MapForm form, const BakeCaseOf<Channel>& o
   return map;
 }
 template std::vector<RgbaOf<std::uint16_t>> true_map(MapForm, const BakeCaseOf<std::uint16_t>&, Level);
+template std::vector<RgbaOf<float>> true_map(MapForm, const BakeCaseOf<float>&, Level);
 
 }  // namespace mmverify::proofs::attribute

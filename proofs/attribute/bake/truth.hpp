@@ -15,15 +15,22 @@ namespace mmverify::proofs::attribute {
 
 constexpr bool is_normal(Meaning m) { return m == Meaning::normal || m == Meaning::normal_and_length; }
 
-/// One channel as a texture of the specification.
+/// A channel as the specification has it, and one channel as its texture.
+template <class Texel, class Channel>
+Texel stored(Channel c) {
+  if constexpr (std::is_same_v<Channel, float>)
+    return Texel{bits_of(c)};
+  else
+    return Texel{c};
+}
 template <class Texel, class Channel>
 spec::attribute::TextureOf<Texel> channel_of(const PictureOf<Channel>& p, std::size_t channel,
                                              Filter filter) {
   spec::attribute::TextureOf<Texel> t{p.width, p.height};
-  for (const auto& texel : p.texels) t.alpha.push_back(Texel{texel[channel]});
+  for (const auto& texel : p.texels) t.alpha.push_back(stored<Texel>(texel[channel]));
   t.wrap_x = p.wrap_u;
   t.wrap_y = p.wrap_v;
-  t.border = Texel{p.border[channel]};
+  t.border = stored<Texel>(p.border[channel]);
   t.filter = filter;
   return t;
 }
@@ -37,9 +44,9 @@ spec::attribute::BaseTriangle<Q> base_triangle(const UvTriangle& uv) {
   return {vertex(0), vertex(1), vertex(2)};
 }
 
-/// The codes of numbers that `value(texture of a channel)` gives, rounded as the specification says.
+/// Of channels that are codes.
 template <class Channel, class Value>
-RgbaOf<Channel> true_codes(const PictureOf<Channel>& p, Filter filter, Value value) {
+RgbaOf<Channel> true_integer_codes(const PictureOf<Channel>& p, Filter filter, Value value) {
   using spec::attribute::Rounded, spec::attribute::Srgb8;
   using Normal = spec::attribute::Normal<Channel>;
   const auto linear = [&](std::size_t k) {
@@ -68,6 +75,20 @@ RgbaOf<Channel> true_codes(const PictureOf<Channel>& p, Filter filter, Value val
   return codes;
 }
 
+/// The codes, or floats, of numbers that `value(texture of a channel)` gives, rounded as the specification says.
+template <class Channel, class Value>
+RgbaOf<Channel> true_codes(const PictureOf<Channel>& p, Filter filter, Value value) {
+  using spec::attribute::Binary32, spec::attribute::Rounded;
+  if constexpr (std::is_same_v<Channel, float>) {
+    RgbaOf<float> numbers{};
+    for (std::size_t k = 0; k < 4; ++k)
+      numbers[k] =
+          std::bit_cast<float>(Rounded<Binary32>::of(value(channel_of<Binary32>(p, k, filter))).bits);
+    return numbers;
+  } else {
+    return true_integer_codes(p, filter, value);
+  }
+}
 /// The codes of one element of a map: a micro-vertex in W-minor order, or a face on the curve.
 template <class Q, class Channel>
 RgbaOf<Channel> true_at(MapForm form, const BakeCaseOf<Channel>& one, Level n, std::uint32_t k) {
@@ -102,6 +123,7 @@ auto in_few_bits(F f) {
 /// true_at, in as many bits as it takes.
 template <class Channel>
 RgbaOf<Channel> exact_at(MapForm form, const BakeCaseOf<Channel>& one, Level n, std::uint32_t k) {
+  if constexpr (std::is_same_v<Channel, float>) return true_at<Rational>(form, one, n, k);
   return in_few_bits([&](auto q) { return true_at<decltype(q)>(form, one, n, k); });
 }
 /// How many elements a map has.
