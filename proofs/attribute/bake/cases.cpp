@@ -160,6 +160,28 @@ BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
   return one;
 }
 
+namespace {
+
+/// A texture of two texels side by side, and a triangle that has as much of one as of the other by its symmetry alone:
+/// its edges lean in ways that no float bears.
+template <class Channel>
+void balance(Random& random, BakeCaseOf<Channel>& one) {
+  auto& p = one.picture;
+  p.width = 2;
+  p.height = 1;
+  p.wrap_u = p.wrap_v = Wrap::clamp_to_edge;
+  p.filter = Filter::bilinear;
+  const auto fine = [&](std::int64_t from, std::int64_t to) {
+    return static_cast<float>(random.between(from, to)) / (1 << 20);
+  };
+  const float side = fine(1 << 16, 1 << 19), base = fine(0, 1 << 20);
+  one.uv = {0.5f - side, base, 0.5f + side, base, 0.5f, base + fine(1 << 16, 1 << 20)};
+  std::rotate(one.uv.begin(), one.uv.begin() + static_cast<std::ptrdiff_t>(2 * random.below(3)),
+              one.uv.end());
+}
+
+}  // namespace
+
 BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
   const BakeCase narrow = sample_case(seed, n, k);
   Random random(seed, 0x77696400 + n, k);
@@ -186,6 +208,7 @@ BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uin
     p.height = 1u << random.below(3);
     p.filter = Filter::bilinear;
     for (float& x : one.uv) x = std::nearbyint(x * 16) / 16;
+    if (k % 8 == 5) balance(random, one);
   }
   p.texels.resize(std::size_t{p.width} * p.height);
   for (auto& t : p.texels)
@@ -207,6 +230,7 @@ float drawn_float(Random& random, std::uint64_t kind, std::uint32_t base) {
     case 0:
       return std::fabs(with_exponent(random.between(-10, 14)));
     case 1:
+    case 9:
       return with_exponent(random.below(2) == 0 ? random.between(95, 105) : random.between(-105, -95));
     case 2: {  // x and -x, and a little
       const float one = std::bit_cast<float>(base);
@@ -216,7 +240,10 @@ float drawn_float(Random& random, std::uint64_t kind, std::uint32_t base) {
     case 3:
       return std::bit_cast<float>(sign | (random.below(2) == 0 ? fraction >> random.below(23) : any % 4));
     case 4:
+    case 8:
       return std::bit_cast<float>(base + any % 2);
+    case 7:
+      return with_exponent(random.below(8) == 0 ? 30 : 0);
     case 5:
       return random.below(3) == 0 ? with_exponent(0) : std::bit_cast<float>(sign);
     default:
@@ -237,20 +264,31 @@ BakeCaseOf<float> float_sample_case(std::uint64_t seed, Level n, std::uint64_t k
   p.wrap_u = narrow.picture.wrap_u;
   p.wrap_v = narrow.picture.wrap_v;
   p.filter = narrow.picture.filter;
-  const std::uint64_t kind = k % 7;
+  const std::uint64_t kind = k % 10;
   // Of a sign, and an exponent that a smaller one by 40 is not below the least of.
   const auto base = static_cast<std::uint32_t>(random.below(2) << 31 | (60 + random.below(150)) << 23 |
                                                random.below(1u << 23));
-  if (kind == 2 || kind == 4) {  // Halves, quarters and eighths of texels.
+  if (kind == 2 || kind == 4 || kind == 9) {  // Halves, quarters and eighths of texels.
     p.width = 1u << random.below(3);
     p.height = 1u << random.below(3);
     p.filter = Filter::bilinear;
     for (float& x : one.uv) x = std::nearbyint(x * 16) / 16;
   }
+  if (kind == 8) balance(random, one);
+  if (kind == 9) {  // The row of vertices in the middle beside texels' centres, by less than binary64 bears.
+    p.width = 4;
+    p.wrap_u = Wrap::repeat;
+    one.uv[0] = -0x1p-60f;
+    one.uv[2] = one.uv[4] = 0.75f;
+  }
   p.texels.resize(std::size_t{p.width} * p.height);
   for (auto& t : p.texels)
     for (float& c : t) c = drawn_float(random, kind, base);
   for (float& c : p.border) c = drawn_float(random, kind, base);
+  if (kind == 9)  // A large one on their one side alone.
+    for (std::size_t t = 0; t < p.texels.size(); ++t)
+      for (float& c : p.texels[t])
+        c = std::ldexp(c, t % 4 == 0 ? std::max(0, 100 - std::ilogb(c)) : std::min(0, -100 - std::ilogb(c)));
   return one;
 }
 

@@ -31,7 +31,7 @@ BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k);
 /// The same of 16 bits, sRGB left out; a quarter with neighbours one code apart, on places where their means are ties.
 BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uint64_t k);
 /// The same of floats, up to 7x7 texels: ordinary ones, 2^100 beside 2^-100, some that cancel, below 2^-126, neighbours
-/// on places where their means are ties, zeros of both signs, and any.
+/// on places where their means are ties, zeros of both signs, one of eight 2^30 times the others, and any.
 BakeCaseOf<float> float_sample_case(std::uint64_t seed, Level n, std::uint64_t k);
 
 /// "2x2:RRGGBBAA...:repeat,clamp,bilinear,srgb,00000000:u0,v0,u1,v1,u2,v2", coordinates as hexadecimal floats; of texels

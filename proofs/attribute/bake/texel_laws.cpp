@@ -220,7 +220,8 @@ Law texel_floats_law() {
            [](const Subject&, Level) {
              return std::string(
                  "textures of up to 7x7 texels of binary32, all modes; ordinary numbers, 2^100 beside "
-                 "2^-100, some that cancel, subnormals, ties, zeros of both signs, any; up to 8 values of "
+                 "2^-100, some that cancel, subnormals, ties, zeros of both signs, lone bright ones, any; up "
+                 "to 8 values of "
                  "each map");
            },
        .mutants = {mutant("ties away from zero", "attribute", {0, 2}, rounds_ties_away()),
@@ -244,7 +245,7 @@ Law texel_floats_law() {
                                          [](Level n, PictureFloat& p) {
                                            if (n == 4) p.border = {};
                                          }))}},
-      needing({bakes_vertices_floats, bakes_faces_floats}), cases_of(float_sample_case, &Baking::floats, 42));
+      needing({bakes_vertices_floats, bakes_faces_floats}), cases_of(float_sample_case, &Baking::floats, 40));
 }
 
 }  // namespace
