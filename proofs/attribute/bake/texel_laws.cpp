@@ -17,7 +17,7 @@ template <class Channel>
 Cases<BakeCaseOf<Channel>> cases_of(BakeCaseOf<Channel> (*draw)(std::uint64_t, Level, std::uint64_t),
                                     Bakers<Channel> Baking::*bakers, std::uint64_t few) {
   Cases<BakeCaseOf<Channel>> cases;
-  cases.count = [=](Level, const Run& run) { return run.tier == Tier::fast ? few : 50 * few; };
+  cases.count = [=](Level, const Run& run) { return run.tier == Tier::fast ? few : 100 * few; };
   cases.number = [=](Level n, std::uint64_t k, std::uint64_t seed) { return draw(seed, n, k); };
   cases.text = [](Level, const BakeCaseOf<Channel>& one) { return text_of(one); };
   cases.read = [](Level, const std::string& text) { return read_bake_case_of<Channel>(text); };
@@ -245,7 +245,7 @@ Law texel_floats_law() {
                                          [](Level n, PictureFloat& p) {
                                            if (n == 4) p.border = {};
                                          }))}},
-      needing({bakes_vertices_floats, bakes_faces_floats}), cases_of(float_sample_case, &Baking::floats, 40));
+      needing({bakes_vertices_floats, bakes_faces_floats}), cases_of(float_sample_case, &Baking::floats, 20));
 }
 
 }  // namespace
