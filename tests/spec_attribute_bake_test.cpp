@@ -45,6 +45,8 @@ TEST(SpecAttributeColour, CodesComeBackAndHalfTheLightIs188) {
     EXPECT_EQ(at::Rounded<std::uint8_t>::of(at::number<Rational>(code)), c);
     EXPECT_EQ(at::Rounded<at::Normal8>::of(at::number<Rational>(at::Normal8{code})).code, c);
   }
+  for (const std::uint16_t code : std::array<std::uint16_t, 5>{0, 1, 32767, 32768, 65535})
+    EXPECT_EQ(at::Rounded<at::Normal16>::of(at::number<Rational>(at::Normal16{code})).code, code);
   // 255 (1.055 2^(-1/2.4) - 0.055) = 187.5156
   EXPECT_EQ(at::Rounded<at::Srgb8>::of(q(1, 2)).code, 188);
 }
@@ -146,6 +148,11 @@ TEST(SpecAttributeNormal, DirectionsAreOneUnitLong) {
   EXPECT_EQ(codes({q(-3), q(0), q(4)}), (std::array{51, 128, 230}));  // 0.2 and 0.9 of 255: 51 and 229.5
   EXPECT_EQ(at::length_code(at::Vector3<Rational>{q(1, 2), q(1, 2), q(0)}), 180);  // 180.31
   EXPECT_EQ(at::length_code(at::Vector3<Rational>{q(1), q(1), q(1)}), 255);
+  EXPECT_EQ(at::length_code<std::uint16_t>(at::Vector3<Rational>{q(1, 2), q(1, 2), q(0)}), 46340);  // 46340.2
+  const auto fine = at::direction<std::uint16_t>(at::Vector3<Rational>{q(3), q(0), q(-4)});
+  EXPECT_EQ(fine[0].code, 52428);  // 65535 0.8
+  EXPECT_EQ(fine[1].code, 32768);
+  EXPECT_EQ(fine[2].code, 6554);  // 65535 0.1 = 6553.5
 }
 
 TEST(SpecAttributeError, OfTheSaddleByItsIntegrals) {

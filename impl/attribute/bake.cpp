@@ -24,23 +24,34 @@ void check(const BaseTriangle& uv, std::uint32_t level, std::size_t room, std::s
 
 }  // namespace detail
 
-AttributeBaker::AttributeBaker(const RgbaView& texture, const AttributeSampling& sampling)
-    : source_(std::make_unique<const detail::Source>(texture, sampling)) {}
-AttributeBaker::~AttributeBaker() = default;
-AttributeBaker::AttributeBaker(AttributeBaker&&) noexcept = default;
-AttributeBaker& AttributeBaker::operator=(AttributeBaker&&) noexcept = default;
+template <class Channel>
+AttributeBakerOf<Channel>::AttributeBakerOf(const RgbaViewOf<Channel>& texture,
+                                            const AttributeSamplingOf<Channel>& sampling)
+    : source_(std::make_unique<const detail::Source<Channel>>(texture, sampling)) {}
+template <class Channel>
+AttributeBakerOf<Channel>::~AttributeBakerOf() = default;
+template <class Channel>
+AttributeBakerOf<Channel>::AttributeBakerOf(AttributeBakerOf&&) noexcept = default;
+template <class Channel>
+AttributeBakerOf<Channel>& AttributeBakerOf<Channel>::operator=(AttributeBakerOf&&) noexcept = default;
 
-AttributeCounts AttributeBaker::faces(const BaseTriangle& uv, std::uint32_t level,
-                                      std::span<Rgba> out) const {
+template <class Channel>
+AttributeCounts AttributeBakerOf<Channel>::faces(const BaseTriangle& uv, std::uint32_t level,
+                                                 std::span<RgbaOf<Channel>> out) const {
   detail::check(uv, level, out.size(), level > max_attribute_level ? 0 : std::size_t{1} << 2 * level);
   return detail::bake_faces(*source_, uv, level, out);
 }
 
-AttributeCounts AttributeBaker::vertices(const BaseTriangle& uv, std::uint32_t level,
-                                         std::span<Rgba> out) const {
+template <class Channel>
+AttributeCounts AttributeBakerOf<Channel>::vertices(const BaseTriangle& uv, std::uint32_t level,
+                                                    std::span<RgbaOf<Channel>> out) const {
   const std::size_t side = level > max_attribute_level ? 0 : std::size_t{1} << level;
   detail::check(uv, level, out.size(), (side + 1) * (side + 2) / 2);
   return detail::bake_vertices(*source_, uv, level, out);
 }
+
+template class AttributeBakerOf<std::uint8_t>;
+template class AttributeBakerOf<std::uint16_t>;
+template class AttributeBakerOf<float>;
 
 }  // namespace mmverify::impl::attribute

@@ -13,7 +13,7 @@ namespace {
 
 using detail::Frame;
 using detail::Point;
-using detail::Source;
+using Source = detail::Source<std::uint8_t>;
 
 /// A part of a micro-triangle: places in texels, with their (s, t).
 struct Corner {
@@ -129,7 +129,7 @@ MapError map_error(const RgbaView& texture, const AttributeSampling& sampling, c
   if (frame.width > 1 << 15 || frame.height > 1 << 15)
     throw std::invalid_argument("attribute: a triangle over more than 2^15 texels along an axis");
   const auto number = [&](const std::uint8_t* bytes, std::size_t k) {
-    return source.number(bytes, k) / source.curves()[k]->full;
+    return source.coding().value(bytes[k], k) / source.coding().full(k);
   };
   MapError error;
   for (std::uint32_t k = 0; k < faces; ++k) {
@@ -151,9 +151,9 @@ MapError map_error(const RgbaView& texture, const AttributeSampling& sampling, c
                 const std::int64_t x = source.column(frame.left + i),
                                    right = source.column(frame.left + i + 1), y = source.row(frame.top + j),
                                    below = source.row(frame.top + j + 1);
-                const std::array<const std::uint8_t*, 4> texels{source.bytes(x, y), source.bytes(right, y),
-                                                                source.bytes(x, below),
-                                                                source.bytes(right, below)};
+                const std::array<const std::uint8_t*, 4> texels{source.texel(x, y), source.texel(right, y),
+                                                                source.texel(x, below),
+                                                                source.texel(right, below)};
                 for (std::size_t c = 0; c < 4; ++c) {
                   const Difference e(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5,
                                      {number(texels[0], c), number(texels[1], c), number(texels[2], c),

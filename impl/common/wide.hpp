@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -10,6 +11,13 @@ namespace mmverify::impl::bake::detail {
 // Not ISO C++, but both compilers of this project have it.
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Unsigned128;
+
+/// Bits of a number that is not below 0.
+constexpr int bit_width(Int128 a) noexcept {
+  const auto high = static_cast<std::uint64_t>(a >> 64);
+  return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
+                   : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(a)));
+}
 
 /// Two's complement in 64 `limbs` bits; the caller sees to it that nothing overflows.
 template <std::size_t limbs>
@@ -60,6 +68,13 @@ class Wide {
       if (rest != 0 && k > whole) moved.limb_[k] |= a.limb_[k - whole - 1] >> (64 - rest);
     }
     return moved;
+  }
+
+  /// Bits of a number that is not below 0.
+  friend constexpr int bit_width(const Wide& a) noexcept {
+    std::size_t k = limbs;
+    while (k > 0 && a.limb_[k - 1] == 0) --k;
+    return k == 0 ? 0 : static_cast<int>(64 * (k - 1)) + static_cast<int>(std::bit_width(a.limb_[k - 1]));
   }
 
   constexpr bool negative() const noexcept { return limb_[limbs - 1] >> 63 != 0; }

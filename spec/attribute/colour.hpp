@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include "spec/bake/bake.hpp"
@@ -27,10 +28,17 @@ struct Srgb8 {
   std::uint8_t code = 0;
 };
 
-/// 8 bits of a normal's component; the number is 2 code / 255 - 1, and 0 has no code.
-struct Normal8 {
-  std::uint8_t code = 0;
+/// A normal's component in a code; the number is 2 code / full - 1, full the greatest code, and 0 has no code.
+template <class Code>
+struct Normal {
+  Code code = 0;
 };
+using Normal8 = Normal<std::uint8_t>;
+using Normal16 = Normal<std::uint16_t>;
+
+/// The greatest code: 255 or 65535.
+template <class Code>
+inline constexpr std::int64_t full_code = std::numeric_limits<Code>::max();
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The sRGB curve
@@ -80,9 +88,9 @@ Q number(Srgb8 stored) {
   return fraction<Q>(light_of(stored.code), std::int64_t{1} << light_bits);
 }
 
-template <class Q>
-Q number(Normal8 stored) {
-  return fraction<Q>(2 * std::int64_t{stored.code} - 255, 255);
+template <class Q, class Code>
+Q number(Normal<Code> stored) {
+  return fraction<Q>(2 * std::int64_t{stored.code} - full_code<Code>, full_code<Code>);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -118,15 +126,15 @@ struct Rounded<std::uint16_t> {
   }
 };
 
-/// The last code in 0..255 that `begun(code)` is true of, true up to one and false beyond, and of 0.
-template <class Begun>
-std::uint8_t last_code(Begun begun) {
-  int low = 0, high = 256;
+/// The last code that `begun(code)` is true of, true up to one and false beyond, and of 0.
+template <class Code = std::uint8_t, class Begun>
+Code last_code(Begun begun) {
+  int low = 0, high = static_cast<int>(full_code<Code>) + 1;
   while (high - low > 1) {
     const int middle = (low + high) / 2;
     (begun(middle) ? low : high) = middle;
   }
-  return static_cast<std::uint8_t>(low);
+  return static_cast<Code>(low);
 }
 
 /// Half up on the curve: the last code whose least light is reached.
@@ -141,11 +149,11 @@ struct Rounded<Srgb8> {
 };
 
 /// A component by itself; spec/attribute/normal.hpp has that of a direction.
-template <>
-struct Rounded<Normal8> {
+template <class Code>
+struct Rounded<Normal<Code>> {
   template <class Q>
-  static Normal8 of(const Q& q) {
-    return {static_cast<std::uint8_t>(half_up(Q((q + fraction<Q>(1, 1)) * fraction<Q>(1, 2)), 255))};
+  static Normal<Code> of(const Q& q) {
+    return {static_cast<Code>(half_up(Q((q + fraction<Q>(1, 1)) * fraction<Q>(1, 2)), full_code<Code>))};
   }
 };
 

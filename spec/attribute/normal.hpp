@@ -29,25 +29,30 @@ bool reaches(const Q& a, const Q& t, const Q& square) {
   return t < 0 && a * a <= t * t * square;
 }
 
-/// The codes of m / |m|, half up:  floor(255 (m_i / |m| + 1) / 2 + 1/2).
-/// The mean of no direction, m = 0, is the surface's own normal (0, 0, 1): (128, 128, 255).
-template <class Q>
-std::array<Normal8, 3> direction(const Vector3<Q>& m) {
+/// The codes of m / |m|, half up:  floor(full (m_i / |m| + 1) / 2 + 1/2), full = 255 or 65535.
+/// The mean of no direction, m = 0, is the surface's own normal (0, 0, 1): (128, 128, 255), or (32768, 32768, 65535).
+template <class Code = std::uint8_t, class Q>
+std::array<Normal<Code>, 3> direction(const Vector3<Q>& m) {
+  constexpr std::int64_t full = full_code<Code>;
   const Q square = squared_length(m);
-  if (square == 0) return {Normal8{128}, Normal8{128}, Normal8{255}};
-  std::array<Normal8, 3> codes;
-  // Code c begins where 255 (x + 1) / 2 = c - 1/2, x = (2 c - 256) / 255.
+  if (square == 0) {
+    constexpr auto middle = static_cast<Code>((full + 1) / 2);
+    return {Normal<Code>{middle}, Normal<Code>{middle}, Normal<Code>{full_code<Code>}};
+  }
+  std::array<Normal<Code>, 3> codes;
+  // Code c begins where full (x + 1) / 2 = c - 1/2, x = (2 c - 1 - full) / full.
   for (std::size_t k = 0; k < 3; ++k)
-    codes[k] = {last_code([&](int c) { return reaches(m[k], fraction<Q>(2 * c - 256, 255), square); })};
+    codes[k] = {last_code<Code>(
+        [&](int c) { return reaches(m[k], fraction<Q>(2 * std::int64_t{c} - 1 - full, full), square); })};
   return codes;
 }
 
-/// The code of |m|, half up, at most 255:  floor(255 |m| + 1/2).  What 255 lacks of it is the normals' spread.
-template <class Q>
-std::uint8_t length_code(const Vector3<Q>& m) {
+/// The code of |m|, half up, at most full:  floor(full |m| + 1/2).  What full lacks of it is the normals' spread.
+template <class Code = std::uint8_t, class Q>
+Code length_code(const Vector3<Q>& m) {
   const Q square = squared_length(m);
-  return last_code([&](int c) {
-    const Q begins = fraction<Q>(2 * c - 1, 510);
+  return last_code<Code>([&](int c) {
+    const Q begins = fraction<Q>(2 * std::int64_t{c} - 1, 2 * full_code<Code>);
     return square >= begins * begins;
   });
 }

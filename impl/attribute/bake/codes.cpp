@@ -57,32 +57,38 @@ const Curve& Curve::srgb() {
   return curve;
 }
 
-Rgba encoded_normal(const std::array<double, 4>& means, const std::array<double, 4>& bound, Meaning meaning,
-                    const Curves& curves, bool& sure) noexcept {
-  Rgba codes{};
-  // m = 2 mean - 255, each within twice the bound, so its length within 4 bounds, and m / |m| within 8 bounds / |m|
+template <class Channel>
+RgbaOf<Channel> encoded_normal(const std::array<double, 4>& means, const std::array<double, 4>& bound,
+                               Meaning meaning, bool& sure) noexcept {
+  // Binary64 of numbers up to `full`, with room.
+  constexpr double full = greatest<Channel>, rounding = (full + 1) * 0x1p-48;
+  RgbaOf<Channel> codes{};
+  // m = 2 mean - full, each within twice the bound, so its length within 4 bounds, and m / |m| within 8 bounds / |m|
   // where |m| is far beyond them.
   const double b = std::max({bound[0], bound[1], bound[2]});
-  const double x = 2 * means[0] - 255, y = 2 * means[1] - 255, z = 2 * means[2] - 255,
+  const double x = 2 * means[0] - full, y = 2 * means[1] - full, z = 2 * means[2] - full,
                length = std::sqrt(x * x + y * y + z * z);
   if (!(length > 64 * b + 0x1p-20)) {
     sure = false;
     return codes;
   }
-  const double direction_bound = 0x1p-40 + 127.5 * 8 * (2 * b) / length;
+  const double direction_bound = rounding + full / 2 * 8 * (2 * b) / length;
   if (!(direction_bound < 0.25)) {
     sure = false;
     return codes;
   }
-  const Curve& line = Curve::linear();
-  const double scale = 127.5 / length;
-  codes[0] = line.code(x * scale + 127.5, direction_bound, sure);
-  codes[1] = line.code(y * scale + 127.5, direction_bound, sure);
-  codes[2] = line.code(z * scale + 127.5, direction_bound, sure);
-  codes[3] = meaning == Meaning::normal ? curves[3]->code(means[3], bound[3], sure)
-             : length >= 255            ? std::uint8_t{255}
-                                        : line.code(length, 0x1p-40 + 4 * b, sure);
+  const double scale = full / 2 / length;
+  codes[0] = linear_code<Channel>(x * scale + full / 2, direction_bound, sure);
+  codes[1] = linear_code<Channel>(y * scale + full / 2, direction_bound, sure);
+  codes[2] = linear_code<Channel>(z * scale + full / 2, direction_bound, sure);
+  codes[3] = meaning == Meaning::normal ? linear_code<Channel>(means[3], bound[3], sure)
+             : length >= full           ? greatest<Channel>
+                                        : linear_code<Channel>(length, rounding + 4 * b, sure);
   return codes;
 }
+template RgbaOf<std::uint8_t> encoded_normal(const std::array<double, 4>&, const std::array<double, 4>&,
+                                             Meaning, bool&) noexcept;
+template RgbaOf<std::uint16_t> encoded_normal(const std::array<double, 4>&, const std::array<double, 4>&,
+                                              Meaning, bool&) noexcept;
 
 }  // namespace mmverify::impl::attribute::detail

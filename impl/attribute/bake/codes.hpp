@@ -10,11 +10,47 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "impl/attribute/bake.hpp"
 
 namespace mmverify::impl::attribute::detail {
+
+/// The greatest code of a channel: 255 or 65535.
+template <class Channel>
+inline constexpr int greatest = std::numeric_limits<Channel>::max();
+
+/// The last code in 0..full that `begun(code)` is true of, true up to one and false beyond, and of 0.
+template <class Begun>
+int last_code(int full, Begun begun) {
+  int low = 0, high = full + 1;
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    (begun(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The code of a linear mean that is within `bound`, half up; `sure` is cleared where a middle is that near.
+/// Domain: mean >= -1/4; below 2^16.
+template <class Channel>
+Channel linear_code(double mean, double bound, bool& sure) noexcept {
+  const double up = mean + 0.5;
+  const auto whole = static_cast<std::int32_t>(up);  // up >= 1/4
+  const double rest = up - whole;
+  sure = sure && rest >= bound && rest <= 1 - bound;
+  return static_cast<Channel>(whole);
+}
+
+/// The code of the linear mean sum / count, exactly.  Domain: count > 0.
+template <class Channel, class Int>
+Channel exact_linear_code(const Int& sum, const Int& count) {
+  const Int twice = sum + sum;
+  return static_cast<Channel>(
+      last_code(greatest<Channel>, [&](int c) { return Int(std::int64_t{2 * c - 1}) * count <= twice; }));
+}
 
 /// The curve of one channel.
 struct Curve {
@@ -40,13 +76,7 @@ struct Curve {
   /// The code of a mean that is within `bound`; `sure` is cleared where a middle is that near.
   /// Domain: 0 <= bound <= most_off; mean within that of 0 .. full.
   std::uint8_t code(double mean, double bound, bool& sure) const noexcept {
-    if (middles.empty()) {
-      const double up = mean + 0.5;
-      const auto whole = static_cast<std::int32_t>(up);  // up >= 1/4
-      const double rest = up - whole;
-      sure = sure && rest >= bound && rest <= 1 - bound;
-      return static_cast<std::uint8_t>(whole);
-    }
+    if (middles.empty()) return linear_code<std::uint8_t>(mean, bound, sure);
     const double inside = std::min(std::max(mean, first_number), full);
     const std::uint64_t entry = middles[(std::bit_cast<std::uint64_t>(inside) >> bits_below) - first_bits];
     const auto middle = std::bit_cast<double>(entry & ~code_mask);
@@ -58,13 +88,9 @@ struct Curve {
   template <class Int>
   std::uint8_t exact_code(const Int& sum, const Int& count) const {
     const Int twice = sum + sum;
-    int low = 0, high = 256;
-    while (high - low > 1) {
-      const int middle = (low + high) / 2;
-      (Int(std::int64_t{twice_least[static_cast<std::size_t>(middle)]}) * count <= twice ? low : high) =
-          middle;
-    }
-    return static_cast<std::uint8_t>(low);
+    return static_cast<std::uint8_t>(last_code(255, [&](int c) {
+      return Int(std::int64_t{twice_least[static_cast<std::size_t>(c)]}) * count <= twice;
+    }));
   }
 };
 
@@ -76,18 +102,10 @@ inline Curves curves_of(Meaning meaning) {
 }
 constexpr bool is_normal(Meaning m) { return m == Meaning::normal || m == Meaning::normal_and_length; }
 
-/// `encoded` for normals.
-Rgba encoded_normal(const std::array<double, 4>& means, const std::array<double, 4>& bound, Meaning meaning,
-                    const Curves& curves, bool& sure) noexcept;
-
-/// The codes of mean numbers, each within its `bound`; `sure` is cleared where another code may be right.
-inline Rgba encoded(const std::array<double, 4>& means, const std::array<double, 4>& bound, Meaning meaning,
-                    const Curves& curves, bool& sure) noexcept {
-  if (is_normal(meaning)) return encoded_normal(means, bound, meaning, curves, sure);
-  Rgba codes{};
-  for (std::size_t k = 0; k < 4; ++k) codes[k] = curves[k]->code(means[k], bound[k], sure);
-  return codes;
-}
+/// The codes of mean numbers of normals, each within its `bound`; `sure` is cleared where another code may be right.
+template <class Channel>
+RgbaOf<Channel> encoded_normal(const std::array<double, 4>& means, const std::array<double, 4>& bound,
+                               Meaning meaning, bool& sure) noexcept;
 
 /// Whether a >= t sqrt(square) for whole numbers.  Domain: square >= 0.
 template <class Int>
@@ -97,41 +115,114 @@ bool reaches(const Int& a, const Int& t, const Int& square) {
   return t < zero && a * a <= t * t * square;
 }
 
-/// The codes of sums / count, exactly.  Domain: count > 0; of normals Int has twice the sums' bits and 32 more.
-template <class Int>
-Rgba exactly_encoded(const std::array<Int, 4>& sums, const Int& count, Meaning meaning,
-                     const Curves& curves) {
-  Rgba codes{};
-  for (std::size_t k = 0; k < 4; ++k) codes[k] = curves[k]->exact_code(sums[k], count);
-  if (!is_normal(meaning)) return codes;
-  // The mean direction is (2 sum - 255 count) / (255 count).
+/// Gives `codes` the directions, and the length, of the mean normal sums / count, exactly.
+/// Domain: count > 0; Int has twice the sums' bits and 32 more.
+template <class Channel, class Int>
+void encode_normal_exactly(const std::array<Int, 4>& sums, const Int& count, Meaning meaning,
+                           RgbaOf<Channel>& codes) {
+  constexpr int full = greatest<Channel>;
+  // The mean direction is (2 sum - full count) / (full count).
   std::array<Int, 3> m;
   Int square(0);
   for (std::size_t k = 0; k < 3; ++k) {
-    m[k] = sums[k] + sums[k] - Int(255) * count;
+    m[k] = sums[k] + sums[k] - Int(full) * count;
     square = square + m[k] * m[k];
   }
-  const auto last = [](auto begun) {
-    int low = 0, high = 256;
-    while (high - low > 1) {
-      const int middle = (low + high) / 2;
-      (begun(middle) ? low : high) = middle;
-    }
-    return static_cast<std::uint8_t>(low);
-  };
   if (square == Int(0)) {
-    codes[0] = codes[1] = 128;
-    codes[2] = 255;
+    codes[0] = codes[1] = (full + 1) / 2;
+    codes[2] = full;
   } else {
+    // Code c begins at (2 c - 1 - full) / full.
     for (std::size_t k = 0; k < 3; ++k)
-      codes[k] = last([&](int c) { return reaches(Int(255) * m[k], Int(2 * c - 256), square); });
+      codes[k] = static_cast<Channel>(
+          last_code(full, [&](int c) { return reaches(Int(full) * m[k], Int(2 * c - 1 - full), square); }));
   }
   if (meaning == Meaning::normal_and_length)
-    codes[3] = last([&](int c) {  // sqrt(square) / (255 count) >= (2 c - 1) / 510
-      const Int least = Int(2 * c - 1) * count;
-      return Int(4) * square >= least * least;
-    });
-  return codes;
+    codes[3] = static_cast<Channel>(
+        last_code(full, [&](int c) {  // sqrt(square) / (full count) >= (2 c - 1) / (2 full)
+          const Int least = Int(2 * c - 1) * count;
+          return Int(4) * square >= least * least;
+        }));
 }
+
+/// How the channels of a texture are averaged, and means become values of a map.  floats.hpp has that of floats.
+template <class Channel>
+class Coding {
+ public:
+  /// A texel's channel among whole numbers.
+  template <class Int>
+  using Number = std::int64_t;
+  /// Bits of such, and of what compares them with a code.
+  int number_bits() const noexcept { return sizeof(Channel) == 1 ? 25 : 17; }
+  static constexpr int code_bits = sizeof(Channel) == 1 ? 10 : 18;
+
+  /// Errors: std::invalid_argument for the sRGB curve of 16 bits.
+  Coding(const RgbaViewOf<Channel>&, const AttributeSamplingOf<Channel>& sampling)
+      : meaning_(sampling.meaning), curves_(curves_of(sampling.meaning)) {
+    if (sizeof(Channel) != 1 && meaning_ == Meaning::srgb)
+      throw std::invalid_argument("attribute: only textures of 8 bits are on the sRGB curve");
+  }
+
+  bool normal() const noexcept { return is_normal(meaning_); }
+
+  /// What channel k of a texel counts.
+  double value(Channel code, std::size_t k) const noexcept {
+    if constexpr (sizeof(Channel) == 1)
+      return curves_[k]->value[code];
+    else
+      return code;
+  }
+  template <class Int>
+  Number<Int> number(Channel code, std::size_t k) const noexcept {
+    if constexpr (sizeof(Channel) == 1)
+      return curves_[k]->number[code];
+    else
+      return code;
+  }
+  /// The greatest value of channel k.
+  double full(std::size_t k) const noexcept {
+    return sizeof(Channel) == 1 ? curves_[k]->full : double{greatest<Channel>};
+  }
+  /// The greatest bound of a mean that codes may be taken of.
+  double most_off(std::size_t k) const noexcept {
+    return sizeof(Channel) == 1 ? curves_[k]->most_off : 0.125;
+  }
+
+  /// The codes of mean values, each within its `bound`; `sure` is cleared where another code may be right.
+  RgbaOf<Channel> encoded(const std::array<double, 4>& means, const std::array<double, 4>& bound,
+                          bool& sure) const noexcept {
+    if (normal()) return encoded_normal<Channel>(means, bound, meaning_, sure);
+    RgbaOf<Channel> codes{};
+    for (std::size_t k = 0; k < 4; ++k)
+      if constexpr (sizeof(Channel) == 1)
+        codes[k] = curves_[k]->code(means[k], bound[k], sure);
+      else
+        codes[k] = linear_code<Channel>(means[k], bound[k], sure);
+    return codes;
+  }
+
+  /// The codes of sums / count, exactly.  Domain: count > 0; of normals Int has twice the sums' bits and 32 more.
+  template <class Int>
+  RgbaOf<Channel> exactly_encoded(const std::array<Int, 4>& sums, const Int& count) const {
+    RgbaOf<Channel> codes{};
+    const auto line = [&](std::size_t k) {
+      if constexpr (sizeof(Channel) == 1)
+        return curves_[k]->exact_code(sums[k], count);
+      else
+        return exact_linear_code<Channel>(sums[k], count);
+    };
+    if (normal()) {
+      codes[3] = line(3);
+      encode_normal_exactly<Channel>(sums, count, meaning_, codes);
+    } else {
+      for (std::size_t k = 0; k < 4; ++k) codes[k] = line(k);
+    }
+    return codes;
+  }
+
+ private:
+  Meaning meaning_;
+  Curves curves_;
+};
 
 }  // namespace mmverify::impl::attribute::detail

@@ -35,7 +35,7 @@ HWY_INLINE Quad with_piece(const Quad& integral, const Sum* row, std::int32_t i,
   return integral.plus(dy, before.plus(0.5 * (x0 + x1) - i, Quad::of(p + 4) - before));
 }
 
-/// Of the edge from p to q.  Domain: coordinates in [1, width or height of the sums).
+/// Of the edge from p to q.  Domain: coordinates in [0, width or height of the sums).
 template <class Sum>
 HWY_INLINE Quad edge_integral(const RowSums<Sum>& sums, Point p, Point q) {
   Quad integral = Quad::zero();

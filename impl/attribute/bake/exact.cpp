@@ -27,7 +27,8 @@ std::int64_t whole_taken(Int& x, int fraction_bits) {
 
 }  // namespace
 
-Exact::Exact(const Source& source, const BaseTriangle& uv, std::uint32_t level)
+template <class Channel>
+Exact<Channel>::Exact(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level)
     : source_(source), level_(static_cast<int>(level)) {
   double extent = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -43,8 +44,9 @@ Exact::Exact(const Source& source, const BaseTriangle& uv, std::uint32_t level)
 }
 
 /// (texels (U0 N + i (U1 - U0) + j (U2 - U0))) / N, in units of 2^-(below_point + level).
+template <class Channel>
 template <class Int>
-Int Exact::along(const Axis& axis, std::uint32_t texels, const index::Vertex& at) const {
+Int Exact<Channel>::along(const Axis& axis, std::uint32_t texels, const index::Vertex& at) const {
   const auto number = [this](const bake::detail::Binary& b) {
     return b.m == 0 ? Int(0) : Int(b.m) * (Int(1) << (b.e + below_point_));
   };
@@ -53,8 +55,9 @@ Int Exact::along(const Axis& axis, std::uint32_t texels, const index::Vertex& at
                         Int(at.j) * (number(axis[2]) - first));
 }
 
+template <class Channel>
 template <class Int>
-Rgba Exact::vertex_in(const index::Vertex& at) const {
+RgbaOf<Channel> Exact<Channel>::vertex_in(const index::Vertex& at) const {
   const int fraction = below_point_ + level_;
   Int x = along<Int>(u_, source_.texture().width, at), y = along<Int>(v_, source_.texture().height, at);
   const bool nearest = source_.sampling().filter == Filter::nearest;
@@ -64,27 +67,29 @@ Rgba Exact::vertex_in(const index::Vertex& at) const {
     y = y - half;
   }
   const std::int64_t i = whole_taken(x, fraction), j = whole_taken(y, fraction);
-  const auto bytes = [&](std::int64_t column, std::int64_t row) {
-    return source_.bytes(source_.column(column), source_.row(row));
+  const auto texel = [&](std::int64_t column, std::int64_t row) {
+    return source_.texel(source_.column(column), source_.row(row));
   };
   std::array<Int, 4> sums;
   sums.fill(Int(0));
-  const auto add = [&](const std::uint8_t* texel, const Int& weight) {
-    for (std::size_t k = 0; k < 4; ++k) sums[k] = sums[k] + weight * Int(source_.number(texel, k));
+  const auto add = [&](const Channel* from, const Int& weight) {
+    for (std::size_t k = 0; k < 4; ++k)
+      sums[k] = sums[k] + weight * Int(source_.coding().template number<Int>(from[k], k));
   };
   if (nearest) {
-    add(bytes(i, j), Int(1));
-    return exactly_encoded(sums, Int(1), source_.sampling().meaning, source_.curves());
+    add(texel(i, j), Int(1));
+    return source_.coding().exactly_encoded(sums, Int(1));
   }
-  add(bytes(i, j), (unit - x) * (unit - y));
-  add(bytes(i + 1, j), x * (unit - y));
-  add(bytes(i, j + 1), (unit - x) * y);
-  add(bytes(i + 1, j + 1), x * y);
-  return exactly_encoded(sums, unit * unit, source_.sampling().meaning, source_.curves());
+  add(texel(i, j), (unit - x) * (unit - y));
+  add(texel(i + 1, j), x * (unit - y));
+  add(texel(i, j + 1), (unit - x) * y);
+  add(texel(i + 1, j + 1), x * y);
+  return source_.coding().exactly_encoded(sums, unit * unit);
 }
 
+template <class Channel>
 template <class Int>
-Rgba Exact::face_in(const index::Corners& corners) const {
+RgbaOf<Channel> Exact<Channel>::face_in(const index::Corners& corners) const {
   const int fraction = below_point_ + level_;
   std::array<Int, 3> x, y;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -99,35 +104,41 @@ Rgba Exact::face_in(const index::Corners& corners) const {
     return cell;
   };
   const std::int64_t column = moved(x), row = moved(y);
-  ExactFace<Int> face(source_, column, row, std::int64_t{1} << cell_bits_, fraction, x, y);
+  ExactFace<Channel, Int> face(source_, column, row, std::int64_t{1} << cell_bits_, fraction, x, y);
   const auto [sums, count] = face.mean();
-  return exactly_encoded(sums, count, source_.sampling().meaning, source_.curves());
+  return source_.coding().exactly_encoded(sums, count);
 }
 
-Rgba Exact::vertex(const index::Vertex& at) const {
+template <class Channel>
+RgbaOf<Channel> Exact<Channel>::vertex(const index::Vertex& at) const {
   const int fraction = below_point_ + level_;
-  // Two fractions, a number of 25 bits, codes of 9; positions, of 20 bits of u, 14 of size and 3 for sums.
-  const int values = 2 * fraction + 25 + 9 + 4;
-  const int bits =
-      std::max(is_normal(source_.sampling().meaning) ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
+  // Two fractions, a number, a code, sums; positions, of 20 bits of u, 14 of size and 3 for sums.
+  const int values = 2 * fraction + source_.coding().number_bits() + source_.coding().code_bits + 3;
+  const int bits = std::max(source_.coding().normal() ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
   if (bits <= 128) return vertex_in<Int128>(at);
   if (bits <= 384) return vertex_in<Wide<6>>(at);
   // The most that can be: 150 + 12 below the point.
-  static_assert(2 * (2 * (150 + 12) + 25 + 9 + 4) + 32 <= 12 * 64);
+  static_assert(2 * (2 * (150 + 12) + 25 + 10 + 3) + 32 <= 12 * 64 &&
+                2 * (150 + 12) + 278 + 4 + 3 <= 12 * 64);
   return vertex_in<Wide<12>>(at);
 }
 
-Rgba Exact::face(const index::Corners& corners) const {
+template <class Channel>
+RgbaOf<Channel> Exact<Channel>::face(const index::Corners& corners) const {
   const int fraction = below_point_ + level_, position = fraction + cell_bits_ + 1;
-  const int values = 8 * position + 66 + 10;
-  const int bits =
-      std::max(is_normal(source_.sampling().meaning) ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
+  const int values = 8 * position + 41 + source_.coding().number_bits() + source_.coding().code_bits;
+  const int bits = std::max(source_.coding().normal() ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
   if (bits <= 256) return face_in<Wide<4>>(corners);
   if (bits <= 512) return face_in<Wide<8>>(corners);
   if (bits <= 1024) return face_in<Wide<16>>(corners);
   // The most that can be: 150 + 12 below the point, 16 above it.
-  static_assert(2 * (8 * (150 + 12 + 17) + 66 + 10) + 32 <= 50 * 64);
+  static_assert(2 * (8 * (150 + 12 + 17) + 41 + 25 + 10) + 32 <= 50 * 64 &&
+                8 * (150 + 12 + 17) + 41 + 278 + 4 <= 50 * 64);
   return face_in<Wide<50>>(corners);
 }
+
+template class Exact<std::uint8_t>;
+template class Exact<std::uint16_t>;
+template class Exact<float>;
 
 }  // namespace mmverify::impl::attribute::detail

@@ -11,13 +11,14 @@
 namespace mmverify::impl::attribute::detail {
 
 /// A base triangle, for exact answers.
+template <class Channel>
 class Exact {
  public:
   /// Domain: that of AttributeBaker; faces over 2^15 texels along an axis at most.
-  Exact(const Source& source, const BaseTriangle& uv, std::uint32_t level);
+  Exact(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level);
 
-  Rgba vertex(const index::Vertex& at) const;
-  Rgba face(const index::Corners& corners) const;
+  RgbaOf<Channel> vertex(const index::Vertex& at) const;
+  RgbaOf<Channel> face(const index::Corners& corners) const;
 
  private:
   using Axis = std::array<bake::detail::Binary, 3>;
@@ -25,11 +26,11 @@ class Exact {
   template <class Int>
   Int along(const Axis& axis, std::uint32_t texels, const index::Vertex& at) const;
   template <class Int>
-  Rgba vertex_in(const index::Vertex& at) const;
+  RgbaOf<Channel> vertex_in(const index::Vertex& at) const;
   template <class Int>
-  Rgba face_in(const index::Corners& corners) const;
+  RgbaOf<Channel> face_in(const index::Corners& corners) const;
 
-  const Source& source_;
+  const Source<Channel>& source_;
   Axis u_, v_;
   int level_;
   int below_point_ = 1;  ///< bits of u and v there, and at least the one of half a texel

@@ -10,8 +10,8 @@
 // triangle that maps below z is
 //   (z - l0)^2 / ((l1 - l0)(l2 - l0)) up to l1,  1 - (l2 - z)^2 / ((l2 - l1)(l2 - l0)) beyond.
 //
-// Bits.  With P bits for S and coordinates, and 40 for sums of texels: a piece 4P + 44, all of an edge's 20 more; times
-// the other edges' D H, 8P + 66; on a line squares 4P, times l 5P, times a texel 5P + 26.
+// Bits.  With P bits for S and coordinates, T for a texel and T + 15 for sums of texels: a piece 4P + T + 19, all of an
+// edge's 20 more; times the other edges' D H, 8P + T + 41; on a line squares 4P, times l 5P, times a texel 5P + T + 1.
 #pragma once
 
 #include <algorithm>
@@ -35,13 +35,15 @@ std::int64_t whole(const Int& at, const Int& size, std::int64_t limit) {
   return low;
 }
 
-template <class Int>
+template <class Channel, class Int>
 class ExactFace {
  public:
+  using Number = typename Coding<Channel>::template Number<Int>;
+  using Numbers = std::array<Number, 4>;
   using Sums = std::array<Int, 4>;
 
   /// Corners in units of 2^-fraction_bits from texel (column, row), none below 0 nor beyond `cells` texels.
-  ExactFace(const Source& source, std::int64_t column, std::int64_t row, std::int64_t cells,
+  ExactFace(const Source<Channel>& source, std::int64_t column, std::int64_t row, std::int64_t cells,
             int fraction_bits, const std::array<Int, 3>& x, const std::array<Int, 3>& y)
       : source_(source),
         column_(column),
@@ -72,10 +74,10 @@ class ExactFace {
   static Int or_one(const Int& k) { return k == Int(0) ? Int(1) : k; }
 
   /// The numbers of texel (i, j), from the texel near by.
-  std::array<std::int64_t, 4> texel(std::int64_t i, std::int64_t j) const {
-    const std::uint8_t* const bytes = source_.bytes(source_.column(column_ + i), source_.row(row_ + j));
-    std::array<std::int64_t, 4> numbers;
-    for (std::size_t c = 0; c < 4; ++c) numbers[c] = source_.number(bytes, c);
+  Numbers texel(std::int64_t i, std::int64_t j) const {
+    const Channel* const from = source_.texel(source_.column(column_ + i), source_.row(row_ + j));
+    Numbers numbers;
+    for (std::size_t c = 0; c < 4; ++c) numbers[c] = source_.coding().template number<Int>(from[c], c);
     return numbers;
   }
 
@@ -83,8 +85,8 @@ class ExactFace {
   void sum_row(std::int64_t j, std::int64_t count) {
     before_.assign(1, {});
     for (std::int64_t i = 0; i < count; ++i) {
-      std::array<std::int64_t, 4> sum = texel(i, j);
-      for (std::size_t c = 0; c < 4; ++c) sum[c] += before_.back()[c];
+      Numbers sum = texel(i, j);
+      for (std::size_t c = 0; c < 4; ++c) sum[c] = sum[c] + before_.back()[c];
       before_.push_back(sum);
     }
   }
@@ -95,8 +97,9 @@ class ExactFace {
     const Int beyond = x + next_x - Int(2 * i) * column;
     const auto at = static_cast<std::size_t>(i);
     for (std::size_t c = 0; c < 4; ++c)
-      to[c] =
-          to[c] + (Int(2 * before_[at][c]) * column + Int(before_[at + 1][c] - before_[at][c]) * beyond) * dy;
+      to[c] = to[c] + (Int(before_[at][c] + before_[at][c]) * column +
+                       Int(before_[at + 1][c] - before_[at][c]) * beyond) *
+                          dy;
   }
 
   /// The pieces of an edge, times the sign of its direction; returns D H.
@@ -187,11 +190,11 @@ class ExactFace {
     return {sums, count};
   }
 
-  const Source& source_;
+  const Source<Channel>& source_;
   std::int64_t column_, row_, cells_;
   Int unit_;
   std::array<Int, 3> x_, y_;
-  std::vector<std::array<std::int64_t, 4>> before_ = {};
+  std::vector<Numbers> before_ = {};
 };
 
 }  // namespace mmverify::impl::attribute::detail

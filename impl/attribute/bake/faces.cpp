@@ -1,10 +1,17 @@
 // Bound.  Corners within 8 u E move a triangle's integral by 8 u E m (h + h' + h'') at most, m the greatest texel and h
 // those of edge-inl.hpp, whose bound adds; with K pieces an edge together m u E (8 + 18 + K)(h + h' + h''), here with
 // twice as much.  The area is within its own bound.
+// Floats: m is the greatest |texel| of the box, whatever the signs.  Sums before a texel are within 1.01 u m E
+// (source.cpp), so that F is within 10 u m E in the place of 6: 16 of the 80 that are taken in the place of 64.  A face
+// that is not sure is tried once more by itself: m is that of the texels under it and around, e the greater side of their
+// box; positions are as they were, what they move is 8 u E m a length; the rest is m u e (12 + 10 + K), of three edges 4
+// more.  With twice as much of both:  m (16 u E + u e (60 + 2 h)) (h + h' + h'').
 #include "impl/attribute/bake/faces.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "impl/attribute/bake/exact.hpp"
 #include "impl/attribute/bake/strips.hpp"
@@ -15,28 +22,42 @@ namespace {
 constexpr std::int64_t most_texels = std::int64_t{1} << 24, small_box = std::int64_t{1} << 16,
                        longest = std::int64_t{1} << 15;
 
-/// Of each channel; none where floats cannot tell anything.
-std::optional<std::array<double, 4>> bound_of(const Source& source, const Frame& frame) {
-  const auto size = [](const Point& p) { return std::fabs(p.x) + std::fabs(p.y); };
-  const Point slant{frame.down.x - frame.across.x, frame.down.y - frame.across.y};
-  const double longest_edge = std::max({size(frame.across), size(frame.down), size(slant)}) + frame.position,
-               around = size(frame.across) + size(frame.down) + size(slant) + 4 * frame.position;
-  const double area = std::fabs(frame.area), off = frame.area_off;
-  if (!(area > 4 * off)) return std::nullopt;
+/// What bounds of all faces are made of; none where floats cannot tell anything.
+struct Edges {
+  double longest = 0, around = 0, area = 0, off = 0;
+
+  explicit Edges(const Frame& frame) : area(std::fabs(frame.area)), off(frame.area_off) {
+    const auto size = [](const Point& p) { return std::fabs(p.x) + std::fabs(p.y); };
+    const Point slant{frame.down.x - frame.across.x, frame.down.y - frame.across.y};
+    longest = std::max({size(frame.across), size(frame.down), size(slant)}) + frame.position;
+    around = size(frame.across) + size(frame.down) + size(slant) + 4 * frame.position;
+  }
+  bool tell() const { return area > 4 * off; }
+};
+
+template <class Channel>
+std::optional<std::array<double, 4>> bound_of(const Source<Channel>& source, const Frame& frame,
+                                              const Edges& edges) {
+  if (!edges.tell()) return std::nullopt;
+  constexpr bool floats = std::is_same_v<Channel, float>;
+  const std::array<double, 4> greatest = source.greatest_in(frame.box());
   std::array<double, 4> bound;
   for (std::size_t k = 0; k < 4; ++k) {
-    const double m = source.curves()[k]->full;
-    const double sum_off = m * half_ulp * frame.extent * (64 + 2 * longest_edge) * around;
-    bound[k] = (2 * sum_off + m * off) / (area - off) + 8 * half_ulp * m;
-    if (!(bound[k] < source.curves()[k]->most_off)) return std::nullopt;
+    const double m = greatest[k];
+    const double sum_off =
+        m * half_ulp * frame.extent * ((floats ? 80 : 64) + 2 * edges.longest) * edges.around;
+    bound[k] = (2 * sum_off + m * edges.off) / (edges.area - edges.off) + 8 * half_ulp * m;
+    if constexpr (!floats)
+      if (!(bound[k] < source.coding().most_off(k))) return std::nullopt;
   }
   return bound;
 }
 
-index::Corners corners_of(const Face& f) {
-  if (f.upper != 0)
-    return {index::Vertex{f.iu + 1, f.iv + 1}, index::Vertex{f.iu, f.iv + 1}, index::Vertex{f.iu + 1, f.iv}};
-  return {index::Vertex{f.iu, f.iv}, index::Vertex{f.iu + 1, f.iv}, index::Vertex{f.iu, f.iv + 1}};
+/// Of a face by itself.  Domain: edges.tell().
+NearBound near_bound(const Frame& frame, const Edges& edges) {
+  const double area = edges.area - edges.off;
+  return {(32 * half_ulp * frame.extent * edges.around + edges.off) / area + 8 * half_ulp,
+          2 * half_ulp * (60 + 2 * edges.longest) * edges.around / area};
 }
 
 /// The index of a face, by its centroid, which is no tie.
@@ -47,9 +68,9 @@ std::uint32_t index_of(const Face& f, std::uint32_t level) {
   return index::from_barycentrics(third(f.iu), third(f.iv), level);
 }
 
-template <class Sum>
-AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uint32_t level,
-                          std::span<Rgba> out) {
+template <class Sum, class Channel>
+AttributeCounts bake_with(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level,
+                          std::span<RgbaOf<Channel>> out) {
   const Frame frame(source, uv, level);
   const TexelBox box = frame.box();
   if (box.width > longest || box.height > longest)
@@ -59,19 +80,26 @@ AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uin
     throw std::invalid_argument("attribute: a triangle over more than 2^24 texels");
   AttributeCounts counts;
   counts.values = out.size();
-  const Exact exact(source, uv, level);
-  const auto bound = bound_of(source, frame);
+  const Exact<Channel> exact(source, uv, level);
+  const Edges edges(frame);
+  const auto bound = bound_of(source, frame, edges);
   if (!bound) {
     for (std::uint32_t k = 0; k < out.size(); ++k) out[k] = exact.face(index::corners(k, level));
     counts.exact = out.size();
     return counts;
   }
   thread_local std::vector<Sum> room;
-  const RowSums<Sum> sums = box.width * box.height > small_box && in_picture
-                                ? source.sums_from<Sum>(*in_picture)
-                                : source.sums(box, room);
+  const RowSums<Sum> sums = [&] {
+    // Of floats, sums from afar would be less exact than those of the box.
+    if constexpr (!std::is_same_v<Channel, float>)
+      if (box.width * box.height > small_box && in_picture)
+        return source.template sums_from<Sum>(*in_picture);
+    return source.sums(box, room);
+  }();
   std::vector<Face> unsure;
-  bake_strips(StripJob<Sum>{source, frame, sums, 1u << level, 2 / frame.area, *bound}, out.data(), unsure);
+  bake_strips(StripJob<Channel, Sum>{source, frame, sums, 1u << level, 2 / frame.area, *bound,
+                                     near_bound(frame, edges)},
+              out.data(), unsure);
   for (const Face& face : unsure) out[index_of(face, level)] = exact.face(corners_of(face));
   counts.exact = unsure.size();
   return counts;
@@ -79,11 +107,19 @@ AttributeCounts bake_with(const Source& source, const BaseTriangle& uv, std::uin
 
 }  // namespace
 
-AttributeCounts bake_faces(const Source& source, const BaseTriangle& uv, std::uint32_t level,
-                           std::span<Rgba> out) {
+template <class Channel>
+AttributeCounts bake_faces(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level,
+                           std::span<RgbaOf<Channel>> out) {
   // 255 x 2^15 < 2^24: floats hold every sum of codes.
-  if (source.sampling().meaning == Meaning::srgb) return bake_with<double>(source, uv, level, out);
-  return bake_with<float>(source, uv, level, out);
+  if constexpr (sizeof(Channel) == 1)
+    if (source.sampling().meaning != Meaning::srgb) return bake_with<float>(source, uv, level, out);
+  return bake_with<double>(source, uv, level, out);
 }
+template AttributeCounts bake_faces(const Source<std::uint8_t>&, const BaseTriangle&, std::uint32_t,
+                                    std::span<Rgba>);
+template AttributeCounts bake_faces(const Source<std::uint16_t>&, const BaseTriangle&, std::uint32_t,
+                                    std::span<Rgba16>);
+template AttributeCounts bake_faces(const Source<float>&, const BaseTriangle&, std::uint32_t,
+                                    std::span<RgbaFloat>);
 
 }  // namespace mmverify::impl::attribute::detail

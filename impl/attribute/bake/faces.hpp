@@ -7,7 +7,8 @@ namespace mmverify::impl::attribute::detail {
 
 /// Domain: what check() of frame.hpp lets pass.
 /// Errors: std::invalid_argument for a triangle over too many texels.
-AttributeCounts bake_faces(const Source& source, const BaseTriangle& uv, std::uint32_t level,
-                           std::span<Rgba> out);
+template <class Channel>
+AttributeCounts bake_faces(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level,
+                           std::span<RgbaOf<Channel>> out);
 
 }  // namespace mmverify::impl::attribute::detail

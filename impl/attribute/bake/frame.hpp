@@ -30,11 +30,13 @@ struct Frame {
   double area;      ///< of a micro-triangle, twice, signed
   double area_off;  ///< how far off that may be
 
-  Frame(const Source& source, const BaseTriangle& uv, std::uint32_t level) {
+  /// Over a texture of so many texels a side.
+  Frame(std::uint32_t texture_width, std::uint32_t texture_height, const BaseTriangle& uv,
+        std::uint32_t level) {
     std::array<double, 3> x, y;
     for (std::size_t k = 0; k < 3; ++k) {
-      x[k] = double{uv[k].u} * source.texture().width;  // 24 and 14 bits: exact
-      y[k] = double{uv[k].v} * source.texture().height;
+      x[k] = double{uv[k].u} * texture_width;  // 24 and 14 bits: exact
+      y[k] = double{uv[k].v} * texture_height;
     }
     const auto span = [](const std::array<double, 3>& at, std::int64_t& from, std::int64_t& count) {
       const auto [least, greatest] = std::minmax({at[0], at[1], at[2]});
@@ -55,6 +57,10 @@ struct Frame {
     // Each factor is within 2 u of itself, relatively; the products and their difference round once.
     area_off = 8 * half_ulp * (std::fabs(p) + std::fabs(q));
   }
+
+  template <class Channel>
+  Frame(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level)
+      : Frame(source.texture().width, source.texture().height, uv, level) {}
 
   Point at(std::uint32_t i, std::uint32_t j) const noexcept {
     return {origin.x + i * across.x + j * down.x, origin.y + i * across.y + j * down.y};

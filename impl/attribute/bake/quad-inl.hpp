@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "impl/attribute/bake/codes.hpp"
+#include "impl/attribute/bake/floats.hpp"
 
 // Once for each target.
 #if defined(MMVERIFY_IMPL_ATTRIBUTE_BAKE_QUAD_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
@@ -39,18 +39,33 @@ struct Quad {
   HWY_INLINE Quad plus(double a, Quad b) const { return {hn::MulAdd(hn::Set(Tag(), a), b.v, v)}; }
 };
 
-/// The codes of linear means: Curve::code of each.
-HWY_INLINE Rgba linear_codes(Quad mean, Quad bound, bool& sure) {
+/// The codes of linear means: linear_code of each.
+template <class Channel>
+HWY_INLINE RgbaOf<Channel> linear_codes(Quad mean, Quad bound, bool& sure) {
   const Quad::Tag d;
   const hn::FixedTag<std::int32_t, 4> di;
-  const hn::FixedTag<std::uint8_t, 4> db;
+  const hn::FixedTag<Channel, 4> db;
   const auto up = hn::Add(mean.v, hn::Set(d, 0.5));
   const auto whole = hn::DemoteTo(di, up);  // up >= 1/4
   const auto rest = hn::Sub(up, hn::PromoteTo(d, whole));
   sure = hn::AllTrue(d, hn::And(hn::Ge(rest, bound.v), hn::Le(rest, hn::Sub(hn::Set(d, 1.0), bound.v))));
-  Rgba codes;
+  RgbaOf<Channel> codes;
   hn::StoreU(hn::DemoteTo(db, whole), db, codes.data());
   return codes;
+}
+
+/// The numbers of binary32 that means are rounded to: Coding<float>::encoded.
+HWY_INLINE RgbaFloat float_codes(Quad mean, Quad bound, bool& sure) {
+  const Quad::Tag d;
+  const hn::FixedTag<float, 4> df;
+  const hn::FixedTag<std::uint32_t, 4> du;
+  const auto no_minus = hn::Add(mean.v, hn::Zero(d));
+  const auto low = hn::DemoteTo(df, hn::Sub(no_minus, bound.v)),
+             high = hn::DemoteTo(df, hn::Add(no_minus, bound.v));
+  sure = hn::AllTrue(du, hn::Eq(hn::BitCast(du, low), hn::BitCast(du, high)));
+  RgbaFloat numbers;
+  hn::StoreU(low, df, numbers.data());
+  return numbers;
 }
 
 /// The codes of means on the sRGB curve, alpha linear: Curve::code of each.
@@ -106,10 +121,15 @@ struct Quad {
   HWY_INLINE Quad plus(double a, const Quad& b) const { return *this + a * b; }
 };
 
-HWY_INLINE Rgba linear_codes(const Quad& mean, const Quad& bound, bool& sure) {
-  Rgba codes;
-  for (std::size_t k = 0; k < 4; ++k) codes[k] = Curve::linear().code(mean.v[k], bound.v[k], sure);
+template <class Channel>
+HWY_INLINE RgbaOf<Channel> linear_codes(const Quad& mean, const Quad& bound, bool& sure) {
+  RgbaOf<Channel> codes;
+  for (std::size_t k = 0; k < 4; ++k) codes[k] = linear_code<Channel>(mean.v[k], bound.v[k], sure);
   return codes;
+}
+
+HWY_INLINE RgbaFloat float_codes(const Quad& mean, const Quad& bound, bool& sure) {
+  return Coding<float>::encoded(std::to_array(mean.v), std::to_array(bound.v), sure);
 }
 
 HWY_INLINE Rgba srgb_codes(const Quad& mean, const Quad& bound, const Curve& curve, bool& sure) {

@@ -4,8 +4,6 @@
 // along from (iu, iv) to (iu+1, iv), slant from (iu+1, iv) to (iu, iv+1), up from (iu, iv) to (iu, iv+1).
 #include "impl/attribute/bake/strips.hpp"
 
-#include "impl/index/index.hpp"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "impl/attribute/bake/strips.cpp"
 #include <hwy/foreach_target.h>
@@ -24,26 +22,57 @@ HWY_INLINE std::uint32_t on_curve(const Face& f) {
   return index::detail::interleaved(b0, ((index::detail::xor_from_above(t) ^ f.iu) & ~b0) | t);
 }
 
-template <class Sum>
-void strips(const StripJob<Sum>& job, Rgba* out, std::vector<Face>& unsure) {
+/// A face of floats from its own texels alone, where larger ones lie far off.
+inline RgbaFloat near_face(const StripJob<float, double>& job, const Face& face, bool& sure) {
+  const index::Corners corners = corners_of(face);
+  std::array<Point, 3> p;
+  for (std::size_t k = 0; k < 3; ++k) p[k] = job.frame.at(corners[k].i, corners[k].j);
+  // From the first texel that they may reach to the last.
+  const double off = job.frame.position;
+  const auto first = [&](double a, double b, double c) {
+    return static_cast<std::int64_t>(std::min({a, b, c}) - off);
+  };
+  const auto after = [&](double a, double b, double c) {
+    return static_cast<std::int64_t>(std::max({a, b, c}) + off) + 1;
+  };
+  const std::int64_t left = first(p[0].x, p[1].x, p[2].x), top = first(p[0].y, p[1].y, p[2].y);
+  const TexelBox box{job.frame.left + left, job.frame.top + top, after(p[0].x, p[1].x, p[2].x) - left,
+                     after(p[0].y, p[1].y, p[2].y) - top};
+  for (Point& q : p) q = {q.x - static_cast<double>(left), q.y - static_cast<double>(top)};  // exact
+  thread_local std::vector<double> room;
+  const RowSums<double> sums = job.source.sums(box, room);
+  const std::array<double, 4> greatest = job.source.greatest_in(box);
+  const double by = job.near.still + job.near.each * static_cast<double>(std::max(box.width, box.height));
+  std::array<double, 4> bound;
+  for (std::size_t k = 0; k < 4; ++k) bound[k] = greatest[k] * by;
+  sure = true;
+  const Quad integral =
+      edge_integral(sums, p[0], p[1]) + edge_integral(sums, p[1], p[2]) + edge_integral(sums, p[2], p[0]);
+  return float_codes(job.scale * integral, Quad::of(bound.data()), sure);
+}
+
+template <class Channel, class Sum>
+void strips(const StripJob<Channel, Sum>& job, RgbaOf<Channel>* out, std::vector<Face>& unsure) {
   const std::uint32_t side = job.side;
   const Meaning meaning = job.source.sampling().meaning;
-  const Curve& first_curve = *job.source.curves()[0];
+  const Curve& curve = Curve::srgb();
   const Quad bound = Quad::of(job.bound.data());
   const auto give = [&](const Face& face, const Quad& integral) HWY_ATTR {
     const Quad mean = job.scale * integral;
     bool sure = true;
-    Rgba codes;
-    if (meaning == Meaning::linear) {
-      codes = linear_codes(mean, bound, sure);
+    RgbaOf<Channel>& codes = out[on_curve(face)];
+    if constexpr (std::is_same_v<Channel, float>) {
+      codes = float_codes(mean, bound, sure);
+      if (!sure) codes = near_face(job, face, sure);
+    } else if (meaning == Meaning::linear) {
+      codes = linear_codes<Channel>(mean, bound, sure);
     } else if (meaning == Meaning::srgb) {
-      codes = srgb_codes(mean, bound, first_curve, sure);
+      if constexpr (sizeof(Channel) == 1) codes = srgb_codes(mean, bound, curve, sure);
     } else {
       std::array<double, 4> means;
       mean.store(means.data());
-      codes = encoded(means, job.bound, meaning, job.source.curves(), sure);
+      codes = job.source.coding().encoded(means, job.bound, sure);
     }
-    out[on_curve(face)] = codes;
     if (!sure) unsure.push_back(face);
   };
   std::vector<double> along(4 * (side + 1)), next(4 * (side + 1));  // quads
@@ -68,10 +97,17 @@ void strips(const StripJob<Sum>& job, Rgba* out, std::vector<Face>& unsure) {
   }
 }
 
-void strips_of_floats(const StripJob<float>& job, Rgba* out, std::vector<Face>& unsure) {
+void strips_8_floats(const StripJob<std::uint8_t, float>& job, Rgba* out, std::vector<Face>& unsure) {
   strips(job, out, unsure);
 }
-void strips_of_doubles(const StripJob<double>& job, Rgba* out, std::vector<Face>& unsure) {
+void strips_8_doubles(const StripJob<std::uint8_t, double>& job, Rgba* out, std::vector<Face>& unsure) {
+  strips(job, out, unsure);
+}
+void strips_16(const StripJob<std::uint16_t, double>& job, Rgba16* out, std::vector<Face>& unsure) {
+  strips(job, out, unsure);
+}
+
+void strips_of_floats(const StripJob<float, double>& job, RgbaFloat* out, std::vector<Face>& unsure) {
   strips(job, out, unsure);
 }
 
@@ -82,14 +118,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace mmverify::impl::attribute::detail {
 
+HWY_EXPORT(strips_8_floats);
+HWY_EXPORT(strips_8_doubles);
+HWY_EXPORT(strips_16);
 HWY_EXPORT(strips_of_floats);
-HWY_EXPORT(strips_of_doubles);
 
-void bake_strips(const StripJob<float>& job, Rgba* out, std::vector<Face>& unsure) {
-  HWY_DYNAMIC_DISPATCH(strips_of_floats)(job, out, unsure);
+void bake_strips(const StripJob<std::uint8_t, float>& job, Rgba* out, std::vector<Face>& unsure) {
+  HWY_DYNAMIC_DISPATCH(strips_8_floats)(job, out, unsure);
 }
-void bake_strips(const StripJob<double>& job, Rgba* out, std::vector<Face>& unsure) {
-  HWY_DYNAMIC_DISPATCH(strips_of_doubles)(job, out, unsure);
+void bake_strips(const StripJob<std::uint8_t, double>& job, Rgba* out, std::vector<Face>& unsure) {
+  HWY_DYNAMIC_DISPATCH(strips_8_doubles)(job, out, unsure);
+}
+void bake_strips(const StripJob<std::uint16_t, double>& job, Rgba16* out, std::vector<Face>& unsure) {
+  HWY_DYNAMIC_DISPATCH(strips_16)(job, out, unsure);
+}
+void bake_strips(const StripJob<float, double>& job, RgbaFloat* out, std::vector<Face>& unsure) {
+  HWY_DYNAMIC_DISPATCH(strips_of_floats)(job, out, unsure);
 }
 
 }  // namespace mmverify::impl::attribute::detail

@@ -1,9 +1,13 @@
 // Bound.  Positions are within 8 u E of the true ones (frame.hpp), and the bilinear number changes by m a texel along
 // each axis at most: 16 u E m.  Weights and sums of four numbers up to m add 8 u m.  Nearest: the texel is sure where
 // the position is not that near a texel's edge.
+// Floats: the number changes by 2 m a texel, signs may differ, and m is that of the cell's texels, or of all cells around
+// where the position is that near the cell's edge; the ends of the interval round once more: (32 u E + 12 u) m.
 #include "impl/attribute/bake/vertices.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "impl/attribute/bake/exact.hpp"
 #include "impl/attribute/bake/frame.hpp"
@@ -11,71 +15,102 @@
 namespace mmverify::impl::attribute::detail {
 namespace {
 
+template <class Channel>
 class Row {
  public:
-  Row(const Source& source, const Frame& frame)
+  Row(const Source<Channel>& source, const Frame& frame)
       : source_(source), frame_(frame), in_picture_(source.in_picture(frame.box())) {
-    for (std::size_t k = 0; k < 4; ++k)
-      bound_[k] = source.curves()[k]->full * (2 * frame.position + 8 * half_ulp);
+    if constexpr (!floats)
+      for (std::size_t k = 0; k < 4; ++k)
+        bound_[k] = source.coding().full(k) * (2 * frame.position + 8 * half_ulp);
   }
 
-  Rgba bilinear(const Point& p, bool& sure) const noexcept {
+  RgbaOf<Channel> bilinear(const Point& p, bool& sure) const noexcept {
     const double x = p.x - 0.5, y = p.y - 0.5;  // 1/2 and more: of cells
     const auto i = static_cast<std::int64_t>(x), j = static_cast<std::int64_t>(y);
     const double f = x - static_cast<double>(i), h = y - static_cast<double>(j);
-    const std::array<const std::uint8_t*, 4> texels = cell(i, j);
+    const std::array<const Channel*, 4> texels = cell(i, j);
     const std::array<double, 4> weight{(1 - f) * (1 - h), f * (1 - h), (1 - f) * h, f * h};
-    std::array<double, 4> value{};
+    std::array<double, 4> mean{};
     for (std::size_t k = 0; k < 4; ++k)
-      for (std::size_t t = 0; t < 4; ++t) value[k] += weight[t] * number(texels[t], k);
-    return encoded(value, bound_, source_.sampling().meaning, source_.curves(), sure);
+      for (std::size_t t = 0; t < 4; ++t) mean[k] += weight[t] * value(texels[t], k);
+    if constexpr (floats) {
+      const double near = frame_.position;
+      const bool inside = f > near && f < 1 - near && h > near && h < 1 - near;
+      return source_.coding().encoded(mean, inside ? bound_by(texels) : bound_around(i, j), sure);
+    }
+    return source_.coding().encoded(mean, bound_, sure);
   }
 
-  Rgba nearest(const Point& p, bool& sure) const noexcept {
+  RgbaOf<Channel> nearest(const Point& p, bool& sure) const noexcept {
     const auto i = static_cast<std::int64_t>(p.x), j = static_cast<std::int64_t>(p.y);
     const double f = p.x - static_cast<double>(i), h = p.y - static_cast<double>(j), near = frame_.position;
     if (f < near || f > 1 - near || h < near || h > 1 - near) sure = false;
-    const std::uint8_t* const texel =
-        source_.bytes(source_.column(frame_.left + i), source_.row(frame_.top + j));
-    return encoded({number(texel, 0), number(texel, 1), number(texel, 2), number(texel, 3)}, bound_,
-                   source_.sampling().meaning, source_.curves(), sure);
+    const Channel* const texel = source_.texel(source_.column(frame_.left + i), source_.row(frame_.top + j));
+    return source_.coding().encoded({value(texel, 0), value(texel, 1), value(texel, 2), value(texel, 3)},
+                                    bound_, sure);
   }
 
  private:
-  double number(const std::uint8_t* texel, std::size_t k) const noexcept {
-    return source_.curves()[k]->value[texel[k]];
+  static constexpr bool floats = std::is_same_v<Channel, float>;
+
+  /// By the greatest of some texels.
+  template <std::size_t count>
+  std::array<double, 4> bound_by(const std::array<const Channel*, count>& texels) const noexcept {
+    std::array<double, 4> bound{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (const Channel* const texel : texels) bound[k] = std::max(bound[k], std::fabs(value(texel, k)));
+      bound[k] *= 4 * frame_.position + 12 * half_ulp;
+    }
+    return bound;
+  }
+  /// By those of a cell and of the eight around it.
+  std::array<double, 4> bound_around(std::int64_t i, std::int64_t j) const noexcept {
+    std::array<const Channel*, 16> texels;
+    for (std::size_t t = 0; t < 4; ++t) {
+      const std::int64_t x = i - 1 + 2 * static_cast<std::int64_t>(t % 2),
+                         y = j - 1 + 2 * static_cast<std::int64_t>(t / 2);
+      const auto four = cell(x, y);
+      std::copy(four.begin(), four.end(), texels.begin() + static_cast<std::ptrdiff_t>(4 * t));
+    }
+    return bound_by(texels);
   }
 
-  std::array<const std::uint8_t*, 4> cell(std::int64_t i, std::int64_t j) const noexcept {
+  double value(const Channel* texel, std::size_t k) const noexcept {
+    return source_.coding().value(texel[k], k);
+  }
+
+  std::array<const Channel*, 4> cell(std::int64_t i, std::int64_t j) const noexcept {
     if (in_picture_) {
-      const std::uint8_t* const first = source_.bytes(in_picture_->x + i, in_picture_->y + j);
+      const Channel* const first = source_.texel(in_picture_->x + i, in_picture_->y + j);
       const std::size_t line = 4 * source_.texture().pitch;
       return {first, first + 4, first + line, first + line + 4};
     }
     const std::int64_t x = source_.column(frame_.left + i), right = source_.column(frame_.left + i + 1),
                        y = source_.row(frame_.top + j), below = source_.row(frame_.top + j + 1);
-    return {source_.bytes(x, y), source_.bytes(right, y), source_.bytes(x, below),
-            source_.bytes(right, below)};
+    return {source_.texel(x, y), source_.texel(right, y), source_.texel(x, below),
+            source_.texel(right, below)};
   }
 
-  const Source& source_;
+  const Source<Channel>& source_;
   const Frame& frame_;
-  std::optional<Source::InPicture> in_picture_;
-  std::array<double, 4> bound_;
+  std::optional<typename Source<Channel>::InPicture> in_picture_;
+  std::array<double, 4> bound_{};  ///< of codes
 };
 
 }  // namespace
 
-AttributeCounts bake_vertices(const Source& source, const BaseTriangle& uv, std::uint32_t level,
-                              std::span<Rgba> out) {
+template <class Channel>
+AttributeCounts bake_vertices(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level,
+                              std::span<RgbaOf<Channel>> out) {
   const Frame frame(source, uv, level);
-  const Row row(source, frame);
-  const Exact exact(source, uv, level);
+  const Row<Channel> row(source, frame);
+  const Exact<Channel> exact(source, uv, level);
   AttributeCounts counts;
   counts.values = out.size();
   const bool nearest = source.sampling().filter == Filter::nearest;
   const std::uint32_t side = std::uint32_t{1} << level;
-  Rgba* to = out.data();
+  RgbaOf<Channel>* to = out.data();
   for (std::uint32_t r = 0; r <= side; ++r)
     for (std::uint32_t j = 0; j <= r; ++j, ++to) {
       bool sure = true;
@@ -87,5 +122,12 @@ AttributeCounts bake_vertices(const Source& source, const BaseTriangle& uv, std:
     }
   return counts;
 }
+
+template AttributeCounts bake_vertices(const Source<std::uint8_t>&, const BaseTriangle&, std::uint32_t,
+                                       std::span<Rgba>);
+template AttributeCounts bake_vertices(const Source<std::uint16_t>&, const BaseTriangle&, std::uint32_t,
+                                       std::span<Rgba16>);
+template AttributeCounts bake_vertices(const Source<float>&, const BaseTriangle&, std::uint32_t,
+                                       std::span<RgbaFloat>);
 
 }  // namespace mmverify::impl::attribute::detail

@@ -6,7 +6,8 @@
 namespace mmverify::impl::attribute::detail {
 
 /// Domain: what check() of frame.hpp lets pass.
-AttributeCounts bake_vertices(const Source& source, const BaseTriangle& uv, std::uint32_t level,
-                              std::span<Rgba> out);
+template <class Channel>
+AttributeCounts bake_vertices(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level,
+                              std::span<RgbaOf<Channel>> out);
 
 }  // namespace mmverify::impl::attribute::detail

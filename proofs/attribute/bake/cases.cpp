@@ -35,19 +35,25 @@ constexpr std::array<UvTriangle, 7> family_triangles{{{0.125f, 0.25f, 0.875f, 0.
                                                       {0.5f, 0.75f, 0.5f, 0.75f, 0.5f, 0.75f}}};
 constexpr std::uint64_t family_meanings = 2;
 
-std::string hex(const std::vector<Rgba>& texels) {
+/// Hexadecimal digits of a channel.
+template <class Channel>
+constexpr std::size_t digits = 2 * sizeof(Channel);
+
+template <class Channel>
+std::string hex(const std::vector<RgbaOf<Channel>>& texels) {
   std::string text;
-  for (const Rgba& t : texels)
-    for (const std::uint8_t c : t) text += fmt::format("{:02x}", c);
+  for (const auto& t : texels)
+    for (const Channel c : t) text += fmt::format("{:0{}x}", bits_of(c), digits<Channel>);
   return text;
 }
 
-std::vector<Rgba> unhexed(const std::string& text) {
-  std::vector<Rgba> texels(text.size() / 8);
+template <class Channel>
+std::vector<RgbaOf<Channel>> unhexed(const std::string& text) {
+  std::vector<RgbaOf<Channel>> texels(text.size() / (4 * digits<Channel>));
   for (std::size_t k = 0; k < texels.size(); ++k)
     for (std::size_t c = 0; c < 4; ++c)
-      texels[k][c] =
-          static_cast<std::uint8_t>(std::strtoul(text.substr(8 * k + 2 * c, 2).c_str(), nullptr, 16));
+      texels[k][c] = channel_of_bits<Channel>(static_cast<std::uint32_t>(
+          std::strtoul(text.substr((4 * k + c) * digits<Channel>, digits<Channel>).c_str(), nullptr, 16)));
   return texels;
 }
 
@@ -154,30 +160,168 @@ BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
   return one;
 }
 
-std::string text_of(const BakeCase& one) {
-  const Picture& p = one.picture;
+namespace {
+
+/// A texture of two texels side by side, and a triangle that has as much of one as of the other by its symmetry alone:
+/// its edges lean in ways that no float bears.
+template <class Channel>
+void balance(Random& random, BakeCaseOf<Channel>& one) {
+  auto& p = one.picture;
+  p.width = 2;
+  p.height = 1;
+  p.wrap_u = p.wrap_v = Wrap::clamp_to_edge;
+  p.filter = Filter::bilinear;
+  const auto fine = [&](std::int64_t from, std::int64_t to) {
+    return static_cast<float>(random.between(from, to)) / (1 << 20);
+  };
+  const float side = fine(1 << 16, 1 << 19), base = fine(0, 1 << 20);
+  one.uv = {0.5f - side, base, 0.5f + side, base, 0.5f, base + fine(1 << 16, 1 << 20)};
+  std::rotate(one.uv.begin(), one.uv.begin() + static_cast<std::ptrdiff_t>(2 * random.below(3)),
+              one.uv.end());
+}
+
+}  // namespace
+
+BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
+  const BakeCase narrow = sample_case(seed, n, k);
+  Random random(seed, 0x77696400 + n, k);
+  BakeCaseOf<std::uint16_t> one;
+  one.uv = narrow.uv;
+  auto& p = one.picture;
+  p.width = narrow.picture.width;
+  p.height = narrow.picture.height;
+  p.wrap_u = narrow.picture.wrap_u;
+  p.wrap_v = narrow.picture.wrap_v;
+  p.filter = narrow.picture.filter;
+  p.meaning = narrow.picture.meaning == Meaning::srgb ? Meaning::linear : narrow.picture.meaning;
+  const bool ties = k % 8 == 0 || k % 8 == 5;  // of both linear codes
+  const std::uint64_t kind = random.below(4), base = random.below(65534);
+  const auto code = [&] {
+    const std::uint64_t any = random.below(65536);
+    return static_cast<std::uint16_t>(ties        ? base + any % 2
+                                      : kind == 0 ? any % 2 * 65535
+                                      : kind == 1 ? 32760 + any % 16
+                                                  : any);
+  };
+  if (ties) {  // Halves, quarters and eighths of texels.
+    p.width = 1u << random.below(4);
+    p.height = 1u << random.below(3);
+    p.filter = Filter::bilinear;
+    for (float& x : one.uv) x = std::nearbyint(x * 16) / 16;
+    if (k % 8 == 5) balance(random, one);
+  }
+  p.texels.resize(std::size_t{p.width} * p.height);
+  for (auto& t : p.texels)
+    for (std::uint16_t& c : t) c = code();
+  for (std::uint16_t& c : p.border) c = code();
+  return one;
+}
+
+namespace {
+
+/// A finite number of a kind.
+float drawn_float(Random& random, std::uint64_t kind, std::uint32_t base) {
+  const auto any = static_cast<std::uint32_t>(random.below(std::uint64_t{1} << 32));
+  const std::uint32_t sign = any & 0x80000000, fraction = any & 0x7fffff;
+  const auto with_exponent = [&](std::int64_t exponent) {
+    return std::bit_cast<float>(sign | static_cast<std::uint32_t>(exponent + 127) << 23 | fraction);
+  };
+  switch (kind) {
+    case 0:
+      return std::fabs(with_exponent(random.between(-10, 14)));
+    case 1:
+    case 9:
+      return with_exponent(random.below(2) == 0 ? random.between(95, 105) : random.between(-105, -95));
+    case 2: {  // x and -x, and a little
+      const float one = std::bit_cast<float>(base);
+      const std::uint64_t which = random.below(5);
+      return which == 0 ? one * 0x1p-40f : which < 3 ? one : -one;
+    }
+    case 3:
+      return std::bit_cast<float>(sign | (random.below(2) == 0 ? fraction >> random.below(23) : any % 4));
+    case 4:
+    case 8:
+      return std::bit_cast<float>(base + any % 2);
+    case 7:
+      return with_exponent(random.below(8) == 0 ? 30 : 0);
+    case 5:
+      return random.below(3) == 0 ? with_exponent(0) : std::bit_cast<float>(sign);
+    default:
+      return with_exponent(random.between(-126, 127));
+  }
+}
+
+}  // namespace
+
+BakeCaseOf<float> float_sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
+  const BakeCase narrow = sample_case(seed, n, k);
+  Random random(seed, 0x666c7400 + n, k);
+  BakeCaseOf<float> one;
+  one.uv = narrow.uv;
+  auto& p = one.picture;
+  p.width = std::min(narrow.picture.width, 7u);
+  p.height = narrow.picture.height;
+  p.wrap_u = narrow.picture.wrap_u;
+  p.wrap_v = narrow.picture.wrap_v;
+  p.filter = narrow.picture.filter;
+  const std::uint64_t kind = k % 10;
+  // Of a sign, and an exponent that a smaller one by 40 is not below the least of.
+  const auto base = static_cast<std::uint32_t>(random.below(2) << 31 | (60 + random.below(150)) << 23 |
+                                               random.below(1u << 23));
+  if (kind == 2 || kind == 4 || kind == 9) {  // Halves, quarters and eighths of texels.
+    p.width = 1u << random.below(3);
+    p.height = 1u << random.below(3);
+    p.filter = Filter::bilinear;
+    for (float& x : one.uv) x = std::nearbyint(x * 16) / 16;
+  }
+  if (kind == 8) balance(random, one);
+  if (kind == 9) {  // The row of vertices in the middle beside texels' centres, by less than binary64 bears.
+    p.width = 4;
+    p.wrap_u = Wrap::repeat;
+    one.uv[0] = -0x1p-60f;
+    one.uv[2] = one.uv[4] = 0.75f;
+  }
+  p.texels.resize(std::size_t{p.width} * p.height);
+  for (auto& t : p.texels)
+    for (float& c : t) c = drawn_float(random, kind, base);
+  for (float& c : p.border) c = drawn_float(random, kind, base);
+  if (kind == 9)  // A large one on their one side alone.
+    for (std::size_t t = 0; t < p.texels.size(); ++t)
+      for (float& c : p.texels[t])
+        c = std::ldexp(c, t % 4 == 0 ? std::max(0, 100 - std::ilogb(c)) : std::min(0, -100 - std::ilogb(c)));
+  return one;
+}
+
+template <class Channel>
+std::string text_of(const BakeCaseOf<Channel>& one) {
+  const auto& p = one.picture;
   std::string uv;
   for (const float x : one.uv) uv += fmt::format("{}{:a}", uv.empty() ? "" : ",", x);
   return fmt::format("{}x{}:{}:{},{},{},{},{}:{}", p.width, p.height, hex(p.texels),
                      wrap_names[static_cast<std::size_t>(p.wrap_u)],
                      wrap_names[static_cast<std::size_t>(p.wrap_v)],
                      filter_names[static_cast<std::size_t>(p.filter)],
-                     meaning_names[static_cast<std::size_t>(p.meaning)], hex({p.border}), uv);
+                     meaning_names[static_cast<std::size_t>(p.meaning)], hex(std::vector{p.border}), uv);
 }
 
-BakeCase read_bake_case(const std::string& text) {
-  const Groups groups = groups_of(
-      text, "([1-9]|1[0-6])x([1-9]|1[0-6]):((?:[0-9a-f]{8})+):([a-z,+-]+),([0-9a-f]{8}):([0-9a-fxp.,+-]+)");
+template <class Channel>
+BakeCaseOf<Channel> read_bake_case_of(const std::string& text) {
+  constexpr std::size_t texel = 4 * digits<Channel>;
+  static const std::string form = fmt::format(
+      "([1-9]|1[0-6])x([1-9]|1[0-6]):((?:[0-9a-f]{{{0}}})+):([a-z,+-]+),([0-9a-f]{{{0}}}):"
+      "([0-9a-fxp.,+-]+)",
+      texel);
+  const Groups groups = groups_of(text, form.c_str());
   if (!groups)
     throw BadCase(fmt::format(
         "'{:.60}': write WxH:TEXELS:WRAP,WRAP,FILTER,MEANING,BORDER:U,V,U,V,U,V, texels and border "
-        "eight hexadecimal digits each",
-        text));
-  BakeCase one;
-  Picture& p = one.picture;
+        "{} hexadecimal digits each",
+        text, texel == 8 ? "eight" : fmt::to_string(texel)));
+  BakeCaseOf<Channel> one;
+  auto& p = one.picture;
   p.width = static_cast<std::uint32_t>(std::stoul((*groups)[1]));
   p.height = static_cast<std::uint32_t>(std::stoul((*groups)[2]));
-  p.texels = unhexed((*groups)[3]);
+  p.texels = unhexed<Channel>((*groups)[3]);
   if (p.texels.size() != std::size_t{p.width} * p.height)
     throw BadCase(fmt::format("'{:.60}': {} texels of {}x{}", text, p.texels.size(), p.width, p.height));
   const std::vector<std::string> names = split((*groups)[4], ',');
@@ -186,7 +330,15 @@ BakeCase read_bake_case(const std::string& text) {
   p.wrap_v = static_cast<Wrap>(named(wrap_names, names[1]));
   p.filter = static_cast<Filter>(named(filter_names, names[2]));
   p.meaning = static_cast<Meaning>(named(meaning_names, names[3]));
-  p.border = unhexed((*groups)[5])[0];
+  p.border = unhexed<Channel>((*groups)[5])[0];
+  if constexpr (std::is_same_v<Channel, float>) {
+    const auto finite = [](const auto& t) {
+      return std::all_of(t.begin(), t.end(), [](float c) { return std::isfinite(c); });
+    };
+    if (!finite(p.border) || !std::all_of(p.texels.begin(), p.texels.end(), finite))
+      throw BadCase(fmt::format("'{:.60}': texels are finite numbers", text));
+    if (p.meaning != Meaning::linear) throw BadCase(fmt::format("'{:.60}': floats are linear", text));
+  }
   const std::vector<std::string> uv = split((*groups)[6], ',');
   if (uv.size() != 6) throw BadCase(fmt::format("'{:.60}': six coordinates", text));
   for (std::size_t k = 0; k < 6; ++k) {
@@ -198,6 +350,20 @@ BakeCase read_bake_case(const std::string& text) {
   return one;
 }
 
+template std::string text_of(const BakeCaseOf<std::uint8_t>&);
+template std::string text_of(const BakeCaseOf<std::uint16_t>&);
+template std::string text_of(const BakeCaseOf<float>&);
+template BakeCaseOf<std::uint8_t> read_bake_case_of(const std::string&);
+template BakeCaseOf<std::uint16_t> read_bake_case_of(const std::string&);
+template BakeCaseOf<float> read_bake_case_of(const std::string&);
+
 std::string text_of(const Rgba& c) { return fmt::format("{} {} {} {}", c[0], c[1], c[2], c[3]); }
+std::string text_of(const RgbaOf<std::uint16_t>& c) {
+  return fmt::format("{} {} {} {}", c[0], c[1], c[2], c[3]);
+}
+
+std::string text_of(const RgbaOf<float>& c) {
+  return fmt::format("{:a} {:a} {:a} {:a}", c[0], c[1], c[2], c[3]);
+}
 
 }  // namespace mmverify::proofs::attribute

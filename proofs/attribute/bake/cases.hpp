@@ -28,13 +28,24 @@ const char* family_domain();
 
 /// Textures of up to 9x7 texels, all meanings and modes; coordinates of few bits, of many, on lines, in points.
 BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k);
+/// The same of 16 bits, sRGB left out; a quarter with neighbours one code apart, on places where their means are ties.
+BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uint64_t k);
+/// The same of floats, up to 7x7 texels: ordinary ones, 2^100 beside 2^-100, some that cancel, below 2^-126, neighbours
+/// on places where their means are ties, zeros of both signs, one of eight 2^30 times the others, and any.
+BakeCaseOf<float> float_sample_case(std::uint64_t seed, Level n, std::uint64_t k);
 
-/// "2x2:RRGGBBAA...:repeat,clamp,bilinear,srgb,00000000:u0,v0,u1,v1,u2,v2", coordinates as hexadecimal floats.
-std::string text_of(const BakeCase& one);
+/// "2x2:RRGGBBAA...:repeat,clamp,bilinear,srgb,00000000:u0,v0,u1,v1,u2,v2", coordinates as hexadecimal floats; of texels
+/// of 16 bits a channel, RRRRGGGGBBBBAAAA, and of floats their bits, eight digits a channel.
+template <class Channel>
+std::string text_of(const BakeCaseOf<Channel>& one);
 /// Throws BadCase.
-BakeCase read_bake_case(const std::string& text);
+template <class Channel>
+BakeCaseOf<Channel> read_bake_case_of(const std::string& text);
+inline BakeCase read_bake_case(const std::string& text) { return read_bake_case_of<std::uint8_t>(text); }
 
 /// "r g b a".
 std::string text_of(const Rgba& codes);
+std::string text_of(const RgbaOf<std::uint16_t>& codes);
+std::string text_of(const RgbaOf<float>& numbers);  ///< hexadecimal
 
 }  // namespace mmverify::proofs::attribute

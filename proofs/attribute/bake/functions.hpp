@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "proofs/engine/law.hpp"
@@ -19,28 +21,52 @@ using spec::attribute::Filter;
 using spec::attribute::Neighbours;
 using spec::bake::Wrap;
 
-using Rgba = std::array<std::uint8_t, 4>;
+/// A texel, or a value of a map.  Channel: std::uint8_t, std::uint16_t or float.
+template <class Channel>
+using RgbaOf = std::array<Channel, 4>;
+using Rgba = RgbaOf<std::uint8_t>;
+
+/// The bits of a channel.
+template <class Channel>
+constexpr std::uint32_t bits_of(Channel c) {
+  if constexpr (std::is_same_v<Channel, float>)
+    return std::bit_cast<std::uint32_t>(c);
+  else
+    return c;
+}
+template <class Channel>
+constexpr Channel channel_of_bits(std::uint32_t bits) {
+  if constexpr (std::is_same_v<Channel, float>)
+    return std::bit_cast<float>(bits);
+  else
+    return static_cast<Channel>(bits);
+}
 
 /// What codes mean, and so what is averaged; alpha is linear.
 enum class Meaning : std::uint8_t { linear, srgb, normal, normal_and_length };
 
 /// Texel (x, y) at x + width y.
-struct Picture {
+template <class Channel>
+struct PictureOf {
   std::uint32_t width = 1, height = 1;
-  std::vector<Rgba> texels = {};
+  std::vector<RgbaOf<Channel>> texels = {};
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   Filter filter = Filter::bilinear;
   Meaning meaning = Meaning::linear;
-  Rgba border{};
+  RgbaOf<Channel> border{};
 };
+using Picture = PictureOf<std::uint8_t>;
 
 /// u, v of a base triangle's vertices: any three points.
 using UvTriangle = std::array<float, 6>;
 
-struct BakeCase {
-  Picture picture;
+/// A texture and the triangle that is baked from it.
+template <class Channel>
+struct BakeCaseOf {
+  PictureOf<Channel> picture;
   UvTriangle uv{};
 };
+using BakeCase = BakeCaseOf<std::uint8_t>;
 
 enum class MapForm : std::uint8_t { faces, vertices };
 
@@ -71,10 +97,25 @@ struct BakingSupport {
   std::uint32_t tolerance = 0;
 };
 
-/// Maps: vertices in W-minor order, faces on the curve; an empty one where the case is declined.
+/// A map of a case; an empty one where it is declined.
+template <class Channel>
+using MapBakerOf = std::function<std::vector<RgbaOf<Channel>>(const BakeCaseOf<Channel>&, Level)>;
+
+/// Maps: vertices in W-minor order, faces on the curve.
+template <class Channel>
+struct Bakers {
+  MapBakerOf<Channel> vertices = {}, faces = {};
+
+  MapBakerOf<Channel>& of(MapForm form) { return form == MapForm::faces ? faces : vertices; }
+  const MapBakerOf<Channel>& of(MapForm form) const { return form == MapForm::faces ? faces : vertices; }
+};
+
+/// What a subject has of baking: of 8 bits a channel; `wide`, of 16; `floats`, of binary32.
 struct Baking {
   BakingSupport support = {};
-  std::function<std::vector<Rgba>(const BakeCase&, Level)> vertices = {}, faces = {};
+  MapBakerOf<std::uint8_t> vertices = {}, faces = {};
+  Bakers<std::uint16_t> wide = {};
+  Bakers<float> floats = {};
   /// The mean of a channel over face `index`, exactly.
   std::function<Rational(const BakeCase&, Level, std::size_t channel, std::uint32_t index)> face_mean = {};
   /// Of the texture sampled bilinearly against a map; bounds that are above it by `slack` at most.

@@ -200,55 +200,11 @@ Law face_law() {
 // Samples
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Some elements of a map, other ones for another case: the first, the last and up to six between.
-std::vector<std::uint32_t> judged_at(std::uint64_t count, std::uint64_t salt) {
-  std::vector<std::uint32_t> at{0};
-  const std::uint64_t between = count < 2 ? 0 : count - 2, step = between <= 6 ? 1 : between / 6;
-  for (std::uint64_t k = 0; k < std::min<std::uint64_t>(between, 6); ++k)
-    at.push_back(static_cast<std::uint32_t>(1 + k * step + (between <= 6 ? 0 : salt % step)));
-  if (count > 1) at.push_back(static_cast<std::uint32_t>(count - 1));
-  return at;
-}
-
-template <class Q>
-Rgba true_at(MapForm form, const BakeCase& one, Level n, std::uint32_t k) {
-  const auto uv = base_triangle<Q>(one.uv);
-  const std::uint32_t width = one.picture.width, height = one.picture.height;
-  const Filter filter = form == MapForm::faces ? Filter::nearest : one.picture.filter;
-  const auto shares =
-      form == MapForm::faces
-          ? slow::shares_on(spec::bake::micro_triangle(uv, n, k, width, height), filter)
-          : slow::shares_at(
-                slow::micro_vertex(uv, n, slow::vertex_at(slow::VertexOrder::w_minor, k, n), width, height),
-                filter);
-  return true_codes(one.picture, filter, [&](const auto& texture) { return slow::mean(texture, shares); });
-}
-
 Finding sampled(const AttributeSubject& s, Level n, const BakeCase& one) {
-  const BakingSupport& support = s.functions.baking.support;
-  if (!covers(support, one)) return {.declined = true};
-  Finding found;
-  for (const MapForm form : {MapForm::faces, MapForm::vertices}) {
-    const std::vector<Rgba> got = map_baker(s.functions.baking, form)(one, n);
-    const std::uint64_t count = form == MapForm::faces ? slow::face_count(n) : slow::vertex_count(n);
-    if (got.empty()) return {.declined = true};
-    if (got.size() != count) return wrong(fmt::format("{} values", count), fmt::format("{}", got.size()));
-    const std::uint64_t salt = one.picture.texels[0][0] + 7u * one.picture.width;
-    for (const std::uint32_t k : judged_at(count, salt)) {
-      Rgba expected;
-      try {
-        expected = true_at<Rational128>(form, one, n, k);
-      } catch (const std::overflow_error&) {
-        expected = true_at<Rational>(form, one, n, k);
-      }
-      const Match here = match(expected, got[k], support.tolerance);
-      if (here == Match::wrong)
-        return wrong(fmt::format("{} at {}", text_of(expected), name_of(form, k)), text_of(got[k]));
-      found.allowed = found.allowed || here == Match::within;
-      found.answer = found.answer * 31 + std::bit_cast<std::uint32_t>(got[k]);
-    }
-  }
-  return found;
+  const Baking& baking = s.functions.baking;
+  if (!covers(baking.support, one)) return {.declined = true};
+  return judged(one, n, baking.support.tolerance,
+                [&](MapForm form) -> const MapBaker& { return map_baker(baking, form); });
 }
 
 /// A direction's codes as the plain mean of the stored ones.
@@ -321,7 +277,8 @@ std::vector<Law> bake_map_laws() {
 
 std::vector<Law> bake_laws() {
   std::vector<Law> all;
-  for (const auto& group : {bake_map_laws(), bake_relation_laws(), bake_error_laws(), plan_laws()})
+  for (const auto& group :
+       {bake_map_laws(), bake_texel_laws(), bake_relation_laws(), bake_error_laws(), plan_laws()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

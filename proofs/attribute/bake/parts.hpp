@@ -1,12 +1,15 @@
 // What the laws of baking share: entry points, a map held against the true one, and mutants.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "proofs/attribute/bake/cases.hpp"
+#include "proofs/attribute/bake/truth.hpp"
 #include "proofs/attribute/law_parts.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -21,7 +24,24 @@ std::string name_of(MapForm form, std::uint32_t k);
 
 /// How far from the true codes a subject's may be: none of the channels further than its tolerance.
 enum class Match : std::uint8_t { same, within, wrong };
-Match match(const Rgba& expected, const Rgba& got, std::uint32_t tolerance);
+template <class Channel>
+Match match(const RgbaOf<Channel>& expected, const RgbaOf<Channel>& got, std::uint32_t tolerance) {
+  std::uint32_t off = 0;
+  for (std::size_t c = 0; c < expected.size(); ++c) {
+    const std::uint32_t a = bits_of(expected[c]), b = bits_of(got[c]);
+    off = std::max(off, a < b ? b - a : a - b);
+  }
+  return off == 0 ? Match::same : off <= tolerance ? Match::within : Match::wrong;
+}
+
+/// A value of a map as a number for a digest.
+template <class Channel>
+std::uint64_t digest_of(const RgbaOf<Channel>& value) {
+  if constexpr (sizeof(Channel) == 1) return std::bit_cast<std::uint32_t>(value);
+  std::uint64_t digest = 0;
+  for (const Channel c : value) digest = digest * 65'599 + bits_of(c);
+  return digest;
+}
 
 /// A subject's map beside the true one; an empty one is declined.
 Finding compared(MapForm form, const std::vector<Rgba>& expected, const std::vector<Rgba>& got,
@@ -30,10 +50,35 @@ Finding compared(MapForm form, const std::vector<Rgba>& expected, const std::vec
 /// The law with cases inside what its subjects support, which its domain says; up to their highest level.
 Law within_support(Law law);
 
-using MapBaker = std::function<std::vector<Rgba>(const BakeCase&, Level)>;
+using MapBaker = MapBakerOf<std::uint8_t>;
 inline MapBaker& map_baker(Baking& f, MapForm form) { return form == MapForm::faces ? f.faces : f.vertices; }
 inline const MapBaker& map_baker(const Baking& f, MapForm form) {
   return form == MapForm::faces ? f.faces : f.vertices;
+}
+
+/// Some elements of a map, other ones for another case: the first, the last and up to six between.
+std::vector<std::uint32_t> judged_at(std::uint64_t count, std::uint64_t salt);
+
+/// Those of both maps of a case beside the true ones.  `baker(form)`: the subject's.
+template <class Channel, class Baker>
+Finding judged(const BakeCaseOf<Channel>& one, Level n, std::uint32_t tolerance, Baker baker) {
+  Finding found;
+  for (const MapForm form : {MapForm::faces, MapForm::vertices}) {
+    const std::vector<RgbaOf<Channel>> got = baker(form)(one, n);
+    const std::uint64_t count = map_size(form, n);
+    if (got.empty()) return {.declined = true};
+    if (got.size() != count) return wrong(fmt::format("{} values", count), fmt::format("{}", got.size()));
+    const std::uint64_t salt = bits_of(one.picture.texels[0][0]) + 7u * one.picture.width;
+    for (const std::uint32_t k : judged_at(count, salt)) {
+      const RgbaOf<Channel> expected = exact_at(form, one, n, k);
+      const Match here = match(expected, got[k], tolerance);
+      if (here == Match::wrong)
+        return wrong(fmt::format("{} at {}", text_of(expected), name_of(form, k)), text_of(got[k]));
+      found.allowed = found.allowed || here == Match::within;
+      found.answer = found.answer * 31 + digest_of(got[k]);
+    }
+  }
+  return found;
 }
 
 /// Of a mutant: bakes another case, where `meant`.
@@ -50,6 +95,7 @@ std::function<void(Functions&)> spreads_evenly();
 std::function<void(Functions&)> averages_corners();
 
 std::vector<Law> bake_map_laws();
+std::vector<Law> bake_texel_laws();
 std::vector<Law> bake_relation_laws();
 std::vector<Law> bake_error_laws();
 std::vector<Law> plan_laws();

@@ -95,13 +95,14 @@ std::vector<PlannedTriangle> specified_plan(const PlanCase& one) {
 }
 
 /// A picture as the library takes it.
+template <class Channel>
 struct Taken {
-  fast::RgbaView view;
-  fast::AttributeSampling sampling;
+  fast::RgbaViewOf<Channel> view;
+  fast::AttributeSamplingOf<Channel> sampling;
   fast::BaseTriangle uv;
 
-  explicit Taken(const BakeCase& one) {
-    const Picture& p = one.picture;
+  explicit Taken(const BakeCaseOf<Channel>& one) {
+    const auto& p = one.picture;
     view = {p.texels.data()->data(), p.width, p.height, p.width};
     sampling.u = static_cast<fast::Wrap>(p.wrap_u);
     sampling.v = static_cast<fast::Wrap>(p.wrap_v);
@@ -111,7 +112,32 @@ struct Taken {
     for (std::size_t k = 0; k < 3; ++k) uv[k] = {one.uv[2 * k], one.uv[2 * k + 1]};
   }
 };
-static_assert(sizeof(Rgba) == 4, "texels are taken as bytes");
+static_assert(sizeof(Rgba) == 4 && sizeof(RgbaOf<std::uint16_t>) == 8, "texels are taken as channels");
+
+template <class Channel>
+Bakers<Channel> specified_bakers() {
+  const auto of = [](MapForm form) -> MapBakerOf<Channel> {
+    return [=](const BakeCaseOf<Channel>& one, Level n) { return true_map(form, one, n); };
+  };
+  return {of(MapForm::vertices), of(MapForm::faces)};
+}
+
+template <class Channel>
+Bakers<Channel> library_bakers() {
+  const auto of = [](MapForm form) -> MapBakerOf<Channel> {
+    return [=](const BakeCaseOf<Channel>& one, Level n) {
+      const Taken<Channel> taken(one);
+      std::vector<RgbaOf<Channel>> map(map_size(form, n));
+      const fast::AttributeBakerOf<Channel> baker(taken.view, taken.sampling);
+      if (form == MapForm::faces)
+        baker.faces(taken.uv, n, map);
+      else
+        baker.vertices(taken.uv, n, map);
+      return map;
+    };
+  };
+  return {of(MapForm::vertices), of(MapForm::faces)};
+}
 
 Rational exact(double x) {
   int e = 0;
@@ -125,6 +151,8 @@ Baking specified_baking() {
   Baking f;
   f.vertices = true_vertices;
   f.faces = true_faces;
+  f.wide = specified_bakers<std::uint16_t>();
+  f.floats = specified_bakers<float>();
   f.face_mean = specified_mean;
   f.error = specified_error;
   f.light = [](std::uint32_t m) { return slow::light_table()[m]; };
@@ -134,18 +162,11 @@ Baking specified_baking() {
 
 Baking library_baking() {
   Baking f;
-  f.vertices = [](const BakeCase& one, Level n) {
-    const Taken taken(one);
-    std::vector<Rgba> map(slow::vertex_count(n));
-    fast::AttributeBaker(taken.view, taken.sampling).vertices(taken.uv, n, map);
-    return map;
-  };
-  f.faces = [](const BakeCase& one, Level n) {
-    const Taken taken(one);
-    std::vector<Rgba> map(slow::face_count(n));
-    fast::AttributeBaker(taken.view, taken.sampling).faces(taken.uv, n, map);
-    return map;
-  };
+  const Bakers<std::uint8_t> bakers = library_bakers<std::uint8_t>();
+  f.vertices = bakers.vertices;
+  f.faces = bakers.faces;
+  f.wide = library_bakers<std::uint16_t>();
+  f.floats = library_bakers<float>();
   f.error = [](const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map) {
     const Taken taken(one);
     const fast::MapError error =

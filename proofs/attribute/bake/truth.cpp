@@ -59,4 +59,13 @@ std::vector<Rgba> true_faces(const BakeCase& one, Level n) {
       [&](auto q) { return from_shares(one, Filter::nearest, face_shares<decltype(q)>(one, n)); });
 }
 
+template <class Channel>
+std::vector<RgbaOf<Channel>> true_map(MapForm form, const BakeCaseOf<Channel>& one, Level n) {
+  std::vector<RgbaOf<Channel>> map;
+  for (std::uint32_t k = 0; k < map_size(form, n); ++k) map.push_back(exact_at(form, one, n, k));
+  return map;
+}
+template std::vector<RgbaOf<std::uint16_t>> true_map(MapForm, const BakeCaseOf<std::uint16_t>&, Level);
+template std::vector<RgbaOf<float>> true_map(MapForm, const BakeCaseOf<float>&, Level);
+
 }  // namespace mmverify::proofs::attribute
