@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     return complain(ExitCode::usage, error.what());
   } catch (const mmverify::proofs::Interrupted&) {
-    return complain(ExitCode::interrupted, "interrupted; no file was written");
+    return complain(ExitCode::interrupted, "interrupted; no file was left half written");
   } catch (const std::exception& error) {
     return complain(ExitCode::environment, error.what());
   }

@@ -37,6 +37,7 @@ extern "C" {
 #define MMVERIFY_TREE_STREAM 2u   /* codes of trees are the paper's two bit sequences; see tree_encode */
 #define MMVERIFY_VQ_KEEPS 4u      /* vq2_encode and vq4_encode keep every map that a block can hold */
 #define MMVERIFY_BAKE_CENTROID 8u /* bake's unknown states are those of the centroid; see bake */
+#define MMVERIFY_BAKE_TIGHT 64u   /* nothing is unknown in bake's maps but what has to be */
 /* The order of `corners`; at most one of these. */
 #define MMVERIFY_CORNERS_OF_CHILDREN 16u /* those that the children 0, 2 and 3 touch */
 #define MMVERIFY_CORNERS_BASE_U_V \

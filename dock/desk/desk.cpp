@@ -109,6 +109,8 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
   std::atomic<int> ready = 0;
   const auto ask = [&](const Asked& what, Answers& mine) {
     mine.bytes = what.bytes;
+    mine.first_address = mailbox_.asked_before;
+    mine.addresses = asked().signature.value_bytes == 1 ? 8 : 1;
     // Both begin at once: a batch takes less time than a thread's start, or than the way back from a yield.
     ++ready;
     for (int turns = 0; ready < 2; ++turns)
@@ -119,7 +121,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
       for (std::size_t k = 0; k < rounds.least || (k < rounds.most && Clock::now() < end); ++k) {
         Arguments own = what.arguments;
         own.out = mine.rooms.emplace_back(what.bytes + 2 * Answers::margin, std::byte{blank_again}).data() +
-                  Answers::margin;
+                  mine.place(k);
         mine.sizes.push_back(call(subject_, mailbox_.call, own));
       }
     } catch (...) {

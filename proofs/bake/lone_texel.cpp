@@ -39,17 +39,12 @@ std::uint32_t full(Texel texel) {
   return texel == Texel::unorm8 ? 0xff : texel == Texel::unorm16 ? 0xffff : 0x3f800000;
 }
 
-/// Anywhere, or in the last or first column, or row, of blocks of 16, or in the rest after the last whole block.
-std::uint32_t anywhere_or_at_a_block(Random& random, std::uint32_t side) {
-  const auto any = static_cast<std::uint32_t>(random.below(side));
-  switch (random.below(3)) {
-    case 0:
-      return std::min(side - 1, any / 16 * 16 + (random.below(2) != 0 ? 15 : 0));
-    case 1:
-      return side - 1 - any % std::max(1u, std::min(side, side % 16));
-    default:
-      return any;
-  }
+/// Bakers go through a texture in blocks of so many columns, and through what is left after the last whole one.
+constexpr std::uint32_t block = 16;
+/// A column, or row, moved there, where there is one.
+std::uint32_t after_the_last_block(std::uint32_t i, std::uint32_t side) {
+  const std::uint32_t rest = side % block;
+  return rest == 0 ? i : side - 1 - i % rest;
 }
 
 using Coordinates = std::array<float, 6>;
@@ -115,8 +110,12 @@ Case case_with_lone_texel(const Support& support, Level n, std::uint64_t k, std:
   const auto draw = [&] {
     texel.all = opaque ? full(one.texel) : 0;
     texel.lone = opaque == with_one ? 0 : full(one.texel);
-    texel.i = anywhere_or_at_a_block(random, one.width);
-    texel.j = anywhere_or_at_a_block(random, one.height);
+    texel.i = static_cast<std::uint32_t>(random.below(one.width));
+    texel.j = static_cast<std::uint32_t>(random.below(one.height));
+    if (one.width % block + one.height % block != 0 && k % 2 != 0) {
+      texel.i = after_the_last_block(texel.i, one.width);
+      texel.j = after_the_last_block(texel.j, one.height);
+    }
     // In the half of the texture that the first triangle is.
     if (std::uint64_t{texel.i} * one.height + std::uint64_t{texel.j} * one.width >=
         std::uint64_t{one.width} * one.height) {

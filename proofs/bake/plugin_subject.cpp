@@ -117,7 +117,7 @@ BakeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library
     return unpacked(answer.bytes, n, format);
   };
   functions.support = supported(library->description().bake_support);
-  functions.tight = false;  // for bake.tight to say
+  functions.tight = (library->description().flags & MMVERIFY_BAKE_TIGHT) != 0;
   functions.centroid = (library->description().flags & MMVERIFY_BAKE_CENTROID) != 0 ||
                        functions.support.unknown == UnknownSide::centroid;
   return std::make_shared<BakeSubject>(name, library->about(), std::move(functions), library->fingerprint());

@@ -134,7 +134,7 @@ struct Domain {
   }
 };
 
-std::uint64_t as_many(Level, Tier tier) { return tier == Tier::fast ? 64 : 20'000; }
+std::uint64_t as_many(Level, Tier tier) { return tier == Tier::fast ? 80 : 20'000; }
 std::uint64_t strata_count(Level n, Tier tier) {
   if (tier == Tier::fast) return with_plain(fast_strata(n));
   constexpr std::array<std::uint64_t, 13> counts{4840, 4840, 4840, 4840, 4840, 4840, 2420,

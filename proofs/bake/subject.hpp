@@ -25,9 +25,9 @@ struct Baked {
 struct Functions {
   /// None where it does not support the case.  Calls may come from several threads at once.
   std::function<std::optional<Baked>(const Case&, Level, Format)> bake = {};
-  bool tight = true;      ///< it promises that nothing is unknown but what has to be
   bool centroid = false;  ///< its unknown states are those of spec/bake/state.hpp, micro_state
   Support support = {};   ///< cases are drawn inside it
+  bool tight = true;      ///< it promises that nothing is unknown but what has to be
 };
 
 class BakeSubject : public Subject {

@@ -20,6 +20,7 @@ enum Stream : std::uint64_t {
   random_bits = 88,
   bits_of_fields = 90,
   few_indices = 92,
+  runs = 94,
 };
 
 template <class Format>
@@ -208,10 +209,24 @@ BlockBytes<Format> with_few_indices(const BlockBytes<Format>& block, Random rand
   return bits_of_values<Format>(values);
 }
 
+/// Up to 64 bits that follow each other are others: what a decoder has in mind of the block before may be all else.
+template <class Format>
+BlockBytes<Format> with_a_run_drawn_again(BlockBytes<Format> block, Random random) {
+  const std::uint64_t all = 8 * block.size(), first = random.below(all),
+                      end = std::min(all, first + 1 + random.below(64));
+  for (std::uint64_t bit = first; bit < end; ++bit)
+    if (bit == first || random.below(2) != 0)
+      block[bit / 8] = static_cast<std::uint8_t>(block[bit / 8] ^ 1u << bit % 8);
+  return block;
+}
+
 }  // namespace
 
 template <class Format>
 BlockBytes<Format> random_block(std::uint64_t seed, std::uint64_t k) {
+  if (k % 8 == 6)
+    return with_a_run_drawn_again<Format>(random_block<Format>(seed, k - 1),
+                                          Random(seed, stream<Format>(runs), k));
   const BlockBytes<Format> block = bits<Format>(Random(seed, stream<Format>(random_bits), k));
   return k % 4 == 3 ? with_few_indices<Format>(block, Random(seed, stream<Format>(few_indices), k)) : block;
 }

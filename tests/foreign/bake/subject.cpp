@@ -13,7 +13,7 @@ const mmverify_subject_t subject = [] {
   s.size = sizeof(mmverify_subject_t);
   s.name = "foreign-bake";
   s.max_level = 12;
-  s.flags = MMVERIFY_BAKE_CENTROID;
+  s.flags = MMVERIFY_BAKE_CENTROID | MMVERIFY_BAKE_TIGHT;
   s.bake = bake;
   return s;
 }();
