@@ -108,7 +108,8 @@ const mmverify_subject_t* mmverify_subject_v1(void) {
   s.size = sizeof s;
   s.name = "the library's C face";
   s.max_level = 16;
-  s.flags = MMVERIFY_TREE_STREAM | MMVERIFY_BAKE_CENTROID | MMVERIFY_BAKE_TIGHT | MMVERIFY_CORNERS_OF_CHILDREN;
+  s.flags =
+      MMVERIFY_TREE_STREAM | MMVERIFY_BAKE_CENTROID | MMVERIFY_BAKE_TIGHT | MMVERIFY_CORNERS_OF_CHILDREN;
   s.index_f32 = index_f32;
   s.corners = corners;
   s.row_index_f32 = row_index_f32;
