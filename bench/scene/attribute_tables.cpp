@@ -13,6 +13,7 @@ using scene::AttributeFigures;
 using scene::AttributeSetFigures;
 using scene::MapKind;
 using scene::MapsAtLevel;
+using scene::Measure;
 
 /// Both kinds of an attribute set at a level.
 struct SetLevel {
@@ -112,13 +113,6 @@ Fields<SetLevel> fields_of(MapKind kind) {
                       [at](const SetLevel& s) { return optional(at(s).nearest->flip); }});
   }
   return fields;
-}
-
-/// One of the two measures of error.
-enum class Measure { flip, rmse };
-
-std::optional<double> error_by(const scene::MapError& error, Measure measure) {
-  return measure == Measure::flip ? error.flip : std::optional(error.rmse);
 }
 
 /// What the textures take at the maps' error; nothing where they have none of this measure.

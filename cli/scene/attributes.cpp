@@ -9,6 +9,7 @@
 #include <set>
 
 #include "bench/scene/astcenc.hpp"
+#include "bench/scene/attribute_plan_tables.hpp"
 #include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/attribute_times.hpp"
 #include "bench/scene/zstd.hpp"
@@ -22,6 +23,7 @@
 #include "proofs/engine/interrupt.hpp"
 #include "scene/attribute/measure.hpp"
 #include "scene/attribute/picture.hpp"
+#include "scene/attribute/planned_maps.hpp"
 #include "scene/sample/scene.hpp"
 #include "scene/write/png.hpp"
 
@@ -152,6 +154,10 @@ int scene_attributes(const AttributeArguments& arguments) {
   const AttributeFigures figures = measure(read, options);
   bench::Result result = bench::scene_attribute_tables(figures, read, options);
   if (arguments.time) result.tables.push_back(bench::attribute_times_table(timer.times()));
+  if (!arguments.plan.empty())
+    for (bench::Table& table :
+         bench::attribute_plan_tables(figures, planned_maps(read, options, arguments.plan)))
+      result.tables.push_back(std::move(table));
   if (!pictures.written().empty())
     result.tables.push_back(bench::attribute_pictures_table(pictures.written()));
   print_result(out, result);

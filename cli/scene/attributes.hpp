@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace mmverify::cli {
 
@@ -12,8 +13,9 @@ struct AttributeArguments {
   unsigned threads = 0;
   bool packed = false;  ///< pack the maps as well
   unsigned packed_error = 0;
-  bool astc = false;  ///< compress the textures beside
-  bool time = false;  ///< take times of lookups in textures and maps
+  bool astc = false;              ///< compress the textures beside
+  bool time = false;              ///< take times of lookups in textures and maps
+  std::vector<double> plan = {};  ///< plan levels for these errors
 };
 
 /// Prints the tables, writes JSON, the picture of the figures and pictures of the textures.  Returns the exit code.

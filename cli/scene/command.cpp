@@ -48,6 +48,7 @@ struct SceneOptions {
   unsigned threads = 0, level_limit = finest_level;
   bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false, astc = false,
        time = false;
+  std::vector<double> plan;
   float margin = 0;
   int states = 4;
   unsigned packed_error = 0;
@@ -300,14 +301,15 @@ int attributes(const SceneOptions& options) {
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
                            options.files, options.codes, options.quiet, options.threads,
                            options.packed || options.packed_error != 0 || options.astc, options.packed_error,
-                           options.astc, options.time});
+                           options.astc, options.time, options.plan});
 }
 
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
   if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
-  if (options.packed || options.packed_error != 0 || options.astc || options.time || !options.files.empty())
-    throw UsageError("--packed, --packed-error, --astc, --time, --files: for --attributes");
+  if (options.packed || options.packed_error != 0 || options.astc || options.time || !options.plan.empty() ||
+      !options.files.empty())
+    throw UsageError("--packed, --packed-error, --astc, --time, --plan, --files: for --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -418,6 +420,14 @@ Action add_scene(CLI::App& program) {
   command->add_flag("--time", options->time,
                     "of --attributes: take the time of a lookup at random points, in the textures and in the "
                     "maps; one thread");
+  command
+      ->add_option("--plan", options->plan,
+                   "of --attributes: give each triangle the lowest of these levels that keeps an error, in "
+                   "codes of 8 bits, and none where one value does; beside all of one level")
+      ->delimiter(',')
+      ->check(finite_within(0, 255))
+      ->type_name("RMSE[,RMSE...]")
+      ->allow_extra_args(false);
   command
       ->add_option("--pictures", options->pictures,
                    "of --attributes: write each base colour beside its maps and their FLIP, a PNG a level")

@@ -25,6 +25,12 @@ bool within_reach(const TexelTriangle& corners) {
   return box <= most_texels_of_triangle;
 }
 
+bool within_reach(const UvTriangle& uvs, const ColourImage& image) {
+  return std::all_of(uvs.begin(), uvs.end(),
+                     [](const Uv& uv) { return std::abs(uv[0]) < 0x1p20f && std::abs(uv[1]) < 0x1p20f; }) &&
+         within_reach(in_texels(uvs, image.width, image.height));
+}
+
 std::size_t wrapped_texel(const ColourImage& image, const Sampler& sampler, std::int64_t x, std::int64_t y) {
   return wrapped(x, image.width, sampler.wrap_u) +
          std::size_t{wrapped(y, image.height, sampler.wrap_v)} * image.width;

@@ -14,6 +14,8 @@ namespace mmverify::scene {
 /// hundred times.
 inline constexpr double most_texels_of_triangle = 0x1p24, longest_triangle = 0x1p15;
 bool within_reach(const TexelTriangle& corners);
+/// The same of a triangle on an image; beyond are UVs of 2^20 and more, too.  Domain: UVs finite.
+bool within_reach(const UvTriangle& uvs, const ColourImage& image);
 
 /// The texel that (x, y) is, wrapped.  Domain: |x|, |y| < 2^40.
 std::size_t wrapped_texel(const ColourImage& image, const Sampler& sampler, std::int64_t x, std::int64_t y);

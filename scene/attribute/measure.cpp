@@ -5,14 +5,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
-#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
 
-#include "flip/flip.hpp"
-#include "scene/attribute/atlas.hpp"
+#include "scene/attribute/image_triangles.hpp"
 #include "scene/attribute/map_reading.hpp"
 #include "scene/attribute/reduced_texture.hpp"
 
@@ -20,25 +17,6 @@ namespace mmverify::scene {
 namespace {
 
 using MapValues = std::vector<MapValue>;
-
-/// Sums over texels.
-struct ErrorSums {
-  double squares = 0, flip = 0;
-};
-
-std::vector<std::uint8_t> rgb_of(const ColourImage& image) {
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(image.rgba.size() / 4 * 3);
-  for (std::size_t k = 0; k < image.rgba.size(); k += 4)
-    rgb.insert(rgb.end(), image.rgba.begin() + static_cast<std::ptrdiff_t>(k),
-               image.rgba.begin() + static_cast<std::ptrdiff_t>(k + 3));
-  return rgb;
-}
-
-void paint(std::vector<std::uint8_t>& rgb, std::size_t texel, const MapValue& value, std::uint8_t channels) {
-  for (std::size_t c = 0; c < 3; ++c)
-    if ((channels >> c & 1) != 0) rgb[3 * texel + c] = value[c];
-}
 
 /// One attribute set of a scene: its maps, image by image.
 class SetMeasurement {
@@ -81,15 +59,8 @@ class SetMeasurement {
     return scene_.images[scene_.textures[map.texture].image];
   }
 
-  TexelTriangle texels_of(const MapOfTriangle& map) const {
-    return in_texels(map.uvs, image_of(map).width, image_of(map).height);
-  }
-
   void add(const MapOfTriangle& map) {
-    const bool near = std::all_of(map.uvs.begin(), map.uvs.end(), [](const Uv& uv) {
-      return std::abs(uv[0]) < 0x1p20f && std::abs(uv[1]) < 0x1p20f;
-    });
-    if (near && within_reach(texels_of(map)))
+    if (within_reach(map.uvs, image_of(map)))
       all_.push_back(map);
     else
       ++far_;
@@ -111,21 +82,11 @@ class SetMeasurement {
     ++figures_.images;
     figures_.texels += std::uint64_t{image.width} * image.height;
     figures_.texture_bytes += bytes_of_value * image.width * image.height;
-    std::vector<std::size_t> maps;
-    std::vector<TexelTriangle> triangles;
-    std::vector<Sampler> samplers;
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-      if (scene_.textures[all_[k].texture].image != number) continue;
-      maps.push_back(k);
-      triangles.push_back(texels_of(all_[k]));
-      samplers.push_back(scene_.textures[all_[k].texture].sampler);
-    }
-    const std::vector<std::uint32_t> first = first_triangles(image, samplers, triangles);
-    std::vector<std::uint8_t> shown(first.size());
-    std::transform(first.begin(), first.end(), shown.begin(),
-                   [](std::uint32_t triangle) { return std::uint8_t{triangle != no_triangle}; });
-    figures_.shown += static_cast<std::uint64_t>(std::count(shown.begin(), shown.end(), 1));
-    const std::vector<std::uint8_t> original = original_of(image);
+    const ImageTriangles of_image = image_triangles(scene_, number, all_);
+    const std::vector<std::size_t>& maps = of_image.maps;
+    const std::vector<std::uint8_t>& shown = of_image.shown;
+    figures_.shown += of_image.texels_shown();
+    const std::vector<std::uint8_t> original = compared_texels(image, set_, options_.averaging);
     for (unsigned level = options_.first; level <= options_.last; ++level) {
       AttributePicture picture{image, set_, level, original, original, original, {}, {}};
       std::vector<std::uint8_t> nearest = original;
@@ -136,16 +97,16 @@ class SetMeasurement {
           thread_local MapValues values;
           bake(all_[maps[k]], kind, level, values);
           keys_[place_of(level, kind)][maps[k]] = key_of(values);
-          seen += show(all_[maps[k]], triangles[k], kind, level, values, rgb, nearest,
-                       [&, k](std::size_t texel) { return first[texel] == k; });
+          seen += show(all_[maps[k]], of_image.corners[k], kind, level, values, rgb, nearest,
+                       [&, k](std::size_t texel) { return of_image.first[texel] == k; });
         });
         if (kind == MapKind::faces) seen_faces_[level - options_.first] += seen;
-        std::vector<float>& errors = kind == MapKind::faces ? picture.face_errors : picture.vertex_errors;
-        sum(image, original, rgb, shown, sums_[place_of(level, kind)], errors);
-        if (kind == MapKind::vertices) {
-          std::vector<float> unused;
-          sum(image, original, nearest, shown, nearest_sums_[place_of(level, kind)], unused);
-        }
+        const auto add = [&](ErrorSums& sums, const std::vector<std::uint8_t>& shows) {
+          return add_errors(sums, image, set_, original, shows, shown, options_.threads);
+        };
+        (kind == MapKind::faces ? picture.face_errors : picture.vertex_errors) =
+            add(sums_[place_of(level, kind)], rgb);
+        if (kind == MapKind::vertices) add(nearest_sums_[place_of(level, kind)], nearest);
       }
       if (options_.picture && is_srgb(set_)) options_.picture(picture);
     }
@@ -203,9 +164,8 @@ class SetMeasurement {
     std::vector<std::uint8_t> rgb = original;
     for (std::size_t k = 0; k < rgb.size(); ++k)
       if ((channels_ >> k % 3 & 1) != 0) rgb[k] = codes[k];
-    make_unit(rgb);
-    std::vector<float> unused;
-    sum(image, original, rgb, shown, compressed_sums_[size], unused);
+    make_unit(rgb, set_, options_.averaging);
+    add_errors(compressed_sums_[size], image, set_, original, rgb, shown, options_.threads);
     const BlockSize covers{factor * decoded.block.width, factor * decoded.block.height};
     CompressedTextures& all = figures_.compressed[size];
     all.bytes += decoded.bytes;
@@ -221,23 +181,6 @@ class SetMeasurement {
       if (shown[texel] != 0)
         seen[texel % image.width / block.width + texel / image.width / block.height * across] = true;
     return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
-  }
-
-  /// What maps are held against: the texture, its normals made one unit long as theirs are.
-  std::vector<std::uint8_t> original_of(const ColourImage& image) const {
-    std::vector<std::uint8_t> rgb = rgb_of(image);
-    make_unit(rgb);
-    return rgb;
-  }
-
-  /// Normals alone: each one unit long, where they are averaged as such.
-  void make_unit(std::vector<std::uint8_t>& rgb) const {
-    if (!has(set_, Attribute::normal)) return;
-    const CodeMeaning meaning(set_, options_.averaging);
-    for (std::size_t texel = 0; texel < rgb.size() / 3; ++texel)
-      paint(rgb, texel,
-            meaning.code_of(meaning.mean_of({rgb[3 * texel], rgb[3 * texel + 1], rgb[3 * texel + 2], 0})),
-            channels_);
   }
 
   /// Paints the texels that the triangle is the first to show.  Returns how many of its micro-triangles have a texel's
@@ -265,28 +208,7 @@ class SetMeasurement {
     return static_cast<std::uint64_t>(std::count(has_centre.begin(), has_centre.end(), true));
   }
 
-  void sum(const ColourImage& image, const std::vector<std::uint8_t>& original,
-           const std::vector<std::uint8_t>& rgb, const std::vector<std::uint8_t>& shown, ErrorSums& sums,
-           std::vector<float>& errors) const {
-    for (std::size_t texel = 0; texel < shown.size(); ++texel)
-      for (std::size_t c = 3 * texel; shown[texel] != 0 && c < 3 * texel + 3; ++c) {
-        const double difference = rgb[c] - original[c];
-        sums.squares += difference * difference;
-      }
-    if (!is_srgb(set_)) return;
-    errors = flip::error_map({image.width, image.height, original}, {image.width, image.height, rgb},
-                             {.threads = options_.threads});
-    for (std::size_t texel = 0; texel < shown.size(); ++texel)
-      if (shown[texel] != 0) sums.flip += errors[texel];
-  }
-
-  MapError error_of(const ErrorSums& sums) const {
-    const auto shown = static_cast<double>(std::max<std::uint64_t>(figures_.shown, 1));
-    const int channels = std::popcount(channels_);
-    MapError error{std::sqrt(sums.squares / (shown * channels)), {}};
-    if (is_srgb(set_)) error.flip = sums.flip / shown;
-    return error;
-  }
+  MapError error_of(const ErrorSums& sums) const { return scene::error_of(sums, set_, figures_.shown); }
 
   MapsAtLevel at_level(unsigned level, MapKind kind) const {
     const std::size_t place = place_of(level, kind);

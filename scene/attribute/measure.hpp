@@ -11,16 +11,10 @@
 #include "scene/attribute/laid_maps.hpp"
 #include "scene/attribute/packed_maps.hpp"
 #include "scene/attribute/shared_maps.hpp"
+#include "scene/attribute/texel_errors.hpp"
 #include "scene/attribute/texture_coder.hpp"
 
 namespace mmverify::scene {
-
-/// The difference of a texture and what its maps show, over the texels whose centre a triangle shows.  Normals are made
-/// one unit long in both, where they are averaged as such.
-struct MapError {
-  double rmse = 0;             ///< of the channels in use, in codes of 8 bits
-  std::optional<double> flip;  ///< mean FLIP in texture space; of sRGB textures alone
-};
 
 /// All maps of an attribute set at a level, of one kind.
 struct MapsAtLevel {

@@ -1,0 +1,283 @@
+#include "scene/attribute/planned_maps.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "impl/attribute/error.hpp"
+#include "impl/attribute/plan.hpp"
+#include "scene/attribute/image_triangles.hpp"
+#include "scene/attribute/map_reading.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+using impl::attribute::Neighbours;
+using impl::attribute::no_neighbour;
+using impl::attribute::TrianglePlan;
+using MapValues = std::vector<MapValue>;
+
+/// Sums over the texels whose centre a triangle shows: of its one value, and of its maps by level.
+struct TriangleErrors {
+  const std::vector<std::uint8_t>* original = nullptr;  ///< of its image
+  std::uint64_t texels = 0;
+  double of_value = 0;
+  std::vector<double> of_level;                                       ///< from the first one on
+  std::map<std::pair<std::uint32_t, std::uint8_t>, double> of_edges;  ///< by level and decimated edges
+};
+
+/// An image of a set: which triangles show it, and what they are held against.
+struct PlannedImage {
+  ImageTriangles shown;
+  std::vector<std::uint8_t> original;
+};
+
+/// One attribute set of a scene.
+class SetPlanner {
+ public:
+  SetPlanner(const AttributeScene& scene, AttributeSet set, const AttributeOptions& options)
+      : scene_(scene), options_(options), set_(set), channels_(channels_of(set)) {
+    for (std::size_t k = 0; k < scene.textures.size(); ++k)
+      if (scene.textures[k].set == set)
+        bakers_.emplace(
+            k, MapBaker(scene.images[scene.textures[k].image], scene.textures[k], options.averaging));
+    for (const AttributePrimitive& primitive : scene.primitives)
+      for (const AttributeUse& use : primitive.uses)
+        if (bakers_.contains(use.texture)) add(primitive, use);
+    std::set<std::size_t> images;
+    for (const auto& [number, baker] : bakers_) images.insert(scene.textures[number].image);
+    for (const std::size_t image : images)
+      images_.push_back({image_triangles(scene, image, all_),
+                         compared_texels(scene.images[image], set, options.averaging)});
+    if (options.progress) options.progress(name(set) + ", plans");
+    measure_triangles();
+  }
+
+  PlannedMaps planned(double wanted) {
+    PlannedMaps figures;
+    figures.set = set_;
+    figures.wanted = wanted;
+    figures.triangles = all_.size();
+    for (unsigned level = options_.first; level <= options_.last; ++level)
+      figures.levels.push_back({.level = level});
+    const std::vector<TrianglePlan> plan = impl::attribute::plan(
+        {neighbours_, options_.last, [&](std::size_t t) { return keeps(t, errors_[t].of_value, wanted); },
+         [&](std::size_t t, std::uint32_t level, std::uint8_t edges) {
+           return level >= options_.first && keeps(t, squares(t, level, edges), wanted);
+         }});
+    count(plan, figures);
+    share(plan, figures);
+    ErrorSums sums;
+    std::uint64_t shown = 0;
+    for (const PlannedImage& image : images_) {
+      add_image_errors(plan, image, sums);
+      shown += image.shown.texels_shown();
+    }
+    figures.error = error_of(sums, set_, shown);
+    return figures;
+  }
+
+ private:
+  const ColourImage& image_of(const MapOfTriangle& map) const {
+    return scene_.images[scene_.textures[map.texture].image];
+  }
+
+  /// The triangles of a primitive that are near enough; neighbours by its vertices.
+  void add(const AttributePrimitive& primitive, const AttributeUse& use) {
+    std::vector<Triangle> near;
+    const auto begin = static_cast<std::int32_t>(all_.size());
+    for (const Triangle& t : primitive.triangles) {
+      const MapOfTriangle map{use.texture, {use.uvs[t[0]], use.uvs[t[1]], use.uvs[t[2]]}};
+      if (!within_reach(map.uvs, image_of(map))) continue;
+      near.push_back(t);
+      all_.push_back(map);
+    }
+    for (Neighbours neighbours : impl::attribute::neighbours_of(near)) {
+      for (std::int32_t& n : neighbours)
+        if (n != no_neighbour) n += begin;
+      neighbours_.push_back(neighbours);
+    }
+  }
+
+  /// Each triangle's errors at each level, no edge decimated.
+  void measure_triangles() {
+    errors_.resize(all_.size());
+    for (const PlannedImage& image : images_)
+      oneapi::tbb::parallel_for(std::size_t{0}, image.shown.maps.size(), [&](std::size_t k) {
+        const std::size_t t = image.shown.maps[k];
+        TriangleErrors& errors = errors_[t];
+        errors.original = &image.original;
+        const MapValue value = value_of(t);
+        errors.of_value = squares_of(t, [&](double, double) {
+          ++errors.texels;
+          return value;
+        });
+        for (unsigned level = options_.first; level <= options_.last; ++level)
+          errors.of_level.push_back(squares_of_map(t, level, 0));
+      });
+  }
+
+  /// Sum over the texels whose centre the triangle shows; shows(u, v): what is seen there.
+  template <class Shows>
+  double squares_of(std::size_t t, Shows shows) const {
+    const ColourImage& image = image_of(all_[t]);
+    const std::vector<std::uint8_t>& original = *errors_[t].original;
+    double sum = 0;
+    for_each_texel(
+        image, scene_.textures[all_[t].texture].sampler, in_texels(all_[t].uvs, image.width, image.height),
+        [&](std::size_t texel, double u, double v) {
+          const MapValue seen = shows(u, v);
+          for (std::size_t c = 0; c < 3; ++c) {
+            const double difference = (channels_ >> c & 1) != 0 ? seen[c] - original[3 * texel + c] : 0;
+            sum += difference * difference;
+          }
+        });
+    return sum;
+  }
+
+  double squares_of_map(std::size_t t, unsigned level, std::uint8_t edges) const {
+    const MapValues values = map_of(t, level, edges);
+    return squares_of(t, [&](double u, double v) { return shown_at(t, values, level, u, v); });
+  }
+
+  MapValue shown_at(std::size_t t, const MapValues& values, unsigned level, double u, double v) const {
+    return vertex_value(values, level, u, v, MapReading::interpolated, bakers_.at(all_[t].texture).meaning());
+  }
+
+  MapValues baked(std::size_t t, MapKind kind, unsigned level) const {
+    if (options_.stop) options_.stop();
+    MapValues values(values_of_map(kind, level));
+    bakers_.at(all_[t].texture).bake(all_[t].uvs, kind, level, values);
+    return values;
+  }
+
+  MapValues map_of(std::size_t t, unsigned level, std::uint8_t edges) const {
+    MapValues values = baked(t, MapKind::vertices, level);
+    if (edges != 0)
+      impl::attribute::decimate_edges(level, edges, meaning_of(set_, options_.averaging), values);
+    return values;
+  }
+
+  /// The mean of the texels under the triangle.
+  MapValue value_of(std::size_t t) const { return baked(t, MapKind::faces, 0).front(); }
+
+  double squares(std::size_t t, std::uint32_t level, std::uint8_t edges) {
+    TriangleErrors& errors = errors_[t];
+    if (edges == 0) return errors.of_level[level - options_.first];
+    const auto [at, fresh] = errors.of_edges.try_emplace({level, edges}, 0);
+    if (fresh) at->second = squares_of_map(t, level, edges);
+    return at->second;
+  }
+
+  bool keeps(std::size_t t, double squares, double wanted) const {
+    return squares <= wanted * wanted * static_cast<double>(errors_[t].texels) * std::popcount(channels_);
+  }
+
+  void count(const std::vector<TrianglePlan>& plan, PlannedMaps& figures) {
+    std::set<MapValue> palette;
+    for (std::size_t t = 0; t < plan.size(); ++t) {
+      if (plan[t].special) {
+        ++figures.special;
+        palette.insert(value_of(t));
+        continue;
+      }
+      unsigned lowest = options_.first;
+      while (lowest < options_.last && !keeps(t, squares(t, lowest, 0), figures.wanted)) ++lowest;
+      ++figures.levels[lowest - options_.first].lowest;
+      PlannedLevel& at = figures.levels[plan[t].level - options_.first];
+      ++at.planned;
+      at.decimated += plan[t].decimated != 0;
+      figures.not_kept += !plan[t].kept;
+    }
+    figures.palette = palette.size();
+  }
+
+  /// Equal maps of a level once.
+  void share(const std::vector<TrianglePlan>& plan, PlannedMaps& figures) const {
+    for (PlannedLevel& at : figures.levels) {
+      std::vector<std::size_t> triangles;
+      for (std::size_t t = 0; t < plan.size(); ++t)
+        if (!plan[t].special && plan[t].level == at.level) triangles.push_back(t);
+      const auto map = [&](std::size_t k) {
+        return map_of(triangles[k], at.level, plan[triangles[k]].decimated);
+      };
+      std::vector<MapKey> keys(triangles.size());
+      oneapi::tbb::parallel_for(std::size_t{0}, keys.size(),
+                                [&](std::size_t k) { keys[k] = key_of(map(k)); });
+      at.distinct = shared(keys, map).distinct;
+    }
+  }
+
+  /// Of what the triangles show of an image; a texel that several show is the first one's.
+  void add_image_errors(const std::vector<TrianglePlan>& plan, const PlannedImage& image,
+                        ErrorSums& sums) const {
+    const ImageTriangles& triangles = image.shown;
+    const ColourImage& texels = scene_.images[triangles.image];
+    std::vector<std::uint8_t> rgb = image.original;
+    oneapi::tbb::parallel_for(std::size_t{0}, triangles.maps.size(), [&](std::size_t k) {
+      const std::size_t t = triangles.maps[k];
+      const TrianglePlan& p = plan[t];
+      const MapValues values = p.special ? MapValues{value_of(t)} : map_of(t, p.level, p.decimated);
+      for_each_texel(texels, scene_.textures[all_[t].texture].sampler, triangles.corners[k],
+                     [&](std::size_t texel, double u, double v) {
+                       if (triangles.first[texel] != k) return;
+                       const MapValue seen = p.special ? values.front() : shown_at(t, values, p.level, u, v);
+                       paint(rgb, texel, seen, channels_);
+                     });
+    });
+    add_errors(sums, texels, set_, image.original, rgb, triangles.shown, options_.threads);
+  }
+
+  const AttributeScene& scene_;
+  const AttributeOptions& options_;
+  AttributeSet set_;
+  std::uint8_t channels_;
+  std::map<std::size_t, MapBaker> bakers_;  ///< by textures of the scene
+  std::vector<MapOfTriangle> all_;
+  std::vector<Neighbours> neighbours_;  ///< by triangle, as all below
+  std::vector<TriangleErrors> errors_;
+  std::vector<PlannedImage> images_;
+};
+
+}  // namespace
+
+std::uint64_t PlannedMaps::maps() const { return triangles - special; }
+
+std::uint64_t PlannedMaps::distinct() const {
+  std::uint64_t sum = 0;
+  for (const PlannedLevel& at : levels) sum += at.distinct;
+  return sum;
+}
+
+std::uint64_t PlannedMaps::value_bytes() const {
+  std::uint64_t sum = bytes_of_value * palette;
+  for (const PlannedLevel& at : levels) sum += bytes_of_maps(at.distinct, MapKind::vertices, at.level);
+  return sum;
+}
+
+std::vector<PlannedMaps> planned_maps(const AttributeScene& scene, const AttributeOptions& options,
+                                      std::span<const double> wanted) {
+  if (options.first > options.last || options.last > finest_attribute_level)
+    throw std::invalid_argument("attributes: levels up to " + std::to_string(finest_attribute_level));
+  if (!std::all_of(wanted.begin(), wanted.end(), [](double error) { return error >= 0; }))
+    throw std::invalid_argument("attributes: a plan keeps an error of 0 or more");
+  std::set<AttributeSet> sets;
+  for (const AttributeTexture& texture : scene.textures) sets.insert(texture.set);
+  std::vector<PlannedMaps> all;
+  oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
+                                                     : static_cast<int>(options.threads));
+  arena.execute([&] {
+    for (const AttributeSet set : sets) {
+      SetPlanner planner(scene, set, options);
+      for (const double error : wanted) all.push_back(planner.planned(error));
+    }
+  });
+  return all;
+}
+
+}  // namespace mmverify::scene
