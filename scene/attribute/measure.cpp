@@ -120,7 +120,7 @@ class SetMeasurement {
       triangles.push_back(texels_of(all_[k]));
       samplers.push_back(scene_.textures[all_[k].texture].sampler);
     }
-    const std::vector<std::uint32_t> first = first_triangles(image, samplers, triangles);
+    const std::vector<std::uint32_t> first = first_triangles(image, samplers, triangles, options_.stop);
     std::vector<std::uint8_t> shown(first.size());
     std::transform(first.begin(), first.end(), shown.begin(),
                    [](std::uint32_t triangle) { return std::uint8_t{triangle != no_triangle}; });
