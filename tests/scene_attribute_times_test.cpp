@@ -68,12 +68,12 @@ TEST(TextureSample, IsBilinearInEachWrap) {
       for (const Wrap wrap_v : wraps) {
         const Sampler sampler = wrapped_as(wrap_u, wrap_v);
         const TextureSample sample(image, sampler);
-        const auto check = [&](float u, float v) {
+        const auto check = [&, w = width, h = height](float u, float v) {
           const std::uint32_t got = sample.at(u, v);
           for (std::size_t channel = 0; channel < 4; ++channel)
             EXPECT_NEAR(got >> 8 * channel & 255, expected(image, sampler, u, v, channel), 0.51)
-                << width << "x" << height << " at " << u << ", " << v << ", wraps "
-                << static_cast<int>(wrap_u) << static_cast<int>(wrap_v);
+                << w << "x" << h << " at " << u << ", " << v << ", wraps " << static_cast<int>(wrap_u)
+                << static_cast<int>(wrap_v);
         };
         for (int k = 0; k < 300; ++k) check(anywhere(engine), anywhere(engine));
         for (const float u : {-2.0f, -1.0f, -0.5f, 0.0f, 0.5f, 1.0f, 2.0f, -0x1p-30f, 0x1.fffffep-1f})

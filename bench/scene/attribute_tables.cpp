@@ -264,7 +264,7 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
       {{"images", "textures"}, [](const F& f) { return f.images; }},
       {{"texture_bytes", "bytes of textures, 4 a texel, no mips"},
        [](const F& f) { return f.texture_bytes; }},
-      {{"far", "triangles left out, which span over 2^24 texels"}, [](const F& f) { return f.far; }},
+      {{"far", "maps left out, of triangles over 2^24 texels"}, [](const F& f) { return f.far; }},
       {{"beyond_textures.faces", "level from which on faces take more than the textures"},
        beyond(MapKind::faces)},
       {{"beyond_textures.vertices", "the same of vertices"}, beyond(MapKind::vertices)},

@@ -293,7 +293,7 @@ int attributes(const SceneOptions& options) {
   if (!(options.glb + options.sizes + options.journal + options.replay + options.subject).empty() ||
       options.states != 4 || options.margin != 0 || options.exhaustive)
     throw UsageError(
-        "--attributes: it measures and writes --json, --plot and --pictures; leave the others out");
+        "--attributes: it measures and writes --json, --plot, --files and --pictures; leave the others out");
   if (options.astc && options.packed_error != 0)
     throw UsageError(
         "--astc: errors are measured of lossless maps, and held against their bytes; leave --packed-error "

@@ -316,7 +316,7 @@ function oneRun(report: Report, file: number, name: string, run: SceneAttributes
       {},
       `${plural(run.triangles, "triangle")} and ${plural(run.images, "texture")} of ${bytes(run.texture_bytes)}, each triangle's textures as micromaps of one level: ${ranges([...new Set(run.totals.map((t) => t.level))])}. In a face ${averages}. ` +
         `Errors are of the texels that a triangle shows, in texture space.` +
-        (run.far > 0 ? ` ${plural(run.far, "triangle")} that would span over 2^24 texels were left out.` : ""),
+        (run.far > 0 ? ` ${plural(run.far, "map")} of triangles over 2^24 texels were left out.` : ""),
     ),
     el(
       "div",

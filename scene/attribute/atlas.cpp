@@ -37,12 +37,15 @@ std::size_t wrapped_texel(const ColourImage& image, const Sampler& sampler, std:
 }
 
 std::vector<std::uint32_t> first_triangles(const ColourImage& image, std::span<const Sampler> samplers,
-                                           std::span<const TexelTriangle> triangles) {
+                                           std::span<const TexelTriangle> triangles,
+                                           const std::function<void()>& stop) {
   std::vector<std::uint32_t> first(std::size_t{image.width} * image.height, no_triangle);
-  for (std::uint32_t k = 0; k < triangles.size(); ++k)
+  for (std::uint32_t k = 0; k < triangles.size(); ++k) {
+    if (stop) stop();
     for_each_texel(image, samplers[k], triangles[k], [&](std::size_t texel, double, double) {
       if (first[texel] == no_triangle) first[texel] = k;
     });
+  }
   return first;
 }
 

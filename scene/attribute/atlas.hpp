@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -29,8 +30,10 @@ void for_each_texel(const ColourImage& image, const Sampler& sampler, const Texe
 
 /// The first triangle that shows each texel; no_triangle where none does.
 inline constexpr std::uint32_t no_triangle = std::numeric_limits<std::uint32_t>::max();
+/// stop: asked before each triangle, which may show millions; may throw.
 std::vector<std::uint32_t> first_triangles(const ColourImage& image, std::span<const Sampler> samplers,
-                                           std::span<const TexelTriangle> triangles);
+                                           std::span<const TexelTriangle> triangles,
+                                           const std::function<void()>& stop = {});
 
 }  // namespace mmverify::scene
 

@@ -9,7 +9,7 @@ std::uint64_t ImageTriangles::texels_shown() const {
 }
 
 ImageTriangles image_triangles(const AttributeScene& scene, std::size_t image,
-                               std::span<const MapOfTriangle> all) {
+                               std::span<const MapOfTriangle> all, const std::function<void()>& stop) {
   const ColourImage& texels = scene.images[image];
   ImageTriangles result;
   result.image = image;
@@ -21,7 +21,7 @@ ImageTriangles image_triangles(const AttributeScene& scene, std::size_t image,
     result.corners.push_back(in_texels(all[k].uvs, texels.width, texels.height));
     samplers.push_back(texture.sampler);
   }
-  result.first = first_triangles(texels, samplers, result.corners);
+  result.first = first_triangles(texels, samplers, result.corners, stop);
   result.shown.resize(result.first.size());
   std::transform(result.first.begin(), result.first.end(), result.shown.begin(),
                  [](std::uint32_t triangle) { return std::uint8_t{triangle != no_triangle}; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,8 @@ struct ImageTriangles {
   std::uint64_t texels_shown() const;
 };
 
-/// Domain: triangles within_reach().
+/// stop: as of first_triangles().  Domain: triangles within_reach().
 ImageTriangles image_triangles(const AttributeScene& scene, std::size_t image,
-                               std::span<const MapOfTriangle> all);
+                               std::span<const MapOfTriangle> all, const std::function<void()>& stop = {});
 
 }  // namespace mmverify::scene

@@ -82,7 +82,7 @@ class SetMeasurement {
     ++figures_.images;
     figures_.texels += std::uint64_t{image.width} * image.height;
     figures_.texture_bytes += bytes_of_value * image.width * image.height;
-    const ImageTriangles of_image = image_triangles(scene_, number, all_);
+    const ImageTriangles of_image = image_triangles(scene_, number, all_, options_.stop);
     const std::vector<std::size_t>& maps = of_image.maps;
     const std::vector<std::uint8_t>& shown = of_image.shown;
     figures_.shown += of_image.texels_shown();

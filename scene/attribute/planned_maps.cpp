@@ -52,7 +52,7 @@ class SetPlanner {
     std::set<std::size_t> images;
     for (const auto& [number, baker] : bakers_) images.insert(scene.textures[number].image);
     for (const std::size_t image : images)
-      images_.push_back({image_triangles(scene, image, all_),
+      images_.push_back({image_triangles(scene, image, all_, options.stop),
                          compared_texels(scene.images[image], set, options.averaging)});
     if (options.progress) options.progress(name(set) + ", plans");
     measure_triangles();

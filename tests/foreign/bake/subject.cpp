@@ -3,6 +3,7 @@
 #include "sdk/mmverify_subject.h"
 #include "tests/foreign/bake/baker.hpp"
 #include "tests/foreign/bake/faults.hpp"
+#include "tests/foreign/bake/kept.hpp"
 
 namespace mmverify::tests::foreign::bake {
 namespace {
@@ -14,7 +15,10 @@ const mmverify_subject_t subject = [] {
   s.name = "foreign-bake";
   s.max_level = 12;
   s.flags = MMVERIFY_BAKE_CENTROID | MMVERIFY_BAKE_TIGHT;
-  s.bake = bake;
+  s.bake = [](const mmverify_bake_case_t* what, std::uint8_t* map) {
+    const mmverify_bake_case_t c = with_kept_texels(*what);
+    return bake(&c, map);
+  };
   return s;
 }();
 
