@@ -14,6 +14,7 @@ struct AttributeArguments {
   unsigned packed_error = 0;
   bool astc = false;  ///< compress the textures beside
   bool time = false;  ///< take times of lookups in textures and maps
+  bool mips = false;  ///< hold mips of textures against those of maps
 };
 
 /// Prints the tables, writes JSON, the picture of the figures and pictures of the textures.  Returns the exit code.

@@ -47,7 +47,7 @@ struct SceneOptions {
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
   bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false, astc = false,
-       time = false;
+       time = false, mips = false;
   float margin = 0;
   int states = 4;
   unsigned packed_error = 0;
@@ -300,14 +300,15 @@ int attributes(const SceneOptions& options) {
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
                            options.files, options.codes, options.quiet, options.threads,
                            options.packed || options.packed_error != 0 || options.astc, options.packed_error,
-                           options.astc, options.time});
+                           options.astc, options.time, options.mips});
 }
 
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
   if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
-  if (options.packed || options.packed_error != 0 || options.astc || options.time || !options.files.empty())
-    throw UsageError("--packed, --packed-error, --astc, --time, --files: for --attributes");
+  if (options.packed || options.packed_error != 0 || options.astc || options.time || options.mips ||
+      !options.files.empty())
+    throw UsageError("--packed, --packed-error, --astc, --time, --mips, --files: for --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -418,6 +419,10 @@ Action add_scene(CLI::App& program) {
   command->add_flag("--time", options->time,
                     "of --attributes: take the time of a lookup at random points, in the textures and in the "
                     "maps; one thread");
+  command->add_flag(
+      "--mips", options->mips,
+      "of --attributes: hold mips of the textures against those of the maps of the highest level, "
+      "near the borders of an atlas's charts and inside; needs --level A..B");
   command
       ->add_option("--pictures", options->pictures,
                    "of --attributes: write each base colour beside its maps and their FLIP, a PNG a level")

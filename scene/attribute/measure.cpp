@@ -35,11 +35,6 @@ std::vector<std::uint8_t> rgb_of(const ColourImage& image) {
   return rgb;
 }
 
-void paint(std::vector<std::uint8_t>& rgb, std::size_t texel, const MapValue& value, std::uint8_t channels) {
-  for (std::size_t c = 0; c < 3; ++c)
-    if ((channels >> c & 1) != 0) rgb[3 * texel + c] = value[c];
-}
-
 /// One attribute set of a scene: its maps, image by image.
 class SetMeasurement {
  public:
@@ -126,6 +121,7 @@ class SetMeasurement {
                    [](std::uint32_t triangle) { return std::uint8_t{triangle != no_triangle}; });
     figures_.shown += static_cast<std::uint64_t>(std::count(shown.begin(), shown.end(), 1));
     const std::vector<std::uint8_t> original = original_of(image);
+    tell_atlas(image, original, maps, triangles, first);
     for (unsigned level = options_.first; level <= options_.last; ++level) {
       AttributePicture picture{image, set_, level, original, original, original, {}, {}};
       std::vector<std::uint8_t> nearest = original;
@@ -150,6 +146,15 @@ class SetMeasurement {
       if (options_.picture && is_srgb(set_)) options_.picture(picture);
     }
     if (options_.texture_coder.compress) compress(image, original, shown);
+  }
+
+  void tell_atlas(const ColourImage& image, const std::vector<std::uint8_t>& original,
+                  const std::vector<std::size_t>& maps, std::span<const TexelTriangle> triangles,
+                  std::span<const std::uint32_t> first) const {
+    if (!options_.atlas) return;
+    std::vector<MapOfTriangle> of_image;
+    for (const std::size_t k : maps) of_image.push_back(all_[k]);
+    options_.atlas({set_, image, original, of_image, triangles, first});
   }
 
   /// What the coder makes of an image, beside what it made of the set's others at the same size.
