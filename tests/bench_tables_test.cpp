@@ -11,6 +11,7 @@
 #include "bench/bake/tables.hpp"
 #include "bench/baker/tables.hpp"
 #include "bench/index/tables.hpp"
+#include "bench/scene/attribute_mip_tables.hpp"
 #include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/tables.hpp"
 #include "bench/subject/tables.hpp"
@@ -26,6 +27,11 @@ namespace gate = mmverify::gate;
 using Json = nlohmann::ordered_json;
 
 Result with_pictures(Result result) {
+  mmverify::scene::MipStep step;
+  step.set = mmverify::scene::set_of(mmverify::scene::Attribute::base_color);
+  step.texture = step.faces.error = step.vertices.error = {{1, 0.5}, 2, 1};
+  result.tables.push_back(attribute_mips_table({step, step}));
+  result.tables.push_back(attribute_mip_pictures_table({{"baseColor", "leaves", 1, "leaves_mip1.png"}}));
   result.tables.push_back(attribute_pictures_table({{"baseColor", "leaves", 1, "leaves_level1.png"}}));
   return result;
 }

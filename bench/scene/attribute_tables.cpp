@@ -52,8 +52,6 @@ double share_of(std::uint64_t bytes, std::uint64_t of) {
   return static_cast<double>(bytes) / static_cast<double>(of);
 }
 
-Value optional(const std::optional<double>& x) { return x ? Value(*x) : Value(); }
-
 /// Of what was packed, a column each; the peer is zstd.
 Value packed_value(const MapsAtLevel& at, std::uint64_t scene::PackedBytes::*bytes) {
   return at.packed ? Value((*at.packed).*bytes) : Value();

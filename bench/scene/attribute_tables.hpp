@@ -1,6 +1,7 @@
 // Attribute micromaps of a scene, as tables and a picture.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "scene/attribute/measure.hpp"
 
 namespace mmverify::bench {
+
+/// A figure that may not be there.
+inline Value optional(const std::optional<double>& x) { return x ? Value(*x) : Value(); }
 
 /// Source: Color and Attribute Micromaps, table 2, figures 9 and 11.  Domain: figures of at least one set, measured with
 /// these options.

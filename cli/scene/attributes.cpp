@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "bench/scene/astcenc.hpp"
+#include "bench/scene/attribute_mip_tables.hpp"
 #include "bench/scene/attribute_plan_tables.hpp"
 #include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/attribute_times.hpp"
@@ -22,6 +24,7 @@
 #include "cli/scene/loaded.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "scene/attribute/measure.hpp"
+#include "scene/attribute/mip_errors.hpp"
 #include "scene/attribute/picture.hpp"
 #include "scene/attribute/planned_maps.hpp"
 #include "scene/sample/scene.hpp"
@@ -41,36 +44,52 @@ class PictureFolder {
   explicit PictureFolder(std::string folder) : folder_(std::move(folder)) {}
 
   void write(const AttributePicture& picture) {
-    const RgbPicture all = side_by_side(picture, longest_tile);
-    const std::vector<unsigned char> bytes = png(all.width, all.height, all.rgb);
-    const std::string stem = stem_of(picture);
-    const auto path = std::filesystem::path(folder_) / fmt::format("{}_level{}.png", stem, picture.level);
-    OutputFile file(path.string());
-    file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    written_.push_back({name(picture.set), stem, picture.level, path.generic_string()});
+    const std::string stem = stem_of(picture.image, picture.set);
+    levels_.push_back(
+        {name(picture.set), stem, picture.level,
+         write(side_by_side(picture, longest_tile), fmt::format("{}_level{}", stem, picture.level))});
   }
 
-  const std::vector<bench::AttributePictureFile>& written() const { return written_; }
+  void write(const MipPicture& picture) {
+    const std::string stem = stem_of(picture.image, picture.set);
+    mips_.push_back({name(picture.set), stem, picture.mip,
+                     write(side_by_side(picture, longest_tile), fmt::format("{}_mip{}", stem, picture.mip))});
+  }
+
+  void name_in(bench::Result& result) const {
+    if (!levels_.empty()) result.tables.push_back(bench::attribute_pictures_table(levels_));
+    if (!mips_.empty()) result.tables.push_back(bench::attribute_mip_pictures_table(mips_));
+  }
 
  private:
+  /// Returns the path.
+  std::string write(const RgbPicture& picture, const std::string& name) const {
+    const std::vector<unsigned char> bytes = png(picture.width, picture.height, picture.rgb);
+    const auto path = std::filesystem::path(folder_) / (name + ".png");
+    OutputFile file(path.string());
+    file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return path.generic_string();
+  }
+
   /// What an image's name makes: letters, digits, '-' and '_' stay; a number where another image's is the same.
-  std::string stem_of(const AttributePicture& picture) {
-    const auto known = stems_.find({&picture.image, picture.set});
+  std::string stem_of(const ColourImage& image, AttributeSet set) {
+    const auto known = stems_.find({&image, set});
     if (known != stems_.end()) return known->second;
-    std::string stem = std::filesystem::path(picture.image.name).stem().string();
+    std::string stem = std::filesystem::path(image.name).stem().string();
     std::replace_if(
         stem.begin(), stem.end(),
         [](unsigned char c) { return std::isalnum(c) == 0 && c != '-' && c != '_'; }, '_');
     if (stem.empty()) stem = "image";
     std::string own = stem;
     for (unsigned k = 2; !taken_.insert(own).second; ++k) own = fmt::format("{}_{}", stem, k);
-    return stems_[{&picture.image, picture.set}] = own;
+    return stems_[{&image, set}] = own;
   }
 
   std::string folder_;
   std::map<std::pair<const ColourImage*, AttributeSet>, std::string> stems_;
   std::set<std::string> taken_;
-  std::vector<bench::AttributePictureFile> written_;
+  std::vector<bench::AttributePictureFile> levels_;
+  std::vector<bench::MipPictureFile> mips_;
 };
 
 /// FOLDER/baseColor_faces_level3.mmat, or nothing: OutputFile takes its name only once it is whole.
@@ -114,6 +133,8 @@ proofs::Levels levels_of(const std::string& text) {
 
 int scene_attributes(const AttributeArguments& arguments) {
   const proofs::Levels levels = levels_of(arguments.levels);
+  if (arguments.mips && levels.first == levels.last)
+    throw UsageError("--mips: it needs --level A..B, A below B: maps of level B and their mips down to A");
   std::optional<OutputFile> json, plot;
   if (!arguments.json.empty() && arguments.json != "-") json.emplace(arguments.json);
   if (!arguments.plot.empty()) plot.emplace(arguments.plot);
@@ -151,6 +172,11 @@ int scene_attributes(const AttributeArguments& arguments) {
   }
   bench::AttributeTimer timer(read, {});
   if (arguments.time) options.laid = [&timer](const LaidMaps& laid) { timer.take(laid); };
+  std::function<void(const MipPicture&)> mip_picture;
+  if (!arguments.pictures.empty())
+    mip_picture = [&pictures](const MipPicture& picture) { pictures.write(picture); };
+  MipErrors mips(read, options, mip_picture);
+  if (arguments.mips) options.atlas = [&mips](const AttributeAtlas& atlas) { mips.take(atlas); };
   const AttributeFigures figures = measure(read, options);
   bench::Result result = bench::scene_attribute_tables(figures, read, options);
   if (arguments.time) result.tables.push_back(bench::attribute_times_table(timer.times()));
@@ -158,8 +184,8 @@ int scene_attributes(const AttributeArguments& arguments) {
     for (bench::Table& table :
          bench::attribute_plan_tables(figures, planned_maps(read, options, arguments.plan)))
       result.tables.push_back(std::move(table));
-  if (!pictures.written().empty())
-    result.tables.push_back(bench::attribute_pictures_table(pictures.written()));
+  if (arguments.mips) result.tables.push_back(bench::attribute_mips_table(mips.steps()));
+  pictures.name_in(result);
   print_result(out, result);
   if (plot) plot->commit(run_gnuplot(plot_script(*result.drawn)));
   if (json) json->commit(result_json(result));

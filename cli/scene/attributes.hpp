@@ -15,6 +15,7 @@ struct AttributeArguments {
   unsigned packed_error = 0;
   bool astc = false;              ///< compress the textures beside
   bool time = false;              ///< take times of lookups in textures and maps
+  bool mips = false;              ///< hold mips of textures against those of maps
   std::vector<double> plan = {};  ///< plan levels for these errors
 };
 

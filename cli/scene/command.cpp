@@ -47,7 +47,7 @@ struct SceneOptions {
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
   bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false, astc = false,
-       time = false;
+       time = false, mips = false;
   std::vector<double> plan;
   float margin = 0;
   int states = 4;
@@ -301,15 +301,15 @@ int attributes(const SceneOptions& options) {
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
                            options.files, options.codes, options.quiet, options.threads,
                            options.packed || options.packed_error != 0 || options.astc, options.packed_error,
-                           options.astc, options.time, options.plan});
+                           options.astc, options.time, options.mips, options.plan});
 }
 
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
   if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
-  if (options.packed || options.packed_error != 0 || options.astc || options.time || !options.plan.empty() ||
-      !options.files.empty())
-    throw UsageError("--packed, --packed-error, --astc, --time, --plan, --files: for --attributes");
+  if (options.packed || options.packed_error != 0 || options.astc || options.time || options.mips ||
+      !options.plan.empty() || !options.files.empty())
+    throw UsageError("--packed, --packed-error, --astc, --time, --mips, --plan, --files: for --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -420,6 +420,10 @@ Action add_scene(CLI::App& program) {
   command->add_flag("--time", options->time,
                     "of --attributes: take the time of a lookup at random points, in the textures and in the "
                     "maps; one thread");
+  command->add_flag(
+      "--mips", options->mips,
+      "of --attributes: hold mips of the textures against those of the maps of the highest level, "
+      "near the borders of an atlas's charts and inside; needs --level A..B");
   command
       ->add_option("--plan", options->plan,
                    "of --attributes: give each triangle the lowest of these levels that keeps an error, in "

@@ -87,6 +87,7 @@ class SetMeasurement {
     const std::vector<std::uint8_t>& shown = of_image.shown;
     figures_.shown += of_image.texels_shown();
     const std::vector<std::uint8_t> original = compared_texels(image, set_, options_.averaging);
+    tell_atlas(image, original, maps, of_image.corners, of_image.first);
     for (unsigned level = options_.first; level <= options_.last; ++level) {
       AttributePicture picture{image, set_, level, original, original, original, {}, {}};
       std::vector<std::uint8_t> nearest = original;
@@ -111,6 +112,15 @@ class SetMeasurement {
       if (options_.picture && is_srgb(set_)) options_.picture(picture);
     }
     if (options_.texture_coder.compress) compress(image, original, shown);
+  }
+
+  void tell_atlas(const ColourImage& image, const std::vector<std::uint8_t>& original,
+                  const std::vector<std::size_t>& maps, std::span<const TexelTriangle> triangles,
+                  std::span<const std::uint32_t> first) const {
+    if (!options_.atlas) return;
+    std::vector<MapOfTriangle> of_image;
+    for (const std::size_t k : maps) of_image.push_back(all_[k]);
+    options_.atlas({set_, image, original, of_image, triangles, first});
   }
 
   /// What the coder makes of an image, beside what it made of the set's others at the same size.

@@ -74,6 +74,16 @@ struct AttributePicture {
   std::vector<float> face_errors, vertex_errors;  ///< FLIP, a texel each
 };
 
+/// An image that a set reads, and which triangle shows each of its texels.
+struct AttributeAtlas {
+  AttributeSet set;
+  const ColourImage& image;
+  const std::vector<std::uint8_t>& original;  ///< rows of RGB: what maps are held against
+  std::span<const MapOfTriangle> maps;        ///< of the image
+  std::span<const TexelTriangle> triangles;   ///< the same in texels
+  std::span<const std::uint32_t> first;       ///< by texel, as first_triangles() numbers them
+};
+
 /// All maps of a set at a level, and which one each triangle has.
 struct StoredAttributes {
   AttributeSet set;
@@ -93,6 +103,7 @@ struct AttributeOptions {
   std::function<void(const StoredAttributes&)> stored = {};  ///< given each set, level and kind, packed
   std::function<void(const LaidMaps&)> laid =
       {};  ///< given each set, level and kind, where they are not too many
+  std::function<void(const AttributeAtlas&)> atlas = {};  ///< told of each image of each set, before its maps
   std::function<void(const AttributePicture&)> picture = {};  ///< told of each level of each sRGB image
 };
 

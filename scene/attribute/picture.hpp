@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/attribute/measure.hpp"
+#include "scene/attribute/mip_errors.hpp"
 
 namespace mmverify::scene {
 
@@ -17,6 +18,10 @@ struct RgbPicture {
 /// tile is the texture made smaller by the least whole number that leaves no side above `longest`, as means of codes.
 /// Domain: longest > 0.
 RgbPicture side_by_side(const AttributePicture& picture, std::uint32_t longest);
+
+/// Above the texture's mip, faces, vertices; below their errors, where what no triangle shows is grey, so that charts have
+/// borders.  Tiles as above.
+RgbPicture side_by_side(const MipPicture& picture, std::uint32_t longest);
 
 /// Smaller by the least whole number that leaves no side above `longest`, as means of codes.  Domain: longest > 0.
 RgbPicture made_smaller(const ColourImage& image, std::uint32_t longest);

@@ -13,6 +13,7 @@
 #include "impl/attribute/plan.hpp"
 #include "scene/attribute/image_triangles.hpp"
 #include "scene/attribute/map_reading.hpp"
+#include "scene/attribute/reduced_texture.hpp"
 
 namespace mmverify::scene {
 namespace {

@@ -16,10 +16,6 @@ void add(CodeMeaning::Mean& sum, const CodeMeaning::Mean& mean, double weight) {
   for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weight * mean[c];
 }
 
-void set_code(std::vector<std::uint8_t>& rgb, std::size_t texel, const MapValue& value) {
-  for (std::size_t c = 0; c < 3; ++c) rgb[3 * texel + c] = value[c];
-}
-
 /// Two neighbours along an axis, and how much of the second.
 struct Between {
   std::size_t first, second;
@@ -46,7 +42,7 @@ RgbTexels reduced(const RgbTexels& texels, std::uint32_t factor, const CodeMeani
       for (std::uint32_t j = factor * y; j < below; ++j)
         for (std::uint32_t i = factor * x; i < right; ++i)
           add(sum, mean_at(texels, i + std::size_t{j} * texels.width, meaning), weight);
-      set_code(small.rgb, x + std::size_t{y} * small.width, meaning.code_of(sum));
+      paint(small.rgb, x + std::size_t{y} * small.width, meaning.code_of(sum), 7);
     }
   });
   return small;
@@ -64,7 +60,7 @@ std::vector<std::uint8_t> enlarged(const RgbTexels& reduced, std::uint32_t facto
         add(sum, mean_at(reduced, u.first + row * reduced.width, meaning), of_row * (1 - u.share));
         add(sum, mean_at(reduced, u.second + row * reduced.width, meaning), of_row * u.share);
       }
-      set_code(rgb, x + std::size_t{y} * width, meaning.code_of(sum));
+      paint(rgb, x + std::size_t{y} * width, meaning.code_of(sum), 7);
     }
   });
   return rgb;

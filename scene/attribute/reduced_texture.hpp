@@ -15,6 +15,13 @@ struct RgbTexels {
   std::vector<std::uint8_t> rgb;
 };
 
+/// A texel of rows of RGB, in the channels given: bit 0 red, 1 green, 2 blue.
+inline void paint(std::vector<std::uint8_t>& rgb, std::size_t texel, const MapValue& value,
+                  std::uint8_t channels) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if ((channels >> c & 1) != 0) rgb[3 * texel + c] = value[c];
+}
+
 /// Each texel is the mean of factor x factor texels, of fewer at the right and lower border, as codes of that meaning are
 /// averaged.  Channels that are not in use are 0.
 /// Domain: factor > 0, rgb.size() = 3 width height > 0.

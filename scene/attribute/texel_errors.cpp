@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flip/flip.hpp"
+#include "scene/attribute/reduced_texture.hpp"
 
 namespace mmverify::scene {
 
@@ -25,11 +26,6 @@ void make_unit(std::vector<std::uint8_t>& rgb, AttributeSet set, Averaging avera
     paint(rgb, texel,
           meaning.code_of(meaning.mean_of({rgb[3 * texel], rgb[3 * texel + 1], rgb[3 * texel + 2], 0})),
           channels_of(set));
-}
-
-void paint(std::vector<std::uint8_t>& rgb, std::size_t texel, const MapValue& value, std::uint8_t channels) {
-  for (std::size_t c = 0; c < 3; ++c)
-    if ((channels >> c & 1) != 0) rgb[3 * texel + c] = value[c];
 }
 
 std::vector<float> add_errors(ErrorSums& sums, const ColourImage& image, AttributeSet set,

@@ -35,9 +35,6 @@ std::vector<std::uint8_t> compared_texels(const ColourImage& image, AttributeSet
 /// Normals alone: each one unit long, where they are averaged as such.
 void make_unit(std::vector<std::uint8_t>& rgb, AttributeSet set, Averaging averaging);
 
-/// Sets the channels that are in use.
-void paint(std::vector<std::uint8_t>& rgb, std::size_t texel, const MapValue& value, std::uint8_t channels);
-
 /// Adds the errors of rgb over the texels that are shown.  Returns FLIP by texel; of other than sRGB textures nothing.
 std::vector<float> add_errors(ErrorSums& sums, const ColourImage& image, AttributeSet set,
                               const std::vector<std::uint8_t>& original, const std::vector<std::uint8_t>& rgb,
