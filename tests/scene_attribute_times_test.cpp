@@ -180,12 +180,12 @@ TEST(LaidMaps, EqualMapsAreThereOnce) {
 
 TEST(LaidMaps, OfOneHashAreTheSameOnlyWhereTheirValuesAre) {
   LaidMaps laid{set_of(Attribute::base_color), 0, MapKind::faces, {}, {}, {}};
-  const std::vector<MapKey> keys(3, MapKey{1, {}});
+  const std::vector<MapKey> keys(4, MapKey{1, {}});
   lay(laid, keys, [](std::size_t k, std::vector<MapValue>& out) {
     out = {MapValue{static_cast<std::uint8_t>(k % 2), 2, 3, 4}};
   });
   EXPECT_THAT(laid.values, testing::ElementsAre(0x04030200u, 0x04030201u));
-  EXPECT_THAT(laid.first, testing::ElementsAre(0, 1, 0));
+  EXPECT_THAT(laid.first, testing::ElementsAre(0, 1, 0, 1));
 }
 
 TEST(AttributeTimer, HasARowForEachWay) {
