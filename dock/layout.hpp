@@ -16,8 +16,8 @@ constexpr std::size_t batch_size = 4096;
 constexpr std::size_t slots = 128;
 constexpr std::size_t capacity = batch_size * slots;
 
-/// The largest map or code: a 4-state map of level 12 has 4 MiB, its tree 6.7.
-constexpr std::size_t blob_capacity = std::size_t{1} << 24;
+/// The largest map, code or case: a 4-state map of level 12 has 4 MiB, its tree 6.7, the largest texture asked about 16.01.
+constexpr std::size_t blob_capacity = std::size_t{1} << 25;
 
 /// Bytes before an answer array that must stay as they are: an overrun at the far end meets a guard page.
 constexpr std::size_t canary_size = 64;

@@ -1,6 +1,7 @@
 // Commands on numbers in slots: batches whose answers may not depend on each other.
 #include <algorithm>
 #include <cstring>
+#include <memory>
 
 #include "dock/desk/desk.hpp"
 
@@ -29,6 +30,7 @@ void Desk::run_on_numbers(std::uint64_t number) {
     if (slot != 0) continue;
     ask_slot_after_another_level(slot);
     ask_slot_many_times_over(slot);
+    ask_slot_at_other_places(slot);
   }
   mark_level();
   constexpr std::size_t sizes[] = {batch_size, 7, batch_size - 1, 1};
@@ -146,6 +148,32 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
   for (std::size_t at = 0; at < large_batch; at += count)
     compare(slot_answer(slot), again_.data() + at * wide, std::min(count, large_batch - at), from,
             "asked in a batch of " + std::to_string(large_batch));
+}
+
+void Desk::ask_slot_at_other_places(std::size_t slot) {
+  constexpr std::size_t line = 64;  // no vector is longer
+  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+                    wide = asked().answer_bytes, bytes = asked().signature.number_bytes,
+                    value = asked().signature.value_bytes;
+  // First all at whole lines; then each array so many elements further that no two lie alike.
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    const auto placed = [line](std::vector<std::byte>& room, std::size_t size, std::size_t offset) {
+      room.assign(size + 2 * line, std::byte{blank_again});
+      void* at = room.data();
+      std::size_t space = room.size();
+      return static_cast<std::byte*>(std::align(line, size, at, space)) + offset % line;
+    };
+    Arguments a = piece(slot, 0, count, nullptr);
+    std::vector<std::byte> inputs[most_arrays];
+    for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
+      std::byte* const copy = placed(inputs[array], count * bytes, turn * (array + 1) * bytes);
+      std::memcpy(copy, a.arrays[array], count * bytes);
+      a.arrays[array] = copy;
+    }
+    a.out = placed(again_, count * wide, turn * (most_arrays + 1) * value);
+    guarded(a, from);
+    compare(slot_answer(slot), a.out, count, from, "asked with its arrays at other addresses");
+  }
 }
 
 Desk::FromThreads Desk::slot_from_threads_first(std::size_t slot) {

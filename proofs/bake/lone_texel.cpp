@@ -34,6 +34,10 @@ constexpr std::array<Sides, 13> shapes{{{256, 256},
                                         {16, 4096},
                                         {1024, 1024}}};
 
+/// One case, of level 3: more texels than binary32 counts.
+constexpr Sides above_2_to_24{8192, 2049};
+constexpr Level level_of_largest = 3;
+
 /// Alpha 1.
 std::uint32_t full(Texel texel) {
   return texel == Texel::unorm8 ? 0xff : texel == Texel::unorm16 ? 0xffff : 0x3f800000;
@@ -58,6 +62,14 @@ Coordinates somewhere(Random& random) {
     const float area = (uv[2] - uv[0]) * (uv[5] - uv[1]) - (uv[3] - uv[1]) * (uv[4] - uv[0]);
     if (std::fabs(area) > 0.5f) return uv;
   }
+}
+
+/// Columns, or rows, whose numbers need more than 32 bits before they are clamped: sides of 4096 texels and more, and
+/// half a million repeats or more.
+constexpr std::uint32_t long_side = 4096;
+void move_far_away(Case& one, std::size_t axis, Random& random) {
+  (axis == 0 ? one.wrap_u : one.wrap_v) = Wrap::clamp_to_edge;
+  for (std::size_t k = axis; k < 6; k += 2) one.uv[k] = 0x1p+19f + static_cast<float>(random.below(16)) / 8;
 }
 
 void put(Case& one, const LoneTexel& texel) {
@@ -88,16 +100,18 @@ std::vector<std::uint32_t> texels(const LoneTexel& texel, std::uint32_t width, s
 Case case_with_lone_texel(const Support& support, Level n, std::uint64_t k, std::uint64_t seed) {
   Random random(seed, lone_stream + n, k);
   Case one;
-  one.width = shapes[k % shapes.size()].width;
-  one.height = shapes[k % shapes.size()].height;
-  one.texel = k % 2 == 0 ? Texel::unorm8 : static_cast<Texel>(random.below(3));
+  const bool is_largest = n == level_of_largest && k == shapes.size();
+  const Sides shape = is_largest ? above_2_to_24 : shapes[k % shapes.size()];
+  one.width = shape.width;
+  one.height = shape.height;
+  one.texel = k % 2 == 0 || is_largest ? Texel::unorm8 : static_cast<Texel>(random.below(3));
   one.filter = k % 5 == 4 ? Filter::nearest : Filter::bilinear;
   one.wrap_u = k % 3 == 0 ? Wrap::clamp_to_edge : static_cast<Wrap>(random.below(5));
   one.wrap_v = k % 3 == 0 ? Wrap::clamp_to_edge : static_cast<Wrap>(random.below(5));
 
   const std::uint64_t kind = (k + n) % 4;
-  const bool opaque = kind < 2, with_one = kind % 2 != 0;
-  const std::uint64_t part = (k / 2 + n) % 3;
+  const bool opaque = kind < 2, with_one = kind % 2 != 0 || is_largest;
+  const std::uint64_t part = is_largest ? 1 : (k / 2 + n) % 3;
   one.uv = part == 0   ? Coordinates{0, 0, 1, 0, 0, 1}
            : part == 1 ? Coordinates{0, 0, 2, 0, 0, 2}
                        : somewhere(random);
@@ -105,6 +119,11 @@ Case case_with_lone_texel(const Support& support, Level n, std::uint64_t k, std:
     std::swap(one.uv[2], one.uv[4]);
     std::swap(one.uv[3], one.uv[5]);
   }
+
+  // The last texel is the one that is met there.
+  const bool far = std::max(one.width, one.height) >= long_side && !is_largest && random.below(2) != 0;
+  const std::size_t far_axis = one.width > one.height ? 0 : 1;
+  if (far) move_far_away(one, far_axis, random);
 
   LoneTexel texel;
   const auto draw = [&] {
@@ -122,6 +141,9 @@ Case case_with_lone_texel(const Support& support, Level n, std::uint64_t k, std:
       texel.i = one.width - 1 - texel.i;
       texel.j = one.height - 1 - texel.j;
     }
+    if (is_largest)
+      texel.i |= 1, texel.j = one.height - 1;  // the texel's number is odd: binary32 does not have it
+    if (far) (far_axis == 0 ? texel.i : texel.j) = (far_axis == 0 ? one.width : one.height) - 1;
     one.border = texel.all;
     put(one, texel);
   };

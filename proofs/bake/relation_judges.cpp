@@ -7,6 +7,13 @@
 #include <utility>
 
 namespace mmverify::proofs::bake {
+std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n, Format format) {
+  std::optional<Baked> baked = s.functions.bake(one, n, format);
+  if (!baked) throw Declined();
+  if (!baked->padded) throw Unpadded();
+  return std::move(baked->states);
+}
+
 namespace {
 
 using spec::micromap::as_unknown;
@@ -28,15 +35,6 @@ std::optional<Finding> differ(const BakeSubject& s, const char* of, const std::v
     if (contradict(s, got.at(k), expected[k]))
       return wrong(fmt::format("{} micro-triangle {} {}", of, k, name_of(expected[k])), name_of(got[k]));
   return std::nullopt;
-}
-
-/// Bakes in 4-state, or stops the check.
-std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n,
-                          Format format = Format::four_state) {
-  std::optional<Baked> baked = s.functions.bake(one, n, format);
-  if (!baked) throw Declined();
-  if (!baked->padded) throw Unpadded();
-  return std::move(baked->states);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -205,48 +203,6 @@ Finding keeps_margins(const BakeSubject& s, const Case& one, Level n) {
     hash = hash * 31 + hash_of(before);
   }
   return {hash};
-}
-
-namespace {
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Other textures in between
-// ---------------------------------------------------------------------------------------------------------------------
-
-/// The texels from one on in the opposite order.
-Case turned_round(Case one, std::size_t from) {
-  std::reverse(one.alpha.begin() + static_cast<std::ptrdiff_t>(std::min(from, one.alpha.size())),
-               one.alpha.end());
-  one.drawn.clear();
-  return one;
-}
-
-/// Its first texel alone.
-Case of_one_texel(Case one) {
-  one.width = one.height = one.mips = 1;
-  one.alpha.resize(1);
-  one.drawn.clear();
-  return one;
-}
-
-}  // namespace
-
-Finding keeps_no_other(const BakeSubject& s, const Case& one, Level n) {
-  const std::array<Case, 4> cases{one, turned_round(one, one.width), turned_round(one, 0), of_one_texel(one)};
-  std::array<std::vector<State>, 4> maps;
-  // Each of the first three comes after another of them, and after one of other sides, when none of them is in mind.
-  for (const std::size_t k : {0u, 1u, 3u, 1u, 0u, 3u, 2u, 0u, 3u, 0u}) {
-    std::vector<State> map = map_of(s, cases[k], n);
-    if (maps[k].empty())
-      maps[k] = std::move(map);
-    else
-      for (std::size_t at = 0; at < map.size(); ++at)
-        if (map[at] != maps[k][at])
-          return wrong(fmt::format("texture {} of four asked again: micro-triangle {} {}", k, at,
-                                   name_of(maps[k][at])),
-                       name_of(map[at]));
-  }
-  return {hash_of(maps[1])};
 }
 
 namespace {

@@ -10,6 +10,9 @@ struct Declined {};
 /// The bits after the last state are not all zero.
 struct Unpadded {};
 
+/// The map, or an end of the check.  Throws Declined and Unpadded.
+std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n, Format format = Format::four_state);
+
 // All throw Declined and Unpadded.
 Finding keeps_shifts(const BakeSubject&, const Case&, Level);    ///< by whole repeats
 Finding keeps_orders(const BakeSubject&, const Case&, Level);    ///< of the vertices
@@ -17,7 +20,7 @@ Finding keeps_formats(const BakeSubject&, const Case&, Level);   ///< 2-state be
 Finding keeps_levels(const BakeSubject&, const Case&, Level);    ///< children beside parents
 Finding keeps_cutoffs(const BakeSubject&, const Case&, Level);   ///< rising ones
 Finding keeps_margins(const BakeSubject&, const Case&, Level);   ///< wider ones
-Finding keeps_no_other(const BakeSubject&, const Case&, Level);  ///< texture in mind, of the same sides
+Finding keeps_no_other(const BakeSubject&, const Case&, Level);  ///< question in mind, one thing apart
 Finding keeps_mips(const BakeSubject&, const Case&, Level);      ///< all together beside each alone
 
 }  // namespace mmverify::proofs::bake

@@ -117,6 +117,11 @@ Case sample_with_mips(std::uint64_t seed, Level n, std::uint64_t k) {
   }
 }
 
+/// Every second one with mips.
+Case sample_in_turn(std::uint64_t seed, Level n, std::uint64_t k) {
+  return k % 2 != 0 ? sample_with_mips(seed, n, k / 2) : any_sample(seed, n, k / 2);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Mutants
 // ---------------------------------------------------------------------------------------------------------------------
@@ -139,6 +144,10 @@ bool same_sides(const Case& a, const Case& b) {
 }
 bool same_first_row(const Case& a, const Case& b) {
   return same_sides(a, b) && std::equal(a.alpha.begin(), a.alpha.begin() + a.width, b.alpha.begin());
+}
+bool same_first_mip(const Case& a, const Case& b) {
+  const auto texels = static_cast<std::ptrdiff_t>(texels_of(a.width, a.height, 1));
+  return same_sides(a, b) && std::equal(a.alpha.begin(), a.alpha.begin() + texels, b.alpha.begin());
 }
 bool same_sum(const Case& a, const Case& b) {
   return same_sides(a, b) && std::accumulate(a.alpha.begin(), a.alpha.end(), std::uint64_t{0}) ==
@@ -330,9 +339,10 @@ std::vector<Law> relation_laws() {
                any_sample, keeps_margins, has_no_margins),
       relation({.id = "bake.asked_in_turn",
                 .topic = "bake",
-                .says = "a map is its texture's, whichever other one of the same sides was asked before: one "
-                        "that has the "
-                        "same first row, and one that has the same texels in another order",
+                .says = "a map is its question's, whichever other one was asked before that differs from it "
+                        "in one thing: its texels from the second row on, their order, the smaller mips, the "
+                        "border, an addressing, the filter, a factor, the alpha mode, the cutoff, the "
+                        "margin, a vertex, or sides exchanged",
                 .source = "sdk/mmverify_subject.h: an answer depends on nothing but the question",
                 .subjects = {"bake"},
                 .mutants = {mutant("a texture is known by its sides and its first row", "bake", {3, 3},
@@ -340,8 +350,10 @@ std::vector<Law> relation_laws() {
                             mutant("a texture is known by its sides and the sum of its texels", "bake",
                                    {4, 4}, keeping(same_sum)),
                             mutant("a texture is known by its sides, from level 5 on", "bake", {5, 5},
-                                   keeping(same_sides, 5))}},
-               any_sample, keeps_no_other, {}, count_in_turn),
+                                   keeping(same_sides, 5)),
+                            mutant("a texture is known by its largest mip", "bake", {4, 4},
+                                   keeping(same_first_mip))}},
+               sample_in_turn, keeps_no_other, {}, count_in_turn),
       mips_law(),
   };
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "proofs/bake/edge_samples.hpp"
 #include "proofs/engine/random.hpp"
 
 namespace mmverify::proofs::bake {
@@ -14,9 +15,16 @@ namespace {
 
 constexpr std::uint64_t stream = 0x62616b65;
 
-/// Of each eighty samples: eight kinds in turn; then one a hair beside lines, and after it the same texture with other
-/// texels below its first row, which is not what a baker may still know of it.
-constexpr std::uint64_t hostile_samples = 64, paired_samples = 16;
+/// Of each 104 samples: eight kinds in turn; then one a hair beside lines, and after it the same texture with other
+/// texels below its first row, which is not what a baker may still know of it; then one corner over a line, and edges
+/// that alpha crosses the cutoff within.
+constexpr std::uint64_t hostile_samples = 64, paired_samples = 16, edge_samples = 24;
+
+std::uint64_t in_turn(std::uint64_t k) { return k % (hostile_samples + paired_samples + edge_samples); }
+bool is_edge_sample(std::uint64_t k) { return in_turn(k) >= hostile_samples + paired_samples; }
+bool repeats_the_one_before(std::uint64_t k) {
+  return in_turn(k) >= hostile_samples && !is_edge_sample(k) && in_turn(k) % 2 != 0;
+}
 
 /// A multiple of 2^-bits in [-reach, reach], exact in binary32.
 float dyadic(Random& random, int reach, int bits) {
@@ -139,8 +147,7 @@ void repeat_often(Random& random, Case& one) {
 }  // namespace
 
 Case sample(std::uint64_t seed, std::uint64_t k) {
-  const std::uint64_t in_turn = k % (hostile_samples + paired_samples);
-  if (in_turn >= hostile_samples && in_turn % 2 != 0) {
+  if (repeats_the_one_before(k)) {
     Case one = sample(seed, k - 1);
     for (std::size_t at = one.width; at < one.alpha.size(); ++at) one.alpha[at] = 255 - one.alpha[at];
     return one;
@@ -151,8 +158,10 @@ Case sample(std::uint64_t seed, std::uint64_t k) {
   constexpr void (*place[])(Random&, Case&) = {place_anywhere, place_sliver, place_beside_lines,
                                                place_far,      flatten,      degenerate,
                                                place_below,    repeat_often};
-  if (in_turn < hostile_samples)
-    place[in_turn % std::size(place)](random, one);
+  if (in_turn(k) < hostile_samples)
+    place[in_turn(k) % std::size(place)](random, one);
+  else if (is_edge_sample(k))
+    (k % 2 != 0 ? cross_the_cutoff_within_an_edge : cross_a_line_by_a_step)(random, one);
   else
     place_a_hair_beside_lines(random, one);
   return one;
@@ -175,14 +184,17 @@ std::uint32_t in_texels_of(Texel texel, std::uint32_t byte, Random& random) {
 Case featured_sample(std::uint64_t seed, std::uint64_t k) {
   Case one = sample(seed, k);
   Random random(seed, stream + 2, k);
+  const bool by_the_margin = is_edge_sample(k) && random.below(2) != 0;
+  if (by_the_margin) reach_a_line_by_the_margin(random, one);
   one.filter = static_cast<Filter>(random.below(2));
   one.texel = static_cast<Texel>(random.below(3));
-  one.blend = random.below(3) == 0;
+  one.blend = random.below(3) == 0 && !is_edge_sample(k);
   constexpr float factors[] = {1, 1, 0.5f, 1.25f, 0.3f, 0}, margins[] = {0, 0, 0.00390625f, 0.25f, 1.5f};
   one.factor = factors[random.below(6)];
   one.vertex_factor = factors[random.below(4)];
-  one.margin = margins[random.below(5)];
-  one.mips = random.below(4) == 0 ? 2 : 1;
+  if (is_edge_sample(k)) one.factor = one.vertex_factor = 1;  // or no line between stripes were the cutoff's
+  if (!is_edge_sample(k)) one.margin = margins[random.below(5)];
+  one.mips = !is_edge_sample(k) && random.below(4) == 0 ? 2 : 1;
   for (std::uint64_t texels = texels_of(one.width, one.height, one.mips); one.alpha.size() < texels;)
     one.alpha.push_back(random.below(2) != 0 ? one.alpha[random.below(one.alpha.size())] : 255);
   for (std::uint32_t& bits : one.alpha) bits = in_texels_of(one.texel, bits, random);
@@ -192,8 +204,7 @@ Case featured_sample(std::uint64_t seed, std::uint64_t k) {
 
 const char* featured_samples_text() {
   return "the same cases bilinear and nearest, MASK and BLEND, of 8 and 16 bits and binary32, with factors, "
-         "margins "
-         "and a second mip; up to 96 micro-triangles of each";
+         "margins that reach a line by a hair or not, and a second mip; up to 96 micro-triangles of each";
 }
 
 Case large_sample(std::uint64_t seed, std::uint64_t k) {
@@ -233,8 +244,9 @@ const char* samples_text() {
          "ulp off texel lines, micro-vertices 2^-9 to 2^-20 of a texel off them and off lines of the cutoff, "
          "10^6 repeats away, one "
          "alpha throughout at the cutoff or beside it, lines and "
-         "points, far below 0, many repeats, the case before with other texels below its first row; up to 96 "
-         "micro-triangles of each";
+         "points, far below 0, many repeats, the case before with other texels below its first row, one "
+         "corner a "
+         "step of binary32 over a line; up to 96 micro-triangles of each";
 }
 
 }  // namespace mmverify::proofs::bake

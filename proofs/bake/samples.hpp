@@ -7,10 +7,11 @@
 
 namespace mmverify::proofs::bake {
 
-/// Sample k of a seed, the same everywhere.  Of each eighty 64 are of the kinds k % 8: any; a sliver of 10^6 to 1; corners
+/// Sample k of a seed, the same everywhere.  Of each 104 64 are of the kinds k % 8: any; a sliver of 10^6 to 1; corners
 /// an ulp off texel lines; 10^6 repeats away; one alpha throughout, exactly at the cutoff or a step beside it; a line or a
 /// point; far below 0 or turned over; many repeats, with few values of alpha.  16 are in turn with micro-vertices a hair
-/// beside lines, and the case before with other texels below its first row.
+/// beside lines, and the case before with other texels below its first row.  24 have one corner a step over a line, or cross the
+/// cutoff within an edge.
 /// Textures of up to 7x7 texels of 8 bits, any addressing, bilinear, MASK.
 Case sample(std::uint64_t seed, std::uint64_t k);
 

@@ -134,7 +134,9 @@ struct Domain {
   }
 };
 
-std::uint64_t as_many(Level, Tier tier) { return tier == Tier::fast ? 80 : 20'000; }
+/// Each level has samples of its own, whose kinds are those of the first.
+std::uint64_t sample_of(Level n, std::uint64_t k) { return 104 * 200 * std::uint64_t{n} + k; }
+std::uint64_t as_many(Level, Tier tier) { return tier == Tier::fast ? 104 : 20'000; }
 std::uint64_t strata_count(Level n, Tier tier) {
   if (tier == Tier::fast) return with_plain(fast_strata(n));
   constexpr std::array<std::uint64_t, 13> counts{4840, 4840, 4840, 4840, 4840, 4840, 2420,
@@ -145,12 +147,12 @@ std::uint64_t strata_count(Level n, Tier tier) {
 constexpr Domain bilinear{bilinear_families}, nearest{nearest_families}, blend{blend_families},
     grid{grid_families};
 constexpr Domain plain_samples{
-    nullptr,      [](std::uint64_t seed, Level, std::uint64_t k) { return sample(seed, k); },
+    nullptr,      [](std::uint64_t seed, Level n, std::uint64_t k) { return sample(seed, sample_of(n, k)); },
     samples_text, as_many,
     {2, 5},       {0, 8}};
 constexpr Domain all_samples{
     nullptr,
-    [](std::uint64_t seed, Level, std::uint64_t k) { return featured_sample(seed, k); },
+    [](std::uint64_t seed, Level n, std::uint64_t k) { return featured_sample(seed, sample_of(n, k)); },
     featured_samples_text,
     as_many,
     {2, 5},
