@@ -9,7 +9,7 @@ import { front } from "./front";
 interface Reading {
   name: string;
   bytes: (row: AttributeRow) => number;
-  rmse: (row: AttributeRow) => number;
+  rmse: (row: AttributeRow) => number | undefined;
   flip: (row: AttributeRow) => number | undefined;
   packed: (row: AttributeRow) => number | undefined;
   dashed?: boolean;
@@ -107,13 +107,13 @@ function numbers(run: SceneAttributes, set: string): HTMLElement {
       kinds.map((kind) => {
         const of = r[kind];
         return [
-          String(r.level), kind, grouped(of.maps), grouped(triangles - of.maps), grouped(of.constant), grouped(of.bytes), percent(of.of_textures), short(of.rmse), optional(of.flip, short),
-          ...(kind === "faces" ? ["", "", percent(r.faces.unseen)] : [short(r.vertices.nearest_rmse), optional(r.vertices.nearest_flip, short), ""]),
+          String(r.level), kind, grouped(of.maps), grouped(triangles - of.maps), grouped(of.constant), grouped(of.bytes), percent(of.of_textures), optional(of.rmse, short), optional(of.flip, short),
+          ...(kind === "faces" ? ["", "", optional(r.faces.unseen, percent)] : [optional(r.vertices.nearest_rmse, short), optional(r.vertices.nearest_flip, short), ""]),
         ];
       }),
     );
-  const head = ["Level", "Maps of", "Maps", "Shared", "Constant", "Bytes", "Of textures", "RMSE", "FLIP", "RMSE, nearest", "FLIP, nearest", "No centre"];
-  return el("details", {}, el("summary", {}, "The numbers"), el("p", { class: "note" }, "Shared: triangles whose map is another's; constant: maps of one value; no centre: faces without a texel's centre."), plainTable(`${set}, level by level`, head, rows));
+  const head = ["Level", "Maps of", "Maps", "Shared", "Constant", "Bytes", "Of textures", "RMSE", "FLIP", "RMSE, nearest", "FLIP, nearest", "Without texel"];
+  return el("details", {}, el("summary", {}, "The numbers"), el("p", { class: "note" }, "Shared: triangles whose map is another's; constant: maps of one value; without texel: faces in which no texel's centre lies."), plainTable(`${set}, level by level`, head, rows));
 }
 
 function packedTable(run: SceneAttributes, set: string): HTMLElement | null {

@@ -237,7 +237,7 @@ class SetMeasurement {
       at.nearest = error_of(nearest_sums_[place]);
     } else {
       const double faces = static_cast<double>(all_.size()) * static_cast<double>(values_of_map(kind, level));
-      at.unseen = faces == 0 ? 0 : 1 - static_cast<double>(seen_faces_[level - options_.first]) / faces;
+      if (faces != 0) at.unseen = 1 - static_cast<double>(seen_faces_[level - options_.first]) / faces;
     }
     return at;
   }
