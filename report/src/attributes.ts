@@ -1,4 +1,5 @@
 // Attribute micromaps of a scene, level by level: how many, how large, how far from its textures, and how they look.
+import { mipsTable, plansTable } from "./attribute_plans";
 import { chart, type Mark, type Series } from "./chart";
 import { type AttributeRow, benches, type Report, type SceneAttributes } from "./data";
 import { el, plainTable, select } from "./dom";
@@ -122,7 +123,7 @@ function packedTable(run: SceneAttributes, set: string): HTMLElement | null {
     .flatMap((r) =>
       kinds.flatMap((kind) => {
         const p = r[kind].packed;
-        return p ? [[String(r.level), kind, grouped(p.plain), grouped(p.bytes), percent(p.of_plain), grouped(p.entropy), grouped(p.zstd)]] : [];
+        return p ? [[String(r.level), kind, grouped(p.plain), grouped(p.bytes), percent(p.of_plain), grouped(p.entropy), grouped(p.zstd), String(p.worst_error), short(p.rms_error)]] : [];
       }),
     );
   if (rows.length === 0) return null;
@@ -131,10 +132,10 @@ function packedTable(run: SceneAttributes, set: string): HTMLElement | null {
   return el(
     "div",
     { class: "wide" },
-    el("p", { class: "note" }, `Packed maps, ${exactness}. Plain: a byte a channel in use; entropy: order 0 of the residuals; zstd: level 19 of the plain bytes.`),
+    el("p", { class: "note" }, `Packed maps, ${exactness}. Plain: a byte a channel in use; entropy: order 0 of the residuals; zstd: level 19 of the plain bytes; errors: of what is decoded, in codes of 8 bits.`),
     plainTable(
       `${set}: bytes of packed maps`,
-      ["Level", "Maps of", "Plain", "Packed", "Of plain", "Entropy", "zstd"],
+      ["Level", "Maps of", "Plain", "Packed", "Of plain", "Entropy", "zstd", "Worst error", "RMS error"],
       rows,
     ),
   );
@@ -267,6 +268,8 @@ function ofSet(run: SceneAttributes, set: string): HTMLElement {
     ...known.flatMap((m) => errorByTime(run, set, m)),
     el("div", { class: "wide" }, numbers(run, set)),
     packedTable(run, set),
+    plansTable(run, set),
+    mipsTable(run, set),
     timesTable(run, set),
   );
 }
