@@ -234,12 +234,9 @@ class SetPlanner {
       const std::size_t t = triangles.maps[k];
       const TrianglePlan& p = plan[t];
       const MapValues values = p.special ? MapValues{value_of(t)} : map_of(t, p.level, p.decimated);
-      for_each_texel(texels, scene_.textures[all_[t].texture].sampler, triangles.corners[k],
-                     [&](std::size_t texel, double u, double v) {
-                       if (triangles.first[texel] != k) return;
-                       const MapValue seen = p.special ? values.front() : shown_at(t, values, p.level, u, v);
-                       paint(rgb, texel, seen, channels_);
-                     });
+      for_each_own_texel(triangles, k, [&](std::size_t texel, double u, double v) {
+        paint(rgb, texel, p.special ? values.front() : shown_at(t, values, p.level, u, v), channels_);
+      });
     });
     add_errors(sums, texels, set_, image.original, rgb, triangles.shown, options_.threads);
   }
