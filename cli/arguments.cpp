@@ -17,12 +17,17 @@ namespace mmverify::cli {
 
 using namespace proofs;
 
-Levels parse_levels(const std::string& text) {
+Levels parse_levels(const std::string& text, const char* option) {
   const Groups parts = groups_of(text, R"(([0-9]{1,3})(?:\.\.([0-9]{1,3}))?)");
-  if (!parts) throw UsageError(fmt::format("--levels {}: write A..B or A, for example 0..8", text));
+  if (!parts) throw UsageError(fmt::format("{} {}: write A..B or A, for example 0..8", option, text));
   const auto first = static_cast<Level>(std::stoul((*parts)[1]));
   const auto last = (*parts)[2].empty() ? first : static_cast<Level>(std::stoul((*parts)[2]));
-  if (first > last) throw UsageError(fmt::format("--levels {}: {} comes after {}", text, first, last));
+  if (first > last) throw UsageError(fmt::format("{} {}: {} comes after {}", option, text, first, last));
+  return {first, last};
+}
+
+Levels parse_levels(const std::string& text) {
+  const auto [first, last] = parse_levels(text, "--levels");
   if (last > max_level())
     throw UsageError(fmt::format("--levels {}: the highest level is {}", text, max_level()));
   return {first, last};

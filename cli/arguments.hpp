@@ -13,6 +13,9 @@ namespace mmverify::cli {
 /// "3..7" or "5".  Both ends included; UsageError unless first <= last <= proofs::max_level().
 proofs::Levels parse_levels(const std::string& text);
 
+/// The same of an option with another name, and without an upper limit: the caller has its own.
+proofs::Levels parse_levels(const std::string& text, const char* option);
+
 /// The baker that a subject has.  Throws UsageError where it has none, and what parse_subject does.
 proofs::bake::BakeSubjectPtr parse_baker(const std::string& text, double timeout_seconds);
 

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "proofs/fast_levels.hpp"
 #include "proofs/registry.hpp"
 
 namespace mmverify::cli {
@@ -17,6 +18,15 @@ using namespace proofs;
 
 std::string levels_text(const Law& law, const Levels& levels) {
   return law.at_once.empty() ? fmt::format("{}..{}", levels.first, levels.last) : law.at_once;
+}
+
+/// The fast tier's levels, and beside them those of subjects that have their own.
+nlohmann::ordered_json fast_json(const Law& law) {
+  if (law.long_only) return nullptr;
+  nlohmann::ordered_json fast{{"levels", levels_text(law, law.fast)}, {"expected_seconds", law.fast_seconds}};
+  for (const auto& [subject, levels] : fast_levels_apart(law))
+    fast["levels_of"][subject] = levels_text(law, levels);
+  return fast;
 }
 
 nlohmann::ordered_json as_json(const Law& law) {
@@ -32,11 +42,7 @@ nlohmann::ordered_json as_json(const Law& law) {
           {"subjects", law.subjects},
           {"companion",
            law.companion.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(law.companion)},
-          {"tiers",
-           {{"fast", law.long_only ? nlohmann::ordered_json(nullptr)
-                                   : nlohmann::ordered_json{{"levels", levels_text(law, law.fast)},
-                                                            {"expected_seconds", law.fast_seconds}}},
-            {"long", {{"levels", levels_text(law, law.long_run)}}}}},
+          {"tiers", {{"fast", fast_json(law)}, {"long", {{"levels", levels_text(law, law.long_run)}}}}},
           {"mutants", mutants}};
 }
 
@@ -46,9 +52,10 @@ void print_law(const Law& law) {
   fmt::print("  source: {}\n", law.source);
   fmt::print("  domain: {}\n", law.domain(*first, law.fast.last));
   const char* levels = law.at_once.empty() ? "levels " : "";
-  const std::string fast =
-      law.long_only ? "not in it"
-                    : fmt::format("{}{}, about {} s", levels, levels_text(law, law.fast), law.fast_seconds);
+  std::string fast = law.long_only ? "not in it" : levels + levels_text(law, law.fast);
+  for (const auto& [subject, of_subject] : fast_levels_apart(law))
+    fast += fmt::format(", of {} {}", subject, levels_text(law, of_subject));
+  if (!law.long_only) fast += fmt::format(", about {} s", law.fast_seconds);
   fmt::print("  method: {}; fast tier: {}; long tier: {}{}\n", to_string(law.method), fast, levels,
              levels_text(law, law.long_run));
   if (!law.companion.empty()) fmt::print("  beside it, on subjects of floats: {}\n", law.companion);

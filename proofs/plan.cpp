@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "proofs/fast_levels.hpp"
 #include "proofs/registry.hpp"
 
 namespace mmverify::proofs {
@@ -55,7 +56,11 @@ std::vector<Job> plan(const Request& request) {
   std::vector<Job> jobs;
   const auto add = [&](const Law& law, const SubjectPtr& subject, const Law* brought_by) {
     if (planned(jobs, law, *subject)) return;
-    Job job{&law, subject, request.tier == Tier::fast ? law.fast : law.long_run, {}, brought_by};
+    Job job{&law,
+            subject,
+            request.tier == Tier::fast ? fast_levels(law, *subject) : law.long_run,
+            {},
+            brought_by};
     if (request.levels && law.at_once.empty()) job.levels = *request.levels;
     if (subject->topic() != law.topic)
       job.unfit = fmt::format("{} is a subject of topic {}", subject->name(), subject->topic());
@@ -80,7 +85,8 @@ std::vector<Job> plan(const Request& request) {
       if (law->alternative && !named && !request.subjects.empty()) continue;
       add(named ? *law : in_dialect(*law, *subject, request.dialect), subject, nullptr);
       // A law that does not apply proves nothing that floats could deny.
-      const Levels run = request.levels.value_or(request.tier == Tier::fast ? law->fast : law->long_run);
+      const Levels run =
+          request.levels.value_or(request.tier == Tier::fast ? fast_levels(*law, *subject) : law->long_run);
       if (request.companions && !subject->exact() && fits_somewhere(*law, *subject, run))
         for (const Law* on_floats = companion(*law, *subject); on_floats != nullptr;
              on_floats = companion(*on_floats, *subject))

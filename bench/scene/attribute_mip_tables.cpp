@@ -14,7 +14,7 @@ template <class Of>
 void add_errors(Fields<MipStep>& fields, const std::string& group, Of of) {
   const std::string key = group + ".";
   fields.push_back({{key + "rmse", "RMSE", "codes", {3}, group},
-                    [of](const MipStep& s) -> Value { return of(s).all.rmse; }});
+                    [of](const MipStep& s) { return optional(of(s).all.rmse); }});
   fields.push_back(
       {{key + "flip", "FLIP", "", {4}, group}, [of](const MipStep& s) { return optional(of(s).all.flip); }});
   fields.push_back({{key + "border_rmse", "border", "codes", {3}, group},

@@ -24,20 +24,22 @@ picture::Series series_of(Shown shown) {
   return {.name = "vertices, the nearest", .colour = blue, .shape = Shape::circle};
 }
 
-/// A curve of an attribute set, a point a level.
+/// A curve of an attribute set, a point a level; none where no texel is shown.
 template <class Coordinate>
 picture::Series curve(const AttributeSetFigures& set, Shown shown, Coordinate coordinate) {
   picture::Series series = series_of(shown);
-  for (const MapsAtLevel& at : set.levels)
-    if ((at.kind == MapKind::faces) == (shown == Shown::faces))
-      series.points.push_back(coordinate(at, shown == Shown::nearest ? *at.nearest : at.error));
+  for (const MapsAtLevel& at : set.levels) {
+    const scene::MapError& error = shown == Shown::nearest ? *at.nearest : at.error;
+    if ((at.kind == MapKind::faces) == (shown == Shown::faces) && error.rmse)
+      series.points.push_back(coordinate(at, error));
+  }
   return series;
 }
 
 /// The set's textures in ASTC, a point a block size; none where none were compressed.
 template <class Error>
 void add_astc(picture::Panel& panel, const AttributeSetFigures& set, Error error) {
-  if (set.compressed.empty()) return;
+  if (set.compressed.empty() || set.shown == 0) return;
   picture::Series series{
       .name = "texture in ASTC", .colour = picture::green, .shape = picture::Shape::diamond};
   for (const scene::CompressedTextures& one : set.compressed)
@@ -88,11 +90,11 @@ picture::Picture scene_attribute_picture(const AttributeFigures& figures) {
         return Point{share(at), error.flip.value_or(0)};
       }));
       squares.series.push_back(curve(set, shown, [&](const MapsAtLevel& at, const scene::MapError& error) {
-        return Point{share(at), error.rmse};
+        return Point{share(at), *error.rmse};
       }));
     }
     add_astc(by_bytes, set, [](const scene::MapError& error) { return error.flip.value_or(0); });
-    add_astc(squares, set, [](const scene::MapError& error) { return error.rmse; });
+    add_astc(squares, set, [](const scene::MapError& error) { return *error.rmse; });
     drawn.rows.front().push_back(by_level);
     drawn.rows.push_back({by_bytes, squares});
     break;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "bench/scene/attribute_tables.hpp"
 #include "scene/attribute/equal_error.hpp"
 
 namespace mmverify::bench {
@@ -16,7 +17,7 @@ using scene::PlannedMaps;
 /// A plan, and the set with all triangles at one level.
 struct PlanBesideUniform {
   const PlannedMaps* plan;
-  std::vector<const MapsAtLevel*> uniform;  ///< of vertices, by level
+  std::vector<const MapsAtLevel*> uniform;  ///< of the same kind, by level
 
   std::uint64_t plan_bytes() const {
     return plan->value_bytes() + plan->triangles * (scene::bytes_of_place + scene::bytes_of_level);
@@ -24,17 +25,18 @@ struct PlanBesideUniform {
   std::uint64_t bytes_of(const MapsAtLevel& at) const {
     return at.bytes() + plan->triangles * scene::bytes_of_place;
   }
-  /// The lowest level with as little error; nullptr where none has.
+  /// The lowest level with as little error; nullptr where none has, or no texel is shown.
   const MapsAtLevel* as_close() const {
+    if (!plan->error.rmse) return nullptr;
     const auto at = std::find_if(uniform.begin(), uniform.end(), [this](const MapsAtLevel* one) {
       return one->error.rmse <= plan->error.rmse;
     });
-    return at == uniform.end() || plan->triangles == 0 ? nullptr : *at;
+    return at == uniform.end() ? nullptr : *at;
   }
   /// Of levels between, at the plan's error; none where there is none of the measure, or not between.
   std::optional<std::uint64_t> bytes_at_equal(Measure measure) const {
     const std::optional<double> error = error_by(plan->error, measure);
-    if (plan->triangles == 0 || !error) return std::nullopt;
+    if (!error) return std::nullopt;
     std::vector<scene::BytesAndError> sizes;
     for (auto at = uniform.rbegin(); at != uniform.rend(); ++at)
       sizes.push_back({static_cast<double>(bytes_of(**at)), error_by((*at)->error, measure).value_or(0)});
@@ -43,6 +45,10 @@ struct PlanBesideUniform {
     return static_cast<std::uint64_t>(std::llround(found.bytes));
   }
 };
+
+std::string kind_of(const PlannedMaps& plan) {
+  return plan.kind == scene::MapKind::faces ? "faces" : "vertices";
+}
 
 /// A level of a plan.
 struct LevelOfPlan {
@@ -65,6 +71,7 @@ Fields<PlanBesideUniform> plan_fields() {
   Fields<P> fields{
       {{.key = "set", .heading = "attributes", .leads = true},
        [](const P& p) { return scene::name(p.plan->set); }},
+      {{.key = "kind", .heading = "maps of", .leads = true}, [](const P& p) { return kind_of(*p.plan); }},
       {{.key = "wanted", .heading = "wanted RMSE", .unit = "codes", .leads = true},
        [](const P& p) { return p.plan->wanted; }},
       {{"triangles", "triangles"}, [](const P& p) { return p.plan->triangles; }},
@@ -75,13 +82,12 @@ Fields<PlanBesideUniform> plan_fields() {
       {{"not_kept", "error not kept"}, [](const P& p) { return p.plan->not_kept; }},
       {{"value_bytes", "bytes of values"}, [](const P& p) { return p.plan->value_bytes(); }},
       {{"bytes", "bytes"}, [](const P& p) { return p.plan_bytes(); }},
-      {{"rmse", "RMSE", "codes", {.digits = 3}}, [](const P& p) { return p.plan->error.rmse; }},
-      {{"flip", "FLIP", "", {.digits = 4}},
-       [](const P& p) { return p.plan->error.flip ? Value(*p.plan->error.flip) : Value(); }},
+      {{"rmse", "RMSE", "codes", {.digits = 3}}, [](const P& p) { return optional(p.plan->error.rmse); }},
+      {{"flip", "FLIP", "", {.digits = 4}}, [](const P& p) { return optional(p.plan->error.flip); }},
       {{"uniform.level", "level", "", {}, "one level, as close"},
        of_close([](const P&, const MapsAtLevel& at) { return std::uint64_t{at.level}; })},
       {{"uniform.rmse", "RMSE", "codes", {.digits = 3}, "one level, as close"},
-       of_close([](const P&, const MapsAtLevel& at) { return at.error.rmse; })},
+       of_close([](const P&, const MapsAtLevel& at) { return *at.error.rmse; })},
       {{"uniform.bytes", "bytes", "", {}, "one level, as close"},
        of_close([](const P& p, const MapsAtLevel& at) { return p.bytes_of(at); })},
       {{"uniform.plan_to_it", "plan to it", "", {.digits = 3}, "one level, as close"},
@@ -108,6 +114,7 @@ Fields<LevelOfPlan> level_fields() {
   return {
       {{.key = "set", .heading = "attributes", .leads = true},
        [](const L& l) { return scene::name(l.plan->set); }},
+      {{.key = "kind", .heading = "maps of", .leads = true}, [](const L& l) { return kind_of(*l.plan); }},
       {{.key = "wanted", .heading = "wanted RMSE", .unit = "codes", .leads = true},
        [](const L& l) { return l.plan->wanted; }},
       {{.key = "level", .heading = "level", .leads = true},
@@ -129,13 +136,13 @@ std::vector<Table> attribute_plan_tables(const scene::AttributeFigures& figures,
     PlanBesideUniform row{&plan, {}};
     for (const scene::AttributeSetFigures& set : figures.sets)
       for (const MapsAtLevel& at : set.levels)
-        if (set.set == plan.set && at.kind == scene::MapKind::vertices) row.uniform.push_back(&at);
+        if (set.set == plan.set && at.kind == plan.kind) row.uniform.push_back(&at);
     rows.push_back(std::move(row));
     for (const scene::PlannedLevel& at : plan.levels) levels.push_back({&plan, &at});
   }
   return {table_of<PlanBesideUniform>(
-              {.key = "plans", .caption = "maps of vertices, each triangle's of the level that it needs"},
-              plan_fields(), rows),
+              {.key = "plans", .caption = "maps, each triangle's of the level that it needs"}, plan_fields(),
+              rows),
           table_of<LevelOfPlan>({.key = "plan_levels", .caption = "triangles of plans, by level"},
                                 level_fields(), levels)};
 }

@@ -80,6 +80,12 @@ Fields<SetLevel> packed_fields(MapKind kind) {
        [at](const SetLevel& s) {
          return at(s).packed && at(s).packed->peer ? Value(*at(s).packed->peer) : Value();
        }},
+      {{key + "worst_error", "worst", "codes", {}, group},
+       [at](const SetLevel& s) {
+         return at(s).packed ? Value(std::uint64_t{at(s).packed->worst_error}) : Value();
+       }},
+      {{key + "rms_error", "RMS", "codes", {.digits = 3}, group},
+       [at](const SetLevel& s) { return at(s).packed ? Value(at(s).packed->rms_error) : Value(); }},
   };
 }
 
@@ -97,16 +103,16 @@ Fields<SetLevel> fields_of(MapKind kind) {
       {{key + "of_textures", "of textures", "", {2, 'f', per_cent, "%"}, group},
        [at](const SetLevel& s) { return share_of(at(s).bytes(), s.texture_bytes); }},
       {{key + "rmse", "RMSE", "codes", {.digits = 3}, group},
-       [at](const SetLevel& s) { return at(s).error.rmse; }},
+       [at](const SetLevel& s) { return optional(at(s).error.rmse); }},
       {{key + "flip", "FLIP", "", {.digits = 4}, group},
        [at](const SetLevel& s) { return optional(at(s).error.flip); }},
   };
   if (of_faces) {
-    fields.push_back({{key + "unseen", "no centre", "", {1, 'f', per_cent, "%"}, group},
+    fields.push_back({{key + "unseen", "without texel", "", {1, 'f', per_cent, "%"}, group},
                       [at](const SetLevel& s) { return optional(at(s).unseen); }});
   } else {
     fields.push_back({{key + "nearest_rmse", "RMSE", "codes", {.digits = 3}, "nearest vertex"},
-                      [at](const SetLevel& s) { return at(s).nearest->rmse; }});
+                      [at](const SetLevel& s) { return optional(at(s).nearest->rmse); }});
     fields.push_back({{key + "nearest_flip", "FLIP", "", {.digits = 4}, "nearest vertex"},
                       [at](const SetLevel& s) { return optional(at(s).nearest->flip); }});
   }
@@ -192,7 +198,8 @@ std::vector<Table> astc_tables(const AttributeFigures& figures) {
        [](const SetBlocks& s) { return share_of(s.textures->bytes, s.texture_bytes); }},
       {{"shown", "blocks shown", "", {1, 'f', per_cent, "%"}},
        [](const SetBlocks& s) { return share_of(s.textures->shown_bytes, s.textures->bytes); }},
-      {{"rmse", "RMSE", "codes", {.digits = 3}}, [](const SetBlocks& s) { return s.textures->error.rmse; }},
+      {{"rmse", "RMSE", "codes", {.digits = 3}},
+       [](const SetBlocks& s) { return optional(s.textures->error.rmse); }},
       {{"flip", "FLIP", "", {.digits = 4}},
        [](const SetBlocks& s) { return optional(s.textures->error.flip); }},
   };
@@ -302,16 +309,20 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
       {{"primitives", "primitives"}, [](const LeftOutFigures& l) { return l.primitives; }},
       {{"triangles", "triangles"}, [](const LeftOutFigures& l) { return l.triangles; }},
   };
-  const std::string averaging = options.averaging == scene::Averaging::codes ? "codes" : "meaning";
+  const std::string averaging =
+      options.averaging == scene::Averaging::codes ? "codes" : "light and directions";
   Result result{
       .topic = "scene_attributes",
       .settings = {{"averaging", averaging}},
-      .about = figures.file +
-               ": each triangle's textures as micromaps, all of one level, 4 bytes a value. maps: after "
-               "equal ones are "
-               "shared; constant: of those, such as need none. Errors are in texture space, of the texels "
-               "shown. no "
-               "centre: faces without a texel's",
+      .about =
+          figures.file +
+          ": each triangle's textures become micromaps, all of one level, 4 bytes a value. Averages are of " +
+          (options.averaging == scene::Averaging::codes
+               ? "codes as the texture stores them"
+               : "light, where codes are colours, and of directions, where they are normals") +
+          ". maps: different ones, for equal ones are stored once; constant: those of one value, which "
+          "need no map. Errors are in texture space, over the texels whose centre a triangle shows. "
+          "without texel: faces in which no texel's centre lies",
       .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
                  table_of<S>({.key = "sets"}, sets, figures.sets),
                  table_of<SetLevel>({.key = "rows"}, rows, set_levels(figures)),
@@ -322,7 +333,9 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
     result.about +=
         ". packed: the maps in the channels in use, lossless or each code off by the error at most; entropy: "
         "order 0 "
-        "of its residuals; zstd: level 19 of the plain bytes";
+        "of its residuals; zstd: level 19 of the plain bytes; worst, RMS: how far what is decoded is from "
+        "the "
+        "maps";
   }
   if (options.texture_coder.compress) {
     result.settings.emplace_back("astc", options.texture_coder.name);

@@ -70,7 +70,7 @@ int run_table(const BenchOptions& options, Bench bench) {
 proofs::Levels levels_or(const BenchOptions& options, const proofs::Levels& otherwise,
                          proofs::Level highest = 16) {
   if (options.levels.empty()) return otherwise;
-  const proofs::Levels levels = parse_levels(options.levels);
+  const proofs::Levels levels = parse_levels(options.levels, "--levels");
   if (levels.last > highest)
     throw UsageError(fmt::format("--levels {}: the highest level here is {}", options.levels, highest));
   return levels;

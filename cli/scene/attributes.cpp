@@ -122,7 +122,7 @@ AttributeScene loaded_attributes(const std::string& file) {
 
 proofs::Levels levels_of(const std::string& text) {
   if (text == "auto") return {AttributeOptions{}.first, AttributeOptions{}.last};
-  const proofs::Levels levels = parse_levels(text);
+  const proofs::Levels levels = parse_levels(text, "--level");
   if (levels.last > finest_attribute_level)
     throw UsageError(
         fmt::format("--level {}: attributes are measured up to level {}", text, finest_attribute_level));

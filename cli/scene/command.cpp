@@ -94,7 +94,7 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
                                              const SceneOptions& options) {
   std::vector<SceneFigures::AtLevel> all;
   if (options.sizes.empty()) return all;
-  const proofs::Levels range = parse_levels(options.sizes);
+  const proofs::Levels range = parse_levels(options.sizes, "--sizes");
   if (range.last > finest_level)
     throw UsageError(fmt::format("--sizes {}: maps go up to level {}", options.sizes, finest_level));
   for (unsigned level = range.first; level <= range.last; ++level) {
@@ -426,7 +426,8 @@ Action add_scene(CLI::App& program) {
       "near the borders of an atlas's charts and inside; needs --level A..B");
   command
       ->add_option("--plan", options->plan,
-                   "of --attributes: give each triangle the lowest of these levels that keeps an error, in "
+                   "of --attributes: give each triangle the lowest of these levels whose faces, or vertices, "
+                   "keep an error, in "
                    "codes of 8 bits, and none where one value does; beside all of one level")
       ->delimiter(',')
       ->check(finite_within(0, 255))

@@ -1,4 +1,5 @@
 // Attribute micromaps of a scene, level by level: how many, how large, how far from its textures, and how they look.
+import { mipsTable, plansTable } from "./attribute_plans";
 import { chart, type Mark, type Series } from "./chart";
 import { type AttributeRow, benches, type Report, type SceneAttributes } from "./data";
 import { el, plainTable, select } from "./dom";
@@ -9,7 +10,7 @@ import { front } from "./front";
 interface Reading {
   name: string;
   bytes: (row: AttributeRow) => number;
-  rmse: (row: AttributeRow) => number;
+  rmse: (row: AttributeRow) => number | undefined;
   flip: (row: AttributeRow) => number | undefined;
   packed: (row: AttributeRow) => number | undefined;
   dashed?: boolean;
@@ -107,13 +108,13 @@ function numbers(run: SceneAttributes, set: string): HTMLElement {
       kinds.map((kind) => {
         const of = r[kind];
         return [
-          String(r.level), kind, grouped(of.maps), grouped(triangles - of.maps), grouped(of.constant), grouped(of.bytes), percent(of.of_textures), short(of.rmse), optional(of.flip, short),
-          ...(kind === "faces" ? ["", "", percent(r.faces.unseen)] : [short(r.vertices.nearest_rmse), optional(r.vertices.nearest_flip, short), ""]),
+          String(r.level), kind, grouped(of.maps), grouped(triangles - of.maps), grouped(of.constant), grouped(of.bytes), percent(of.of_textures), optional(of.rmse, short), optional(of.flip, short),
+          ...(kind === "faces" ? ["", "", optional(r.faces.unseen, percent)] : [optional(r.vertices.nearest_rmse, short), optional(r.vertices.nearest_flip, short), ""]),
         ];
       }),
     );
-  const head = ["Level", "Maps of", "Maps", "Shared", "Constant", "Bytes", "Of textures", "RMSE", "FLIP", "RMSE, nearest", "FLIP, nearest", "No centre"];
-  return el("details", {}, el("summary", {}, "The numbers"), el("p", { class: "note" }, "Shared: triangles whose map is another's; constant: maps of one value; no centre: faces without a texel's centre."), plainTable(`${set}, level by level`, head, rows));
+  const head = ["Level", "Maps of", "Maps", "Shared", "Constant", "Bytes", "Of textures", "RMSE", "FLIP", "RMSE, nearest", "FLIP, nearest", "Without texel"];
+  return el("details", {}, el("summary", {}, "The numbers"), el("p", { class: "note" }, "Shared: triangles whose map is another's; constant: maps of one value; without texel: faces in which no texel's centre lies."), plainTable(`${set}, level by level`, head, rows));
 }
 
 function packedTable(run: SceneAttributes, set: string): HTMLElement | null {
@@ -122,7 +123,7 @@ function packedTable(run: SceneAttributes, set: string): HTMLElement | null {
     .flatMap((r) =>
       kinds.flatMap((kind) => {
         const p = r[kind].packed;
-        return p ? [[String(r.level), kind, grouped(p.plain), grouped(p.bytes), percent(p.of_plain), grouped(p.entropy), grouped(p.zstd)]] : [];
+        return p ? [[String(r.level), kind, grouped(p.plain), grouped(p.bytes), percent(p.of_plain), grouped(p.entropy), grouped(p.zstd), String(p.worst_error), short(p.rms_error)]] : [];
       }),
     );
   if (rows.length === 0) return null;
@@ -131,10 +132,10 @@ function packedTable(run: SceneAttributes, set: string): HTMLElement | null {
   return el(
     "div",
     { class: "wide" },
-    el("p", { class: "note" }, `Packed maps, ${exactness}. Plain: a byte a channel in use; entropy: order 0 of the residuals; zstd: level 19 of the plain bytes.`),
+    el("p", { class: "note" }, `Packed maps, ${exactness}. Plain: a byte a channel in use; entropy: order 0 of the residuals; zstd: level 19 of the plain bytes; errors: of what is decoded, in codes of 8 bits.`),
     plainTable(
       `${set}: bytes of packed maps`,
-      ["Level", "Maps of", "Plain", "Packed", "Of plain", "Entropy", "zstd"],
+      ["Level", "Maps of", "Plain", "Packed", "Of plain", "Entropy", "zstd", "Worst error", "RMS error"],
       rows,
     ),
   );
@@ -267,6 +268,8 @@ function ofSet(run: SceneAttributes, set: string): HTMLElement {
     ...known.flatMap((m) => errorByTime(run, set, m)),
     el("div", { class: "wide" }, numbers(run, set)),
     packedTable(run, set),
+    plansTable(run, set),
+    mipsTable(run, set),
     timesTable(run, set),
   );
 }

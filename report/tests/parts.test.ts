@@ -1,5 +1,6 @@
 // Small parts: numbers in print, ticks, the front, cases, answers, rows of the table.
 import assert from "node:assert/strict";
+import { mipRows, planLevelRows, planRow } from "../src/attribute_plans";
 import { test } from "node:test";
 
 import { answersOf } from "../src/answers";
@@ -167,14 +168,14 @@ test("attribute maps: counts, packed bytes, the level beyond the textures", () =
   const maps = (level: number, set: string, n: number, packed?: number) => {
     const at = (values: number) => ({
       maps: n, constant: 1, bytes: 4 * values * n, of_textures: 1, rmse: 1, unseen: 0, nearest_rmse: 2,
-      ...(packed === undefined ? {} : { packed: { plain: 9, bytes: packed, of_plain: packed / 9, entropy: 1, zstd: 1 } }),
+      ...(packed === undefined ? {} : { packed: { plain: 9, bytes: packed, of_plain: packed / 9, entropy: 1, zstd: 1, worst_error: 0, rms_error: 0 } }),
     });
     return { set, level, faces: at(4 ** level), vertices: at(((2 ** level + 1) * (2 ** level + 2)) / 2) };
   };
   const total = (level: number) => ({ level, faces: { bytes: 1, of_textures: 1 }, vertices: { bytes: 1, of_textures: 1 } });
   const run: SceneAttributes = {
     schema: "mmverify.bench/1", topic: "scene_attributes",
-    tool: { version: "0", compiler: "c", flags: "", cpu: "", averaging: "meaning", spec_hash: "0" },
+    tool: { version: "0", compiler: "c", flags: "", cpu: "", averaging: "light and directions", spec_hash: "0" },
     file: "a.glb", triangles: 2000, images: 2, texture_bytes: 64, far: 0, beyond_textures: { faces: 2, vertices: 17 },
     sets: ["baseColor", "normal"].map((set) => ({ set, triangles: 2000, images: 1, texture_bytes: 32, shown: 1 })),
     rows: [maps(0, "baseColor", 10, 5), maps(1, "baseColor", 1999, 6), maps(0, "normal", 7, 8), maps(1, "normal", 2000)],
@@ -198,4 +199,21 @@ test("attribute maps: counts, packed bytes, the level beyond the textures", () =
   assert.match(beyondWords(run, "vertices"), /^Maps of vertices would take less than the textures at all levels up to 16/);
   run.beyond_textures.faces = 1;
   assert.equal(beyondWords(run, "faces"), "Maps of faces take more than the textures from level 1 on.");
+});
+
+test("plans and mips of attributes: a row each, and nothing where nothing is known", () => {
+  const plan = { set: "baseColor", kind: "faces", wanted: 2, triangles: 2000, special: 1500, palette: 3, maps: 400, shared: 100, not_kept: 1, value_bytes: 1612, bytes: 11612 } as const;
+  assert.deepEqual(planRow(plan), ["faces", "2", "1,500", "400", "1", "11,612", "", "", "", "", "", "", ""]);
+  assert.deepEqual(
+    planRow({ ...plan, rmse: 1.5, flip: 0.25, uniform: { level: 1, rmse: 1.25, bytes: 23224, plan_to_it: 0.5 }, equal_rmse: { bytes: 46448, plan_to_it: 0.25 } }).slice(6),
+    ["1.5", "0.25", "1", "23,224", "0.5", "0.25", ""],
+  );
+  const at = (kind: "faces" | "vertices", level: number, planned: number) => ({ set: "baseColor", kind, wanted: 2, level, lowest: planned, planned, decimated: 0, maps: planned });
+  const run = { plans: [plan, { ...plan, kind: "vertices" }], plan_levels: [at("vertices", 1, 7), at("faces", 1, 5), at("faces", 0, 6), at("vertices", 0, 8)] } as unknown as SceneAttributes;
+  assert.deepEqual(planLevelRows(run, "baseColor"), { levels: [0, 1], rows: [["faces", "2", "1,500", "6", "5"], ["vertices", "2", "1,500", "8", "7"]] });
+  assert.deepEqual(planLevelRows(run, "normal"), { levels: [], rows: [] });
+  const maps = (level: number) => ({ level, values_per_texel: 0.5, rmse: 2, interior_rmse: 3 });
+  assert.deepEqual(mipRows({ set: "normal", mip: 1, border: 0, texture: { rmse: 1, flip: 0.5, border_rmse: 4 }, faces: maps(2), vertices: maps(3) }), [
+    ["1", "texture", "0.25", "1", "0.5", "4", ""], ["1", "faces, level 2", "0.5", "2", "", "", "3"], ["1", "vertices, level 3", "0.5", "2", "", "", "3"],
+  ]);
 });

@@ -59,7 +59,7 @@ before(async () => {
   run("bench", "index", "--levels", "3..6", "--samples", "2000", "--quiet", "--json", "index.json");
   run("bench", "vq", "--maps", "4", "--quiet", "--json", "vq.json");
   run("bench", "bake", "--levels", "3..4", "--maps", "1", "--quiet", "--json", "bake.json");
-  run("scene", "--attributes", "--level", "1..3", "--packed", "--time", "--quiet", "--json", "attributes.json", "--pictures", "pictures");
+  run("scene", "--attributes", "--level", "1..3", "--packed", "--time", "--mips", "--plan", "20,40", "--quiet", "--json", "attributes.json", "--pictures", "pictures");
   run("report", "wrong.json", "scene.json", "index.json", "vq.json", "bake.json", "attributes.json", "-o", "all.html");
   run("prove", "index.bijective", "--levels", "0..3", "--quiet", "--json", "right.json");
   run("report", "right.json", "-o", "right.html");
@@ -430,6 +430,13 @@ test("attributes: counts, a footprint, errors and pictures are those of the file
   const timed = await section.locator("table", { hasText: "the time of a lookup" }).locator("tbody tr").allTextContents();
   assert.equal(timed.length, 9);
   assert.match(timed[8]!, /^3vertices, Bird262,144[\d.]+/);
+
+  const planned = await section.locator("table", { hasText: "levels as triangles need them" }).locator("tbody tr").allTextContents();
+  assert.equal(planned.length, 4);
+  assert.ok(planned[3]!.startsWith(`vertices40${run.plans[3].special}${run.plans[3].maps}`), planned[3]);
+  const mips = await section.locator("table", { hasText: "what bleeds across charts" }).locator("tbody tr").allTextContents();
+  assert.equal(mips.length, 9);
+  assert.ok(mips[1]!.startsWith(`0faces, level ${run.mips[0].faces.level}`), mips[1]);
 
   const picture = section.locator("img");
   const shown = async () => [await picture.getAttribute("alt"), createHash("sha256").update((await picture.getAttribute("src"))!).digest("hex")] as const;

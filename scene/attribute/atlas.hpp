@@ -1,6 +1,7 @@
 // A texture's texels, and which triangle shows each.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -20,6 +21,33 @@ bool within_reach(const UvTriangle& uvs, const ColourImage& image);
 
 /// The texel that (x, y) is, wrapped.  Domain: |x|, |y| < 2^40.
 std::size_t wrapped_texel(const ColourImage& image, const Sampler& sampler, std::int64_t x, std::int64_t y);
+
+/// The barycentrics of texels' centres on a triangle.
+class TexelPlane {
+ public:
+  explicit TexelPlane(const TexelTriangle& t)
+      : a_(t[0]),
+        bx_(t[1][0] - t[0][0]),
+        by_(t[1][1] - t[0][1]),
+        cx_(t[2][0] - t[0][0]),
+        cy_(t[2][1] - t[0][1]) {}
+  double area() const { return bx_ * cy_ - cx_ * by_; }  ///< twice the triangle's, with a sign
+  /// Domain: area() not 0.
+  std::array<double, 2> at(std::int64_t x, std::int64_t y) const {
+    const double px = static_cast<double>(x) + 0.5 - a_[0], py = static_cast<double>(y) + 0.5 - a_[1];
+    return {(px * cy_ - cx_ * py) / area(), (bx_ * py - px * by_) / area()};
+  }
+
+ private:
+  std::array<double, 2> a_;
+  double bx_, by_, cx_, cy_;
+};
+
+/// Calls visit(x, y, u, v) for each centre of a texel that lies on the triangle, border included, before the texel is
+/// wrapped; ends where it returns false.
+/// Domain: within_reach(corners).  A triangle without area has none.
+template <class Visit>
+void for_each_centre(const TexelTriangle& corners, Visit visit);
 
 /// Calls visit(texel, u, v) for each texel whose centre lies on the triangle, border included, by its barycentrics; a
 /// texel more than once where the triangle repeats it.

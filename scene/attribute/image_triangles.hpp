@@ -1,6 +1,7 @@
 // The triangles of a set that show an image, and its texels that they show.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -19,8 +20,25 @@ struct ImageTriangles {
   std::vector<std::uint32_t> first;    ///< by texel: the first that shows it, as first_triangles()
   std::vector<std::uint8_t> shown;     ///< by texel: 1 where there is one
 
+  // The texels of each triangle's own, of which it is the first: own[begin[k]] up to own[begin[k + 1]], and by texel the
+  // last place where that triangle shows it.
+  std::vector<std::size_t> begin;
+  std::vector<std::uint32_t> own;
+  std::vector<std::array<std::int32_t, 2>> place;
+
   std::uint64_t texels_shown() const;
 };
+
+/// Calls visit(texel, u, v) for each texel of triangle k's own, once, however often the triangle repeats it.
+template <class Visit>
+void for_each_own_texel(const ImageTriangles& triangles, std::size_t k, Visit visit) {
+  const TexelPlane plane(triangles.corners[k]);
+  for (std::size_t t = triangles.begin[k]; t < triangles.begin[k + 1]; ++t) {
+    const std::uint32_t texel = triangles.own[t];
+    const auto [u, v] = plane.at(triangles.place[texel][0], triangles.place[texel][1]);
+    visit(texel, u, v);
+  }
+}
 
 /// stop: as of first_triangles().  Domain: triangles within_reach().
 ImageTriangles image_triangles(const AttributeScene& scene, std::size_t image,

@@ -98,8 +98,8 @@ class SetMeasurement {
           thread_local MapValues values;
           bake(all_[maps[k]], kind, level, values);
           keys_[place_of(level, kind)][maps[k]] = key_of(values);
-          seen += show(all_[maps[k]], of_image.corners[k], kind, level, values, rgb, nearest,
-                       [&, k](std::size_t texel) { return of_image.first[texel] == k; });
+          show(of_image, k, kind, level, values, rgb, nearest);
+          if (kind == MapKind::faces) seen += faces_with_centre(of_image.corners[k], level);
         });
         if (kind == MapKind::faces) seen_faces_[level - options_.first] += seen;
         const auto add = [&](ErrorSums& sums, const std::vector<std::uint8_t>& shows) {
@@ -193,29 +193,36 @@ class SetMeasurement {
     return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
   }
 
-  /// Paints the texels that the triangle is the first to show.  Returns how many of its micro-triangles have a texel's
-  /// centre.
-  template <class Own>
-  std::uint64_t show(const MapOfTriangle& map, const TexelTriangle& corners, MapKind kind, unsigned level,
-                     const MapValues& values, std::vector<std::uint8_t>& rgb,
-                     std::vector<std::uint8_t>& nearest, Own own) const {
-    const MapBaker& baker = bakers_.at(map.texture);
-    std::vector<bool> has_centre(kind == MapKind::faces ? values.size() : 0);
-    for_each_texel(image_of(map), scene_.textures[map.texture].sampler, corners,
-                   [&](std::size_t texel, double u, double v) {
-                     if (kind == MapKind::faces) {
-                       const std::size_t face = face_index(level, u, v);
-                       has_centre[face] = true;
-                       if (own(texel)) paint(rgb, texel, values[face], channels_);
-                     } else if (own(texel)) {
-                       const auto read = [&](MapReading reading) {
-                         return vertex_value(values, level, u, v, reading, baker.meaning());
-                       };
-                       paint(rgb, texel, read(MapReading::interpolated), channels_);
-                       paint(nearest, texel, read(MapReading::nearest), channels_);
-                     }
-                   });
-    return static_cast<std::uint64_t>(std::count(has_centre.begin(), has_centre.end(), true));
+  /// Paints the texels that triangle k of the image is the first to show.
+  void show(const ImageTriangles& triangles, std::size_t k, MapKind kind, unsigned level,
+            const MapValues& values, std::vector<std::uint8_t>& rgb,
+            std::vector<std::uint8_t>& nearest) const {
+    const CodeMeaning& meaning = bakers_.at(all_[triangles.maps[k]].texture).meaning();
+    for_each_own_texel(triangles, k, [&](std::size_t texel, double u, double v) {
+      if (kind == MapKind::faces) {
+        paint(rgb, texel, values[face_index(level, u, v)], channels_);
+        return;
+      }
+      const auto read = [&](MapReading reading) {
+        return vertex_value(values, level, u, v, reading, meaning);
+      };
+      paint(rgb, texel, read(MapReading::interpolated), channels_);
+      paint(nearest, texel, read(MapReading::nearest), channels_);
+    });
+  }
+
+  /// How many micro-triangles have a texel's centre; once all have one, no more centres are looked at.
+  static std::uint64_t faces_with_centre(const TexelTriangle& corners, unsigned level) {
+    const std::uint64_t faces = values_of_map(MapKind::faces, level);
+    std::vector<bool> has_centre(faces);
+    std::uint64_t seen = 0;
+    for_each_centre(corners, [&](std::int64_t, std::int64_t, double u, double v) {
+      const std::size_t face = face_index(level, u, v);
+      if (!has_centre[face]) ++seen;
+      has_centre[face] = true;
+      return seen < faces;
+    });
+    return seen;
   }
 
   MapError error_of(const ErrorSums& sums) const { return scene::error_of(sums, set_, figures_.shown); }
@@ -237,7 +244,7 @@ class SetMeasurement {
       at.nearest = error_of(nearest_sums_[place]);
     } else {
       const double faces = static_cast<double>(all_.size()) * static_cast<double>(values_of_map(kind, level));
-      at.unseen = faces == 0 ? 0 : 1 - static_cast<double>(seen_faces_[level - options_.first]) / faces;
+      if (faces != 0) at.unseen = 1 - static_cast<double>(seen_faces_[level - options_.first]) / faces;
     }
     return at;
   }

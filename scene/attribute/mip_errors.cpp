@@ -164,9 +164,9 @@ MipError MipErrors::error_of(AttributeSet set, const SetSums& sums, const Bands&
   const int channels = std::popcount(channels_of(set));
   const std::uint64_t texels = border_texels + interior_texels;
   MipError error;
-  error.all.rmse = rmse(border.squares + interior.squares, texels, channels).value_or(0);
-  if (is_srgb(set))
-    error.all.flip = (border.flip + interior.flip) / static_cast<double>(std::max<std::uint64_t>(texels, 1));
+  error.all.rmse = rmse(border.squares + interior.squares, texels, channels);
+  if (is_srgb(set) && texels != 0)
+    error.all.flip = (border.flip + interior.flip) / static_cast<double>(texels);
   error.border = rmse(border.squares, border_texels, channels);
   error.interior = rmse(interior.squares, interior_texels, channels);
   return error;
@@ -192,15 +192,16 @@ MipOfMaps MipErrors::maps_beside(AttributeSet set, const SetSums& sums, MapKind 
 
 std::vector<MipStep> MipErrors::steps() const {
   std::vector<MipStep> steps;
-  for (const auto& [set, sums] : sums_)
-    for (unsigned mip = 0; mip < steps_; ++mip) {
+  for (const auto& [set, sums] : sums_) {
+    const auto all = std::accumulate(sums.texels.begin(), sums.texels.end(), std::uint64_t{0});
+    for (unsigned mip = 0; mip < steps_ && all != 0; ++mip) {
       const auto near = std::accumulate(sums.texels.begin(), sums.texels.begin() + mip + 1, std::uint64_t{0});
-      const auto all = std::accumulate(sums.texels.begin(), sums.texels.end(), std::uint64_t{0});
-      steps.push_back(
-          {set, mip, static_cast<double>(near) / static_cast<double>(std::max<std::uint64_t>(all, 1)),
-           error_of(set, sums, sums.texture[mip], mip), maps_beside(set, sums, MapKind::faces, mip),
-           maps_beside(set, sums, MapKind::vertices, mip)});
+      steps.push_back({set, mip, static_cast<double>(near) / static_cast<double>(all),
+                       error_of(set, sums, sums.texture[mip], mip),
+                       maps_beside(set, sums, MapKind::faces, mip),
+                       maps_beside(set, sums, MapKind::vertices, mip)});
     }
+  }
   return steps;
 }
 

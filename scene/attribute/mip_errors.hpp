@@ -72,7 +72,8 @@ class MipErrors {
         steps_(options.last - options.first + 1) {}
 
   void take(const AttributeAtlas& atlas);
-  std::vector<MipStep> steps() const;  ///< set by set, mip by mip
+  /// Set by set, mip by mip; of sets of which a texel is shown.
+  std::vector<MipStep> steps() const;
 
  private:
   /// Sums over the texels of a band.

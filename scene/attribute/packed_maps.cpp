@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 #include "impl/attribute/compress.hpp"
@@ -37,6 +38,17 @@ std::uint32_t MapPacker::add(std::span<const MapValue> map) {
   return maps_++;
 }
 
+void MapPacker::measure_decoded(std::span<const std::uint8_t> decoded, PackedBytes& bytes) const {
+  std::uint64_t squares = 0;
+  for (std::size_t k = 0; k < codes_.size(); ++k) {
+    const int off = std::abs(decoded[k] - codes_[k]);
+    bytes.worst_error = std::max(bytes.worst_error, static_cast<std::uint8_t>(off));
+    squares += static_cast<std::uint64_t>(off) * static_cast<std::uint64_t>(off);
+  }
+  if (!codes_.empty())
+    bytes.rms_error = std::sqrt(static_cast<double>(squares) / static_cast<double>(codes_.size()));
+}
+
 std::optional<PackedBytes> MapPacker::packed(const PeerCoder& peer) const {
   if (codes_.size() >> 31 != 0) return std::nullopt;
   impl::attribute::PackedShape shape;
@@ -47,7 +59,9 @@ std::optional<PackedBytes> MapPacker::packed(const PeerCoder& peer) const {
   for (std::size_t c = 0; c < channels_.size(); ++c) shape.error[c] = error_;
   PackedBytes bytes;
   bytes.plain = codes_.size();
-  bytes.packed = impl::attribute::pack(shape, codes_).size();
+  const std::vector<std::uint8_t> packed = impl::attribute::pack(shape, codes_);
+  bytes.packed = packed.size();
+  measure_decoded(impl::attribute::PackedMaps(shape, packed).codes(), bytes);
   bytes.entropy = static_cast<std::uint64_t>(std::ceil(impl::attribute::residual_entropy(shape, codes_) / 8));
   if (peer) bytes.peer = peer(codes_);
   return bytes;

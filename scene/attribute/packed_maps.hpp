@@ -20,6 +20,9 @@ struct PackedBytes {
   std::uint64_t packed = 0;   ///< with the error allowed
   std::uint64_t entropy = 0;  ///< order 0 of its roots and residuals, in whole bytes (residual_entropy)
   std::optional<std::uint64_t> peer;  ///< what the peer makes of the plain bytes
+  // Of what is decoded again, over all codes of the maps, each different map once; in codes of 8 bits.
+  std::uint8_t worst_error = 0;  ///< the most that a code is off
+  double rms_error = 0;          ///< root of the mean square
 };
 
 /// Packs maps as they are added, each different one once.
@@ -40,6 +43,9 @@ class MapPacker {
   std::optional<PackedBytes> packed(const PeerCoder& peer) const;
 
  private:
+  /// Fills in the errors.
+  void measure_decoded(std::span<const std::uint8_t> decoded, PackedBytes& bytes) const;
+
   MapKind kind_;
   unsigned level_;
   std::vector<std::size_t> channels_;

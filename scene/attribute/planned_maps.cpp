@@ -38,11 +38,11 @@ struct PlannedImage {
   std::vector<std::uint8_t> original;
 };
 
-/// One attribute set of a scene.
+/// One attribute set of a scene, and maps of one kind.
 class SetPlanner {
  public:
-  SetPlanner(const AttributeScene& scene, AttributeSet set, const AttributeOptions& options)
-      : scene_(scene), options_(options), set_(set), channels_(channels_of(set)) {
+  SetPlanner(const AttributeScene& scene, AttributeSet set, MapKind kind, const AttributeOptions& options)
+      : scene_(scene), options_(options), set_(set), kind_(kind), channels_(channels_of(set)) {
     for (std::size_t k = 0; k < scene.textures.size(); ++k)
       if (scene.textures[k].set == set)
         bakers_.emplace(
@@ -55,13 +55,15 @@ class SetPlanner {
     for (const std::size_t image : images)
       images_.push_back({image_triangles(scene, image, all_, options.stop),
                          compared_texels(scene.images[image], set, options.averaging)});
-    if (options.progress) options.progress(name(set) + ", plans");
+    if (options.progress)
+      options.progress(name(set) + (kind == MapKind::faces ? ", plans of faces" : ", plans of vertices"));
     measure_triangles();
   }
 
   PlannedMaps planned(double wanted) {
     PlannedMaps figures;
     figures.set = set_;
+    figures.kind = kind_;
     figures.wanted = wanted;
     figures.triangles = all_.size();
     for (unsigned level = options_.first; level <= options_.last; ++level)
@@ -88,7 +90,7 @@ class SetPlanner {
     return scene_.images[scene_.textures[map.texture].image];
   }
 
-  /// The triangles of a primitive that are near enough; neighbours by its vertices.
+  /// The triangles of a primitive that are near enough; neighbours by its vertices, of faces none.
   void add(const AttributePrimitive& primitive, const AttributeUse& use) {
     std::vector<Triangle> near;
     const auto begin = static_cast<std::int32_t>(all_.size());
@@ -98,6 +100,13 @@ class SetPlanner {
       near.push_back(t);
       all_.push_back(map);
     }
+    if (kind_ == MapKind::faces)
+      neighbours_.resize(all_.size(), {no_neighbour, no_neighbour, no_neighbour});
+    else
+      add_neighbours(near, begin);
+  }
+
+  void add_neighbours(const std::vector<Triangle>& near, std::int32_t begin) {
     for (Neighbours neighbours : impl::attribute::neighbours_of(near)) {
       for (std::int32_t& n : neighbours)
         if (n != no_neighbour) n += begin;
@@ -147,6 +156,7 @@ class SetPlanner {
   }
 
   MapValue shown_at(std::size_t t, const MapValues& values, unsigned level, double u, double v) const {
+    if (kind_ == MapKind::faces) return values[face_index(level, u, v)];
     return vertex_value(values, level, u, v, MapReading::interpolated, bakers_.at(all_[t].texture).meaning());
   }
 
@@ -158,7 +168,7 @@ class SetPlanner {
   }
 
   MapValues map_of(std::size_t t, unsigned level, std::uint8_t edges) const {
-    MapValues values = baked(t, MapKind::vertices, level);
+    MapValues values = baked(t, kind_, level);
     if (edges != 0)
       impl::attribute::decimate_edges(level, edges, meaning_of(set_, options_.averaging), values);
     return values;
@@ -224,12 +234,9 @@ class SetPlanner {
       const std::size_t t = triangles.maps[k];
       const TrianglePlan& p = plan[t];
       const MapValues values = p.special ? MapValues{value_of(t)} : map_of(t, p.level, p.decimated);
-      for_each_texel(texels, scene_.textures[all_[t].texture].sampler, triangles.corners[k],
-                     [&](std::size_t texel, double u, double v) {
-                       if (triangles.first[texel] != k) return;
-                       const MapValue seen = p.special ? values.front() : shown_at(t, values, p.level, u, v);
-                       paint(rgb, texel, seen, channels_);
-                     });
+      for_each_own_texel(triangles, k, [&](std::size_t texel, double u, double v) {
+        paint(rgb, texel, p.special ? values.front() : shown_at(t, values, p.level, u, v), channels_);
+      });
     });
     add_errors(sums, texels, set_, image.original, rgb, triangles.shown, options_.threads);
   }
@@ -237,6 +244,7 @@ class SetPlanner {
   const AttributeScene& scene_;
   const AttributeOptions& options_;
   AttributeSet set_;
+  MapKind kind_;
   std::uint8_t channels_;
   std::map<std::size_t, MapBaker> bakers_;  ///< by textures of the scene
   std::vector<MapOfTriangle> all_;
@@ -257,7 +265,7 @@ std::uint64_t PlannedMaps::distinct() const {
 
 std::uint64_t PlannedMaps::value_bytes() const {
   std::uint64_t sum = bytes_of_value * palette;
-  for (const PlannedLevel& at : levels) sum += bytes_of_maps(at.distinct, MapKind::vertices, at.level);
+  for (const PlannedLevel& at : levels) sum += bytes_of_maps(at.distinct, kind, at.level);
   return sum;
 }
 
@@ -273,10 +281,11 @@ std::vector<PlannedMaps> planned_maps(const AttributeScene& scene, const Attribu
   oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
                                                      : static_cast<int>(options.threads));
   arena.execute([&] {
-    for (const AttributeSet set : sets) {
-      SetPlanner planner(scene, set, options);
-      for (const double error : wanted) all.push_back(planner.planned(error));
-    }
+    for (const AttributeSet set : sets)
+      for (const MapKind kind : map_kinds) {
+        SetPlanner planner(scene, set, kind, options);
+        for (const double error : wanted) all.push_back(planner.planned(error));
+      }
   });
   return all;
 }

@@ -45,7 +45,8 @@ std::vector<float> add_errors(ErrorSums& sums, const ColourImage& image, Attribu
 }
 
 MapError error_of(const ErrorSums& sums, AttributeSet set, std::uint64_t shown) {
-  const auto texels = static_cast<double>(std::max<std::uint64_t>(shown, 1));
+  if (shown == 0) return {};
+  const auto texels = static_cast<double>(shown);
   MapError error{std::sqrt(sums.squares / (texels * std::popcount(channels_of(set)))), {}};
   if (is_srgb(set)) error.flip = sums.flip / texels;
   return error;

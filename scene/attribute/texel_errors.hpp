@@ -11,17 +11,17 @@
 
 namespace mmverify::scene {
 
-/// The difference of a texture and what its maps show, over the texels whose centre a triangle shows.  Normals are made
-/// one unit long in both, where they are averaged as such.
+/// The difference of a texture and what its maps show, over the texels whose centre a triangle shows; nothing where none
+/// is shown.  Normals are made one unit long in both, where they are averaged as such.
 struct MapError {
-  double rmse = 0;             ///< of the channels in use, in codes of 8 bits
+  std::optional<double> rmse;  ///< of the channels in use, in codes of 8 bits
   std::optional<double> flip;  ///< mean FLIP in texture space; of sRGB textures alone
 };
 
 /// One of its two measures; nothing where there is none.
 enum class Measure : std::uint8_t { flip, rmse };
 inline std::optional<double> error_by(const MapError& error, Measure measure) {
-  return measure == Measure::flip ? error.flip : std::optional(error.rmse);
+  return measure == Measure::flip ? error.flip : error.rmse;
 }
 
 /// Sums over texels.
@@ -40,7 +40,7 @@ std::vector<float> add_errors(ErrorSums& sums, const ColourImage& image, Attribu
                               const std::vector<std::uint8_t>& original, const std::vector<std::uint8_t>& rgb,
                               std::span<const std::uint8_t> shown, unsigned threads);
 
-/// Of so many texels.
+/// Of so many texels; nothing of none.
 MapError error_of(const ErrorSums& sums, AttributeSet set, std::uint64_t shown);
 
 }  // namespace mmverify::scene

@@ -64,7 +64,7 @@ std::vector<Result> all_results() {
   attributes.sets[0].levels[1].kind = mmverify::scene::MapKind::vertices;
   attributes.sets[0].levels[1].nearest.emplace();
   for (auto& level : attributes.sets[0].levels)
-    level.packed = {.plain = 3, .packed = 2, .entropy = 1, .peer = 4};
+    level.packed = {.plain = 3, .packed = 2, .entropy = 1, .peer = 4, .worst_error = 2, .rms_error = 1.5};
   for (const mmverify::scene::BlockSize block : {mmverify::scene::BlockSize{4, 4}, {12, 12}})
     attributes.sets[0].compressed.push_back(
         {block, 1, 16u * 144 / (block.width * block.height), 16, {1, 0.5}});

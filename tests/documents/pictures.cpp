@@ -1,9 +1,12 @@
-// The pictures of docs/INDEX.md and docs/MICROMAP.md, drawn from the specification and the library.
-//   document_pictures FOLDER    writes index.svg and micromap.svg there
+// The pictures of docs/INDEX.md, docs/MICROMAP.md and docs/ATTRIBUTE.md, drawn from the specification and the library.
+//   document_pictures FOLDER            writes them there
+//   document_pictures --check FOLDER    says which of them differ from what is drawn now, exit code 1
 #include <fmt/format.h>
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -14,6 +17,7 @@
 #include "impl/micromap/micromap.hpp"
 #include "proofs/canvas.hpp"
 #include "spec/index/index.hpp"
+#include "tests/documents/attribute_pictures.hpp"
 
 namespace {
 
@@ -118,17 +122,37 @@ void write(const std::string& file, const std::string& svg) {
   if (!(out << svg).flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
+/// Whether the file is these very bytes.
+bool current(const std::string& file, const std::string& svg) {
+  std::ifstream in(file, std::ios::binary);
+  return in && std::string(std::istreambuf_iterator<char>(in), {}) == svg;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 2) {
-    fmt::print(stderr, "usage: document_pictures FOLDER\n");
+  const bool check = argc == 3 && std::string(argv[1]) == "--check";
+  if (argc != 2 && !check) {
+    fmt::print(stderr, "usage: document_pictures [--check] FOLDER\n");
     return 2;
   }
-  const std::string folder = argv[1];
-  write(folder + "/index.svg", curve());
-  write(folder + "/micromap.svg", states());
-  return 0;
+  const std::string folder = argv[argc - 1];
+  const std::map<std::string, std::string> pictures{
+      {"index.svg", curve()},
+      {"micromap.svg", states()},
+      {"attribute_orders.svg", tests::attribute_orders()},
+      {"attribute_decimation.svg", tests::attribute_decimation()}};
+  int code = 0;
+  for (const auto& [name, svg] : pictures) {
+    const std::string file = folder + "/" + name;
+    if (!check) {
+      write(file, svg);
+    } else if (!current(file, svg)) {
+      fmt::print(stderr, "{}: not what is drawn now; ./run pictures draws it anew\n", file);
+      code = 1;
+    }
+  }
+  return code;
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());
   return 4;

@@ -153,7 +153,7 @@ TEST(MipErrors, TexturesBleedAndFacesDoNot) {
   // Mip 0 is the texture.  Of mip 1 columns 4 and 5 are one black texel, of which column 3 takes a quarter: 191.
   EXPECT_EQ(steps[0].texture.all.rmse, 0);
   EXPECT_THAT(steps[0].texture.all.flip, Optional(0.0));
-  EXPECT_NEAR(steps[1].texture.all.rmse, std::sqrt(8 * 64.0 * 64 / 56), 1e-9);
+  EXPECT_NEAR(steps[1].texture.all.rmse.value(), std::sqrt(8 * 64.0 * 64 / 56), 1e-9);
   EXPECT_THAT(steps[1].texture.border, Optional(DoubleNear(32, 1e-9)));
   EXPECT_THAT(steps[1].texture.interior, Optional(0.0));
   EXPECT_GT(*steps[1].texture.all.flip, 0);
@@ -229,7 +229,7 @@ TEST(MipErrors, WithoutABorderHaveNoneThere) {
   for (const MipStep& step : steps_of(scene, {.first = 0, .last = 2})) {
     EXPECT_EQ(step.border_share, 0);
     EXPECT_FALSE(step.texture.border);
-    EXPECT_THAT(step.texture.interior, Optional(step.texture.all.rmse));
+    EXPECT_THAT(step.texture.interior, Optional(step.texture.all.rmse.value()));
   }
 }
 

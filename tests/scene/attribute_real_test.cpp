@@ -52,7 +52,7 @@ TEST_P(RealAttributes, AreThoseOfThePrototype) {
       const std::string what =
           (due.kind == MapKind::faces ? "faces " : "vertices ") + std::to_string(due.level);
       if (due.rmse != 0) {
-        EXPECT_NEAR(at.error.rmse, due.rmse, GetParam().rmse_tolerance) << what;
+        EXPECT_NEAR(at.error.rmse.value(), due.rmse, GetParam().rmse_tolerance) << what;
       }
       EXPECT_NEAR(at.error.flip.value(), due.flip, GetParam().flip_tolerance) << what;
       EXPECT_NEAR(100 * static_cast<double>(at.bytes()) / static_cast<double>(set.texture_bytes),

@@ -264,7 +264,7 @@ TEST(AttributeMeasure, TheErrorIsTheMeanOverTexels) {
   const AttributeFigures figures =
       measure(square_scene(drawn(2, 1, [](auto x, auto, auto) { return 100 * x; })),
               {.first = 0, .last = 0, .averaging = Averaging::codes});
-  EXPECT_DOUBLE_EQ(at(figures, 0, MapKind::faces).error.rmse, 25);
+  EXPECT_DOUBLE_EQ(at(figures, 0, MapKind::faces).error.rmse.value(), 25);
 }
 
 TEST(AttributeMeasure, OneColourIsOneMapAndNoError) {
@@ -288,14 +288,29 @@ TEST(AttributeMeasure, NormalsAreHeldAgainstNormalsOfUnitLength) {
             0);
 }
 
+TEST(AttributeMeasure, OfATriangleThatShowsNoTexelHasNoError) {
+  // Within a texel, left of and below its centre.
+  AttributeScene scene = square_scene(random_image(4, 4));
+  scene.primitives.front() = {0, 0, {{0, 1, 2}}, {{0, {{0, 0}, {0.1f, 0}, {0, 0.1f}}}}};
+  const AttributeFigures figures = measure(scene, {.first = 0, .last = 1});
+  EXPECT_EQ(figures.sets.at(0).shown, 0u);
+  for (const MapsAtLevel& one : figures.sets.at(0).levels) {
+    EXPECT_EQ(one.maps.distinct, 1u);
+    EXPECT_EQ(one.error.rmse, std::nullopt);
+    EXPECT_EQ(one.error.flip, std::nullopt);
+    EXPECT_EQ(one.unseen, one.kind == MapKind::faces ? std::optional(1.0) : std::nullopt);
+    EXPECT_EQ(one.nearest.value_or(MapError{}).rmse, std::nullopt);
+  }
+}
+
 TEST(AttributeMeasure, IsTheSameForAnyNumberOfThreads) {
   const AttributeScene scene = square_scene(random_image(40, 24));
   const auto figures = [&](unsigned threads) {
     std::vector<double> all;
     const AttributeFigures measured = measure(scene, {.first = 0, .last = 3, .threads = threads});
     for (const MapsAtLevel& one : measured.sets.at(0).levels)
-      for (const double x :
-           {one.error.rmse, *one.error.flip, static_cast<double>(one.maps.distinct), one.unseen.value_or(-1)})
+      for (const double x : {*one.error.rmse, *one.error.flip, static_cast<double>(one.maps.distinct),
+                             one.unseen.value_or(-1)})
         all.push_back(x);
     return all;
   };
@@ -344,6 +359,8 @@ TEST(AttributeMeasure, PacksTheMapsAndSaysWhoseTheyAre) {
     // Noise: no less than its entropy, and no more than 9/8 and the widths.
     EXPECT_LT(packed.packed, packed.plain * 9 / 8 + 12);
     EXPECT_GT(packed.entropy, 0u);
+    EXPECT_EQ(packed.worst_error, 0);
+    EXPECT_EQ(packed.rms_error, 0);
   }
   ASSERT_EQ(stored.size(), 2u);
   using namespace mmverify::impl::attribute;
@@ -360,6 +377,22 @@ TEST(AttributeMeasure, PacksTheMapsAndSaysWhoseTheyAre) {
       const std::size_t to = faces ? x : bird_index(v.i, v.j, 2);
       for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(maps.codes[3 * to + c], first[x][c]) << x;
     }
+  }
+}
+
+// With an error of 1 a code becomes the multiple of 3 beside it: 3k stays, 3k-1 and 3k+1 are off by one.
+TEST(AttributeMeasure, SaysHowFarPackedMapsAreOff) {
+  AttributeOptions options{.first = 2, .last = 2, .packed = true, .packed_error = 1};
+  std::vector<std::vector<std::uint8_t>> stored;
+  options.stored = [&](const StoredAttributes& one) { stored.push_back(one.maps.codes); };
+  const AttributeFigures figures = measure(square_scene(random_image(8, 8)), options);
+  ASSERT_EQ(stored.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const PackedBytes& packed = at(figures, 2, map_kinds[k]).packed.value();
+    const auto off = static_cast<double>(
+        std::count_if(stored[k].begin(), stored[k].end(), [](std::uint8_t code) { return code % 3 != 0; }));
+    EXPECT_EQ(packed.worst_error, 1);
+    EXPECT_DOUBLE_EQ(packed.rms_error, std::sqrt(off / static_cast<double>(stored[k].size())));
   }
 }
 

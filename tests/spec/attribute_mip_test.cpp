@@ -103,4 +103,21 @@ TEST(SpecLod, blends_between_bounds) {
 }
 
 }  // namespace
+// A triangle of area 1 and a cone 1/2 wide: its square 1/4; its disc pi/16; the square on a triangle turned by 60 degrees,
+// twice as much; and a cone twice as wide, 1.
+TEST(SpecLod, what_the_cones_area_is_decides_the_level) {
+  const Rational square(1, 4), disc(355, 113 * 16), turned(1, 2), doubled(1), triangle(1);
+  EXPECT_EQ(lod_level(square, triangle, 9), 1u);
+  EXPECT_EQ(lod_level(disc, triangle, 9), 1u);
+  EXPECT_EQ(lod_level(turned, triangle, 9), 0u);
+  EXPECT_EQ(lod_level(doubled, triangle, 9), 0u);
+  const auto blend = [&](const Rational& cone, Level m) {
+    return std::ldexp(lod_blend(cone, triangle, m, 50).low.convert_to<double>(), -50);
+  };
+  EXPECT_EQ(blend(square, 1), 0);
+  EXPECT_NEAR(blend(disc, 1), 0.17, 0.005);
+  EXPECT_EQ(blend(turned, 0), 0.5);
+  EXPECT_EQ(blend(doubled, 0), 0);
+}
+
 }  // namespace mmverify::spec::attribute

@@ -95,7 +95,7 @@ Law decimation_watertight_law() {
                "once, a "
                "flagged base edge is that of level n-1, the others are of level n, no other vertex moves",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 10},
+       .fast = {0, 12},
        .long_run = {0, 14},
        .fast_seconds = 0.6,
        .domain = domain_of_all,

@@ -253,7 +253,7 @@ Law convert_law() {
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 9},
        .long_run = {0, 14},
-       .fast_seconds = 1,
+       .fast_seconds = 2,
        .domain =
            [](const Subject&, Level) {
              return std::string("the V(n) vertices, from each order to each, itself as well");
@@ -291,7 +291,7 @@ Law convert_faces_law() {
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 8},
        .long_run = {0, 14},
-       .fast_seconds = 1,
+       .fast_seconds = 2,
        .domain = [](const Subject&,
                     Level) { return std::string("the 4^n faces, from each order to each, itself as well"); },
        .mutants = {mutant(
@@ -377,7 +377,7 @@ Law triangle_vertices_law() {
        .subjects = related_subjects,
        .fast = {0, 7},
        .long_run = {0, 14},
-       .fast_seconds = 1,
+       .fast_seconds = 3,
        .domain = [](const Subject&,
                     Level) { return std::string("the 4^n faces, 3 orders of faces by 3 of vertices"); },
        .mutants =
