@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -11,6 +12,10 @@ namespace mmverify::cli {
 
 /// What a command does once its arguments are read; returns the exit code.
 using Action = std::function<int()>;
+
+/// The program's commands in the order of --help: all of mmverify's (all_commands.cpp), or those that ./run prove
+/// compiles (prove_commands.cpp).
+std::vector<Action> add_commands(CLI::App& program);
 
 Action add_list(CLI::App& program);
 Action add_prove(CLI::App& program);

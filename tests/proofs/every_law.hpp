@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,11 @@ inline Asked keeping(std::size_t errors) {
 
 /// run_jobs on one law, subject and level, silently and without mutants.
 inline Report run_alone(Law law, const SubjectPtr& subject, Level level, unsigned threads,
-                        std::size_t errors = 1) {
+                        std::size_t errors = 1, std::optional<Shard> shard = {}) {
   law.mutants.clear();
   RunOptions options;
   options.threads = threads;
+  options.shard = shard;
   options.errors = errors;
   options.show_progress = false;
   return run_jobs({{&law, subject, {level, level}, {}}}, options, [](const Result&) {});

@@ -18,6 +18,8 @@ using namespace mmverify::tests;
 /// Of cases; under sanitizers those of small levels will do.
 constexpr std::uint64_t few = 2'000;
 constexpr Level small = 5;
+/// A part of a domain that has many times as many chunks; never empty, as the first parts of a small one are.
+constexpr Shard last_eighth{8, 8};
 
 TEST(Laws, TheDesignsOnesAreThere) {
   for (const char* id : {"index.equals_reference", "index.in_range", "index.bijective", "index.nested",
@@ -105,17 +107,24 @@ TEST_P(FastLaw, HoldsOfItsOwnSubjectsOverItsWholeDomain) {
     std::uint64_t applied = 0;
     for (Level n = 0; n <= last; n += stride) {
       if (applied > 0 && sanitized && law.cases(n, Asked{}) > few) break;
-      const Result r = run_level(law, *find_subject(name), n, Asked{});
+      Asked run;
+      // Each case walks the same code, and the release build judges them all.
+      Division part{last_eighth, nullptr, {}, {}, 0, false};
+      if (sanitized && law.divisible) run.division = &part;
+      const Result r = run_level(law, *find_subject(name), n, run);
       if (r.verdict == Verdict::not_applicable) {
         // Levels of its own it must run.
         EXPECT_LT(n, law.fast.first) << name << ": " << r.reason;
         continue;
       }
       ++applied;
-      EXPECT_EQ(r.verdict, passed) << name << " level " << n
-                                   << (r.counterexamples.empty() ? "" : " " + r.counterexamples.front().at);
-      EXPECT_EQ(r.cases_run(), law.cases(n, Asked{}));
-      EXPECT_EQ(r.cases_expected, r.cases_run());
+      const bool whole = !r.share || r.share->whole();
+      EXPECT_EQ(r.verdict, whole ? passed : Verdict::checked)
+          << name << " level " << n << (r.counterexamples.empty() ? "" : " " + r.counterexamples.front().at);
+      if (whole) {
+        EXPECT_EQ(r.cases_run(), law.cases(n, Asked{}));
+        EXPECT_EQ(r.cases_expected, r.cases_run());
+      }
       EXPECT_GT(r.cases_run(), 0u);
       EXPECT_EQ(r.mismatches(), 0u);
     }
@@ -175,7 +184,11 @@ TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
   if (law.topic != "index") n = std::min(n, law.fast.last);
   if (law.id == "tree.malformed") n = 1;  // each of level 2's 65,536 maps is decoded dozens of times
   const SubjectPtr subject = find_subject(law.subjects.front());
-  const Report one = run_alone(law, subject, n, 1), two = run_alone(law, subject, n, 2);
+  // Of thousands of optima in chunks of 16, hundreds are chunks enough.
+  const std::optional<Shard> part = law.topic == "vq" && law.divisible && law.cases(n, Asked{}) > 4'000
+                                        ? std::optional(last_eighth)
+                                        : std::nullopt;
+  const Report one = run_alone(law, subject, n, 1, 1, part), two = run_alone(law, subject, n, 2, 1, part);
   EXPECT_EQ(outcome(one), outcome(two));
   EXPECT_NE(one.results.front().digest, 0u);
 }
