@@ -129,6 +129,8 @@ Definition reference (u v : Q) (level : nat) : Z :=
 (* A micro-vertex (i, j) is the point (i/N, j/N); a triangle has three, P0, P1 and P2. *)
 Definition vertex : Set := Z * Z.
 Definition triangle : Set := vertex * vertex * vertex.
+Definition P0_of (P : triangle) : vertex := let '(P0, P1, P2) := P in P0.
+Definition P2_of (P : triangle) : vertex := let '(P0, P1, P2) := P in P2.
 Definition middle (a b : vertex) : vertex := ((fst a + fst b) / 2, (snd a + snd b) / 2).
 
 (* The child of a triangle that a digit names: child 0 lies at P0, child 2 at P1, child 3 at P2, child 1 in the middle.
@@ -152,3 +154,41 @@ Fixpoint descend (levels : nat) (P : triangle) (index : Z) : triangle :=
 
 Definition corners (level : nat) (index : Z) : triangle :=
   descend level ((0, 0), (side level, 0), (0, side level)) index.
+
+(* ---------------------------------------------------------------------------------------------------------------------
+   Micro-triangles, by their place in the grid
+   ------------------------------------------------------------------------------------------------------------------ *)
+
+(* Half of the grid square (i, j): upper = false has the corners (i, j), (i+1, j), (i, j+1), upper = true the corners
+   (i+1, j+1), (i, j+1), (i+1, j). *)
+Definition micro_triangle : Set := Z * Z * bool.
+
+(* Those of a level are the ones in the base triangle. *)
+Definition of_level (level : nat) (T : micro_triangle) : Prop :=
+  let '(i, j, upper) := T in 0 <= i /\ 0 <= j /\ i + j + (if upper then 1 else 0) < side level.
+
+(* The point (u, v) lies strictly inside; it lies inside or on an edge. *)
+Definition inside (level : nat) (T : micro_triangle) (u v : Q) : Prop :=
+  let '(i, j, upper) := T in
+  let un := (inject_Z (side level) * u)%Q in
+  let vn := (inject_Z (side level) * v)%Q in
+  if upper : bool
+  then (un < inject_Z (i + 1) /\ vn < inject_Z (j + 1) /\ inject_Z (i + j + 1) < un + vn)%Q
+  else (inject_Z i < un /\ inject_Z j < vn /\ un + vn < inject_Z (i + j + 1))%Q.
+
+Definition within (level : nat) (T : micro_triangle) (u v : Q) : Prop :=
+  let '(i, j, upper) := T in
+  let un := (inject_Z (side level) * u)%Q in
+  let vn := (inject_Z (side level) * v)%Q in
+  if upper : bool
+  then (un <= inject_Z (i + 1) /\ vn <= inject_Z (j + 1) /\ inject_Z (i + j + 1) <= un + vn)%Q
+  else (inject_Z i <= un /\ inject_Z j <= vn /\ un + vn <= inject_Z (i + j + 1))%Q.
+
+Definition is_corner (p : vertex) (P : triangle) : Prop := let '(P0, P1, P2) := P in p = P0 \/ p = P1 \/ p = P2.
+
+Definition corners_of (T : micro_triangle) : triangle :=
+  let '(i, j, upper) := T in
+  if upper : bool then ((i + 1, j + 1), (i, j + 1), (i + 1, j)) else ((i, j), (i + 1, j), (i, j + 1)).
+
+(* The same three corners, in whatever order. *)
+Definition same_corners (P P' : triangle) : Prop := forall p, is_corner p P <-> is_corner p P'.

@@ -1,6 +1,6 @@
 (* The induction over the levels still to come: the recursion and the bit formula give the same digits, highest first.
    docs/SOUNDNESS.md, "Every level: the induction", says in words what `related` says here. *)
-From Coq Require Import Lia Lqa.
+From Coq Require Import Lia.
 Require Import Definitions Walk Words.
 
 (* A point X, Y, W of a triangle with X+Y+W = E, mid-flip, and the numerators A, B, C of the reference's words.
@@ -28,7 +28,8 @@ Proof.
   rewrite scale_S in R. cbn [walk digits]. pose proof (scale_pos d n Hd) as HD.
   rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia.
   set (D := d * 2 ^ Z.of_nat n) in *. set (P := 4 ^ Z.of_nat n) in *. clearbody D P. clear Hd.
-  destruct R as (HX & HY & HW & Hsum & [(-> & -> & -> & -> & ->) | [(-> & HW' & -> & -> & ->) | (-> & HY' & HW' & -> & -> & ->)]]);
+  destruct R as (HX & HY & HW & Hsum &
+    [(-> & -> & -> & -> & ->) | [(-> & HW' & -> & -> & ->) | (-> & HY' & HW' & -> & -> & ->)]]);
     rewrite ?andb_true_r, ?andb_false_r; decide_all; cbn [andb negb]; try lia;
     match goal with
     | |- walk n d ?X ?Y ?W ?i ?m ?t = _ + (_ + digits n d ?A ?B ?C ?above) =>
@@ -37,31 +38,7 @@ Proof.
     solve [left; lia | right; left; lia | right; right; lia].
 Qed.
 
-(* What the two algorithms begin with is related. *)
-
-Lemma floor_fraction a d x : 0 < d -> (x * inject_Z d == inject_Z a)%Q -> Qfloor x = a / d.
-Proof.
-  intros Hd H. destruct d as [| d | d]; try lia.
-  rewrite (Qfloor_comp x (a # d)); [reflexivity |].
-  apply Qmult_inj_r with (inject_Z (Z.pos d)).
-  - intros e. unfold Qeq in e. cbn in e. lia.
-  - rewrite H. unfold Qeq. cbn. lia.
-Qed.
-
-(* uf+vf >= 1, by the remainders. *)
-Lemma upper_half a b d x y : 0 < d -> (x * inject_Z d == inject_Z a)%Q -> (y * inject_Z d == inject_Z b)%Q ->
-  (x - inject_Z (a / d) + (y - inject_Z (b / d)) >=? 1)%Q = (d <=? a mod d + b mod d).
-Proof.
-  intros Hd Ha Hb.
-  assert (0 < inject_Z d)%Q as Hq by (change 0%Q with (inject_Z 0); rewrite <- Zlt_Qlt; exact Hd).
-  assert ((x - inject_Z (a / d) + (y - inject_Z (b / d))) * inject_Z d == inject_Z (a mod d + b mod d))%Q as e.
-  { rewrite !Z.mod_eq by lia. unfold Z.sub. rewrite !inject_Z_plus, !inject_Z_opp, !inject_Z_mult.
-    rewrite <- Ha, <- Hb. ring. }
-  apply eq_true_iff_eq. rewrite Qle_bool_iff, Z.leb_le. split; intros l.
-  - apply Qmult_le_compat_r with (z := inject_Z d) in l; [| lra].
-    rewrite e, Qmult_1_l, <- Zle_Qle in l. exact l.
-  - apply Qmult_le_r with (inject_Z d); [exact Hq |]. rewrite e, Qmult_1_l, <- Zle_Qle. exact l.
-Qed.
+(* What the two algorithms begin with is related: d N = E, and X/d, Y/d are uN, vN. *)
 
 Lemma grid_square_words N d X Y : 0 < d -> 0 < N -> 0 <= X -> 0 <= Y -> X + Y <= d * N ->
   exists A B C, related (d * N) X Y (d * N - X - Y) A B C false /\
@@ -111,42 +88,14 @@ Proof.
       rewrite Z_mod_plus_full, Z.mod_small by lia. apply Z.div_unique with (d - 1 - uf - vf); [left; lia | nia].
 Qed.
 
-Lemma clamp_in_unit q : (0 <= q <= 1)%Q -> clamp q = q.
+(* From the numerators X, Y of a point on: the index by either algorithm. *)
+Lemma walk_is_square n d X Y : 0 < d -> 0 <= X -> 0 <= Y -> X + Y <= d * side n ->
+  walk n d X Y (d * side n - X - Y) 0 false false =
+  index_of_square n (X / d) (Y / d) (d <=? X mod d + Y mod d).
 Proof.
-  intros [H0 H1]. unfold clamp. apply Qle_bool_iff in H0, H1. rewrite H0, H1. reflexivity.
-Qed.
-
-Theorem step_is_reference u v level : in_triangle u v -> uv2index u v level = reference u v level.
-Proof.
-  intros (Hu & Hv & Huv).
-  set (d := Z.pos (Qden u * Qden v)). assert (0 < d) as Hd by reflexivity.
-  set (N := side level). assert (0 < N) as HN by apply power_pos.
-  set (X := Qnum u * Z.pos (Qden v) * N). set (Y := Qnum v * Z.pos (Qden u) * N).
-  assert (u * inject_Z (d * N) == inject_Z X)%Q as eX.
-  { unfold Qeq, X, d, inject_Z. cbn [Qnum Qden Qmult]. rewrite !Pos2Z.inj_mul. ring. }
-  assert (v * inject_Z (d * N) == inject_Z Y)%Q as eY.
-  { unfold Qeq, Y, d, inject_Z. cbn [Qnum Qden Qmult]. rewrite !Pos2Z.inj_mul. ring. }
-  assert (0 <= X) as HX by (unfold X; apply Z.mul_nonneg_nonneg; [unfold Qle in Hu; cbn in Hu |]; lia).
-  assert (0 <= Y) as HY by (unfold Y; apply Z.mul_nonneg_nonneg; [unfold Qle in Hv; cbn in Hv |]; lia).
-  assert (0 < inject_Z (d * N))%Q as Hq by (change 0%Q with (inject_Z 0); rewrite <- Zlt_Qlt; lia).
-  assert (X + Y <= d * N) as HXY.
-  { rewrite Zle_Qle, inject_Z_plus, <- eX, <- eY.
-    apply Qle_trans with ((u + v) * inject_Z (d * N))%Q; [lra |].
-    apply Qle_trans with (1 * inject_Z (d * N))%Q; [| lra]. apply Qmult_le_compat_r; lra. }
-  destruct (grid_square_words N d X Y Hd HN HX HY HXY) as (A & B & C & R & (HA & HB & HC) & words).
-  unfold uv2index. rewrite (step_is_walk level d Hd _ _ _ X Y (d * N - X - Y)).
-  - rewrite (walk_is_digits level d Hd _ _ _ A B C) by exact R.
-    unfold reference. rewrite !clamp_in_unit by (split; lra). fold N.
-    assert ((inject_Z N * u) * inject_Z d == inject_Z X)%Q as fX by (rewrite <- eX, inject_Z_mult; ring).
-    assert ((inject_Z N * v) * inject_Z d == inject_Z Y)%Q as fY by (rewrite <- eY, inject_Z_mult; ring).
-    rewrite (floor_fraction X d _ Hd fX), (floor_fraction Y d _ Hd fY), (upper_half X Y d _ _ Hd fX fY).
-    unfold index_of_square. fold N. destruct (grid_square _ _ _ N) as [[iu iv] iw].
-    destruct words as (wu & wv & ww). cbn [Z.mul Z.add]. apply digits_curve with (d := d); assumption.
-  - exact eX.
-  - exact eY.
-  - unfold is. fold (side level). fold N.
-    setoid_replace ((1 - u - v) * inject_Z (d * N))%Q
-      with (inject_Z (d * N) - u * inject_Z (d * N) - v * inject_Z (d * N))%Q by ring.
-    rewrite eX, eY. unfold Z.sub. rewrite !inject_Z_plus, !inject_Z_opp. reflexivity.
-  - fold (side level). fold N. lia.
+  intros Hd HX HY HXY.
+  destruct (grid_square_words (side n) d X Y Hd (power_pos n) HX HY HXY) as (A & B & C & R & (HA & HB & HC) & words).
+  rewrite (walk_is_digits n d Hd _ _ _ A B C) by exact R. unfold index_of_square.
+  destruct (grid_square _ _ _ (side n)) as [[iu iv] iw]. destruct words as (wu & wv & ww).
+  cbn [Z.mul Z.add]. apply digits_curve with (d := d); assumption.
 Qed.

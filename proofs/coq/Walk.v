@@ -57,7 +57,8 @@ Qed.
 Lemma at_least_half q X D : 0 < D -> is q X (2 * D) -> (q >=? half)%Q = (D <=? X).
 Proof.
   intros HD H.
-  rewrite le_by_compare, <- (Qcompare_antisym q half), (compare_half q X D HD H), Z.leb_compare, (Z.compare_antisym X D).
+  rewrite le_by_compare, <- (Qcompare_antisym q half), (compare_half q X D HD H).
+  rewrite Z.leb_compare, (Z.compare_antisym X D).
   destruct (X ?= D); reflexivity.
 Qed.
 
