@@ -122,6 +122,49 @@ Definition reference (u v : Q) (level : nat) : Z :=
   let vf := (vn - inject_Z iv)%Q in
   index_of_square level iu iv (uf + vf >=? 1)%Q.
 
+(* The same in words of 32 bits, with the published code's shifts and masks: what leaves the 32 bits is cut off. *)
+Definition word (x : Z) : Z := x mod 2 ^ 32.
+Definition not32 (x : Z) : Z := word (Z.lnot x).
+
+(* f ^= f >> 1; f ^= f >> 2; f ^= f >> 4; f ^= f >> 8 *)
+Definition prefix_xor32 (t : Z) : Z :=
+  let f := t in
+  let f := Z.lxor f (Z.shiftr f 1) in
+  let f := Z.lxor f (Z.shiftr f 2) in
+  let f := Z.lxor f (Z.shiftr f 4) in
+  Z.lxor f (Z.shiftr f 8).
+
+(* Bit i of 16 goes to bit 2i. *)
+Definition spread32 (x : Z) : Z :=
+  let x := Z.land (Z.lor x (word (Z.shiftl x 8))) 0x00ff00ff in
+  let x := Z.land (Z.lor x (word (Z.shiftl x 4))) 0x0f0f0f0f in
+  let x := Z.land (Z.lor x (word (Z.shiftl x 2))) 0x33333333 in
+  Z.land (Z.lor x (word (Z.shiftl x 1))) 0x55555555.
+
+Definition published_of_square (level : nat) (iu iv : Z) (upper_half : bool) : Z :=
+  let N := side level in
+  let iu := if iu <? N then iu else N - 1 in
+  let iv := if iv <? N then iv else N - 1 in
+  let iuv := word (iu + iv) in
+  let iu := if iuv <? N then iu else word (iu - (iuv - N + 1)) in
+  let iw := not32 (word (iu + iv)) in
+  let iw := if upper_half && (iuv <? N - 1) then word (iw - 1) else iw in
+  let b0 := Z.land (not32 (Z.lxor iu iw)) (N - 1) in
+  let t := Z.land (Z.lxor iu iv) b0 in
+  let f := prefix_xor32 t in
+  let b1 := Z.lor (Z.land (Z.lxor f iu) (not32 b0)) t in
+  Z.lor (spread32 b0) (word (Z.shiftl (spread32 b1) 1)).
+
+(* The published code, but for its floats: uN and vN are exact here. *)
+Definition published (u v : Q) (level : nat) : Z :=
+  let un := (inject_Z (side level) * clamp u)%Q in
+  let vn := (inject_Z (side level) * clamp v)%Q in
+  let iu := Qfloor un in
+  let iv := Qfloor vn in
+  let uf := (un - inject_Z iu)%Q in
+  let vf := (vn - inject_Z iv)%Q in
+  published_of_square level iu iv (uf + vf >=? 1)%Q.
+
 (* ---------------------------------------------------------------------------------------------------------------------
    From the index back to the micro-triangle
    ------------------------------------------------------------------------------------------------------------------ *)

@@ -4,13 +4,19 @@
    `A /\ B` is A and B.  scripts/check-coq asks Coq on which axioms each theorem rests; the answer has to be: none.  The
    names are those of the laws of `mmverify list index` that say the same level by level. *)
 From Coq Require Import Lia.
-Require Import Definitions Walk Words Induction Points Triangles Bijection Curve.
+Require Import Definitions Walk Words Induction Points Triangles Bijection Curve Published.
 
 (* index.all_levels.  At every level, for every rational point of the closed triangle, Algorithm 4 gives the index of
    the reference code. *)
 Theorem all_levels : forall (level : nat) (u v : Q),
   in_triangle u v -> uv2index u v level = reference u v level.
 Proof. intros level u v. apply step_is_reference. Qed.
+
+(* Up to level 16 the published code's words of 32 bits, shifts and masks give the same, for every rational point of the
+   plane; with all_levels, Algorithm 4 is the published code, but for its floats. *)
+Theorem words_of_32_bits : forall (level : nat) (u v : Q),
+  (level <= 16)%nat -> published u v level = reference u v level.
+Proof. intros level u v. apply published_is_reference. Qed.
 
 (* index.in_range.  The index is one of 0 ... 4^level - 1: that of Algorithm 4, and that of the reference code, which
    takes any point. *)
