@@ -235,3 +235,9 @@ Definition corners_of (T : micro_triangle) : triangle :=
 
 (* The same three corners, in whatever order. *)
 Definition same_corners (P P' : triangle) : Prop := forall p, is_corner p P <-> is_corner p P'.
+
+(* What two micro-triangles have in common. *)
+Definition share_an_edge (P P' : triangle) : Prop :=
+  exists p q, p <> q /\ is_corner p P /\ is_corner q P /\ is_corner p P' /\ is_corner q P'.
+Definition share_one_corner (P P' : triangle) : Prop :=
+  exists p, forall q, is_corner q P /\ is_corner q P' <-> q = p.

@@ -4,7 +4,8 @@
    `A /\ B` is A and B.  scripts/check-coq asks Coq on which axioms each theorem rests; the answer has to be: none.  The
    names are those of the laws of `mmverify list index` that say the same level by level. *)
 From Coq Require Import Lia.
-Require Import Definitions Walk Words Induction Points Triangles Bijection Curve Published.
+Require Import Definitions Walk Words Induction Points Triangles Bijection Curve Neighbours
+  Published.
 
 (* index.all_levels.  At every level, for every rational point of the closed triangle, Algorithm 4 gives the index of
    the reference code. *)
@@ -86,8 +87,22 @@ Proof.
   apply half_square_corners.
 Qed.
 
-(* index.contiguous, in part.  Where a micro-triangle ends the next along the curve begins: P2 of the one is P0 of the
+(* Where a micro-triangle ends the next along the curve begins: P2 of the one is P0 of the
    other. *)
 Theorem contiguous : forall (level : nat) (k : Z), 0 <= k -> k + 1 < 4 ^ Z.of_nat level ->
   P2_of (corners level k) = P0_of (corners level (k + 1)).
 Proof. intros level k H0 H1. apply descend_contiguous. rewrite Z.mod_small; lia. Qed.
+
+(* index.contiguous.  From index k to k+1, m digits 3 at the end become 0 and the digit before them grows by one: where
+   it was 0 or 1 the two micro-triangles share an edge, where it was 2 they share one corner and no more. *)
+Theorem neighbours : forall (level m : nat) (k : Z), 0 <= k -> k + 1 < 4 ^ Z.of_nat level ->
+  k mod 4 ^ Z.of_nat m = 4 ^ Z.of_nat m - 1 ->
+  let digit := (k / 4 ^ Z.of_nat m) mod 4 in
+  (digit = 0 \/ digit = 1 -> share_an_edge (corners level k) (corners level (k + 1))) /\
+  (digit = 2 -> share_one_corner (corners level k) (corners level (k + 1))).
+Proof.
+  intros level m k H0 H1 H digit. pose proof (corners_joined level m k H0 H1 H) as J. fold digit in J.
+  split.
+  - intros [e | e]; rewrite e in J; exact (J ltac:(lia)).
+  - intros e. rewrite e in J. exact (J ltac:(lia)).
+Qed.
