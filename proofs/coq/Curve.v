@@ -1,6 +1,6 @@
 (* The order along the curve: digits of deeper levels follow, and neighbours in the order touch. *)
 From Coq Require Import Lia.
-Require Import Definitions Walk Words Induction Triangles.
+Require Import Definitions.
 
 (* One step takes one digit, whatever the number of steps to come. *)
 Lemma step_S u v w index mid top : exists u' v' w' digit mid' top', 0 <= digit < 4 /\
@@ -32,15 +32,6 @@ Proof.
   destruct (step_S u v w index mid top) as (u' & v' & w' & digit & mid' & top' & H & e). rewrite e.
   specialize (IH u' v' w' (4 * index + digit) mid' top'). rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia. nia.
 Qed.
-
-Lemma interleave_range n b0 b1 : 0 <= interleave n b0 b1 < 4 ^ Z.of_nat n.
-Proof.
-  induction n as [| n IH]; [cbn; lia |]. cbn [interleave]. rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia.
-  unfold bit. destruct (Z.testbit b0 _), (Z.testbit b1 _); lia.
-Qed.
-
-Lemma square_range n iu iv upper : 0 <= index_of_square n iu iv upper < 4 ^ Z.of_nat n.
-Proof. unfold index_of_square. destruct (grid_square _ _ _ _) as [[a b] c]. apply interleave_range. Qed.
 
 (* Entry and exit of a triangle that is cut n times: its first micro-triangle begins at P0, its last ends at P2. *)
 

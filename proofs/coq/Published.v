@@ -1,7 +1,7 @@
 (* The published code's words of 32 bits, its doublings and its masks give, up to level 16, what words without bounds
    give. *)
 From Coq Require Import Lia Lqa.
-Require Import Definitions Walk Words Curve.
+Require Import Definitions Walk Words.
 
 Lemma word_bit x i : i < 32 -> Z.testbit (word x) i = Z.testbit x i.
 Proof. intros H. apply Z.mod_pow2_bits_low. exact H. Qed.

@@ -145,3 +145,12 @@ Proof.
 Qed.
 
 End Curve.
+
+Lemma interleave_range n b0 b1 : 0 <= interleave n b0 b1 < 4 ^ Z.of_nat n.
+Proof.
+  induction n as [| n IH]; [cbn; lia |]. cbn [interleave]. rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia.
+  unfold bit. destruct (Z.testbit b0 _), (Z.testbit b1 _); lia.
+Qed.
+
+Lemma square_range n iu iv upper : 0 <= index_of_square n iu iv upper < 4 ^ Z.of_nat n.
+Proof. unfold index_of_square. destruct (grid_square _ _ _ _) as [[a b] c]. apply interleave_range. Qed.
