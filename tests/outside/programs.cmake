@@ -65,3 +65,9 @@ if(NOT MMVERIFY_SANITIZE)
   add_test(NAME slurm_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/slurm_test.sh $<TARGET_FILE:mmverify>)
   set_tests_properties(slurm_test PROPERTIES SKIP_RETURN_CODE 77 LABELS cluster RUN_SERIAL ON TIMEOUT 300)
 endif()
+
+# The theorems of proofs/coq; without Coq (./run coq installs it) skipped, and so said.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME coq_test COMMAND ${PROJECT_SOURCE_DIR}/scripts/check-coq $<TARGET_FILE:mmverify>)
+  set_tests_properties(coq_test PROPERTIES SKIP_RETURN_CODE 77 LABELS coq TIMEOUT 600)
+endif()
