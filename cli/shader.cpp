@@ -35,7 +35,7 @@ std::string with_device(const std::string& name, std::optional<std::uint32_t> de
   auto shader = shaders::shader_name(file);
   if (!shader) return name;
   // What the name says itself stands.
-  if (!shader->device) shader->device = device;
+  if (!shader->device && device != 0u) shader->device = device;
   if (!shader->entry_point) shader->entry_point = entry_point;
   return shaders::to_text(*shader) + (kind.empty() ? "" : ":" + kind);
 }
