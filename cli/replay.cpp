@@ -10,7 +10,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
 #include "cli/shader.hpp"
-#include "proofs/index/built_in.hpp"
+#include "proofs/index/subjects/built_in.hpp"
 #include "proofs/registry.hpp"
 
 namespace mmverify::cli {
