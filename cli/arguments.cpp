@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 
 #include "cli/exit_code.hpp"
+#include "cli/shader.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/plugin.hpp"
 #include "proofs/registry.hpp"
@@ -105,32 +107,61 @@ std::vector<const Law*> parse_laws(const std::vector<std::string>& names, Tier t
 
 namespace {
 
+/// Lines KEY: VALUE.
+std::vector<std::pair<std::string, std::string>> keys_and_values(const std::string& text) {
+  std::vector<std::pair<std::string, std::string>> all;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(": ");
+    if (colon != std::string::npos)
+      all.emplace_back(line.substr(0, colon), line.substr(colon + 2));
+    else if (!line.empty())
+      all.emplace_back("about", line);
+  }
+  return all;
+}
+
 /// The subjects of a library, or the one that FILE:KIND means.
-std::vector<SubjectPtr> of_library(const std::string& name, double timeout_seconds) {
+std::vector<SubjectPtr> of_library(const std::string& name, double timeout_seconds,
+                                   std::vector<RunsOn>* runs_on) {
   std::error_code error;
   const auto [file, kind] = std::filesystem::exists(name, error) ? PluginName{name, {}} : plugin_name(name);
   if (!std::filesystem::exists(file, error)) throw EnvironmentError(fmt::format("{}: no such file", file));
-  std::vector<SubjectPtr> chosen;
   try {
-    for (const PluginSubject& offered : plugin_subjects(file, timeout_seconds))
-      if (kind.empty() || kind == offered.kind) chosen.push_back(offered.subject);
+    dock::Options options;
+    options.timeout_seconds = timeout_seconds;
+    return subjects_of(open_library(file, options), kind, runs_on);
+  } catch (const dock::NotHere& why) {
+    return absent_subjects(name, {}, why.what());
   } catch (const dock::CannotLoad& why) {
     throw EnvironmentError(why.what());
   }
-  if (chosen.empty()) throw UsageError(fmt::format("{}: it has no entry point of {}", file, kind));
-  return chosen;
 }
 
 }  // namespace
 
-std::vector<SubjectPtr> parse_subject(const std::string& name, double timeout_seconds) {
+std::vector<SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::string& kind,
+                                    std::vector<RunsOn>* runs_on) {
+  std::vector<SubjectPtr> chosen;
+  for (const PluginSubject& offered : plugin_subjects(library))
+    if (kind.empty() || kind == offered.kind) chosen.push_back(offered.subject);
+  if (chosen.empty()) throw UsageError(fmt::format("{}: it has no entry point of {}", library->path(), kind));
+  if (const std::string text = library->runs_on(); runs_on != nullptr && !text.empty())
+    runs_on->push_back({library->path(), keys_and_values(text), {}});
+  return chosen;
+}
+
+std::vector<SubjectPtr> parse_subject(const std::string& name, double timeout_seconds,
+                                      std::vector<RunsOn>* runs_on) {
   if (SubjectPtr subject = find_subject(name)) return {subject};
+  if (is_shader(name)) return of_shader(name, timeout_seconds, runs_on);
   if (name.find('/') != std::string::npos || plugin_name(name).file.ends_with(".so"))
-    return of_library(name, timeout_seconds);
+    return of_library(name, timeout_seconds, runs_on);
   std::vector<std::string> names;
   for (const SubjectPtr& s : subjects()) names.push_back(s->name());
-  throw UsageError(fmt::format("no subject is called '{}'; there are {}, or a shared library's path", name,
-                               fmt::join(names, ", ")));
+  throw UsageError(
+      fmt::format("no subject is called '{}'; there are {}, or a shared library's or a shader's path", name,
+                  fmt::join(names, ", ")));
 }
 
 std::string grouped(std::uint64_t n) {

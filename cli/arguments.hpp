@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dock/library.hpp"
 #include "proofs/bake/subject.hpp"
 #include "proofs/engine/law.hpp"
 
@@ -38,10 +39,22 @@ std::string shell_quoted(const std::string& text);
 /// none.
 std::vector<const proofs::Law*> parse_laws(const std::vector<std::string>& names, proofs::Tier tier);
 
-/// The subjects that a name or a file means: one built-in, or those that a shared library offers.
-/// timeout_seconds: for one batch of a library.  UsageError for an unknown name; EnvironmentError for a file
-/// that is missing or is no subject.
-std::vector<proofs::SubjectPtr> parse_subject(const std::string& name, double timeout_seconds);
+/// What is known of where a subject runs, for who prints results.
+struct RunsOn {
+  std::string subject;
+  std::vector<std::pair<std::string, std::string>> about;  ///< key and value
+  std::vector<std::string> warnings;
+};
+
+/// The subjects that a name or a file means: one built-in, or those that a shared library or a shader offers; the latter are
+/// in cli/shader.cpp.  timeout_seconds: for one batch of a library.  UsageError for an unknown name and for a shader that
+/// does not compile; EnvironmentError for a file that is missing or is no subject.
+std::vector<proofs::SubjectPtr> parse_subject(const std::string& name, double timeout_seconds,
+                                              std::vector<RunsOn>* runs_on = nullptr);
+
+/// The subjects of a library that is open; of a kind alone where one is named.
+std::vector<proofs::SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::string& kind,
+                                            std::vector<RunsOn>* runs_on);
 
 /// 1234567 as 1,234,567.
 std::string grouped(std::uint64_t n);

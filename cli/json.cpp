@@ -63,7 +63,7 @@ Json result(const Result& r) {
 }  // namespace
 
 std::string to_json(const Report& report, std::uint64_t seed, const std::optional<Shard>& shard,
-                    const Identity& identity, const std::string& scene) {
+                    const Identity& identity, const std::string& scene, const std::vector<RunsOn>& runs_on) {
   Json j{{"schema", "mmverify.result/1"},
          {"tool", tool({{"threads", report.threads}, {"seed", seed}})},
          {"results", Json::array()},
@@ -74,6 +74,11 @@ std::string to_json(const Report& report, std::uint64_t seed, const std::optiona
     for (const auto& [name, value] : identity) run[name] = value;
     j["shard"] = {
         {"number", shard->number}, {"of", shard->of}, {"finished", !report.interrupted}, {"run", run}};
+  }
+  for (const RunsOn& one : runs_on) {
+    Json about = Json::object();
+    for (const auto& [key, value] : one.about) about[key] = value;
+    j["runs_on"].push_back({{"subject", one.subject}, {"about", about}, {"warnings", one.warnings}});
   }
   if (!scene.empty()) j["scene"] = Json::parse(scene);
   for (const Result& r : report.results) j["results"].push_back(result(r));

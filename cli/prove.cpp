@@ -15,6 +15,7 @@
 #include "cli/junit.hpp"
 #include "cli/output_file.hpp"
 #include "cli/run_identity.hpp"
+#include "cli/shader.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/options.hpp"
@@ -33,17 +34,20 @@ struct ProveOptions {
   std::uint32_t near = 0;
   std::size_t errors = 1;
   std::uint64_t seed = 1, cases = 0;
-  double timeout = 10;
+  std::optional<double> timeout;
+  std::optional<std::uint32_t> device;
+  std::optional<std::string> entry;
   bool quiet = false, no_mutants = false, no_companions = false;
   std::string shard, journal;
 };
 
-Request request(const ProveOptions& options) {
+Request request(const ProveOptions& options, std::vector<RunsOn>& runs_on) {
   Request r;
   r.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
   r.laws = parse_laws(options.laws, r.tier);
   for (const std::string& name : options.subjects)
-    for (const SubjectPtr& subject : parse_subject(name, options.timeout))
+    for (const SubjectPtr& subject : parse_subject(with_device(name, options.device, options.entry),
+                                                   timeout_of(name, options.timeout), &runs_on))
       if (std::find(r.subjects.begin(), r.subjects.end(), subject) == r.subjects.end())
         r.subjects.push_back(subject);
   if (options.levels) r.levels = parse_levels(*options.levels);
@@ -91,7 +95,11 @@ int prove(const ProveOptions& options) {
   for (const std::string& other : {options.json, options.junit})
     if (!options.journal.empty() && same_file(options.journal, other))
       throw UsageError(fmt::format("--journal: {} is another output's file", options.journal));
-  const std::vector<Job> jobs = plan(request(options));
+  if ((options.device || options.entry) &&
+      std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
+    throw UsageError("--device, --entry: no --subject is a shader; leave them out");
+  std::vector<RunsOn> runs_on;
+  const std::vector<Job> jobs = plan(request(options, runs_on));
   if (options.cells == "interior" && std::none_of(jobs.begin(), jobs.end(), [](const Job& job) {
         return has(job.law->heeds, index::interiors_only);
       }))
@@ -123,12 +131,16 @@ int prove(const ProveOptions& options) {
   const std::unique_ptr<Journal> journal = open_journal(options.journal, identity, run.shard);
   run.journal = journal.get();
   run.mutants = !options.no_mutants;
+  for (const RunsOn& one : runs_on) {
+    for (const auto& [key, value] : one.about) text.note(fmt::format("{}: {}: {}", one.subject, key, value));
+    for (const std::string& warning : one.warnings) text.note("warning: " + warning);
+  }
   announce_companions(jobs, text);
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, !options.subjects.empty());
   if (report.interrupted && journal)
     fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
-  const auto as_json = [&] { return to_json(report, options.seed, run.shard, identity); };
+  const auto as_json = [&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); };
   if (json) json->commit(as_json());
   if (options.json == "-") fmt::print("{}", as_json());
   if (junit) junit->commit(to_junit(report));
@@ -148,7 +160,7 @@ Action add_prove(CLI::App& program) {
   command->add_option("--levels", options->levels, "levels A..B, both included; the tier's where not given")
       ->type_name("A..B");
   command->add_option("--subject", options->subjects, "who is judged; may be given again")
-      ->type_name("NAME|FILE.so")
+      ->type_name("NAME|FILE.so|SHADER")
       ->allow_extra_args(false);
   command
       ->add_option("--threads", options->threads,
@@ -176,8 +188,19 @@ Action add_prove(CLI::App& program) {
                    "draw at least so many cases of each sampled law of bakers, over its four lowest levels")
       ->check(whole_within(1, 10'000'000));
   command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
-  command->add_option("--timeout", options->timeout, "seconds that a library may take for a batch of 4096")
+  command
+      ->add_option("--timeout", options->timeout,
+                   "seconds that a library may take for a batch; 10 where not given, 60 of a shader")
       ->check(finite_within(0.01, 86400));
+  command
+      ->add_option("--device", options->device,
+                   "the Vulkan device that runs a shader, by number; 0 where not given")
+      ->type_name("N")
+      ->check(whole_within(0, 9999));
+  command
+      ->add_option("--entry", options->entry,
+                   "what a shader with a main of its own answers; index_f32 where not given")
+      ->type_name("NAME");
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--junit", options->junit, "write the results as JUnit XML")->type_name("FILE");
   command->add_option("--shard", options->shard, "run part K of N of each law's domain; see merge")

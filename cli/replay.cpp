@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
+#include "cli/shader.hpp"
 #include "proofs/index/subjects/built_in.hpp"
 #include "proofs/registry.hpp"
 
@@ -19,7 +20,7 @@ using namespace proofs;
 
 struct ReplayOptions {
   std::string law, level, at, subject, picture;
-  double timeout = 10;
+  std::optional<double> timeout;
   std::optional<std::string> answer;
 };
 
@@ -31,7 +32,7 @@ SubjectPtr parse_one(const ReplayOptions& options, const Law& law) {
       throw UsageError(fmt::format("--answer {}", error.what()));
     }
   if (options.subject.empty()) return find_subject(law.subjects.front());
-  const auto offered = parse_subject(options.subject, options.timeout);
+  const auto offered = parse_subject(options.subject, timeout_of(options.subject, options.timeout));
   for (const SubjectPtr& subject : offered)
     if (subject->topic() == law.topic) return subject;
   return offered.front();
@@ -43,6 +44,8 @@ int replay(const ReplayOptions& options) {
     throw UsageError(fmt::format("no law is called '{}'; `mmverify list` names them all", options.law));
   const Level level = parse_level(options.level);
   const SubjectPtr subject = parse_one(options, *law);
+  if (const std::string why = subject->absent(); !why.empty())
+    throw UsageError(fmt::format("{}: {}", subject->name(), why));
   if (const auto why = law->unfit(*subject, level)) throw UsageError(*why);
   if (!law->replay)
     throw UsageError(

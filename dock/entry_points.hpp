@@ -100,7 +100,8 @@ constexpr const EntryPoint& entry_point(Call c) { return entry_points[static_cas
 /// Pointers to data may stand between those to functions.
 constexpr bool is_data(std::size_t offset) {
   return offset == offsetof(mmverify_subject_t, bake_support) ||
-         offset == offsetof(mmverify_subject_t, attribute_support);
+         offset == offsetof(mmverify_subject_t, attribute_support) ||
+         offset == offsetof(mmverify_subject_t, runs_on);
 }
 
 constexpr bool rows_are_the_headers() {

@@ -16,6 +16,9 @@ constexpr std::size_t batch_size = 4096;
 constexpr std::size_t slots = 128;
 constexpr std::size_t capacity = batch_size * slots;
 
+/// With so many elements a subject is called that says MMVERIFY_LARGE_BATCHES.
+constexpr std::size_t large_batch_size = batch_size * 16;
+
 /// The largest map, code or case: a 4-state map of level 12 has 4 MiB, its tree 6.7, the largest texture asked about 16.01.
 constexpr std::size_t blob_capacity = std::size_t{1} << 25;
 

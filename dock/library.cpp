@@ -22,7 +22,9 @@ std::string fingerprint_of(const std::string& library) {
 }  // namespace
 
 Library::Library(const std::string& path, const Options& options)
-    : pool_(path, options), fingerprint_(fingerprint_of(path)) {
+    : pool_(path, options),
+      path_(options.called.empty() ? path : options.called),
+      fingerprint_(options.fingerprint.empty() ? fingerprint_of(path) : options.fingerprint) {
   Borrowed worker(pool_);
   description_ = worker->description();
   worker.give_back();

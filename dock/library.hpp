@@ -32,14 +32,18 @@ class Borrowed {
 
 class Library {
  public:
-  /// Throws CannotLoad where the file is no subject, std::runtime_error where no process can be had.
+  /// Throws CannotLoad where the file is no subject, NotHere where it says that it cannot run here, std::runtime_error
+  /// where no process can be had.
   Library(const std::string& path, const Options& options);
 
-  const std::string& path() const { return pool_.library(); }
+  /// What its subjects are called by: Options::called, or its path.
+  const std::string& path() const { return path_; }
   const Description& description() const { return description_; }
   bool offers(Call call) const { return description_.has[static_cast<std::size_t>(call)]; }
   /// Whether it has an entry point of the topic.
   bool offers(Topic topic) const;
+  /// Where it runs, in lines KEY: VALUE; empty where it says nothing.
+  std::string runs_on() const { return description_.runs_on; }
   /// What it calls itself.
   std::string about() const { return description_.name[0] != 0 ? description_.name : "a shared library"; }
   /// The file's contents, in a word: its size and a checksum.
@@ -51,7 +55,7 @@ class Library {
   mutable Pool pool_;
   mutable KnownBreaks known_breaks_;
   Description description_{};
-  std::string fingerprint_;
+  std::string path_, fingerprint_;
 };
 using LibraryPtr = std::shared_ptr<const Library>;
 

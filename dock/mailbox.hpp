@@ -13,6 +13,7 @@ namespace mmverify::dock {
 enum class Outcome : std::uint32_t {
   ready,
   cannot_load,
+  not_here,
   answered,
   threw,
   changed_mode,
@@ -25,6 +26,7 @@ enum class Outcome : std::uint32_t {
 /// What was loaded.
 struct Description {
   char name[128];
+  char runs_on[4096];
   std::uint32_t max_level, flags;
   std::array<bool, calls> has;           ///< by number of Call
   mmverify_bake_support_t bake_support;  ///< zeros where it says nothing

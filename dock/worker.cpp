@@ -54,6 +54,7 @@ Worker::Worker(std::string library, const Options& options, QuestionCounts asked
       environment_(worker_environment(library_)),
       layout_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))),
       asked_(std::move(asked)) {
+  environment_.insert(environment_.end(), options_.environment.begin(), options_.environment.end());
   start();
 }
 
@@ -106,6 +107,7 @@ void Worker::start() {
       throw CannotLoad(fmt::format("{}: {} while it was loaded", library_, end_of_process()));
     }
   }
+  if (mailbox_->outcome == Outcome::not_here) throw NotHere(mailbox_->message);
   if (mailbox_->outcome == Outcome::cannot_load)
     throw CannotLoad(fmt::format("{}: {}", library_, mailbox_->message));
 }
@@ -264,6 +266,7 @@ std::string Worker::misdeed() const {
     case Outcome::answered:
     case Outcome::ready:
     case Outcome::cannot_load:
+    case Outcome::not_here:
       break;
   }
   return {};
@@ -277,6 +280,13 @@ void Worker::ask_of_this_level_alone(Call call, std::uint32_t level, std::uint64
   start();
   put(call, again);
   ask(call, level, count, format);
+}
+
+std::pair<std::uint64_t, std::uint64_t> Worker::called_with(std::uint64_t element,
+                                                            std::uint64_t count) const {
+  const bool large = (description().flags & MMVERIFY_LARGE_BATCHES) != 0;
+  const std::uint64_t most = large ? large_batch_size : batch_size, first = element / most * most;
+  return {first, std::min(most, count - first)};
 }
 
 void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint32_t format) {
@@ -294,18 +304,17 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint3
   if (!answered) {
     found.what = why_no_answer();
     found.hung = hung_;
-    const auto slot = static_cast<std::size_t>(mailbox_->begun.load() / batch_size);
-    found.first = slot * batch_size;
-    found.count = in_slot(count, slot);
+    std::tie(found.first, found.count) = called_with(mailbox_->begun.load(), count);
     pin_down(call, level, format, count, found);
     throw found;
   }
   found.what = misdeed();
-  const std::uint64_t element = mailbox_->element, batch = element / batch_size;
+  const std::uint64_t element = mailbox_->element;
   switch (mailbox_->outcome) {
     case Outcome::answered:
     case Outcome::ready:
     case Outcome::cannot_load:
+    case Outcome::not_here:
       return;
     case Outcome::unwritten:
     case Outcome::non_deterministic:
@@ -313,8 +322,7 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint3
     default:
       break;
   }
-  found.first = batch * batch_size;
-  found.count = in_slot(count, static_cast<std::size_t>(batch));
+  std::tie(found.first, found.count) = called_with(element, count);
   pin_down(call, level, format, count, found);
   throw found;
 }

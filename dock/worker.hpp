@@ -24,6 +24,11 @@ struct CannotLoad : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A library that says that it cannot run here; what() is its reason.
+struct NotHere : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// What a subject did instead of answering.
 struct Misbehaved {
   std::string what;            ///< "crashed (signal 11, Segmentation fault)", "hung: ...", ...
@@ -33,9 +38,13 @@ struct Misbehaved {
 };
 
 struct Options {
-  double timeout_seconds = 10;  ///< for one batch of 4096, or one map or code
+  double timeout_seconds = 10;  ///< for one batch, or one map or code
   /// Called while an answer is waited for, several times a second; what it throws ends the wait.
   void (*stop_if_asked)() = [] {};
+  std::vector<std::string> environment = {};  ///< NAME=VALUE each, for the workers alone
+  std::string called = {};                    ///< the subject's name; empty: the library's path
+  std::string fingerprint = {};               ///< what it is known by; empty: by the library's contents
+  std::shared_ptr<const void> keeps = {};     ///< what has to outlive the workers
 };
 
 /// What is asked about a map or a code.
@@ -60,7 +69,8 @@ using QuestionCounts = std::map<std::tuple<Call, std::uint32_t, std::uint32_t>, 
 /// One process with the library loaded. Not for two threads at once.
 class Worker {
  public:
-  /// Starts it; CannotLoad where the library is no subject, std::runtime_error where no process can be had.
+  /// Starts it; CannotLoad where the library is no subject, NotHere where it says so, std::runtime_error where no
+  /// process can be had.
   /// `asked`: what those were asked whose place it takes.
   Worker(std::string library, const Options& options, QuestionCounts asked = {});
   ~Worker();
@@ -86,6 +96,8 @@ class Worker {
  private:
   void start();
   void stop();
+  /// The elements of a command that one call of the subject is about: those around `element`.
+  std::pair<std::uint64_t, std::uint64_t> called_with(std::uint64_t element, std::uint64_t count) const;
   /// Brings the process to the processor that this thread runs on: only one of the two has work at a time,
   /// the numbers are in that processor's cache, and nobody has to be woken on an idle one.  Not before its
   /// first command, so that threads which a subject starts for itself go where they like.

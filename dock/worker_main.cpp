@@ -43,8 +43,9 @@ int main(int argc, char** argv) {
   if (base == nullptr) return 4;
   auto& mailbox = *reinterpret_cast<Mailbox*>(base);
   mmverify_subject_t subject{};
-  const std::string why = cannot_load(mailbox.description, argv[2], subject);
-  mailbox.outcome = why.empty() ? Outcome::ready : Outcome::cannot_load;
+  Outcome outcome = Outcome::ready;
+  const std::string why = cannot_load(mailbox.description, argv[2], subject, outcome);
+  mailbox.outcome = outcome;
   std::snprintf(mailbox.message, sizeof mailbox.message, "%s", why.c_str());
   mailbox.turn.store(0, std::memory_order_release);
   futex_wake(mailbox.turn);

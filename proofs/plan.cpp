@@ -22,6 +22,7 @@ bool planned(const std::vector<Job>& jobs, const Law& law, const Subject& subjec
 }
 
 bool fits_somewhere(const Law& law, const Subject& subject, const Levels& levels) {
+  if (!subject.absent().empty()) return false;
   for (Level n = levels.first; n <= levels.last; ++n)
     if (!law.unfit(subject, n)) return true;
   return false;
@@ -62,7 +63,9 @@ std::vector<Job> plan(const Request& request) {
             {},
             brought_by};
     if (request.levels && law.at_once.empty()) job.levels = *request.levels;
-    if (subject->topic() != law.topic)
+    if (!subject->absent().empty())
+      job.unfit = subject->absent();
+    else if (subject->topic() != law.topic)
       job.unfit = fmt::format("{} is a subject of topic {}", subject->name(), subject->topic());
     else if (!about(law, *subject))
       job.unfit = fmt::format("{} is about {}", law.id, fmt::join(law.subjects, ", "));

@@ -8,10 +8,17 @@
 
 namespace mmverify::proofs {
 
-/// Opens the library once.  The first of its subjects is named as the file, the others FILE:KIND.
-/// One batch, or one map or code, may take `timeout_seconds`.
-/// Throws dock::CannotLoad, and std::runtime_error where no process can be had.
-std::vector<PluginSubject> plugin_subjects(const std::string& file, double timeout_seconds);
+/// Opens the library once; what stops a run stops its workers.
+/// Throws dock::CannotLoad, dock::NotHere, and std::runtime_error where no process can be had.
+dock::LibraryPtr open_library(const std::string& file, dock::Options options);
+
+/// The first of its subjects is named as the library, the others FILE:KIND.
+std::vector<PluginSubject> plugin_subjects(const dock::LibraryPtr& library);
+
+/// Of a library that cannot run here: a subject for each topic that these entry points are of, for no topic that of index,
+/// whose laws are not_applicable for that reason.
+std::vector<SubjectPtr> absent_subjects(const std::string& name, const std::vector<std::string>& entry_points,
+                                        const std::string& why);
 
 /// FILE:KIND in two; the kind is empty where the name has none.
 struct PluginName {

@@ -38,6 +38,9 @@ extern "C" {
 #define MMVERIFY_VQ_KEEPS 4u      /* vq2_encode and vq4_encode keep every map that a block can hold */
 #define MMVERIFY_BAKE_CENTROID 8u /* bake's unknown states are those of the centroid; see bake */
 #define MMVERIFY_BAKE_TIGHT 64u   /* nothing is unknown in bake's maps but what has to be */
+/* A call costs as much as thousands of elements do, as a dispatch on a device does: points, indices and places come in
+ * batches of up to 65,536, and answers are asked again less often. */
+#define MMVERIFY_LARGE_BATCHES 128u
 /* The order of `corners`; at most one of these. */
 #define MMVERIFY_CORNERS_OF_CHILDREN 16u /* those that the children 0, 2 and 3 touch */
 #define MMVERIFY_CORNERS_BASE_U_V \
@@ -382,11 +385,19 @@ typedef struct mmverify_subject {
   void (*traverse_decide)(uint32_t api, const uint32_t* candidate, const uint32_t* instance_flags,
                           const uint32_t* ray_flags, uint8_t* outcome, size_t count);
 
+  /* Where it runs, for whom that matters: lines KEY: VALUE, which are printed and kept with the verdicts, of 4000
+   * bytes together.  May be null. */
+  const char* runs_on;
+
   /* Arrays will have their entry points after these. */
 } mmverify_subject_t;
 
 /* The one exported symbol. The result must stay valid for the life of the process; null is an error. */
 const mmverify_subject_t* mmverify_subject_v1(void);
+
+/* A library that can run in some places only may export this as well. It is asked where mmverify_subject_v1 returned
+ * null: why it cannot run here, "no Vulkan device" for example. Its laws are then not_applicable for that reason. */
+const char* mmverify_subject_v1_not_here(void);
 
 #ifdef __cplusplus
 }

@@ -12,7 +12,7 @@ namespace mmverify::cli {
 
 bench::SubjectFigures subject_figures(const std::string& library, std::uint32_t level) {
   using namespace proofs;
-  constexpr dock::Options options;
+  const dock::Options options;
   const auto subjects = parse_subject(library, options.timeout_seconds);
   dock::Cost cost;
   try {

@@ -82,6 +82,10 @@ class Desk {
 
   /// Numbers in slots (numbers.cpp).
   void run_on_numbers(std::uint64_t number);
+  /// The same for a subject of MMVERIFY_LARGE_BATCHES (large.cpp): many slots a call, and asked again less often.
+  void run_on_large_batches(std::uint64_t number);
+  /// `count` elements from `from` on, which several slots hold: asked in one call, over bytes of `filling`.
+  std::vector<std::byte> ask_at_once(std::size_t from, std::size_t count, unsigned char filling);
   /// `count` elements of a slot from `at` on.
   Arguments piece(std::size_t slot, std::size_t at, std::size_t count, std::byte* out) const;
   std::byte* slot_answer(std::size_t slot) const;
@@ -90,13 +94,13 @@ class Desk {
   /// must be whole before another call reads it.  What is thrown comes again.
   FromThreads slot_from_threads_first(std::size_t slot);
   /// Asks a batch again in pieces of another size, and so at other places and addresses.
-  void ask_slot_again(std::size_t slot, std::size_t size);
+  void ask_slot_again(std::size_t slot, std::size_t size, std::size_t most = batch_size);
   /// Both threads ask the batch; then one of them does, and the other one the same turned by half of it.
   void ask_slot_from_threads(std::size_t slot);
-  /// Asks each element again right after the same at another level.
-  void ask_slot_after_another_level(std::size_t slot);
+  /// Asks each of the first `most` elements again right after the same at another level.
+  void ask_slot_after_another_level(std::size_t slot, std::size_t most = batch_size);
   /// `other` is that level; an index is shifted to the right by so many bits.
-  void ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits);
+  void ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits, std::size_t most);
   /// Asks a batch again as often as fills a large one.
   void ask_slot_many_times_over(std::size_t slot);
   /// Asks a batch again with each array, and the answers, at addresses of their own modulo 64.

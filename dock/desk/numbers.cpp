@@ -9,11 +9,13 @@ namespace mmverify::dock {
 namespace {
 
 /// More elements than 16 bits count, and no multiple of a vector's.
-constexpr std::size_t large_batch = (std::size_t{1} << 16) + 7;
+constexpr std::size_t odd_batch = large_batch_size + 7;
 
 }  // namespace
 
 void Desk::run_on_numbers(std::uint64_t number) {
+  if ((subject_.flags & MMVERIFY_LARGE_BATCHES) != 0 && mailbox_.one_by_one == 0)
+    return run_on_large_batches(number);
   FromThreads first;
   if (first_at_this_level() && mailbox_.one_by_one == 0) first = slot_from_threads_first(0);
   for (std::size_t slot = 0; in_slot(mailbox_.count, slot) != 0; ++slot) call_slot(slot);
@@ -80,8 +82,8 @@ void Desk::call_slot(std::size_t slot) {
   check_canary(out, from);
 }
 
-void Desk::ask_slot_again(std::size_t slot, std::size_t size) {
-  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+void Desk::ask_slot_again(std::size_t slot, std::size_t size, std::size_t most) {
+  const std::size_t count = std::min(in_slot(mailbox_.count, slot), most), from = slot * batch_size,
                     wide = asked().answer_bytes;
   mailbox_.begun.store(from, std::memory_order_relaxed);
   again_.assign(count * wide, std::byte{blank_again});
@@ -91,24 +93,24 @@ void Desk::ask_slot_again(std::size_t slot, std::size_t size) {
           size == batch_size ? "asked again" : "asked in batches of " + std::to_string(size));
 }
 
-void Desk::ask_slot_after_another_level(std::size_t slot) {
+void Desk::ask_slot_after_another_level(std::size_t slot, std::size_t most) {
   if (mailbox_.this_level_alone != 0) return;
   const std::uint32_t level = mailbox_.level;
   // Three vertices that are a face's at one level need not be one's at another.
   if (mailbox_.call == Call::attribute_face_of) return;
-  if (level < subject_.max_level) ask_slot_after(slot, level + 1, 0);
+  if (level < subject_.max_level) ask_slot_after(slot, level + 1, 0, most);
   if (asked().signature.of_points) {
-    if (level == subject_.max_level && level != 0) ask_slot_after(slot, level - 1, 0);
+    if (level == subject_.max_level && level != 0) ask_slot_after(slot, level - 1, 0, most);
     return;
   }
   // An index is one of a lower level only by its first digits: the parent's, and the first child's of all.
   if (asked().signature.arrays != 1) return;
-  if (level > 0) ask_slot_after(slot, level - 1, 2);
-  if (level > 2) ask_slot_after(slot, 1, 2 * (level - 1));
+  if (level > 0) ask_slot_after(slot, level - 1, 2, most);
+  if (level > 2) ask_slot_after(slot, 1, 2 * (level - 1), most);
 }
 
-void Desk::ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits) {
-  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+void Desk::ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits, std::size_t most) {
+  const std::size_t count = std::min(in_slot(mailbox_.count, slot), most), from = slot * batch_size,
                     wide = asked().answer_bytes;
   std::vector<std::byte> there(wide);
   again_.assign(count * wide, std::byte{blank_again});
@@ -135,19 +137,19 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
   Arguments a = piece(slot, 0, count, nullptr);
   std::vector<std::byte> inputs[most_arrays];
   for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array].reserve(large_batch * bytes);
-    for (std::size_t at = 0; at < large_batch; at += count)
+    inputs[array].reserve(odd_batch * bytes);
+    for (std::size_t at = 0; at < odd_batch; at += count)
       inputs[array].insert(inputs[array].end(), a.arrays[array],
-                           a.arrays[array] + std::min(count, large_batch - at) * bytes);
+                           a.arrays[array] + std::min(count, odd_batch - at) * bytes);
     a.arrays[array] = inputs[array].data();
   }
-  again_.assign(large_batch * wide, std::byte{blank_again});
-  a.count = large_batch;
+  again_.assign(odd_batch * wide, std::byte{blank_again});
+  a.count = odd_batch;
   a.out = again_.data();
   guarded(a, from);
-  for (std::size_t at = 0; at < large_batch; at += count)
-    compare(slot_answer(slot), again_.data() + at * wide, std::min(count, large_batch - at), from,
-            "asked in a batch of " + std::to_string(large_batch));
+  for (std::size_t at = 0; at < odd_batch; at += count)
+    compare(slot_answer(slot), again_.data() + at * wide, std::min(count, odd_batch - at), from,
+            "asked in a batch of " + std::to_string(odd_batch));
 }
 
 void Desk::ask_slot_at_other_places(std::size_t slot) {

@@ -78,14 +78,23 @@ std::array<bool, calls> given(const mmverify_subject_t& s) {
 
 }  // namespace
 
-std::string cannot_load(Description& description, const char* library, mmverify_subject_t& subject) {
+std::string cannot_load(Description& description, const char* library, mmverify_subject_t& subject,
+                        Outcome& outcome) {
+  outcome = Outcome::cannot_load;
   void* handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) return load_error(library);
   using Get = const mmverify_subject_t* (*)();
   const auto get = reinterpret_cast<Get>(dlsym(handle, "mmverify_subject_v1"));
   if (get == nullptr) return "it does not export mmverify_subject_v1";
   const mmverify_subject_t* theirs = get();
-  if (theirs == nullptr) return "mmverify_subject_v1 returned null";
+  if (theirs == nullptr) {
+    using Why = const char* (*)();
+    const auto why = reinterpret_cast<Why>(dlsym(handle, "mmverify_subject_v1_not_here"));
+    const char* reason = why == nullptr ? nullptr : why();
+    if (reason == nullptr || *reason == 0) return "mmverify_subject_v1 returned null";
+    outcome = Outcome::not_here;
+    return reason;
+  }
   if (theirs->abi != MMVERIFY_SUBJECT_ABI)
     return "it was built for version " + std::to_string(theirs->abi) + " of the interface, this is version " +
            std::to_string(MMVERIFY_SUBJECT_ABI);
@@ -106,6 +115,9 @@ std::string cannot_load(Description& description, const char* library, mmverify_
   if (std::count(description.has.begin(), description.has.end(), true) == 0)
     return "all its entry points are null";
   std::snprintf(description.name, sizeof description.name, "%s", subject.name == nullptr ? "" : subject.name);
+  std::snprintf(description.runs_on, sizeof description.runs_on, "%s",
+                subject.runs_on == nullptr ? "" : subject.runs_on);
+  outcome = Outcome::ready;
   return {};
 }
 

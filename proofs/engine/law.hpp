@@ -30,6 +30,10 @@ class Subject {
   /// implementation.
   virtual std::string fingerprint() const { return {}; }
 
+  /// Why it cannot be asked in this place at all, and is of no topic's own type; its laws are then not_applicable.  Empty:
+  /// it can.
+  virtual std::string absent() const { return {}; }
+
   /// Whether its answers on the cases of a law decide all inputs that those stand for.
   virtual bool exact() const = 0;
 

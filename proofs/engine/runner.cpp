@@ -46,7 +46,7 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   r.dialect = law.dialect;
   name_proof(r, law);
   // A law can only say how it would judge a subject of its own topic.
-  const bool known = subject.topic() == law.topic;
+  const bool known = subject.topic() == law.topic && subject.absent().empty();
   r.method = known ? law.how(subject, level) : to_string(law.method);
   r.domain = known ? law.domain(subject, level) : "subjects of topic " + law.topic;
   for (const Option* option : heeded(law, run.options))

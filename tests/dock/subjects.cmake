@@ -70,6 +70,16 @@ foreach(fault 0 1 2)
   mmverify_add_subject(fault_${fault} subjects/no_subject.c FAULT=${fault})
 endforeach()
 
+# Those that are called with many thousand elements at once.
+mmverify_add_test(large_batches_test)
+target_compile_definitions(large_batches_test PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
+add_dependencies(large_batches_test mmverify mmverify-worker)
+set(judged_by large_batches_test)
+foreach(kind RIGHT SEES_BATCH CRASHES NOT_HERE UNWRITTEN)
+  mmverify_add_subject(large_batches_${kind} subjects/large_batches.cpp KIND=${kind})
+  target_link_libraries(subject_large_batches_${kind} PRIVATE mmverify::impl)
+endforeach()
+
 # The same of maps and codes: the example of a tree, and what it is when one thing is wrong.
 mmverify_add_test(tree_plugin_test)
 target_compile_definitions(tree_plugin_test PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")

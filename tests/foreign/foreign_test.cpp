@@ -114,8 +114,8 @@ std::vector<SubjectPtr> foreign(const std::string& topic, const std::string& fau
   setenv("MMVERIFY_WORKER", MMVERIFY_WORKER_PROGRAM, 1);
   setenv("MMVERIFY_FAULT", fault.c_str(), 1);
   std::vector<SubjectPtr> subjects;
-  for (const PluginSubject& s : plugin_subjects(std::string(MMVERIFY_SUBJECTS) + "/foreign_" + topic + ".so",
-                                                mmverify::dock::Options().timeout_seconds))
+  for (const PluginSubject& s :
+       plugin_subjects(open_library(std::string(MMVERIFY_SUBJECTS) + "/foreign_" + topic + ".so", {})))
     subjects.push_back(s.subject);
   return subjects;
 }

@@ -1,0 +1,288 @@
+#include "shaders/compile/compile.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <string_view>
+
+#include "shaders/compile/includes.hpp"
+#include "shaders/compile/run_program.hpp"
+#include "shaders/compile/sha256.hpp"
+#include "shaders/compile/snippet.hpp"
+
+namespace mmverify::shaders {
+
+namespace fs = std::filesystem;
+
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "mmverify-shader-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error(fmt::format("{}: {}", name, std::strerror(errno)));
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string file(const std::string& name) const { return (fs::path(path_) / name).string(); }
+
+ private:
+  std::string path_;
+};
+
+namespace {
+
+std::string contents_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || fs::is_directory(file)) throw std::runtime_error(file + ": cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_file(const std::string& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
+}
+
+/// The first of the compiler's messages about a file, and how many more there are: FILE:LINE: what.
+std::string message(const std::string& printed, const std::string& ours, const std::string& file) {
+  std::string first;
+  std::size_t more = 0;
+  std::istringstream in(printed);
+  for (std::string line; std::getline(in, line);) {
+    constexpr std::string_view begins = "ERROR: ";
+    if (!line.starts_with(begins) || line.find("compilation errors") != std::string::npos ||
+        line.find("compilation terminated") != std::string::npos)
+      continue;
+    line = line.substr(begins.size());
+    if (line.starts_with(ours)) line = file + line.substr(ours.size());
+    if (first.empty())
+      first = line;
+    else
+      ++more;
+  }
+  if (first.empty()) return file + ": " + printed;
+  return more == 0 ? first : fmt::format("{} (and {} more)", first, more);
+}
+
+/// A compiler and a language.
+class Compiler {
+ public:
+  Compiler(const ShaderName& name, const Folder& folder)
+      : file_(name.file), folder_(folder), language_(language_of(name.file)) {}
+
+  Language language() const { return language_; }
+
+  /// The shader's text without comments, macros and includes.
+  std::string preprocess(const std::string& text) const {
+    if (language_ == Language::slang) return without_comments(text);
+    const std::string source = folder_.file("preprocessed" + suffix());
+    write_file(source, text);
+    auto words = glslang(source);
+    words.push_back("-E");
+    return printed_by(words, source);
+  }
+
+  /// SPIR-V's bytes; `name` is that of the module's file.
+  void compile(const std::string& text, const std::string& spirv) const {
+    const std::string source = spirv + suffix();
+    write_file(source, text);
+    if (language_ == Language::slang) {
+      printed_by({"slangc", "-target", "spirv", "-entry", "main", "-stage", "compute", "-I", include_root(),
+                  "-o", spirv, source},
+                 source);
+      return;
+    }
+    auto words = glslang(source);
+    words.insert(words.end(), {"-V", "--target-env", "vulkan1.1", "-o", spirv});
+    printed_by(words, source);
+  }
+
+ private:
+  static Language language_of(const std::string& file) {
+    if (file.ends_with(".hlsl")) return Language::hlsl;
+    if (file.ends_with(".slang")) return Language::slang;
+    return Language::glsl;
+  }
+  std::string suffix() const {
+    return language_ == Language::glsl ? ".comp" : language_ == Language::hlsl ? ".hlsl" : ".slang";
+  }
+  std::vector<std::string> glslang(const std::string& source) const {
+    const std::string own = fs::absolute(file_).parent_path().string();
+    std::vector<std::string> words{"glslangValidator", "-S", "comp", "-I" + own, "-I" + include_root()};
+    if (language_ == Language::hlsl) words.insert(words.end(), {"-D", "-e", "main"});
+    words.push_back(source);
+    return words;
+  }
+  static std::string without_comments(const std::string& text) {
+    return std::regex_replace(text, std::regex(R"(//[^\n]*|/\*(?:[^*]|\*(?!/))*\*/)"), " ");
+  }
+  std::string printed_by(const std::vector<std::string>& words, const std::string& source) const {
+    const Ran ran = run_program(words);
+    if (!ran.found) {
+      if (language_ == Language::slang) throw NotAvailable("Slang is not available here: no slangc");
+      throw NotAvailable("no glslangValidator (Debian: glslang-tools), which compiles GLSL and HLSL");
+    }
+    if (ran.exit_code != 0) throw BadShader(message(ran.printed, source, file_));
+    return ran.printed;
+  }
+
+  std::string file_;
+  const Folder& folder_;
+  Language language_;
+};
+
+/// Throws BadShader; false where there is no spirv-val.
+bool valid(const std::string& file, const std::string& spirv, std::uint32_t version) {
+  constexpr std::uint32_t spirv_1_4 = 0x00010400, spirv_1_5 = 0x00010500, spirv_1_6 = 0x00010600;
+  const char* target = version >= spirv_1_6   ? "vulkan1.3"
+                       : version >= spirv_1_5 ? "vulkan1.2"
+                       : version >= spirv_1_4 ? "vulkan1.1spv1.4"
+                                              : "vulkan1.1";
+  const Ran ran = run_program({"spirv-val", "--target-env", target, spirv});
+  if (!ran.found) return false;
+  if (ran.exit_code != 0)
+    throw BadShader(fmt::format("{}: spirv-val, for {}: {}", file, target, ran.printed));
+  return true;
+}
+
+/// Reads the modules that the manifest names and fills in what is known of them.
+void describe(const std::string& file, Compiled& made) {
+  std::string all;
+  bool validated = true;
+  for (Module& m : made.manifest.modules) {
+    const std::string bytes = contents_of(m.file);
+    ModuleFacts facts;
+    try {
+      facts = read_module(bytes);
+    } catch (const std::runtime_error& why) {
+      throw BadShader(fmt::format("{}: {}", file, why.what()));
+    }
+    validated = valid(file, m.file, facts.version) && validated;
+    if (facts.function.empty()) throw BadShader(file + ": it has no compute shader");
+    if (facts.function.find_first_of(" \n") != std::string::npos)
+      throw BadShader(file + ": the name of its compute shader has a space in it");
+    if (facts.group_size == 0) throw BadShader(file + ": its workgroup is not N x 1 x 1, given by LocalSize");
+    m.function = facts.function;
+    m.group_size = facts.group_size;
+    const std::string hash = sha256(bytes);
+    all += m.entry_point + " " + hash + "\n";
+    std::string text = fmt::format(
+        "SPIR-V {}.{}, {} bytes, sha256 {}, workgroup {}, {} specialization constants, {} float "
+        "operations",
+        facts.version >> 16 & 0xff, facts.version >> 8 & 0xff, bytes.size(), hash, facts.group_size,
+        facts.spec_constants, facts.float_operations);
+    if (facts.contractible != 0) text += fmt::format(", {} without NoContraction", facts.contractible);
+    if (!facts.float_modes.empty()) text += fmt::format(", asks for {}", fmt::join(facts.float_modes, ", "));
+    made.about.emplace_back(m.entry_point, text);
+    if (facts.contractible != 0)
+      made.warnings.push_back(
+          fmt::format("{}: {}: {} of {} float operations have no NoContraction (`precise`), in {}: a driver "
+                      "may rearrange "
+                      "them, 1-(1-x) to x for example",
+                      file, m.entry_point, facts.contractible, facts.float_operations,
+                      fmt::join(facts.contractible_in, ", ")));
+  }
+  if (!validated)
+    made.warnings.push_back(fmt::format("{}: no spirv-val (Debian: spirv-tools): not validated", file));
+  made.fingerprint = fmt::format("(sha256 {}, device {})", sha256(all).substr(0, 16), made.manifest.device);
+}
+
+/// What a whole shader answers.
+std::string known_entry(const ShaderName& name) {
+  const std::string entry = name.entry_point.value_or("index_f32");
+  std::vector<std::string> all;
+  for (const SnippetFunction& f : snippet_functions()) {
+    if (entry == f.entry_point) return entry;
+    all.push_back(f.entry_point);
+  }
+  throw BadShader(fmt::format("{}: no entry point of shaders is called {}; there are {}", name.file, entry,
+                              fmt::join(all, ", ")));
+}
+
+void compile_source(const ShaderName& name, Compiled& made) {
+  const Folder& folder = *made.files;
+  const Compiler compiler(name, folder);
+  const std::string text = contents_of(name.file);
+  const std::string plain =
+      compiler.preprocess(text.find("#version") != std::string::npos && defines_main(text)
+                              ? text
+                              : preamble_and(text, name.file, compiler.language()));
+  if (defines_main(plain)) {
+    const std::string spirv = folder.file("whole.spv");
+    compiler.compile(text, spirv);
+    made.manifest.modules.push_back({known_entry(name), {}, 0, spirv});
+    return;
+  }
+  for (const SnippetFunction& f : functions_in(plain)) {
+    const std::string spirv = folder.file(std::string(f.entry_point) + ".spv");
+    compiler.compile(shader_of(text, name.file, f, compiler.language()), spirv);
+    made.manifest.modules.push_back({f.entry_point, {}, 0, spirv});
+  }
+  if (made.manifest.modules.empty())
+    throw BadShader(
+        name.file +
+        ": it defines neither main nor a function that could be asked, such as uint index(uint level, "
+        "float u, float v); docs/SUBJECTS.md has them all");
+}
+
+}  // namespace
+
+std::optional<ShaderName> shader_name(const std::string& subject) {
+  static const std::regex form(
+      R"((.*\.(?:glsl|comp|hlsl|slang|spv))(?:@([a-z][a-z0-9_]*))?(?:@([0-9]{1,4}))?)");
+  std::smatch parts;
+  if (!std::regex_match(subject, parts, form)) return std::nullopt;
+  ShaderName name{parts[1]};
+  if (parts[2].matched) name.entry_point = parts[2].str();
+  if (parts[3].matched) name.device = static_cast<std::uint32_t>(std::stoul(parts[3]));
+  return name;
+}
+
+std::string to_text(const ShaderName& name) {
+  return name.file + (name.entry_point ? "@" + *name.entry_point : "") +
+         (name.device ? fmt::format("@{}", *name.device) : "");
+}
+
+Compiled compile(const ShaderName& name) {
+  Compiled made;
+  const auto folder = std::make_shared<Folder>();
+  made.files = folder;
+  made.manifest.device = name.device.value_or(0);
+  if (name.file.ends_with(".spv")) {
+    // What is judged stays what was read, whatever becomes of the file.
+    const std::string spirv = folder->file("whole.spv");
+    write_file(spirv, contents_of(name.file));
+    made.manifest.modules.push_back({known_entry(name), {}, 0, spirv});
+  } else {
+    compile_source(name, made);
+  }
+  describe(name.file, made);
+  made.manifest_file = folder->file("manifest");
+  write_file(made.manifest_file, to_text(made.manifest));
+  return made;
+}
+
+std::string device_library() {
+  if (const char* named = std::getenv("MMVERIFY_SHADER_LIBRARY")) return named;
+  const fs::path here = program_folder();
+  std::error_code error;
+  for (const auto& place : {here / "mmverify-shaders.so", here / "../libexec/mmverify/mmverify-shaders.so"})
+    if (fs::exists(place, error)) return place.string();
+  throw NotAvailable("this build runs no shaders: libvulkan-dev was not there");
+}
+
+}  // namespace mmverify::shaders

@@ -1,0 +1,81 @@
+// One compute shader on a device, ready to be asked.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "shaders/device/device.hpp"
+#include "shaders/device/manifest.hpp"
+
+namespace mmverify::shaders {
+
+/// A storage buffer in memory that this process sees; grows as it is asked to.
+class Buffer {
+ public:
+  explicit Buffer(const Device& device) : device_(device) {}
+  ~Buffer() { free(); }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+  /// Room for as many bytes; what lies in it may be lost.  Returns whether the buffer is another one now.
+  bool reserve(std::size_t bytes);
+  void* data() const { return data_; }
+  VkBuffer handle() const { return buffer_; }
+
+ private:
+  void free();
+
+  const Device& device_;
+  VkBuffer buffer_ = VK_NULL_HANDLE;
+  VkDeviceMemory memory_ = VK_NULL_HANDLE;
+  void* data_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+/// What a shader is asked.
+struct Asked {
+  std::uint32_t level = 0, first = 0, second = 0;
+  std::vector<const void*> arrays = {};  ///< of `count` numbers of 32 bits each
+  const void* bytes = nullptr;           ///< the code, block or map
+  std::size_t byte_count = 0;
+  std::size_t count = 0;
+  std::size_t values = 1;  ///< words of an answer
+  const void* before =
+      nullptr;  ///< what lies in the answers while the shader has not written them; null: anything
+};
+
+/// Not for two threads at once.
+class Program {
+ public:
+  /// Throws NoDevice where the device lacks what the module needs, std::runtime_error where the driver refuses it.
+  Program(const Device& device, const Module& module);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// The answers' words, valid until the next call.  Throws std::runtime_error: a lost device, a message of the
+  /// validation layer.
+  const std::uint32_t* run(const Asked& asked);
+
+ private:
+  void make_layout();
+  void make_pipeline(const std::vector<std::uint32_t>& words);
+  void bind();
+  void dispatch(const Asked& asked);
+
+  const Device& device_;
+  const Module module_;
+  VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  VkDescriptorPool descriptors_ = VK_NULL_HANDLE;
+  VkDescriptorSet set_ = VK_NULL_HANDLE;
+  VkCommandPool commands_ = VK_NULL_HANDLE;
+  VkCommandBuffer command_ = VK_NULL_HANDLE;
+  VkFence fence_ = VK_NULL_HANDLE;
+  std::array<std::unique_ptr<Buffer>, bindings> buffers_;
+};
+
+}  // namespace mmverify::shaders

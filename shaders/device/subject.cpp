@@ -1,0 +1,294 @@
+// A subject that is compute shaders on a Vulkan device: which ones, a file says that MMVERIFY_SHADER names.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "impl/tree/tree.hpp"
+#include "sdk/mmverify_subject.h"
+#include "shaders/device/program.hpp"
+
+namespace {
+
+using namespace mmverify::shaders;
+
+/// All that the entry points use; made once, and left to the process's end.
+struct Running {
+  std::unique_ptr<Device> device;
+  std::map<std::string, std::unique_ptr<Program>> programs;  ///< by entry point
+  std::string runs_on, name;
+};
+Running* running = nullptr;
+std::string why_not_here;
+
+const std::uint32_t* run(const char* entry_point, const Asked& asked) {
+  return running->programs.at(entry_point)->run(asked);
+}
+
+template <class T>
+void to_words(const char* entry_point, Asked asked, T* out) {
+  static_assert(sizeof(T) == sizeof(std::uint32_t));
+  asked.before = out;
+  std::memcpy(out, run(entry_point, asked), asked.count * asked.values * sizeof(T));
+}
+
+/// States, and other answers of a byte; what does not fit is a wrong one.
+void to_bytes(const char* entry_point, const Asked& asked, std::uint8_t* out) {
+  const std::uint32_t* words = run(entry_point, asked);
+  for (std::size_t k = 0; k < asked.count; ++k)
+    out[k] = static_cast<std::uint8_t>(words[k] > 0xff ? 0xff : words[k]);
+}
+
+// The entry points; where the shaders have none, the pointer is null.
+using Words = const std::uint32_t*;
+using Floats = const float*;
+using Bytes = const std::uint8_t*;
+
+/// The form of a map that ranked_lookup reads.
+std::size_t encode_ranked(std::uint32_t level, std::uint32_t format, Bytes map, std::uint8_t* code,
+                          std::size_t capacity) {
+  using namespace mmverify::impl;
+  const std::size_t map_bytes = ((std::size_t{format} << 2 * level) + 7) / 8;
+  const auto form = tree::Tree::encode(level, static_cast<micromap::Format>(format), {map, map_bytes});
+  const auto bytes = static_cast<std::size_t>((form.bits() + 7) / 8);
+  if (bytes <= capacity) std::memcpy(code, form.memory(), bytes);
+  return bytes;
+}
+
+/// How an entry point is filled in.
+struct Entry {
+  const char* name;
+  void (*offer)(mmverify_subject_t&);
+};
+
+const Entry entries[] = {
+    {"index_f32",
+     [](mmverify_subject_t& s) {
+       s.index_f32 = [](std::uint32_t level, Floats u, Floats v, std::uint32_t* out, std::size_t count) {
+         to_words("index_f32", {.level = level, .arrays = {u, v}, .count = count}, out);
+       };
+     }},
+    {"corners",
+     [](mmverify_subject_t& s) {
+       s.corners = [](std::uint32_t level, Words index, std::uint32_t* out, std::size_t count) {
+         to_words("corners", {.level = level, .arrays = {index}, .count = count, .values = 6}, out);
+       };
+     }},
+    {"row_index_f32",
+     [](mmverify_subject_t& s) {
+       s.row_index_f32 = [](std::uint32_t level, Floats u, Floats v, std::uint32_t* out, std::size_t count) {
+         to_words("row_index_f32", {.level = level, .arrays = {u, v}, .count = count}, out);
+       };
+     }},
+    {"row_corners",
+     [](mmverify_subject_t& s) {
+       s.row_corners = [](std::uint32_t level, Words index, std::uint32_t* out, std::size_t count) {
+         to_words("row_corners", {.level = level, .arrays = {index}, .count = count, .values = 6}, out);
+       };
+     }},
+    {"tree_lookup",
+     [](mmverify_subject_t& s) {
+       s.flags |= MMVERIFY_TREE_STREAM;
+       s.tree_lookup = [](std::uint32_t level, std::uint32_t format, Bytes code, std::size_t size,
+                          Words index, std::uint8_t* out, std::size_t count) {
+         to_bytes("tree_lookup",
+                  {.level = level,
+                   .first = format,
+                   .arrays = {index},
+                   .bytes = code,
+                   .byte_count = size,
+                   .count = count},
+                  out);
+       };
+     }},
+    {"tree_lookup_f32",
+     [](mmverify_subject_t& s) {
+       s.flags |= MMVERIFY_TREE_STREAM;
+       s.tree_lookup_f32 = [](std::uint32_t level, std::uint32_t format, Bytes code, std::size_t size,
+                              Floats u, Floats v, std::uint8_t* out, std::size_t count) {
+         to_bytes("tree_lookup_f32",
+                  {.level = level,
+                   .first = format,
+                   .arrays = {u, v},
+                   .bytes = code,
+                   .byte_count = size,
+                   .count = count},
+                  out);
+       };
+     }},
+    {"ranked_lookup",
+     [](mmverify_subject_t& s) {
+       if (s.tree_lookup != nullptr)
+         throw std::runtime_error("tree_lookup and ranked_lookup: one form of codes at a time");
+       s.tree_encode = encode_ranked;
+       s.tree_lookup = [](std::uint32_t level, std::uint32_t format, Bytes code, std::size_t size,
+                          Words index, std::uint8_t* out, std::size_t count) {
+         to_bytes("ranked_lookup",
+                  {.level = level,
+                   .first = format,
+                   .arrays = {index},
+                   .bytes = code,
+                   .byte_count = size,
+                   .count = count},
+                  out);
+       };
+     }},
+    {"vq2_region",
+     [](mmverify_subject_t& s) {
+       s.vq2_region = [](Bytes block, Words x, Words y, std::uint8_t* out, std::size_t count) {
+         constexpr std::size_t block_bytes = 32;
+         to_bytes("vq2_region", {.arrays = {x, y}, .bytes = block, .byte_count = block_bytes, .count = count},
+                  out);
+       };
+     }},
+    {"vq4_region",
+     [](mmverify_subject_t& s) {
+       s.vq4_region = [](Bytes block, Words x, Words y, std::uint8_t* out, std::size_t count) {
+         constexpr std::size_t block_bytes = 64;
+         to_bytes("vq4_region", {.arrays = {x, y}, .bytes = block, .byte_count = block_bytes, .count = count},
+                  out);
+       };
+     }},
+    {"attribute_vertex_index",
+     [](mmverify_subject_t& s) {
+       s.attribute_vertex_index = [](std::uint32_t level, std::uint32_t order, Words i, Words j,
+                                     std::uint32_t* out, std::size_t count) {
+         to_words("attribute_vertex_index",
+                  {.level = level, .first = order, .arrays = {i, j}, .count = count}, out);
+       };
+     }},
+    {"attribute_vertex_place",
+     [](mmverify_subject_t& s) {
+       s.attribute_vertex_place = [](std::uint32_t level, std::uint32_t order, Words index,
+                                     std::uint32_t* out, std::size_t count) {
+         to_words("attribute_vertex_place",
+                  {.level = level, .first = order, .arrays = {index}, .count = count, .values = 2}, out);
+       };
+     }},
+    {"attribute_face_index",
+     [](mmverify_subject_t& s) {
+       s.attribute_face_index = [](std::uint32_t level, std::uint32_t order, Words iu, Words iv, Words upper,
+                                   std::uint32_t* out, std::size_t count) {
+         to_words("attribute_face_index",
+                  {.level = level, .first = order, .arrays = {iu, iv, upper}, .count = count}, out);
+       };
+     }},
+    {"attribute_face_place",
+     [](mmverify_subject_t& s) {
+       s.attribute_face_place = [](std::uint32_t level, std::uint32_t order, Words index, std::uint32_t* out,
+                                   std::size_t count) {
+         to_words("attribute_face_place",
+                  {.level = level, .first = order, .arrays = {index}, .count = count, .values = 3}, out);
+       };
+     }},
+    {"attribute_triplet",
+     [](mmverify_subject_t& s) {
+       s.attribute_triplet = [](std::uint32_t level, std::uint32_t vertices, std::uint32_t faces, Words face,
+                                std::uint32_t* out, std::size_t count) {
+         to_words("attribute_triplet",
+                  {.level = level,
+                   .first = vertices,
+                   .second = faces,
+                   .arrays = {face},
+                   .count = count,
+                   .values = 3},
+                  out);
+       };
+     }},
+    {"attribute_face_of",
+     [](mmverify_subject_t& s) {
+       s.attribute_face_of = [](std::uint32_t level, std::uint32_t vertices, std::uint32_t faces, Words a,
+                                Words b, Words c, std::uint32_t* out, std::size_t count) {
+         to_words("attribute_face_of",
+                  {.level = level, .first = vertices, .second = faces, .arrays = {a, b, c}, .count = count},
+                  out);
+       };
+     }},
+    {"attribute_triplet_f32",
+     [](mmverify_subject_t& s) {
+       s.attribute_triplet_f32 = [](std::uint32_t level, std::uint32_t order, Floats u, Floats v,
+                                    std::uint32_t* out, std::size_t count) {
+         to_words("attribute_triplet_f32",
+                  {.level = level, .first = order, .arrays = {u, v}, .count = count, .values = 3}, out);
+       };
+     }},
+    {"attribute_weights_f32",
+     [](mmverify_subject_t& s) {
+       s.attribute_weights_f32 = [](std::uint32_t level, Floats u, Floats v, float* out, std::size_t count) {
+         to_words("attribute_weights_f32", {.level = level, .arrays = {u, v}, .count = count, .values = 3},
+                  out);
+       };
+     }},
+    {"attribute_decimate",
+     [](mmverify_subject_t& s) {
+       s.attribute_decimate = [](std::uint32_t level, std::uint32_t flags, Words i, Words j,
+                                 std::uint32_t* out, std::size_t count) {
+         to_words("attribute_decimate",
+                  {.level = level, .first = flags, .arrays = {i, j}, .count = count, .values = 2}, out);
+       };
+     }},
+    {"attribute_face_mip",
+     [](mmverify_subject_t& s) {
+       s.attribute_face_mip = [](std::uint32_t rounding, Bytes children, std::size_t parents,
+                                 std::uint8_t* out) {
+         constexpr std::size_t child_bytes = 16;
+         const std::uint32_t* words = run(
+             "attribute_face_mip",
+             {.first = rounding, .bytes = children, .byte_count = parents * child_bytes, .count = parents});
+         std::memcpy(out, words, parents * sizeof *words);
+       };
+     }},
+    {"traverse_decide",
+     [](mmverify_subject_t& s) {
+       s.traverse_decide = [](std::uint32_t api, Words candidate, Words instance, Words ray,
+                              std::uint8_t* out, std::size_t count) {
+         to_bytes("traverse_decide", {.first = api, .arrays = {candidate, instance, ray}, .count = count},
+                  out);
+       };
+     }},
+};
+
+/// The shaders that the manifest names, ready.
+const mmverify_subject_t* open_subject() {
+  static mmverify_subject_t subject{};
+  const char* file = std::getenv(manifest_variable);
+  if (file == nullptr) throw NoDevice(std::string(manifest_variable) + " names no shaders");
+  const bool validation = std::getenv(validation_variable) != nullptr;
+  const Manifest manifest = read_manifest(file);
+  subject.abi = MMVERIFY_SUBJECT_ABI;
+  subject.size = sizeof subject;
+  subject.max_level = 16;
+  // Two dispatches at once would be two of this class's programs.
+  subject.flags = MMVERIFY_SINGLE_THREADED | MMVERIFY_LARGE_BATCHES;
+  auto made = std::make_unique<Running>();
+  made->device = std::make_unique<Device>(manifest.device, validation);
+  for (const Module& m : manifest.modules) {
+    bool known = false;
+    for (const Entry& e : entries)
+      if (m.entry_point == e.name) e.offer(subject), known = true;
+    if (!known) throw std::runtime_error(m.entry_point + ": no entry point of shaders");
+    made->programs[m.entry_point] = std::make_unique<Program>(*made->device, m);
+  }
+  made->runs_on = runs_on(made->device->properties(), validation);
+  made->name = "shaders on " + made->device->properties().name;
+  running = made.release();
+  subject.name = running->name.c_str();
+  subject.runs_on = running->runs_on.c_str();
+  return &subject;
+}
+
+}  // namespace
+
+extern "C" const mmverify_subject_t* mmverify_subject_v1(void) try {
+  return open_subject();
+} catch (const NoDevice& why) {
+  why_not_here = why.what();
+  return nullptr;
+} catch (const std::exception& why) {
+  std::fprintf(stderr, "%s\n", why.what());
+  return nullptr;
+}
+
+extern "C" const char* mmverify_subject_v1_not_here(void) { return why_not_here.c_str(); }

@@ -1,0 +1,2 @@
+#include "shaders/figures/figure_4.glsl"
+uint index(uint level, float u, float v) { return figure_4(level, u, v); }
