@@ -41,9 +41,10 @@ int main(int argc, char** argv) {
       "--version", fmt::format("mmverify {}\nspecification {:.16}; spec, impl and proofs {:.16}\n{}, {}\n{}",
                                build::version, std::string(build::spec_hash), std::string(build::source_hash),
                                build::compiler, build::flags, build::libraries));
-  const std::vector<Action> actions{
-      add_list(program),  add_prove(program), add_merge(program),  add_replay(program), add_bench(program),
-      add_scene(program), add_gate(program),  add_report(program), add_gen(program),    add_check(program)};
+  const std::vector<Action> actions{add_list(program),   add_prove(program), add_merge(program),
+                                    add_replay(program), add_bench(program), add_scene(program),
+                                    add_render(program), add_gate(program),  add_report(program),
+                                    add_gen(program),    add_check(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked_for) {
