@@ -72,4 +72,19 @@ Camera on_path(const Box& box, std::uint64_t seed, std::uint64_t number, float a
   return looking(from, at, half_angle + 0.4f * share(state), aspect);
 }
 
+Ray line_through_ball(const Point& middle, float radius, std::uint64_t seed) {
+  constexpr float turn = 6.2831853f;
+  std::uint64_t state = seed;
+  // Evenly along an axis is evenly over the sphere (Archimedes).
+  const float z = 2 * share(state) - 1, around = turn * share(state),
+              r = std::sqrt(std::max(0.0f, 1 - z * z));
+  const Point direction{r * std::cos(around), r * std::sin(around), z};
+  const Point across = unit(cross(direction, std::fabs(z) < 0.7f ? Point{0, 0, 1} : Point{1, 0, 0})),
+              other = cross(direction, across);
+  const float from_middle = radius * std::sqrt(share(state)), at = turn * share(state);
+  const Point beside =
+      plus(times(across, from_middle * std::cos(at)), times(other, from_middle * std::sin(at)));
+  return {minus(plus(middle, beside), times(direction, 1.01f * radius)), direction};
+}
+
 }  // namespace mmverify::render

@@ -36,4 +36,7 @@ constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
   return x ^ x >> 31;
 }
 
+/// A line through a ball, evenly over directions and over the disc that the ball shows to each.
+Ray line_through_ball(const Point& middle, float radius, std::uint64_t seed);
+
 }  // namespace mmverify::render

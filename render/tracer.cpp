@@ -32,7 +32,11 @@ struct Context {
   std::uint64_t ray;
   Counts counts;
   Asked asked;
+  bool passes = false;  ///< through every candidate
 };
+
+/// Of geometries: who has a surface, and who has none.
+constexpr unsigned with_surface = 1, without_surface = 2;
 
 /// For BLEND: 2^-25 .. 1 - 2^-25, of ray and triangle alone.
 float chance_of(std::uint64_t ray, std::uint32_t instance, std::uint32_t geometry, std::uint32_t triangle) {
@@ -64,12 +68,17 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
       return;
     case impl::traverse::Outcome::opaque:
       ++context.counts.opaque;
+      if (context.passes) valid = 0;
       return;
     case impl::traverse::Outcome::non_opaque:
       break;
   }
   ++context.counts.shader;
   ++context.asked.shader;
+  if (context.passes) {
+    valid = 0;
+    return;
+  }
   context.counts.fetches += its.surface->fetches();
   if (!its.surface->opaque(its.geometry->uv_of(triangle), b,
                            chance_of(context.ray, instance, its.number, triangle)))
@@ -168,6 +177,7 @@ struct Tracer::Built {
         const RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         copy(triangles, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, geometry.positions);
         copy(triangles, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, geometry.triangles);
+        rtcSetGeometryMask(triangles, geometry.surface ? with_surface : without_surface);
         rtcSetGeometryUserData(triangles, &filtered[mesh[k]]);
         if (geometry.surface) {
           rtcSetGeometryIntersectFilterFunction(triangles, filter);
@@ -183,6 +193,7 @@ struct Tracer::Built {
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     for (std::uint32_t k = 0; k < world.instances.size(); ++k) {
       const RTCGeometry placed = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+      rtcSetGeometryMask(placed, with_surface | without_surface);
       rtcSetGeometryInstancedScene(placed, meshes[world.instances[k].mesh]);
       rtcSetGeometryTransform(placed, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                               world.instances[k].transform.data());
@@ -207,6 +218,13 @@ struct Tracer::Built {
     found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene, &context.embree, &found);
     return met(found);
+  }
+
+  void pass(const Ray& ray, Context& context) const {
+    context.passes = true;
+    RTCRay line = embree_ray(ray, 0, std::numeric_limits<float>::infinity());
+    line.mask = with_surface;
+    rtcOccluded1(scene, &context.embree, &line);
   }
 
   Pixel pixel(const Camera& camera, const Opacity* opacity, const TraceOptions& options, std::uint32_t x,
@@ -260,6 +278,31 @@ Pixel Tracer::pixel(const Camera& camera, const Opacity* opacity, const TraceOpt
                     std::uint32_t x, std::uint32_t y) const {
   Counts counts;
   return built_->pixel(camera, opacity, options, x, y, counts);
+}
+
+Counts Tracer::even_rays(const Opacity& opacity, std::uint64_t rays, std::uint64_t seed,
+                         unsigned threads) const {
+  const Box box = box_of(built_->world, true);
+  if (box.empty) return {};
+  const Point middle = times(plus(box.low, box.high), 0.5f);
+  const float radius = 0.5f * std::sqrt(dot(minus(box.high, box.low), minus(box.high, box.low)));
+  constexpr std::uint64_t chunk = 4096;
+  std::vector<Counts> counts((rays + chunk - 1) / chunk);
+  oneapi::tbb::task_arena arena(threads == 0 ? oneapi::tbb::task_arena::automatic
+                                             : static_cast<int>(threads));
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t c) {
+      for (std::uint64_t k = c * chunk; k < std::min(rays, (c + 1) * chunk); ++k) {
+        Context context = context_of(&opacity, k);
+        built_->pass(line_through_ball(middle, radius, mixed(seed) ^ mixed(k)), context);
+        counts[c] += context.counts;
+        ++counts[c].rays;
+      }
+    });
+  });
+  Counts sum;
+  for (const Counts& one : counts) sum += one;
+  return sum;
 }
 
 Met Tracer::first_hit(const Ray& ray, const Opacity* opacity, std::uint64_t number, Counts& counts) const {

@@ -46,6 +46,13 @@ class Tracer {
   Pixel pixel(const Camera& camera, const Opacity* opacity, const TraceOptions& options, std::uint32_t x,
               std::uint32_t y) const;
 
+  /// Rays that meet all surfaces evenly over their area: lines of all directions, evenly through a ball around what is
+  /// placed.  They pass through everything, and end on nothing: each candidate counts, and no texture is read.  By
+  /// Cauchy and Crofton's formula a surface is met in proportion to its area, from wherever.
+  /// The same for any number of threads.
+  Counts even_rays(const Opacity& opacity, std::uint64_t rays, std::uint64_t seed,
+                   unsigned threads = 0) const;
+
   /// One ray, with its candidates; `chance` of BLEND is made of the ray's number.
   Met first_hit(const Ray& ray, const Opacity* opacity, std::uint64_t number, Counts& counts) const;
 

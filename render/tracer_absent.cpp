@@ -22,6 +22,9 @@ Frame Tracer::frame(const Camera&, const Opacity*, const TraceOptions&) const {
 Pixel Tracer::pixel(const Camera&, const Opacity*, const TraceOptions&, std::uint32_t, std::uint32_t) const {
   throw std::runtime_error(embree_text());
 }
+Counts Tracer::even_rays(const Opacity&, std::uint64_t, std::uint64_t, unsigned) const {
+  throw std::runtime_error(embree_text());
+}
 Met Tracer::first_hit(const Ray&, const Opacity*, std::uint64_t, Counts&) const {
   throw std::runtime_error(embree_text());
 }

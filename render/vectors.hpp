@@ -7,6 +7,7 @@
 
 namespace mmverify::render {
 
+inline Point plus(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Point times(const Point& a, float s) { return {a[0] * s, a[1] * s, a[2] * s}; }
 inline float dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

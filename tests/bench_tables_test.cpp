@@ -74,7 +74,7 @@ std::vector<Result> all_results() {
   RenderFigures rendered;
   rendered.methods.resize(1);
   rendered.methods[0].level = 2;
-  rendered.methods[0].predicted = 0.5;
+  rendered.methods[0].predicted = rendered.methods[0].even = 0.5;
   rendered.pictures = {{"heat", "heat.png"}};
   return {index_tables({index}, {}),
           tree_tables({TreeFigures{}}, {}),

@@ -25,6 +25,8 @@ Fields<MethodFigures> method_fields() {
       {{"known", "known", "", {2, 'f', per_cent, "%"}}, [](const M& m) { return m.counts.known(); }},
       {{"predicted", "predicted", "", {2, 'f', per_cent, "%"}},
        [](const M& m) { return m.predicted ? Value(*m.predicted) : Value(); }},
+      {{"even", "even", "", {2, 'f', per_cent, "%"}},
+       [](const M& m) { return m.even ? Value(*m.even) : Value(); }},
       {{"texels", "texels"}, [](const M& m) { return m.counts.fetches; }},
       {{"bytes", "bytes"}, [](const M& m) { return m.bytes; }},
       {{"differing", "differing"}, [](const M& m) { return m.differing; }},
@@ -64,10 +66,11 @@ Result render_tables(const RenderFigures& figures) {
       .about =
           figures.file +
           ": any-hit: candidates that the texture decides; known: the share of candidates on triangles with "
-          "micromaps "
-          "that a map decides, and as the maps' area predicts it; bytes: of maps, records and indices, of "
-          "texture its "
-          "texels; differing: pixels whose rays met another triangle, t or light than with the texture alone",
+          "micromaps that a map decides; predicted: the same by the maps' area; even: the same, met by rays "
+          "from "
+          "everywhere; bytes: of maps, records and indices, of texture its texels; differing: pixels whose "
+          "rays "
+          "met another triangle, t or light than with the texture alone",
       .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
                  table_of<MethodFigures>({.key = "rows"}, method_fields(), figures.methods)}};
   if (!figures.pictures.empty())

@@ -79,6 +79,15 @@ void commit(OutputFile& file, const render::Picture& picture) {
   file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
+/// Whether two paths name one file, there or not.
+bool one_place(const std::string& a, const std::string& b) {
+  const auto place = [](const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  };
+  return place(a) == place(b);
+}
+
 /// Two outputs, or an output and the scene, in one file.
 void check_files(const RenderOptions& options) {
   const std::vector<std::pair<const char*, std::string>> files{{"the scene", options.file},
@@ -87,10 +96,8 @@ void check_files(const RenderOptions& options) {
                                                                {"--json", options.json}};
   for (std::size_t a = 0; a < files.size(); ++a)
     for (std::size_t b = a + 1; b < files.size(); ++b) {
-      std::error_code ignored;
-      if (!files[a].second.empty() && files[b].second != "-" &&
-          std::filesystem::weakly_canonical(files[a].second, ignored) ==
-              std::filesystem::weakly_canonical(files[b].second, ignored))
+      if (files[a].second.empty() || files[b].second.empty() || files[b].second == "-") continue;
+      if (one_place(files[a].second, files[b].second))
         throw UsageError(
             fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
     }
@@ -158,6 +165,7 @@ int render_scene(const RenderOptions& options) {
   compared.trace = {
       .width = width, .height = height, .threads = options.threads, .shadows = !options.no_shadows};
   compared.repeats = options.repeats;
+  compared.seed = options.seed;
   compared.memory = options.memory;
   compared.begins = [&](const std::string& what, std::uint64_t of) {
     progress.reset();

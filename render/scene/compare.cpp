@@ -67,11 +67,19 @@ class Comparison {
         scene::bake(scene_, plan_, levels, {.threads = options_.trace.threads, .done = options_.done});
     const Micromaps micromaps = micromaps_of(world_, plan_, scene::arrays(plan_, baked));
     const double predicted = scene::any_hit_shares(scene_, plan_, baked).known();
+    begins("even rays", 0);
+    const double even = tracer_
+                            .even_rays(*opacity_of(Method::flat, micromaps), options_.even_rays,
+                                       options_.seed, options_.trace.threads)
+                            .known();
     for (const Method method : methods)
       if (has_levels(method) && wants(method)) {
         const auto opacity = opacity_of(method, micromaps);
         MethodFigures figures{.method = method, .level = level};
-        if (method != Method::special) figures.predicted = predicted;
+        if (method != Method::special) {
+          figures.predicted = predicted;
+          figures.even = even;
+        }
         add(figures, opacity.get());
       }
   }

@@ -23,6 +23,7 @@ struct MethodFigures {
   double times_texture = 0;             ///< cpu_seconds, the texture's of the same run being 1
   /// The share of placed area where maps of this level call no shader: what is predicted without a ray.
   std::optional<double> predicted = {};
+  std::optional<double> even = {};  ///< the share that even rays met: see Tracer::even_rays()
 };
 
 struct CompareOptions {
@@ -30,6 +31,7 @@ struct CompareOptions {
   std::vector<Method> wanted = {};  ///< besides texture, which comes first
   TraceOptions trace = {};
   unsigned repeats = 1;
+  std::uint64_t even_rays = 200000, seed = 1;
   std::uint64_t memory = std::uint64_t{1} << 30;  ///< bytes that all maps of a level may take
   /// Told what is being done, and how many rays or micro-triangles are done, from any thread; what they throw ends it.
   std::function<void(const std::string& what, std::uint64_t of)> begins = {};
