@@ -9,7 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
-#include "proofs/index/built_in.hpp"
+#include "proofs/index/subjects/built_in.hpp"
 #include "proofs/registry.hpp"
 
 namespace mmverify::cli {

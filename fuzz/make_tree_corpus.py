@@ -63,7 +63,7 @@ def run(state, exponent):
     return state | exponent << 2
 
 
-# The worked example of tests/impl_tree_test.cpp: 13 nodes, 10 leaves.
+# The worked example of tests/impl/tree_test.cpp: 13 nodes, 10 leaves.
 TREE, DATA = [0b00000101, 0b00000001], [0b00000001, 0b11011001, 0b00001111]
 MAP = [0b01010101, 0b01000000, 0b10101010, 0b11111101]
 # Level 4, one micro-triangle apart, child 0 all the way: 1111 then the leaves; 13 states, the first four 0 1 0 0.

@@ -1,4 +1,4 @@
-// Bundles the tests and runs them: node test.mjs unit|page [FOLDER], as tests/report_page_test.sh does.
+// Bundles the tests and runs them: node test.mjs unit|page [FOLDER], as tests/outside/report_page_test.sh does.
 import { createRequire } from "node:module";
 import { mkdtempSync, readdirSync, rmSync } from "node:fs";
 import { spawnSync } from "node:child_process";

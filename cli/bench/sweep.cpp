@@ -8,9 +8,9 @@
 
 #include "cli/exit_code.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/index/cells.hpp"
+#include "proofs/index/grid/cells.hpp"
+#include "proofs/index/judges/plain_sweep.hpp"
 #include "proofs/index/options.hpp"
-#include "proofs/index/plain_sweep.hpp"
 #include "proofs/registry.hpp"
 
 namespace mmverify::cli {

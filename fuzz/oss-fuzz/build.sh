@@ -1,7 +1,7 @@
 #!/bin/bash -eu
 # Builds every fuzz target for OSS-Fuzz and ClusterFuzzLite, into $OUT: the targets, their seed corpora, dictionaries and
 # options. The project is $SRC/mmverify; what dependencies.sh fetched is beside it. What is not beside it, is taken from
-# the system: so tests/oss_fuzz_test.sh runs this without a network.
+# the system: so tests/outside/oss_fuzz_test.sh runs this without a network.
 project=$SRC/mmverify
 installed=$WORK/installed
 mkdir -p "$WORK" "$installed"

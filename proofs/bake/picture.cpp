@@ -8,7 +8,7 @@
 #include "proofs/bake/exact_texture.hpp"
 #include "proofs/bake/narrow.hpp"
 #include "proofs/canvas.hpp"
-#include "proofs/index/point.hpp"
+#include "proofs/index/grid/point.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <optional>
 
-#include "proofs/index/judges.hpp"
+#include "proofs/index/judges/judges.hpp"
 #include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {

@@ -1,11 +1,12 @@
 // The laws of topic index: those of the curve and of row order here, with the list of all.
 #include "proofs/index/laws.hpp"
 
-#include "proofs/index/corner_order.hpp"
 #include "proofs/index/diagnosis.hpp"
 #include "proofs/index/induction/provable.hpp"
-#include "proofs/index/law_groups.hpp"
-#include "proofs/index/law_parts.hpp"
+#include "proofs/index/judges/corner_order.hpp"
+#include "proofs/index/laws/groups.hpp"
+#include "proofs/index/laws/named_corner_order.hpp"
+#include "proofs/index/laws/parts.hpp"
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/options.hpp"
 

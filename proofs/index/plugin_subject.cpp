@@ -9,7 +9,7 @@
 
 #include "dock/broken.hpp"
 #include "dock/elements.hpp"
-#include "proofs/index/rounded_subject.hpp"
+#include "proofs/index/subjects/rounded_subject.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
-#include "proofs/index/cells.hpp"
-#include "proofs/index/point.hpp"
+#include "proofs/index/grid/cells.hpp"
+#include "proofs/index/grid/point.hpp"
 
 namespace mmverify::proofs::index {
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "proofs/engine/shape.hpp"
-#include "proofs/index/exact_float.hpp"
-#include "proofs/index/hard_floats.hpp"
+#include "proofs/index/floats/exact_float.hpp"
+#include "proofs/index/floats/hard_floats.hpp"
 #include "proofs/kinds.hpp"
 #include "proofs/tree/law_parts.hpp"
 #include "proofs/tree/mutants.hpp"

@@ -5,7 +5,7 @@
 #include "impl/tree/container.hpp"
 #include "impl/tree/stream.hpp"
 #include "impl/tree/tree.hpp"
-#include "proofs/index/exact_float.hpp"
+#include "proofs/index/floats/exact_float.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {

@@ -37,7 +37,7 @@ Format index_block(std::uint64_t k);
 
 /// Blocks without a pattern, as many as show, beside each combination of a region's index, its transform and
 /// the two bits of its entry that it is made of, either value of every other bit of the block:
-/// tests/vq_blocks_test.cpp counts.
+/// tests/proofs/vq_blocks_test.cpp counts.
 template <class Format>
 constexpr std::uint64_t scattered_blocks = Format::side == 2 ? 1u << 14 : 1u << 15;
 template <class Format>

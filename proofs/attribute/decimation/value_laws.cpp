@@ -5,9 +5,9 @@
 #include "proofs/attribute/decimation/law_parts.hpp"
 #include "proofs/attribute/lookup/shared_edges.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/index/cells.hpp"
-#include "proofs/index/hard_floats.hpp"
-#include "proofs/index/point.hpp"
+#include "proofs/index/floats/hard_floats.hpp"
+#include "proofs/index/grid/cells.hpp"
+#include "proofs/index/grid/point.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {

@@ -8,8 +8,8 @@
 #include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/lookup/grid_cases.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/index/exact_float.hpp"
-#include "proofs/index/hard_floats.hpp"
+#include "proofs/index/floats/exact_float.hpp"
+#include "proofs/index/floats/hard_floats.hpp"
 
 namespace mmverify::proofs::attribute {
 

@@ -8,8 +8,8 @@
 #include <span>
 
 #include "proofs/attribute/orders/functions.hpp"
-#include "proofs/index/cells.hpp"
-#include "proofs/index/point.hpp"
+#include "proofs/index/grid/cells.hpp"
+#include "proofs/index/grid/point.hpp"
 #include "spec/attribute/lookup.hpp"
 
 namespace mmverify::proofs::attribute {

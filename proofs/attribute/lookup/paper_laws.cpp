@@ -3,7 +3,7 @@
 
 #include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/lookup/grid_cases.hpp"
-#include "proofs/index/exact_float.hpp"
+#include "proofs/index/floats/exact_float.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {

@@ -6,7 +6,7 @@
 #include "proofs/attribute/mips/law_parts.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/index/point.hpp"
+#include "proofs/index/grid/point.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {

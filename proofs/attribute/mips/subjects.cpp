@@ -5,7 +5,7 @@
 
 #include "impl/attribute/mip.hpp"
 #include "proofs/attribute/subject_parts.hpp"
-#include "proofs/index/point.hpp"
+#include "proofs/index/grid/point.hpp"
 
 namespace mmverify::proofs::attribute {
 

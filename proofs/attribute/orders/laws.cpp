@@ -6,7 +6,7 @@
 #include "proofs/attribute/orders/parts.hpp"
 #include "proofs/attribute/orders/walks.hpp"
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/index/cells.hpp"
+#include "proofs/index/grid/cells.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/index/induction/provable.hpp"
-#include "proofs/index/judges.hpp"
+#include "proofs/index/judges/judges.hpp"
 #include "proofs/index/options.hpp"
 
 namespace mmverify::proofs::index::induction {

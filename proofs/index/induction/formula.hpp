@@ -3,9 +3,12 @@
 #pragma once
 
 #include "spec/index/index.hpp"
+#include "spec/number.hpp"
 
 namespace mmverify::proofs::index::induction {
 
+using spec::times;  // found beside the numbers' own, whatever the number
+using spec::whole;
 using spec::index::CurveBits;
 using spec::index::Quantised;
 

@@ -8,7 +8,7 @@
 #include "proofs/index/induction/mutants.hpp"
 #include "proofs/index/induction/provable.hpp"
 #include "proofs/index/induction/word_lemmas.hpp"
-#include "proofs/index/law_parts.hpp"
+#include "proofs/index/laws/parts.hpp"
 
 namespace mmverify::proofs::index::induction {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "proofs/index/on_cells.hpp"
+#include "proofs/index/grid/cells.hpp"
 #include "proofs/pipe/lines.hpp"
 #include "spec/index/index.hpp"
 

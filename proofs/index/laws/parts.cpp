@@ -1,0 +1,67 @@
+#include "proofs/index/laws/parts.hpp"
+
+#include <fmt/format.h>
+
+#include "proofs/index/options.hpp"
+
+namespace mmverify::proofs::index {
+
+const IndexSubject& of_index(const Subject& s) { return dynamic_cast<const IndexSubject&>(s); }
+
+std::function<Tally(const Subject&, Level, const Run&)> judged_by(Judge judge) {
+  return [judge](const Subject& s, Level n, const Run& run) { return judge(of_index(s), n, run); };
+}
+std::function<Replayed(const Subject&, Level, const std::string&)> replayed_by(Replay replay) {
+  return [replay](const Subject& s, Level n, const std::string& at) { return replay(of_index(s), n, at); };
+}
+
+std::uint64_t all_cells(Level n, const Run& run) {
+  return has(run.options, interiors_only) ? triangle_count(n) : cell_count(n);
+}
+std::uint64_t next_cells(Level n, const Run& run) { return all_cells(n + 1, run); }
+std::uint64_t all_triangles(Level n, const Run&) { return triangle_count(n); }
+
+std::string points(const Subject& subject, Level n) {
+  const IndexSubject& s = of_index(subject);
+  if (s.exact()) return "every rational point of the triangle, by its 3N^2+3N+1 cells";
+  const bool representable = s.functions.arithmetic != Arithmetic::binary16 || n + 2 <= 11;
+  return fmt::format("the 3N^2+3N+1 representatives, {} {} numbers", representable ? "as" : "rounded to",
+                     to_string(s.functions.arithmetic));
+}
+std::string next_points(const Subject& s, Level n) { return points(s, n + 1) + " of level n+1"; }
+std::string triangles(const Subject& subject, Level) {
+  return of_index(subject).exact() ? "the 4^n open micro-triangles"
+                                   : "one point inside each of the 4^n micro-triangles";
+}
+std::string indices(const Subject&, Level) { return "the 4^n indices"; }
+
+std::string in_fixed_point(const Subject& s, Level) {
+  return s.exact() ? "exhaustive, 64-bit fixed point" : "exhaustive, against 64-bit fixed point";
+}
+std::string in_rationals_then_fixed_point(const Subject& s, Level n) {
+  return s.exact() && n <= rational_levels ? "exhaustive, rationals" : in_fixed_point(s, n);
+}
+std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
+std::string by_sample(const Subject&, Level) { return "sample, against exact arithmetic"; }
+std::string by_witness(const Subject&, Level) { return "witness, against exact arithmetic"; }
+
+Unfit needing(std::vector<Entry> entries, Level above) {
+  return [=](const Subject& subject, Level n) -> std::optional<std::string> {
+    const auto* s = dynamic_cast<const IndexSubject*>(&subject);
+    if (s == nullptr) return "not a subject of topic index";
+    for (const Entry e : entries)
+      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
+    if (const Level last = s->functions.max_level; n + above > last)
+      return fmt::format("{} is defined up to level {}", s->name(), last);
+    return std::nullopt;
+  };
+}
+
+Unfit needing_exact(std::vector<Entry> entries) {
+  return [fits = needing(std::move(entries))](const Subject& subject, Level n) -> std::optional<std::string> {
+    if (!subject.exact()) return subject.name() + " does not compute in exact arithmetic";
+    return fits(subject, n);
+  };
+}
+
+}  // namespace mmverify::proofs::index

@@ -1,0 +1,47 @@
+// What the laws of topic index are put together from: closed forms, domains and methods in words, who fits.
+#pragma once
+
+#include "proofs/index/judges/judges.hpp"
+
+namespace mmverify::proofs::index {
+
+inline constexpr char vulkan[] = "VK_EXT_opacity_micromap, appendix \"Reference Code\"";
+inline constexpr char succinct_4_3[] = "Succinct Opacity Micromaps, 4.3, Algorithm 4";
+inline constexpr char succinct_a[] = "Succinct Opacity Micromaps, Appendix A";
+inline constexpr char attribute_4[] = "Color and Attribute Micromaps, 4.1, figure 4";
+
+const IndexSubject& of_index(const Subject& s);
+
+using Judge = Tally (*)(const IndexSubject&, Level, const Run&);
+using Replay = Replayed (*)(const IndexSubject&, Level, const std::string&);
+std::function<Tally(const Subject&, Level, const Run&)> judged_by(Judge judge);
+std::function<Replayed(const Subject&, Level, const std::string&)> replayed_by(Replay replay);
+
+// Closed forms.
+std::uint64_t all_cells(Level n, const Run& run);
+std::uint64_t next_cells(Level n, const Run& run);
+std::uint64_t all_triangles(Level n, const Run& run);
+
+// Domains in words.
+std::string points(const Subject& subject, Level n);
+std::string next_points(const Subject& subject, Level n);
+std::string triangles(const Subject& subject, Level n);
+std::string indices(const Subject& subject, Level n);
+
+// Methods in words.
+std::string in_fixed_point(const Subject& subject, Level n);
+std::string in_rationals_then_fixed_point(const Subject& subject, Level n);
+std::string exhaustively(const Subject& subject, Level n);
+std::string by_sample(const Subject& subject, Level n);
+std::string by_witness(const Subject& subject, Level n);
+
+/// Why a law does not apply to a subject at a level, if so.
+using Unfit = std::function<std::optional<std::string>(const Subject&, Level)>;
+
+/// The subject has the entry points and is defined `above` levels further.
+Unfit needing(std::vector<Entry> entries, Level above = 0);
+
+/// The same, and it computes in exact arithmetic.
+Unfit needing_exact(std::vector<Entry> entries);
+
+}  // namespace mmverify::proofs::index

@@ -1,0 +1,368 @@
+// Shared-library subjects and programs on a pipe: right, wrong and misbehaving ones, judged by the built
+// program.
+#include "tests/dock/plugin.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/sanitized.hpp"
+
+namespace mmverify::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Outcome judge_on(const std::string& threads, const std::string& name, const std::string& more) {
+  // Only what hangs is to be found to: on a busy machine a second is soon over.
+  const std::string timeout = name == "hang" || name == "forks" ? "1" : "30";
+  return shell("MMVERIFY_WORKER_MEMORY=200 mmverify prove --quiet --no-mutants --timeout " + timeout +
+               " --threads " + threads + " --subject " + library(name) + " " + more);
+}
+
+Outcome judge(const std::string& name, const std::string& more = "index.equals_reference --levels 6..8") {
+  return judge_on("1", name, more);
+}
+
+TEST(Subject, the_example_in_c_is_proved_on_all_cells) {
+  const Outcome o = judge("example", "index.equals_reference --levels 0..8");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("the 3N^2+3N+1 representatives, as binary32 numbers"));
+  EXPECT_THAT(o.out, HasSubstr("checked    index.exact_or_published"));
+  EXPECT_THAT(o.out, HasSubstr("example.so: checked, the weakest of its verdicts"));
+}
+
+TEST(Subject, entry_points_that_are_missing_are_not_applicable) {
+  const Outcome o = judge("example", "index.corners index.in_range --levels 0..3");
+  EXPECT_EQ(o.exit_code, 0) << o.out;
+  EXPECT_THAT(o.out, HasSubstr("n/a        index.corners"));
+  EXPECT_EQ(judge("example", "index.corners").exit_code, 2);
+}
+
+TEST(Subject, every_entry_point_is_judged_and_binary64_apart) {
+  const Outcome o = judge("batched", "--levels 0..5");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  for (const char* law :
+       {"index.corners", "index.inverse", "index.row_order", "index.row_corners", "index.bijective"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("proved     ") + law));
+  EXPECT_THAT(o.out, HasSubstr("batched.so:f64: checked"));
+}
+
+// The tie was planted at u = 3/8, v = 1/4 of level 7: the answer is to name that vertex and no other.
+TEST(Subject, one_wrong_tie_is_found_and_replayed) {
+  const Outcome o = judge("tie");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("level 7: 1 of 49,537 cases wrong (vertices 1, edges 0, interiors 0)"));
+  EXPECT_THAT(o.out,
+              HasSubstr("refuted index.equals_reference level 7 case v:u=3/8,v=1/4 (0x1.8p-2,0x1p-2) "));
+  EXPECT_THAT(o.out, HasSubstr("right at levels 6..6, wrong at 7"));
+  EXPECT_THAT(o.out,
+              HasSubstr("wrong on ties only: 1 vertices and 0 edges of level 7; every interior is right"));
+  const Outcome again = replayed(o);
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_THAT(again.out, HasSubstr("refuted index.equals_reference level 7 case v:u=3/8,v=1/4"));
+}
+
+#ifdef MMVERIFY_SANITIZED_SUBJECTS
+TEST(Subject, a_sanitizers_report_is_named_with_the_case) {
+  const Outcome past = judge("address_sanitized");
+  EXPECT_EQ(past.exit_code, 1) << past.out << past.err;
+  EXPECT_THAT(past.out, HasSubstr("AddressSanitizer: heap-buffer-overflow"));
+  EXPECT_THAT(past.out, HasSubstr("at level 6 on case u=0x0p+0,v=0x0p+0"));
+  EXPECT_THAT(past.err, HasSubstr("READ of size 1"));
+  const Outcome sum = judge("undefined_sanitized");
+  EXPECT_EQ(sum.exit_code, 1) << sum.out << sum.err;
+  // Its summary, where its runtime writes one; else its first line.
+  EXPECT_THAT(sum.out, testing::AnyOf(HasSubstr("UndefinedBehaviorSanitizer: undefined-behavior"),
+                                      HasSubstr("runtime error: signed integer overflow")));
+  EXPECT_THAT(sum.err, HasSubstr("signed integer overflow"));
+}
+
+TEST(Subject, a_sanitized_library_is_not_timed) {
+  const Outcome o = shell("mmverify bench index --levels 4 --subject " + library("address_sanitized"));
+  EXPECT_EQ(o.exit_code, 4) << o.out;
+  EXPECT_THAT(o.err, HasSubstr("it needs libasan.so"));
+}
+#endif
+
+TEST(Subject, one_wrong_tie_passes_where_only_interiors_count) {
+  const Outcome o = judge("tie", "index.equals_reference --levels 6..8 --cells interior");
+  EXPECT_EQ(o.exit_code, 0) << o.out;
+  EXPECT_THAT(o.out, HasSubstr("those inside micro-triangles only"));
+}
+
+TEST(Subject, children_swapped_from_level_2_are_named) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome o = judge("swapped_from_level_2", "index.equals_reference --levels 0..4");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("the curve, but children 0 and 2 change places from level 2 on"));
+}
+
+TEST(Subject, row_order_is_named) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  EXPECT_THAT(judge("rows", "index.equals_reference --levels 0..4").out,
+              HasSubstr("row order (w-minor), not the curve"));
+}
+
+TEST(Subject, exchanged_barycentrics_are_named) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  EXPECT_THAT(judge("u_and_v_exchanged", "index.equals_reference --levels 0..4").out,
+              HasSubstr("the curve, with (w, u, v) taken as (w, v, u)"));
+}
+
+struct Misbehaviour {
+  friend void PrintTo(const Misbehaviour& m, std::ostream* out) { *out << m.name; }
+  const char *name, *said;
+  bool one_case;
+  bool every_time = true;  ///< a worker asks a level's first cases again, once: not in every law
+};
+
+class Misbehaving : public testing::TestWithParam<Misbehaviour> {};
+
+TEST_P(Misbehaving, is_broken_and_the_run_goes_on) {
+  const auto& [name, said, one_case, every_time] = GetParam();
+  const std::string levels = sanitized ? "7" : "6..8";  // a sanitized tool takes seconds for a level
+  const Outcome o = judge(name, "index.equals_reference index.in_range --levels " + levels);
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("broken     index.equals_reference"));
+  EXPECT_THAT(o.out, HasSubstr(every_time ? "broken     index.in_range" : " index.in_range"))
+      << "the next law is judged";
+  EXPECT_THAT(o.out, HasSubstr(said));
+  EXPECT_THAT(o.out, HasSubstr(one_case ? "at level 7 on case u=0x1.8p-2,v=0x1p-2"
+                                        : "at level 7 in the batch of 4096 cases"));
+}
+
+// A crash at one vertex leaves the other cases of its level, and the levels above, to be judged.
+TEST(Subject, a_crash_in_a_batch_is_declined_and_the_others_judged) {
+  const Outcome o =
+      judge("crash", "index.equals_reference index.bijective --levels 7..8 --no-companions --json -");
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  const auto results = nlohmann::json::parse(o.out).at("results");
+  ASSERT_EQ(results.size(), 4u) << o.out;
+  const auto& level_7 = results[0];
+  EXPECT_EQ(level_7.at("verdict"), "broken");
+  EXPECT_EQ(level_7.at("cases_run"), 49537);
+  EXPECT_EQ(level_7.at("by_kind").at("vertex").at("declined"), 1);
+  EXPECT_EQ(level_7.at("cases_broken"), 1);
+  EXPECT_THAT(level_7.at("breaks")[0].get<std::string>(),
+              HasSubstr("at level 7 on case u=0x1.8p-2,v=0x1p-2"));
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_EQ(results[k].at("verdict"), "proved") << results[k];
+}
+
+TEST(Subject, a_crash_hides_no_wrong_answer) {
+  for (const char* threads : {"1", "4"}) {
+    const Outcome o = judge_on(threads, "crash_and_tie", "index.equals_reference --levels 7");
+    EXPECT_EQ(o.exit_code, 1) << o.err;
+    EXPECT_THAT(o.out, HasSubstr("refuted index.equals_reference level 7 case v:u=1/4,v=1/4"));
+    EXPECT_THAT(o.out, HasSubstr("at level 7 on case u=0x1.8p-2,v=0x1p-2"));
+  }
+}
+
+// Before anything is answered, eight are enough.
+TEST(Subject, a_crash_on_every_case_ends_the_law_with_the_first) {
+  for (const char* threads : {"1", "4"}) {
+    const Outcome o = judge_on(threads, "crash_on_all", "index.equals_reference --levels 9");
+    EXPECT_EQ(o.exit_code, 1) << o.err;
+    EXPECT_THAT(o.out, HasSubstr("at level 9 on case u=0x0p+0,v=0x0p+0"));
+  }
+}
+
+// What each does, at u = 3/8, v = 1/4 of level 7, stands in tests/subjects/misbehaving.cpp.
+INSTANTIATE_TEST_SUITE_P(
+    Subject, Misbehaving,
+    testing::Values(Misbehaviour{"crash", "crashed (signal ", true},
+                    Misbehaviour{"hang", "hung: no answer within 1 s", true},
+                    Misbehaviour{"overrun", "it touched memory outside its output", false},
+                    Misbehaviour{"underrun", "wrote before the start of its output", false},
+                    Misbehaviour{"exits", "called exit(0)", true},
+                    Misbehaviour{"throws", "threw an exception: no such triangle", true},
+                    Misbehaviour{"rounds", "left the rounding or flush mode changed", true},
+                    Misbehaviour{"counts_calls", "non-deterministic, asked", true, false},
+                    Misbehaviour{"sees_batch", "non-deterministic, asked in batches of 7", true, false},
+                    Misbehaviour{"sees_threads", "non-deterministic, asked from two threads at once", true,
+                                 false},
+                    Misbehaviour{"forks", "hung: no answer within 1 s", true},
+                    Misbehaviour{"fills_memory", "took more than 200 MiB of memory", true},
+                    Misbehaviour{"writes_a_file", "File size limit exceeded", true},
+                    Misbehaviour{"prints_on", "printed more than 1024 KiB", true},
+                    Misbehaviour{"starts_threads", "had more than 512 threads", true},
+                    Misbehaviour{"unwritten", "left its output unwritten", true},
+                    Misbehaviour{"writes_input", "it wrote to its input or read past its end", true}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+// Answers that depend on more than the element and the level.
+TEST(Subject, what_it_keeps_between_questions_is_seen) {
+  const std::pair<const char*, const char*> all[] = {
+      {"keeps_the_last", "asked after level 9: "},
+      {"counts_in_16_bits", "left its output unwritten"},
+      {"shares_a_buffer", "asked from two threads at once: "},
+      {"publishes_early", "two threads at once, the first time at this level"},
+      {"fills_its_end_last", "two threads at once, the first time at this level"}};
+  for (const auto& [name, said] : all) {
+    const Outcome o = judge(name, "index.equals_reference --levels 0..9 --no-companions");
+    EXPECT_EQ(o.exit_code, 1) << name << o.out << o.err;
+    EXPECT_THAT(o.out, HasSubstr(said)) << name;
+  }
+}
+
+TEST(Subject, a_parent_that_is_kept_without_its_level_is_seen) {
+  const Outcome o = judge("keeps_parents", "index.on_samples --levels 16 --no-companions");
+  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("asked after level 1: "));
+}
+
+// Levels are asked in turns, to see what is kept between them: a crash is that of its own level all the same.
+TEST(Subject, a_crash_is_of_the_level_that_crashes) {
+  const Outcome o = judge("crash_at_5", "index.equals_reference --levels 4..5 --no-companions");
+  EXPECT_THAT(o.out, testing::ContainsRegex("proved     index.equals_reference [^\n]* level 4 "));
+  EXPECT_THAT(o.out, HasSubstr("at level 5 on case u=0x1p-2,v=0x1p-2"));
+}
+
+// The rest of the machine, this process among it, goes on.
+TEST(Subject, what_it_does_to_others_has_no_effect) {
+  for (const std::string name : {"kills_parent", "opens_files"}) {
+    // UBSan opens files of its own to look at an object's type.
+    if (sanitized && name == "opens_files") continue;
+    const Outcome o = judge(name, "index.equals_reference --levels 7 --no-companions");
+    EXPECT_EQ(o.exit_code, 0) << name << o.out << o.err;
+    EXPECT_THAT(o.out, HasSubstr("proved     index.equals_reference")) << name;
+  }
+}
+
+// Of files that a process may have open, some number is enough to load the library and too few for a second worker.
+TEST(Subject, a_machine_without_room_is_no_fault_of_its) {
+  if (sanitized) GTEST_SKIP() << "a sanitizer needs more files than a second worker";
+  for (int files = 5; files < 40; ++files) {
+    const Outcome o =
+        shell("ulimit -n " + std::to_string(files) +
+              "; mmverify prove index.equals_reference --levels 9..10 --threads 2 --quiet --no-mutants "
+              "--no-companions --json - --subject " +
+              library("example"));
+    if (o.exit_code != 4 || o.out.find("\"verdict\": \"incomplete\"") == std::string::npos) continue;
+    EXPECT_THAT(o.err, HasSubstr("for a worker: Too many open files"));
+    EXPECT_THAT(o.out, Not(HasSubstr("broken")));
+    return;
+  }
+  FAIL() << "no number of files was too few after the first worker";
+}
+
+TEST(Subject, what_it_prints_stays_out_of_the_results) {
+  const Outcome o = judge("prints", "index.in_range --levels 7 --json -");
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_EQ(o.out.front(), '{');
+  EXPECT_THAT(o.out, HasSubstr("\"mmverify.result/1\""));
+  EXPECT_THAT(o.out, Not(HasSubstr("{}")));
+}
+
+TEST(Subject, same_digest_for_any_number_of_threads) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
+  const std::string at =
+      "prove index.equals_reference --quiet --no-mutants --levels 9 --subject " + library("batched");
+  const Outcome one = shell("mmverify " + at + " --threads 1"),
+                two = shell("mmverify " + at + " --threads 2");
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_EQ(digest(one), digest(two));
+  EXPECT_EQ(
+      digest(one),
+      digest(shell("mmverify prove index.equals_reference --quiet --no-mutants --levels 9 --subject step")));
+}
+
+TEST(Subject, a_file_that_is_no_subject_is_exit_4) {
+  expect_complaint(judge("fault_0"), 4, "it does not export mmverify_subject_v1");
+  expect_complaint(judge("fault_1"), 4, "it was built for version 2 of the interface, this is version 1");
+  expect_complaint(judge("fault_2"), 4, "all its entry points are null");
+  expect_complaint(judge("no/such"), 4, "no such file");
+  expect_complaint(shell("mmverify prove --quiet --subject /etc/passwd"), 4, "/etc/passwd: invalid ELF");
+}
+
+TEST(Subject, a_replay_line_is_one_for_a_shell_whatever_the_file_is_called) {
+  const Folder folder;
+  const fs::path odd = folder / "a b'$(exit 9);.so";
+  fs::copy_file(library("tie"), odd);
+  const Outcome o =
+      program({"prove", "index.equals_reference", "--quiet", "--levels", "7", "--subject", odd});
+  const auto at = o.out.find("replay: ");
+  ASSERT_NE(at, std::string::npos) << o.out << o.err;
+  const Outcome again = shell(o.out.substr(at + 8, o.out.find('\n', at) - at - 8));
+  EXPECT_EQ(again.exit_code, 1) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("case v:u=3/8,v=1/4"));
+}
+
+TEST(Subject, an_interrupt_does_not_wait_for_a_subject_that_hangs) {
+  Process run(program_with({"prove", "index.equals_reference", "--levels", "6..7", "--timeout", "500",
+                            "--subject", library("hang")}));
+  ASSERT_TRUE(run.says("level 6"));
+  run.send(SIGINT);
+  const Outcome o = run.wait();
+  EXPECT_EQ(o.exit_code, 3) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("incomplete index.equals_reference"));
+}
+
+// -----------------------------------------------------------------------------------------------------------------
+
+// What it says of a reader that stopped is left out.
+const std::string python = std::string("python3 2>/dev/null ") + MMVERIFY_EXAMPLES + "/pipe/index.py";
+
+Outcome piped(const std::string& filter, int level = 5, const std::string& more = "") {
+  const std::string n = std::to_string(level);
+  return shell("mmverify gen index --level " + n + more + " | " + filter +
+               " | mmverify check index --level " + n + more);
+}
+
+TEST(Pipe, the_example_in_python_is_proved) {
+  for (const int level : {0, 1, 5}) {
+    const Outcome o = piped(python, level);
+    EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+    EXPECT_THAT(o.out, HasSubstr("proved     index.equals_reference"));
+  }
+  EXPECT_EQ(piped(python, 4, " --cells interior").exit_code, 0);
+}
+
+TEST(Pipe, a_level_has_as_many_cases_as_cells) {
+  const Outcome o = shell("mmverify gen index --level 3 | grep -vc '#'");
+  EXPECT_EQ(o.out, "217\n");  // 3 64 + 3 8 + 1
+}
+
+// Case 5 of level 2 is the vertex (1/2 + 1/8, 0) of the first row: 0 1/8 1/4 3/8 1/2 5/8, an edge's middle,
+// in fact.
+TEST(Pipe, a_wrong_answer_is_refuted_and_replayed) {
+  const Outcome o = piped(python + " | sed 's/^5 .*/5 0/'", 2);
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("refuted index.equals_reference level 2 case e:u=5/8,v=0 "));
+  EXPECT_THAT(o.out, HasSubstr("wrong on ties only"));
+  const auto at = o.out.find("replay: ");
+  const Outcome again = shell(o.out.substr(at + 8, o.out.find('\n', at) - at - 8));
+  EXPECT_EQ(again.exit_code, 1) << again.err;
+}
+
+TEST(Pipe, a_planted_tie_at_a_vertex_of_level_7_is_that_vertex) {
+  const Outcome o =
+      shell("mmverify gen index --level 7 | awk '$2==\"0x1.8p-2\" && $3==\"0x1p-2\" {print $1}'");
+  const std::string number = o.out.substr(0, o.out.find('\n'));
+  const Outcome judged = piped(python + " | sed 's/^" + number + " .*/" + number + " 1/'", 7);
+  EXPECT_EQ(judged.exit_code, 1);
+  EXPECT_THAT(judged.out, HasSubstr("case v:u=3/8,v=1/4 (0x1.8p-2,0x1p-2) expected "));
+  EXPECT_THAT(judged.out, HasSubstr("(vertices 1, edges 0, interiors 0)"));
+}
+
+TEST(Pipe, short_long_and_garbled_answers_name_the_line) {
+  expect_complaint(piped(python + " | head -n 100"), 4,
+                   "standard input ended after line 100, with 100 of 3169 cases answered");
+  expect_complaint(piped("cat >/dev/null; true"), 4, "standard input ended after line 0");
+  expect_complaint(piped("(" + python + "; echo 3169 0)"), 4, "line 3170: more than the 3169 cases asked");
+  expect_complaint(piped(python + " | sed 's/^50 .*/50 x/'"), 4, "line 51: '50 x' is not an answer");
+  expect_complaint(piped(python + " | sed 's/^50 .*/50 -1/'"), 4, "line 51: ");
+  expect_complaint(piped(python + " | sed 's/^50 .*/50 4294967296/'"), 4, "line 51: ");
+  expect_complaint(piped(python + " | sed '51d'"), 4, "line 51: case 51 where case 50 is due");
+}
+
+TEST(Pipe, comments_empty_lines_and_hexadecimal_pass) {
+  EXPECT_EQ(piped("(echo '# hello'; echo; " + python +
+                  R"() | awk '{if (NF==2 && $1 ~ /^[0-9]/) printf "%d 0x%x\r\n", $1, $2; else print}')")
+                .exit_code,
+            0);
+}
+
+}  // namespace
+}  // namespace mmverify::tests

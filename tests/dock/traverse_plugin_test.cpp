@@ -1,0 +1,86 @@
+// Shared libraries that decide what becomes of a candidate: right, wrong and misbehaving ones, judged by the built program.
+#include <string>
+
+#include "tests/dock/plugin.hpp"
+#include "tests/sanitized.hpp"
+
+namespace mmverify::tests {
+namespace {
+
+using testing::HasSubstr;
+
+Outcome judge_traverse(const std::string& name, const std::string& what) {
+  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --threads 1 --subject " +
+               library(name));
+}
+
+TEST(TraverseSubject, the_example_in_c_keeps_every_law_about_decisions) {
+  const Outcome o = judge_traverse("traverse_example", "traverse");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  for (const char* law :
+       {"decision", "ignored_is_final", "two_state_never_calls_a_shader", "micromap_replaces_flag",
+        "last_flag_wins", "apis_agree", "lossy_is_conservative", "lossy_shows"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("proved     traverse.") + law));
+  EXPECT_THAT(o.out, HasSubstr("n/a        traverse.undefined_is_named"));
+}
+
+struct WrongDecision {
+  friend void PrintTo(const WrongDecision& w, std::ostream* out) { *out << w.name; }
+  const char *name, *law, *expected;
+};
+
+class WrongTraverse : public testing::TestWithParam<WrongDecision> {};
+
+TEST_P(WrongTraverse, is_refuted_and_replayed) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto& [name, law, expected] = GetParam();
+  const Outcome o = judge_traverse(name, law);
+  expect_refuted_and_replayed(o, law);
+  EXPECT_THAT(o.out, HasSubstr(expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Subject, WrongTraverse,
+    testing::Values(
+        WrongDecision{"traverse_instance_after_ray", "traverse.last_flag_wins",
+                      "instance=force-opaque,ray=no-opaque expected non-opaque got opaque"},
+        WrongDecision{
+            "traverse_khr_query_forgets_2_state", "traverse.apis_agree",
+            "special:UT,not-opaque,instance=none,ray=2-state expected ignored in ext-query got non-opaque in "
+            "khr-query"},
+        WrongDecision{"traverse_opaque_fills_holes", "traverse.ignored_is_final",
+                      "expected ignored got opaque"},
+        WrongDecision{"traverse_outcome_3", "traverse.decision", "expected ignored got outcome 3"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+struct TraverseMisbehaviour {
+  friend void PrintTo(const TraverseMisbehaviour& m, std::ostream* out) { *out << m.name; }
+  const char *name, *said;
+};
+
+class MisbehavingTraverse : public testing::TestWithParam<TraverseMisbehaviour> {};
+
+TEST_P(MisbehavingTraverse, is_broken_with_the_case) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto& [name, said] = GetParam();
+  const Outcome o = judge_traverse(name, "traverse.decision");
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("broken     traverse.decision"));
+  EXPECT_THAT(o.out, HasSubstr(said));
+  EXPECT_THAT(o.out, HasSubstr("special:UT,not-opaque,instance=2-state,ray="));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Subject, MisbehavingTraverse,
+    testing::Values(TraverseMisbehaviour{"traverse_crash", "crashed (signal "},
+                    TraverseMisbehaviour{"traverse_throws", "threw an exception: no such state"},
+                    TraverseMisbehaviour{"traverse_unwritten", "left its output unwritten"},
+                    TraverseMisbehaviour{"traverse_counts_calls", "non-deterministic"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(TraverseSubject, built_before_there_were_decisions_it_has_none) {
+  expect_complaint(judge_traverse("traverse_old_header", "traverse"), 4, "all its entry points are null");
+}
+
+}  // namespace
+}  // namespace mmverify::tests

@@ -1,0 +1,130 @@
+// Shared libraries of square maps and blocks: right, wrong and misbehaving ones, judged by the built program.
+#include <string>
+
+#include "tests/dock/plugin.hpp"
+#include "tests/sanitized.hpp"
+
+namespace mmverify::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Outcome judge_vq(const std::string& name, const std::string& what) {
+  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --threads 1 --subject " +
+               library(name));
+}
+
+TEST(VqSubject, the_example_in_c_keeps_every_law_that_it_has_entry_points_for) {
+  const Outcome o = judge_vq("vq_example", "vq");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  for (const char* law :
+       {"vq2.region_is_map", "vq4.region_is_map", "vq2.no_other_bit", "vq4.no_other_bit", "vq2.conservative"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("proved     ") + law));
+  for (const char* law : {"vq2.on_random_blocks", "vq4.on_random_blocks", "vq2.conservative_on_samples",
+                          "vq4.conservative_on_samples"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("checked    ") + law));
+  // What it does not promise: vectors, fields, few substitutions.
+  for (const char* law : {"vq.vectors", "vq2.block_bits", "vq2.lossless_when_it_fits", "vq2.optimum"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("n/a        ") + law));
+}
+
+// -----------------------------------------------------------------------------------------------------------------
+
+struct WrongVqAnswer {
+  friend void PrintTo(const WrongVqAnswer& w, std::ostream* out) { *out << w.name; }
+  const char *name, *law, *at, *expected;
+};
+
+class WrongVq : public testing::TestWithParam<WrongVqAnswer> {};
+
+TEST_P(WrongVq, is_refuted_and_replayed) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto& [name, law, at, expected] = GetParam();
+  const Outcome o = judge_vq(name, law);
+  expect_refuted_and_replayed(o, law);
+  EXPECT_THAT(o.out, HasSubstr(std::string("case ") + at));
+  EXPECT_THAT(o.out, HasSubstr(std::string("expected ") + expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Subject, WrongVq,
+    testing::Values(
+        WrongVqAnswer{"vq_y_downwards", "vq2.region_is_map", "block:", "decoded region"},
+        WrongVqAnswer{"vq_turns_the_other_way", "vq2.region_is_map", "block:", "decoded region"},
+        WrongVqAnswer{"vq_last_region_of_br", "vq2.region_is_map", "block:", "asked for region 15,0"},
+        WrongVqAnswer{"vq_state_3", "vq2.region_is_map", "block:", "decoded region 0,0 O got 3"},
+        WrongVqAnswer{"vq_opaque_for_transparent", "vq2.conservative", "map:02000000",
+                      "region 1,0 T or C got O"},
+        WrongVqAnswer{"vq_checks_nothing", "vq2.conservative", "map:02000000", "region 0,0 O or C got T"},
+        WrongVqAnswer{"vq_promises_to_keep", "vq2.lossless_when_it_fits", "map:", "region"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+struct VqMisbehaviour {
+  friend void PrintTo(const VqMisbehaviour& m, std::ostream* out) { *out << m.name; }
+  const char *name, *law, *said, *doing;
+};
+
+class MisbehavingVq : public testing::TestWithParam<VqMisbehaviour> {};
+
+TEST_P(MisbehavingVq, is_broken_with_the_case_and_the_run_goes_on) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto& [name, law, said, doing] = GetParam();
+  const Outcome o = judge_vq(name, std::string(law) + " vq4.conservative");
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_THAT(o.out, HasSubstr(std::string("broken     ") + law));
+  EXPECT_THAT(o.out, HasSubstr(said));
+  EXPECT_THAT(o.out, HasSubstr(std::string("at level 4 ") + doing));
+  EXPECT_THAT(o.out, HasSubstr("proved     vq4.conservative")) << "the next law is judged";
+}
+
+constexpr char regions[] = "vq2.region_is_map", encodes[] = "vq2.conservative",
+               out_of_vq_input[] = "it wrote to its input or read past its end";
+
+// What each does stands in tests/subjects/wrong_vq.cpp.
+INSTANTIATE_TEST_SUITE_P(
+    Subject, MisbehavingVq,
+    testing::Values(
+        VqMisbehaviour{"vq_decoder_reads_past", regions, out_of_vq_input, "decoding block:"},
+        VqMisbehaviour{"vq_decoder_unwritten", regions, "left its output unwritten", "decoding block:"},
+        VqMisbehaviour{"vq_region_crashes", regions, "crashed (signal ", "looking up x=15,y=0 in block:"},
+        VqMisbehaviour{"vq_encoder_overrun", encodes, "it touched memory outside its output",
+                       "encoding map:02000000"},
+        VqMisbehaviour{"vq_encoder_counts_calls", encodes, "non-deterministic, asked again: byte 31",
+                       "encoding map:02000000"},
+        VqMisbehaviour{"vq_encoder_throws", encodes, "threw an exception: no such map",
+                       "encoding map:02000000"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+// -----------------------------------------------------------------------------------------------------------------
+
+TEST(VqSubject, a_decoder_or_an_encoder_may_come_alone_and_one_format_too) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const std::string both = "vq2.region_is_map vq2.conservative";
+  const Outcome decodes = judge_vq("vq_decodes_only", both), encodes = judge_vq("vq_encodes_only", both),
+                vq4 = judge_vq("vq_vq4_only", both + " vq4.conservative vq4.on_random_blocks --cases 500");
+  for (const Outcome* o : {&decodes, &encodes, &vq4}) EXPECT_EQ(o->exit_code, 0) << o->out << o->err;
+  EXPECT_THAT(decodes.out, HasSubstr("proved     vq2.region_is_map"));
+  EXPECT_THAT(decodes.out, HasSubstr("n/a        vq2.conservative"));
+  EXPECT_THAT(encodes.out, HasSubstr("n/a        vq2.region_is_map"));
+  EXPECT_THAT(encodes.out, HasSubstr("proved     vq2.conservative"));
+  EXPECT_THAT(vq4.out, HasSubstr("n/a        vq2.region_is_map"));
+  EXPECT_THAT(vq4.out, HasSubstr("proved     vq4.conservative"));
+  EXPECT_THAT(vq4.out, HasSubstr("checked    vq4.on_random_blocks"));
+}
+
+TEST(VqSubject, built_before_there_were_blocks_it_has_none) {
+  expect_complaint(judge_vq("vq_old_header", "vq"), 4, "all its entry points are null");
+}
+
+TEST(VqSubject, same_digest_as_ours) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
+  const std::string law = "mmverify prove vq2.region_is_map --quiet --no-mutants --subject ";
+  const Outcome theirs = shell(law + library("vq_example") + " --threads 2"), ours = shell(law + "vq");
+  EXPECT_EQ(theirs.exit_code, 0);
+  EXPECT_EQ(digest(theirs), digest(ours));
+}
+
+}  // namespace
+}  // namespace mmverify::tests

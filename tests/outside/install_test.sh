@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# The installed tree serves a project of someone else's: find_package, pkg-config, a proof of its index function, the Debian
+# package.
+# usage: tests/outside/install_test.sh BUILD_FOLDER [C_COMPILER CXX_COMPILER]
+set -euo pipefail
+
+(($# == 1 || $# == 3)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
+build=$(readlink -f -- "$1")
+export CC=${2:-cc} CXX=${3:-c++}
+tests=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+fail() { echo "FAILED: $*"; exit 1; }
+
+DESTDIR='' cmake --install "$build" --prefix "$folder/installed" >"$folder/install.log" || { cat "$folder/install.log"; exit 1; }
+"$folder/installed/bin/mmverify" --version
+
+# As the user's project: the example's source is theirs.
+cp -r "$tests/consumer" "$folder/consumer"
+cp "$tests/../../examples/subject/subject.c" "$folder/consumer/my_index.c"
+cmake -S "$folder/consumer" -B "$folder/consumer/build" -D CMAKE_PREFIX_PATH="$folder/installed" >"$folder/configure.log" ||
+  { cat "$folder/configure.log"; exit 1; }
+cmake --build "$folder/consumer/build" >"$folder/build.log" || { cat "$folder/build.log"; exit 1; }
+ctest --test-dir "$folder/consumer/build" --output-on-failure --no-tests=error --output-junit "$folder/ctest.xml"
+grep -q 'testcase name="my_index_is_right"' "$folder/ctest.xml" || fail "ctest's JUnit file has no such test"
+[[ -s $folder/consumer/build/my_index_is_right.xml ]] || fail "the proof left no JUnit file"
+
+# The gate on that proof: green on itself, red once the function is wrong.
+gate=("$folder/installed/bin/mmverify" gate --baseline "$folder/baseline.json" "$folder/consumer/build/my_index_is_right.json")
+"${gate[@]}" --bless
+"${gate[@]}"
+sed -i 's/uf + vf could/&/; s/if (j > n - 1) j = n - 1;/if (level == 8 \&\& j == 3) i ^= 1;/' "$folder/consumer/my_index.c"
+cmake --build "$folder/consumer/build" >"$folder/build.log" || { cat "$folder/build.log"; exit 1; }
+! ctest --test-dir "$folder/consumer/build" -R my_index >"$folder/ctest.log" || fail "a wrong index function passes"
+code=0
+"${gate[@]}" >"$folder/gate.log" || code=$?
+((code == 1)) || fail "the gate on a wrong index function gives exit code $code"
+grep 'verdict proved -> refuted' "$folder/gate.log"
+
+# Where there is no Highway, all but the library.
+mkdir "$folder/without"
+cp "$tests/../../examples/subject/subject.c" "$folder/without/my_index.c"
+cat >"$folder/without/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.25)
+project(without LANGUAGES C CXX)
+find_package(mmverify REQUIRED)
+if(TARGET mmverify::impl)
+  message(FATAL_ERROR "mmverify::impl is there")
+endif()
+enable_testing()
+add_library(my_index MODULE my_index.c)
+target_link_libraries(my_index PRIVATE mmverify::subject)
+mmverify_add_proof(my_index_is_right SUBJECT my_index LAWS index.in_range LEVELS 0..2)
+CMAKE
+PKG_CONFIG_LIBDIR=/nowhere cmake -S "$folder/without" -B "$folder/without/build" -D CMAKE_PREFIX_PATH="$folder/installed" \
+  >"$folder/configure.log" 2>&1 || { cat "$folder/configure.log"; exit 1; }
+grep 'mmverify::impl is left out' "$folder/configure.log"
+cmake --build "$folder/without/build" >"$folder/build.log" || { cat "$folder/build.log"; exit 1; }
+ctest --test-dir "$folder/without/build" --no-tests=error | tail -1
+
+# By pkg-config.
+PKG_CONFIG_PATH=$(dirname "$(find "$folder/installed" -name mmverify.pc)")
+export PKG_CONFIG_PATH
+read -ra flags < <(pkg-config --cflags --libs mmverify)
+"$CXX" -std=c++20 "$tests/consumer/uses_the_library.cpp" -o "$folder/by_pkg_config" "${flags[@]}"
+"$folder/by_pkg_config"
+
+# Each installed header stands by itself, and docs/API.md offers them all and no other.
+(cd "$folder/installed/include" && find mmverify -name '*.h' -o -name '*.hpp') | LC_ALL=C sort >"$folder/headers"
+grep -oE '<mmverify/[a-z0-9_/]*\.hp*>' "$(find "$folder/installed" -name API.md)" | tr -d '<>' | LC_ALL=C sort -u >"$folder/offered"
+diff "$folder/headers" "$folder/offered" || fail "installed (<) is not what docs/API.md offers (>)"
+while read -r header; do
+  echo "#include <$header>" >"$folder/alone.cpp"
+  "$CXX" -std=c++20 -fsyntax-only "${flags[@]}" "$folder/alone.cpp" || fail "$header does not stand by itself"
+done <"$folder/headers"
+grep -rq '"impl/' "$folder/installed/include" && fail "an installed header includes impl/"
+
+# The package, unpacked rather than installed: this machine stays as it is.
+(cd "$folder" && cpack -G DEB --config "$build/CPackConfig.cmake" -B "$folder" >"$folder/cpack.log" 2>&1) ||
+  { cat "$folder/cpack.log"; exit 1; }
+deb=$(find "$folder" -maxdepth 1 -name 'mmverify_*.deb')
+[[ -n $deb ]] || fail "cpack left no package"
+dpkg-deb --info "$deb" | grep -E ' (Package|Version|Depends):'
+dpkg-deb -x "$deb" "$folder/root"
+"$folder/root/usr/bin/mmverify" prove index.in_range --levels 0..2 --quiet | tail -1
+# And that one finds the worker that a library is run in.
+code=0
+"$folder/root/usr/bin/mmverify" prove index.equals_reference --levels 8 --quiet --no-mutants \
+  --subject "$folder/consumer/build/libmy_index.so" >"$folder/prove.log" || code=$?
+((code == 1)) || fail "the packaged program on a wrong index function gives exit code $code"
+tail -1 "$folder/prove.log"

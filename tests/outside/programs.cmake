@@ -1,0 +1,67 @@
+# The installed tree, from outside.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME install_test
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/install_test.sh ${PROJECT_BINARY_DIR} ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER})
+  add_test(NAME ci_workflow_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/ci_workflow_test.sh $<TARGET_FILE:mmverify>)
+  set_tests_properties(install_test ci_workflow_test PROPERTIES TIMEOUT 300)
+  add_test(NAME corpora_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/corpora_test.sh)
+  add_test(NAME contributing_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/contributing_test.sh)
+  add_test(NAME subjects_walk_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/subjects_walk_test.sh)
+endif()
+
+# The built program, from outside, as a user has it before him: tests/transcripts/README.md.
+add_test(NAME transcript_self_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/transcript --self-test)
+file(GLOB transcripts CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/transcripts transcripts/*/*.txt)
+if(MMVERIFY_SANITIZE AND NOT MMVERIFY_EVERY_TEST)
+  # What the program is handed from outside, and how it ends.
+  list(FILTER transcripts INCLUDE REGEX "/(complaints|bad_files|full_disk|hostile_texts|interrupted|journal|wrong_shards|cases)[.]txt$")
+endif()
+foreach(transcript IN LISTS transcripts)
+  string(REGEX REPLACE "\\.txt$" "" name "transcript.${transcript}")
+  add_test(NAME ${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/transcript $<$<BOOL:${MMVERIFY_SANITIZE}>:--sanitized>
+    $<TARGET_FILE_DIR:mmverify> ${CMAKE_CURRENT_SOURCE_DIR}/transcripts/${transcript} COMMAND_EXPAND_LISTS)
+  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300
+    ENVIRONMENT "SUBJECTS=${subjects_dir};SCENES=${MMVERIFY_SCENES};EXAMPLES=${PROJECT_SOURCE_DIR}/examples")
+endforeach()
+
+# The page of mmverify report, in a browser; without Node.js, npm's registry or Chromium (./run report-test installs them)
+# skipped, and so said. Its frames are timed: not beside others.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME report_page
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/report_page_test.sh $<TARGET_FILE:mmverify> ${CMAKE_CURRENT_BINARY_DIR}/report)
+  set_tests_properties(report_page PROPERTIES SKIP_RETURN_CODE 77 LABELS report RUN_SERIAL ON TIMEOUT 600)
+endif()
+
+# Every harness on its corpus.
+if(MMVERIFY_FUZZ)
+  foreach(name ${MMVERIFY_HARNESSES})
+    add_test(NAME fuzz_${name}_corpus COMMAND fuzz_${name} -runs=0 ${PROJECT_SOURCE_DIR}/fuzz/corpus/${name})
+  endforeach()
+endif()
+if(NOT MMVERIFY_SANITIZE)
+  # A harness that cannot find what was planted finds nothing.
+  function(mmverify_add_planted name program finding)
+    add_test(NAME fuzz_${name}_finds_what_was_planted COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/finds_planted_test.sh
+      $<TARGET_FILE:${program}> ${PROJECT_SOURCE_DIR}/fuzz/corpus/${name} ${finding})
+  endfunction()
+  mmverify_add_planted(attribute_container fuzz_attribute_container_planted_replay
+    "attribute_container: other bytes of the same maps")
+  mmverify_add_planted(bake_differential fuzz_bake_differential_planted_replay
+    "bake: level [0-9]+, micro-triangle [0-9]+: [01], expected [23]")  # settled, and is unknown
+  mmverify_add_planted(scene_validate fuzz_scene_validate_planted_replay "scene: clean, with an index of no record")
+  mmverify_add_planted(vq_encode fuzz_vq_encode_planted_replay "vq2: the optimum is not conservative, region [0-9]+,[0-9]+")
+  # Without a file a harness must fail, or an empty corpus would pass for ever.
+  add_test(NAME fuzz_replay_without_a_file COMMAND fuzz_index_differential_replay)
+  add_test(NAME fuzz_replay_of_a_missing_file COMMAND fuzz_index_differential_replay no/such/file)
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/empty)
+  add_test(NAME fuzz_replay_of_an_empty_folder COMMAND fuzz_index_differential_replay ${CMAKE_CURRENT_BINARY_DIR}/empty)
+  set_tests_properties(fuzz_replay_without_a_file fuzz_replay_of_a_missing_file fuzz_replay_of_an_empty_folder
+    PROPERTIES WILL_FAIL ON)
+endif()
+
+# Real runs on a Slurm cluster of this one machine; without Slurm (./run cluster-test installs it) skipped, and so said.
+# Not under sanitizers: its waits are for a program of the usual speed.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME slurm_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/slurm_test.sh $<TARGET_FILE:mmverify>)
+  set_tests_properties(slurm_test PROPERTIES SKIP_RETURN_CODE 77 LABELS cluster RUN_SERIAL ON TIMEOUT 300)
+endif()

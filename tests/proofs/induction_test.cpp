@@ -1,0 +1,249 @@
+// The laws that a prover settles for all levels: the statements that ship, who agrees, and that they can
+// fail.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <csignal>
+#include <cstdio>
+#include <set>
+#include <string>
+
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/runner.hpp"
+#include "proofs/index/induction/lemmas.hpp"
+#include "proofs/index/induction/mutants.hpp"
+#include "proofs/induction/paths.hpp"
+#include "proofs/induction/prover.hpp"
+#include "proofs/registry.hpp"
+#include "tests/proofs/shipped_statements.hpp"
+#include "tests/sanitized.hpp"
+
+namespace {
+
+using namespace mmverify::proofs;
+using namespace mmverify::tests;
+using mmverify::proofs::index::induction::discharge;
+using mmverify::proofs::index::induction::Provable;
+using mmverify::proofs::induction::Answer;
+using mmverify::proofs::induction::ask_z3;
+using mmverify::proofs::induction::decided;
+using mmverify::proofs::induction::Effort;
+using mmverify::proofs::induction::every_path;
+using mmverify::proofs::induction::Statement;
+using mmverify::proofs::induction::Term;
+using Asked = mmverify::proofs::Run;
+
+const std::filesystem::path folder = MMVERIFY_STATEMENTS;
+
+const index::IndexSubject& subject(const char* name) {
+  return dynamic_cast<const index::IndexSubject&>(*find_subject(name));
+}
+
+TEST(Statements, TheFilesAreWhatTheSpecificationGives) {
+  std::set<std::string> expected, present;
+  for (const auto& [path, statement] : shipped_statements()) {
+    EXPECT_EQ(read(folder / path), statement.text)
+        << path << " is not what the templates give; if the change is meant, run ./run statements";
+    expected.insert(path);
+  }
+  for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+    if (file.is_regular_file())
+      present.insert(std::filesystem::relative(file.path(), folder).generic_string());
+  EXPECT_EQ(present, expected);
+}
+
+// Digits (0..3), the base 4, and halves (2): a level, or a power of two that stands for one, would be
+// another.
+TEST(Statements, OfAllLevelsHaveNoLevel) {
+  for (const auto& [path, statement] : shipped_statements()) {
+    if (path.find("all_levels/") == std::string::npos) continue;
+    bool comment = false;
+    std::string token;
+    for (const char c : statement.text) {
+      if (c == ';') comment = true;
+      if (c == '\n') comment = false;
+      if (comment) continue;
+      if (std::isspace(static_cast<unsigned char>(c)) == 0 && c != '(' && c != ')') {
+        token += c;
+        continue;
+      }
+      if (!token.empty() && std::isdigit(static_cast<unsigned char>(token.front())) != 0) {
+        EXPECT_TRUE(std::set<std::string>({"0", "1", "2", "3", "4", "0.0", "1.0", "2.0"}).contains(token))
+            << path << ": " << token;
+      }
+      EXPECT_EQ(token.find("BitVec"), std::string::npos) << path;
+      token.clear();
+    }
+  }
+}
+
+TEST(Statements, EachHypothesisHasAWitness) {
+  std::set<std::string> names;
+  for (const auto& [path, statement] : shipped_statements())
+    names.insert((statement.expected == Answer::sat ? "sat " : "unsat ") + statement.name);
+  for (const char* name :
+       {"opening", "transition_hypotenuse", "transition_upright", "transition_middle", "agreement", "square"})
+    EXPECT_TRUE(names.contains(std::string("unsat ") + name) &&
+                names.contains(std::string("sat witness_") + name))
+        << name;
+}
+
+/// The first word that a program prints of a file.
+std::string first_word(const std::string& command) {
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return {};
+  char word[64] = {};
+  const bool read = std::fscanf(pipe, "%63s", word) == 1;
+  pclose(pipe);
+  return read ? word : "";
+}
+
+// Another team's prover, from the files, by their own annotations.
+TEST(Statements, Cvc5AgreesOnEveryFile) {
+  SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
+  if (first_word("command -v cvc5").empty()) GTEST_SKIP() << "no cvc5 here (scripts/packages.txt)";
+  for (const auto& [path, statement] : shipped_statements()) {
+    const std::string file = (folder / path).string();
+    EXPECT_EQ(first_word("cvc5 --tlimit=240000 '" + file + "'"), to_string(statement.expected)) << path;
+    EXPECT_NE(read(file).find("(set-info :status " + to_string(statement.expected) + ")"), std::string::npos);
+  }
+}
+
+TEST(Prover, GivesUpAsUnknownAndSaysSo) {
+  const Statement all = shipped_statements().at("index/wide_is_vulkan/agreement.smt2");
+  Effort little;
+  little.steps = 1;
+  EXPECT_EQ(ask_z3(all, little).answer, Answer::unknown);
+  Effort moment;
+  moment.milliseconds = 1;
+  EXPECT_EQ(ask_z3(all, moment).answer, Answer::unknown);
+  EXPECT_EQ(ask_z3({"empty", Answer::unsat, "(check-sat)\n"}).answer, Answer::unknown);
+  EXPECT_EQ(ask_z3({"garbage", Answer::unsat, "(assert (no such thing))"}).answer, Answer::unknown);
+  EXPECT_EQ(ask_z3({"false", Answer::unsat, "(assert false)"}).answer, Answer::unsat);
+  EXPECT_EQ(ask_z3({"true", Answer::sat, "(declare-const b Bool)(assert b)"}).answer, Answer::sat);
+}
+
+TEST(Discharge, UnknownIsNeverProved) {
+  const auto statements = index::induction::shipped_all_levels();
+  Effort little;
+  little.steps = 1;
+  EXPECT_THROW(discharge(statements, subject("step"), 2, Asked{}, little), NotProved);
+  try {
+    discharge(statements, subject("step"), 2, Asked{}, little);
+  } catch (const NotProved& gap) {
+    EXPECT_NE(std::string(gap.what()).find("unknown"), std::string::npos) << gap.what();
+  }
+}
+
+TEST(Discharge, AVacuousStatementAndAModelWithoutACounterexampleAreNotProved) {
+  for (const Statement& s : {Statement{"vacuous", Answer::sat, "(assert false)"},
+                             Statement{"wrong", Answer::unsat, "(declare-const k Int)(assert (= k 3))"}})
+    try {
+      discharge({s}, subject("step"), 2, Asked{});
+      ADD_FAILURE() << s.name;
+    } catch (const NotProved& gap) {
+      EXPECT_NE(std::string(gap.what()).find("statement " + s.name), std::string::npos) << gap.what();
+    }
+}
+
+TEST(Discharge, CutShortItHasProvedNothing) {
+  struct Cleared {
+    ~Cleared() { const InterruptGuard clears_what_was_raised; }
+  } afterwards;
+  const InterruptGuard guard;
+  std::raise(SIGINT);
+  EXPECT_THROW(discharge(index::induction::shipped_all_levels(), subject("step"), 2, Asked{}), Interrupted);
+}
+
+TEST(Discharge, NotProvedIsIncompleteInARun) {
+  Law law = *find_law("index.all_levels");
+  law.judge = [](const Subject&, Level, const Asked&) -> Tally {
+    throw NotProved("statement opening: unknown");
+  };
+  const Result r = run_level(law, *find_subject("step"), 0, Asked{});
+  EXPECT_EQ(r.verdict, Verdict::incomplete);
+  EXPECT_EQ(r.reason, "statement opening: unknown");
+}
+
+/// The names of the statements that do not come out as expected.
+std::set<std::string> failing(const std::vector<Statement>& statements) {
+  std::set<std::string> names;
+  for (const Statement& s : statements)
+    if (ask_z3(s).answer != s.expected) names.insert(s.name);
+  return names;
+}
+
+// Each mutant fails where its mistake is, and nowhere else is it noticed.
+TEST(Mutants, FailInTheStatementsThatTheirMistakeIsIn) {
+  SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
+  const std::map<std::string, std::set<std::string>> expected{
+      {"the hypotenuse is not handled apart", {"opening"}},
+      {"iw is lowered where uf+vf > 1, not at 1", {"opening"}},
+      {"b1 without t", {"transition_hypotenuse", "transition_middle", "transition_upright"}},
+      {"the prefix XOR is of a bit by itself",
+       {"transition_hypotenuse", "transition_middle", "transition_upright"}},
+      {"the prefix XOR reaches 8 bits only", {"agreement", "prefix_xor_64"}},
+      {"one bit of a mask of spread is missing", {"agreement", "spread_64"}},
+      {"iv is not kept below N", {"agreement"}},
+      {"the upper half of a square is not told from the lower", {"square"}},
+      {"u and v exchanged", {"square"}},
+      {"bit 10 of the index is lost", {"bits"}},
+  };
+  std::size_t met = 0;
+  for (const char* id : {"index.all_levels", "index.wide_is_vulkan", "index.impl_wide_is_wide"})
+    for (const Mutant& m : find_law(id)->mutants)
+      if (const auto* own = dynamic_cast<const Provable*>(m.subject.get())) {
+        EXPECT_EQ(failing(own->statements()), expected.at(m.name)) << m.name;
+        ++met;
+      }
+  EXPECT_EQ(met, expected.size());
+}
+
+TEST(Mutants, TheAppendixsReadingsFailInTheTransitionsThatTheyChange) {
+  using index::induction::all_levels_statements;
+  using index::induction::Specified;
+  using mmverify::spec::index::Reading;
+  using Names = std::set<std::string>;
+  EXPECT_EQ(failing(all_levels_statements<Specified, Reading::printed>()), Names());
+  EXPECT_EQ(failing(all_levels_statements<Specified, Reading::appendix_middle>()),
+            Names({"transition_middle", "transition_upright"}));
+  EXPECT_EQ(failing(all_levels_statements<Specified, Reading::appendix_ties>()),
+            Names({"transition_middle"}));
+  EXPECT_EQ(failing(all_levels_statements<Specified, Reading::appendix_names>()),
+            Names({"transition_hypotenuse", "transition_middle", "transition_upright"}));
+}
+
+TEST(Mutants, TheAppendixsReadingsAreRefutedWithTheSimplestPoint) {
+  const Law& law = *find_law("index.all_levels");
+  for (const char* name : {"step-appendix-middle", "step-appendix-ties", "step-appendix-names"}) {
+    const Result r = run_level(law, *find_subject(name), 0, Asked{}),
+                 sweep = run_level(*find_law("index.equals_reference"), *find_subject(name), 2, Asked{});
+    EXPECT_EQ(r.verdict, Verdict::refuted) << name;
+    ASSERT_FALSE(r.counterexamples.empty());
+    EXPECT_EQ(r.counterexamples.front().level, 2u);
+    EXPECT_EQ(r.counterexamples.front().at, sweep.counterexamples.front().at);
+    EXPECT_EQ(r.cases_run(), r.cases_expected);
+  }
+}
+
+TEST(Laws, ApplyToWhoTheyHaveStatementsAbout) {
+  const Law& all = *find_law("index.all_levels");
+  EXPECT_EQ(run_level(all, *find_subject("step"), 0, Asked{}).verdict, Verdict::proved);
+  EXPECT_EQ(run_level(all, *find_subject("step"), 0, Asked{}).proof, "induction");
+  for (const char* name : {"impl", "reference", "step-f32"})
+    EXPECT_EQ(run_level(all, *find_subject(name), 0, Asked{}).verdict, Verdict::not_applicable) << name;
+}
+
+TEST(Paths, ComeInEveryCombinationAndOnlyOnce) {
+  const auto sign = [] {
+    if (decided(Term("p", "Bool"))) return 1;
+    return decided(Term("q", "Bool")) ? 2 : 3;
+  };
+  const auto paths = every_path(sign);
+  ASSERT_EQ(paths.size(), 3u);
+  EXPECT_EQ(paths[0].outcome + paths[1].outcome * 10 + paths[2].outcome * 100, 321);
+  EXPECT_THROW(decided(Term("p", "Bool")), std::logic_error);
+}
+
+}  // namespace

@@ -1,0 +1,183 @@
+// The laws as a list, and each of them: it holds over its whole domain, and it can fail.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proofs/topics.hpp"
+#include "tests/proofs/every_law.hpp"
+
+namespace {
+
+using namespace mmverify::tests;
+
+/// Of cases; under sanitizers those of small levels will do.
+constexpr std::uint64_t few = 2'000;
+constexpr Level small = 5;
+
+TEST(Laws, TheDesignsOnesAreThere) {
+  for (const char* id : {"index.equals_reference", "index.in_range", "index.bijective", "index.nested",
+                         "index.contiguous", "index.inverse", "index.exact_on_floats"})
+    EXPECT_NE(find_law(id), nullptr) << id;
+  EXPECT_FALSE(laws_named("paper").empty());
+  EXPECT_EQ(find_law("index"), nullptr);
+  EXPECT_FALSE(laws_named("index").empty());
+  EXPECT_TRUE(laws_named("index.").empty());
+  EXPECT_TRUE(laws_named("").empty());
+  EXPECT_TRUE(laws_named("no.such.law").empty());
+}
+
+TEST(Laws, TheDesignsSubjectsAreThere) {
+  for (const char* name : {"reference", "step", "step-appendix-middle", "step-appendix-ties",
+                           "step-appendix-names", "reference-f16", "reference-f32", "reference-f64",
+                           "step-f16", "step-f32", "step-f64", "reference-wide", "impl"})
+    EXPECT_NE(find_subject(name), nullptr) << name;
+  EXPECT_EQ(find_subject("nobody"), nullptr);
+}
+
+// What the table of topics says of each is so: nothing else looks its laws and subjects up.
+TEST(Topics, ARowSaysWhatItsTopicHas) {
+  std::set<std::string> names, kinds, benches;
+  for (const Topic& topic : topics()) {
+    EXPECT_TRUE(names.insert(topic.name).second) << topic.name;
+    for (const std::string& kind : topic.kinds) EXPECT_TRUE(kinds.insert(kind).second) << kind;
+    if (topic.bench != nullptr) {
+      EXPECT_TRUE(benches.insert(topic.bench).second) << topic.bench;
+    }
+    std::set<std::string> families;
+    for (const Law& law : topic.laws()) {
+      EXPECT_EQ(law.topic, topic.name) << law.id;
+      EXPECT_LE(law.long_run.last, topic.highest) << law.id;
+      families.insert(law.id.substr(0, law.id.find('.')));
+    }
+    EXPECT_EQ(families, std::set<std::string>(topic.families.begin(), topic.families.end())) << topic.name;
+    EXPECT_FALSE(topic.subjects().empty()) << topic.name;
+    for (const SubjectPtr& subject : topic.subjects())
+      EXPECT_EQ(subject->topic(), topic.name) << subject->name();
+  }
+}
+
+TEST(Laws, IdsAndSubjectsAreUnique) {
+  std::set<std::string> ids, names;
+  for (const Law& law : laws()) EXPECT_TRUE(ids.insert(law.id).second) << law.id;
+  for (const SubjectPtr& s : subjects()) EXPECT_TRUE(names.insert(s->name()).second) << s->name();
+}
+
+/// Those that a test can afford to run.
+using FastLaw = EveryLaw;
+INSTANTIATE_TEST_SUITE_P(All, FastLaw,
+                         testing::ValuesIn(ids_of_laws([](const Law& law) { return !law.long_only; })),
+                         test_name);
+INSTANTIATE_TEST_SUITE_P(All, EveryLaw, testing::ValuesIn(ids_of_laws([](const Law&) { return true; })),
+                         test_name);
+
+TEST_P(EveryLaw, SaysWhatItIs) {
+  EXPECT_FALSE(law.says.empty());
+  EXPECT_FALSE(law.source.empty());
+  EXPECT_TRUE(law.id.starts_with(law.topic + ".") || law.id.starts_with("paper.") ||
+              law.id.starts_with("lossy.") || law.id.starts_with("vq2.") || law.id.starts_with("vq4."));
+  EXPECT_LE(law.fast.first, law.fast.last);
+  EXPECT_LE(law.long_run.first, law.fast.first);
+  EXPECT_LE(law.fast.last, law.long_run.last);
+  EXPECT_LE(law.long_run.last, max_level());
+  EXPECT_TRUE(law.long_only || law.fast_seconds > 0);
+  EXPECT_FALSE(law.subjects.empty());
+  for (const std::string& name : law.subjects) {
+    ASSERT_NE(find_subject(name), nullptr) << name;
+    EXPECT_EQ(find_subject(name)->topic(), law.topic) << name;
+  }
+  if (!law.companion.empty()) {
+    EXPECT_NE(find_law(law.companion), nullptr);
+  }
+}
+
+TEST_P(FastLaw, HoldsOfItsOwnSubjectsOverItsWholeDomain) {
+  SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
+  const Verdict passed = law.method == Method::sample ? Verdict::checked : Verdict::proved;
+  const Level last = std::max(std::min(law.fast.last, small), law.fast.first);
+  // A sample is as large at every level; the first and the last one will do.
+  const Level stride = law.method == Method::sample ? std::max(last, 1u) : 1;
+  for (const std::string& name : law.subjects) {
+    std::uint64_t applied = 0;
+    for (Level n = 0; n <= last; n += stride) {
+      if (applied > 0 && sanitized && law.cases(n, Asked{}) > few) break;
+      const Result r = run_level(law, *find_subject(name), n, Asked{});
+      if (r.verdict == Verdict::not_applicable) {
+        // Levels of its own it must run.
+        EXPECT_LT(n, law.fast.first) << name << ": " << r.reason;
+        continue;
+      }
+      ++applied;
+      EXPECT_EQ(r.verdict, passed) << name << " level " << n
+                                   << (r.counterexamples.empty() ? "" : " " + r.counterexamples.front().at);
+      EXPECT_EQ(r.cases_run(), law.cases(n, Asked{}));
+      EXPECT_EQ(r.cases_expected, r.cases_run());
+      EXPECT_GT(r.cases_run(), 0u);
+      EXPECT_EQ(r.mismatches(), 0u);
+    }
+    EXPECT_GT(applied, 0u) << name;
+    if (sanitized) break;  // the law's code is the same, and each subject has tests of its own
+  }
+}
+
+// Nor does it pass: a law that asks for a difference has not seen that there is none.
+TEST_P(FastLaw, RefutesNothingThatAnInterruptCutShort) {
+  SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
+  std::raise(SIGINT);
+  for (const std::string& name : law.subjects) {
+    const Result r = run_level(law, *find_subject(name), law.fast.last, Asked{});
+    EXPECT_NE(r.verdict, Verdict::refuted) << name;
+    if (r.verdict != Verdict::incomplete) {
+      EXPECT_EQ(r.cases_run(), r.cases_expected) << name;
+    }
+  }
+}
+
+TEST_P(EveryLaw, HasThreeMutantsAndOneThatOnlyHigherLevelsShow) {
+  EXPECT_GE(law.mutants.size(), 3u);
+  if (law.fast.last > 3) {
+    EXPECT_TRUE(std::any_of(law.mutants.begin(), law.mutants.end(),
+                            [](const Mutant& m) { return m.levels.last > 3; }));
+  }
+  std::set<std::string> names;
+  for (const Mutant& m : law.mutants) {
+    EXPECT_TRUE(names.insert(m.name).second) << m.name;
+    EXPECT_LE(m.levels.first, m.levels.last);
+  }
+}
+
+TEST_P(FastLaw, KillsEveryMutant) {
+  if (sanitized || law.replay) GTEST_SKIP() << "replay_test runs its mutants";
+  const std::vector<MutantResult> results = run_mutants(law, Asked{});
+  ASSERT_EQ(results.size(), law.mutants.size());
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    EXPECT_TRUE(results[k].killed) << results[k].mutant;
+    EXPECT_GE(results[k].level, law.mutants[k].levels.first);
+    EXPECT_LE(results[k].level, law.mutants[k].levels.last);
+    EXPECT_FALSE(results[k].at.empty()) << results[k].mutant;
+  }
+  if (law.fast.last > 3) {
+    EXPECT_TRUE(
+        std::any_of(results.begin(), results.end(), [](const MutantResult& m) { return m.level > 3; }));
+  }
+}
+
+TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
+  if (sanitized) GTEST_SKIP() << "the same runs once more; these sanitizers see nothing of threads";
+  SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
+  // Several chunks, so that two threads have something to share.
+  Level n = law.method != Method::exhaustive ? std::min(law.fast.first + 1, law.fast.last) : 8;
+  if (law.id.starts_with("paper.")) n = 7;  // each wrong answer costs a counterexample
+  if (law.topic != "index") n = std::min(n, law.fast.last);
+  if (law.id == "tree.malformed") n = 1;  // each of level 2's 65,536 maps is decoded dozens of times
+  const SubjectPtr subject = find_subject(law.subjects.front());
+  const Report one = run_alone(law, subject, n, 1), two = run_alone(law, subject, n, 2);
+  EXPECT_EQ(outcome(one), outcome(two));
+  EXPECT_NE(one.results.front().digest, 0u);
+}
+
+}  // namespace

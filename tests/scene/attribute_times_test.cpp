@@ -1,0 +1,211 @@
+// Lookups at points of a scene's triangles: where the points lie, what a texture shows there, what is laid out and timed.
+#include "bench/scene/attribute_times.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "bench/scene/texture_sample.hpp"
+#include "scene/attribute/measure.hpp"
+
+namespace {
+
+using namespace mmverify::scene;
+using mmverify::bench::along_surfaces;
+using mmverify::bench::AttributeTimer;
+using mmverify::bench::LookupTimes;
+using mmverify::bench::LookupWay;
+using mmverify::bench::surface_points;
+using mmverify::bench::SurfacePoint;
+using mmverify::bench::TextureSample;
+
+ColourImage random_image(std::uint32_t width, std::uint32_t height) {
+  std::mt19937 engine(7);
+  ColourImage image{"random", width, height, {}};
+  for (std::uint32_t k = 0; k < 4 * width * height; ++k)
+    image.rgba.push_back(static_cast<std::uint8_t>(engine() & 255));
+  return image;
+}
+
+Sampler wrapped_as(Wrap u, Wrap v) {
+  Sampler sampler;
+  sampler.wrap_u = u;
+  sampler.wrap_v = v;
+  return sampler;
+}
+
+/// The texel of any number along an axis, as glTF 2.0, 3.8.4.2 has it.
+std::int64_t wrapped(std::int64_t x, std::int64_t texels, Wrap wrap) {
+  if (wrap == Wrap::clamp_to_edge) return std::clamp<std::int64_t>(x, 0, texels - 1);
+  const std::int64_t period = wrap == Wrap::repeat ? texels : 2 * texels;
+  const std::int64_t within = ((x % period) + period) % period;
+  return within < texels ? within : period - 1 - within;
+}
+
+/// A channel between four texels, in binary64.
+double expected(const ColourImage& image, const Sampler& sampler, double u, double v, std::size_t channel) {
+  const double x = u * image.width - 0.5, y = v * image.height - 0.5;
+  const double f = x - std::floor(x), g = y - std::floor(y);
+  const auto at = [&](std::int64_t right, std::int64_t down) {
+    const std::int64_t i = wrapped(static_cast<std::int64_t>(std::floor(x)) + right, image.width,
+                                   sampler.wrap_u),
+                       j = wrapped(static_cast<std::int64_t>(std::floor(y)) + down, image.height,
+                                   sampler.wrap_v);
+    return static_cast<double>(image.rgba[4 * static_cast<std::size_t>(i + j * image.width) + channel]);
+  };
+  return (1 - g) * ((1 - f) * at(0, 0) + f * at(1, 0)) + g * ((1 - f) * at(0, 1) + f * at(1, 1));
+}
+
+TEST(TextureSample, IsBilinearInEachWrap) {
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<float> anywhere(-3, 3);
+  const Wrap wraps[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge};
+  for (const auto& [width, height] : {std::pair{1u, 1u}, {5u, 3u}, {8u, 16u}, {1u, 7u}}) {
+    const ColourImage image = random_image(width, height);
+    for (const Wrap wrap_u : wraps)
+      for (const Wrap wrap_v : wraps) {
+        const Sampler sampler = wrapped_as(wrap_u, wrap_v);
+        const TextureSample sample(image, sampler);
+        const auto check = [&, w = width, h = height](float u, float v) {
+          const std::uint32_t got = sample.at(u, v);
+          for (std::size_t channel = 0; channel < 4; ++channel)
+            EXPECT_NEAR(got >> 8 * channel & 255, expected(image, sampler, u, v, channel), 0.51)
+                << w << "x" << h << " at " << u << ", " << v << ", wraps " << static_cast<int>(wrap_u)
+                << static_cast<int>(wrap_v);
+        };
+        for (int k = 0; k < 300; ++k) check(anywhere(engine), anywhere(engine));
+        for (const float u : {-2.0f, -1.0f, -0.5f, 0.0f, 0.5f, 1.0f, 2.0f, -0x1p-30f, 0x1.fffffep-1f})
+          for (const float v : {-1.0f, 0.0f, 1.0f, 1.5f}) check(u, v), check(v, u);
+      }
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Half of a texture, its other half as three times as small a triangle, and a triangle without area.
+AttributeScene three_triangles() {
+  AttributeScene scene;
+  scene.file = "three";
+  scene.images.push_back(random_image(32, 32));
+  scene.textures.push_back({set_of(Attribute::base_color), 0, wrapped_as(Wrap::repeat, Wrap::repeat)});
+  scene.primitives.push_back(
+      {0, 0, {{0, 1, 2}, {3, 1, 2}, {0, 1, 1}, {0, 1, 2}}, {{0, {{0, 0}, {1, 0}, {0, 1}, {0.5f, 0.75f}}}}});
+  scene.triangles = 4;
+  return scene;
+}
+
+std::vector<MapOfTriangle> triangles_of(const AttributeScene& scene) {
+  std::vector<MapOfTriangle> all;
+  for (const AttributePrimitive& primitive : scene.primitives)
+    for (const Triangle& t : primitive.triangles)
+      all.push_back(
+          {0, {primitive.uses[0].uvs[t[0]], primitive.uses[0].uvs[t[1]], primitive.uses[0].uvs[t[2]]}});
+  return all;
+}
+
+TEST(SurfacePoints, AreAsManyAsTheAreasAskForAndLieOnTheTriangle) {
+  const AttributeScene scene = three_triangles();
+  const std::vector<SurfacePoint> points = surface_points(scene, triangles_of(scene), 20000, 1);
+  ASSERT_EQ(points.size(), 20000u);
+  std::size_t on[4] = {};
+  double middle_u = 0, middle_v = 0;
+  for (const SurfacePoint& p : points) {
+    ASSERT_LT(p.triangle, 4u);
+    ++on[p.triangle];
+    EXPECT_GE(p.u, 0);
+    EXPECT_GE(p.v, 0);
+    EXPECT_LE(double{p.u} + double{p.v}, 1);
+    middle_u += p.u, middle_v += p.v;
+  }
+  // Areas of 1/2, 1/8, 0 and 1/2: 4 : 1 : 0 : 4.  Six standard deviations are 0.02.
+  EXPECT_NEAR(static_cast<double>(on[0]) / 20000, 4.0 / 9, 0.022);
+  EXPECT_NEAR(static_cast<double>(on[1]) / 20000, 1.0 / 9, 0.022);
+  EXPECT_EQ(on[2], 0u);
+  EXPECT_NEAR(middle_u / 20000, 1.0 / 3, 0.01);
+  EXPECT_NEAR(middle_v / 20000, 1.0 / 3, 0.01);
+}
+
+TEST(SurfacePoints, OfTrianglesWithoutAreaAreOnAllAlike) {
+  const AttributeScene scene = three_triangles();
+  const MapOfTriangle flat = triangles_of(scene)[2];
+  std::set<std::uint32_t> on;
+  for (const SurfacePoint& p : surface_points(scene, std::vector{flat, flat}, 64, 1)) on.insert(p.triangle);
+  EXPECT_THAT(on, testing::ElementsAre(0, 1));
+}
+
+TEST(SurfacePoints, AlongSurfacesAreTheSamePointsInOrder) {
+  const AttributeScene scene = three_triangles();
+  const std::vector<SurfacePoint> points = surface_points(scene, triangles_of(scene), 1000, 3);
+  const std::vector<SurfacePoint> along = along_surfaces(points);
+  const auto key = [](const SurfacePoint& p) { return std::tuple(p.triangle, p.u, p.v); };
+  std::multiset<std::tuple<std::uint32_t, float, float>> before, after;
+  for (const SurfacePoint& p : points) before.insert(key(p));
+  for (const SurfacePoint& p : along) after.insert(key(p));
+  EXPECT_EQ(before, after);
+  EXPECT_TRUE(std::is_sorted(along.begin(), along.end(), [](const SurfacePoint& a, const SurfacePoint& b) {
+    return a.triangle < b.triangle;
+  }));
+  EXPECT_FALSE(std::is_sorted(points.begin(), points.end(), [](const SurfacePoint& a, const SurfacePoint& b) {
+    return a.triangle < b.triangle;
+  }));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+TEST(LaidMaps, EqualMapsAreThereOnce) {
+  const AttributeScene scene = three_triangles();
+  std::size_t told = 0;
+  AttributeOptions options{.first = 0, .last = 2};
+  options.laid = [&](const LaidMaps& laid) {
+    ++told;
+    const std::size_t size = values_of_map(laid.kind, laid.level);
+    ASSERT_EQ(laid.first.size(), 4u);
+    EXPECT_EQ(laid.first[3], laid.first[0]);
+    std::set<std::size_t> different(laid.first.begin(), laid.first.end());
+    EXPECT_EQ(laid.values.size(), different.size() * size);
+    const MapBaker baker(scene.images[0], scene.textures[0], options.averaging);
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::vector<MapValue> map(size);
+      baker.bake(laid.triangles[k].uvs, laid.kind, laid.level, map);
+      for (std::size_t x = 0; x < size; ++x)
+        for (std::size_t c = 0; c < 4; ++c)
+          EXPECT_EQ(laid.values[laid.first[k] + x] >> 8 * c & 255, map[x][c]);
+    }
+  };
+  const AttributeFigures figures = measure(scene, options);
+  EXPECT_EQ(told, 6u);
+}
+
+TEST(LaidMaps, OfOneHashAreTheSameOnlyWhereTheirValuesAre) {
+  LaidMaps laid{set_of(Attribute::base_color), 0, MapKind::faces, {}, {}, {}};
+  const std::vector<MapKey> keys(4, MapKey{1, {}});
+  lay(laid, keys, [](std::size_t k, std::vector<MapValue>& out) {
+    out = {MapValue{static_cast<std::uint8_t>(k % 2), 2, 3, 4}};
+  });
+  EXPECT_THAT(laid.values, testing::ElementsAre(0x04030200u, 0x04030201u));
+  EXPECT_THAT(laid.first, testing::ElementsAre(0, 1, 0, 1));
+}
+
+TEST(AttributeTimer, HasARowForEachWay) {
+  const AttributeScene scene = three_triangles();
+  AttributeTimer timer(scene, {.points = 500, .rounds = 2});
+  AttributeOptions options{.first = 1, .last = 2};
+  options.laid = [&](const LaidMaps& laid) { timer.take(laid); };
+  measure(scene, options);
+  std::set<std::pair<unsigned, LookupWay>> rows;
+  for (const LookupTimes& times : timer.times()) {
+    rows.insert({times.level, times.way});
+    EXPECT_EQ(times.points, 500u);
+    for (const mmverify::bench::TimesOfOrder& order : times.by_order) {
+      EXPECT_GT(order.texture_ns, 0);
+      EXPECT_GT(order.map_ns, 0);
+    }
+  }
+  EXPECT_EQ(rows.size(), 2u * 3);
+  EXPECT_EQ(timer.times().size(), rows.size());
+}
+
+}  // namespace
