@@ -51,7 +51,11 @@ std::vector<render::Method> wanted_methods(const std::vector<std::string>& names
   return wanted;
 }
 
-std::pair<std::uint32_t, std::uint32_t> sides_of(const std::string& size) {
+struct Sides {
+  std::uint32_t width, height;
+};
+
+Sides sides_of(const std::string& size) {
   const auto wrong = [&size] {
     return UsageError(fmt::format("--size {:.40}: write WIDTHxHEIGHT, each 1 to 4096", size));
   };
@@ -138,7 +142,7 @@ int render_scene(const RenderOptions& options) {
     throw UsageError(
         fmt::format("--level {}: maps go up to level {}", options.level, mmverify::scene::finest_level));
   const std::vector<render::Method> wanted = wanted_methods(options.methods);
-  const auto [width, height] = sides_of(options.size);
+  const Sides sides = sides_of(options.size);
   check_files(options);
   if (std::error_code none; std::filesystem::is_directory(options.file, none))
     throw UsageError(
@@ -157,13 +161,15 @@ int render_scene(const RenderOptions& options) {
     throw EnvironmentError(fmt::format("{}: no triangle to render", scene.file));
   const render::Tracer tracer(world.world);
   const render::Camera camera =
-      camera_of(world.world, options, static_cast<float>(width) / static_cast<float>(height));
+      camera_of(world.world, options, static_cast<float>(sides.width) / static_cast<float>(sides.height));
 
   std::optional<Progress> progress;
   HeatMaps heat_maps;
   render::CompareOptions compared{.first = levels.first, .last = levels.last, .wanted = wanted};
-  compared.trace = {
-      .width = width, .height = height, .threads = options.threads, .shadows = !options.no_shadows};
+  compared.trace = {.width = sides.width,
+                    .height = sides.height,
+                    .threads = options.threads,
+                    .shadows = !options.no_shadows};
   compared.repeats = options.repeats;
   compared.seed = options.seed;
   compared.memory = options.memory;
@@ -180,7 +186,7 @@ int render_scene(const RenderOptions& options) {
   std::optional<render::Picture> last_seen;
   compared.frame = [&](const render::MethodFigures& figures, const render::Frame& frame) {
     if (picture) last_seen = render::seen(world.world, frame);
-    if (heat_file && heat_maps.fit(height)) heat_maps.add(figures, frame);
+    if (heat_file && heat_maps.fit(sides.height)) heat_maps.add(figures, frame);
   };
   bench::RenderFigures figures;
   try {
@@ -202,8 +208,8 @@ int render_scene(const RenderOptions& options) {
   figures.tested = tested.unique;
   figures.tested_placed = tested.placed;
   figures.unplanned = world.unplanned;
-  figures.width = width;
-  figures.height = height;
+  figures.width = sides.width;
+  figures.height = sides.height;
   figures.camera = options.camera;
   figures.seed = options.seed;
   figures.threads = options.threads;
