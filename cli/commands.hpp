@@ -23,6 +23,7 @@ Action add_merge(CLI::App& program);
 Action add_replay(CLI::App& program);
 Action add_bench(CLI::App& program);
 Action add_scene(CLI::App& program);
+Action add_render(CLI::App& program);
 Action add_gate(CLI::App& program);
 Action add_report(CLI::App& program);
 Action add_gen(CLI::App& program);

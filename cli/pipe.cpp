@@ -20,6 +20,7 @@
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/pipe/lines.hpp"
 #include "proofs/topics.hpp"
+#include "proofs/traverse/rays/conformance.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -31,8 +32,10 @@ struct PipeOptions {
   std::vector<std::string> laws;
   std::size_t errors = 1;
   std::uint64_t seed = 1, cases = 0;
+  double distance = 0;  ///< of rays
   bool interiors_only() const { return cells == "interior"; }
   bool corners() const { return topic == "corners"; }
+  bool rays() const { return topic == "rays"; }
 };
 
 /// The topic whose laws ask what is answered; null: index and corners, whose cases are the cells.
@@ -54,9 +57,11 @@ Level one_level(const PipeOptions& options) {
   if (!options.levels.empty() || !options.laws.empty() || options.cases != 0)
     throw UsageError(
         fmt::format("{}: one law and one level; leave --levels, --law and --cases out", options.topic));
+  if (options.rays() && options.interiors_only())
+    throw UsageError("--cells interior: write --distance 0.25 for rays inside micro-triangles");
   if (options.corners() && options.interiors_only())
     throw UsageError("--cells interior: corners are asked by index; leave it out");
-  const Level highest = options.corners() ? 12 : 16;
+  const Level highest = options.rays() ? traverse::finest_ray_level : options.corners() ? 12 : 16;
   const Level level = parse_level(options.level);
   if (level > highest)
     throw UsageError(fmt::format("--level {}: the pipe's highest level is {}", options.level, highest));
@@ -95,7 +100,7 @@ pipe::Asked asked(const PipeOptions& options, const Topic& topic) {
 }
 
 void add_common(CLI::App& command, PipeOptions& options) {
-  command.add_option("--level", options.level, "index, corners: the level")->type_name("N");
+  command.add_option("--level", options.level, "index, corners, rays: the level")->type_name("N");
   command.add_option("--cells", options.cells, "all, or interior: leave out points on grid lines")
       ->check(CLI::IsMember({"all", "interior"}));
   command
@@ -114,7 +119,9 @@ int generate(const PipeOptions& options) {
     pipe::generate_questions(asked(options, *topic), stdout);
     return proofs::interrupted() ? ExitCode::interrupted : ExitCode::complete;
   }
-  if (options.corners())
+  if (options.rays())
+    traverse::write_conformance_rays(one_level(options), options.distance, stdout);
+  else if (options.corners())
     index::generate_indices(one_level(options), stdout);
   else
     index::generate_cases(one_level(options), options.interiors_only(), stdout);
@@ -199,12 +206,23 @@ Action add_gen(CLI::App& program) {
   auto* command = program.add_subcommand("gen", "the cases of a level, one a line, for a program on a pipe");
   auto options = std::make_shared<PipeOptions>();
   command
-      ->add_option("topic", options->topic,
-                   "index: points; corners: indices; tree: maps and codes; bake: textures")
+      ->add_option(
+          "topic", options->topic,
+          "index: points; corners: indices; rays: rays with the state that they meet; tree: maps and codes; "
+          "bake: textures")
       ->required()
-      ->check(CLI::IsMember(topics_with({"index", "corners"})));
+      ->check(CLI::IsMember(topics_with({"index", "corners", "rays"})));
   add_common(*command, *options);
-  return [options] { return generate(*options); };
+  command
+      ->add_option("--distance", options->distance,
+                   "rays: only inside micro-triangles, and so far from their edges, a side being 1; 0: also "
+                   "on edges and "
+                   "vertices")
+      ->check(finite_within(0, traverse::most_distance));
+  return [options] {
+    if (!options->rays() && options->distance != 0) throw UsageError("--distance: for gen rays");
+    return generate(*options);
+  };
 }
 
 Action add_check(CLI::App& program) {

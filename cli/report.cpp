@@ -73,7 +73,8 @@ int report(const ReportOptions& options) {
 
 Action add_report(CLI::App& program) {
   auto* command = program.add_subcommand(
-      "report", "one page of what prove, scene and bench found, which opens from disk and needs no network");
+      "report",
+      "one page of what prove, scene, render and bench found, which opens from disk and needs no network");
   auto options = std::make_shared<ReportOptions>();
   command->add_option("result", options->results, "what prove, scene or bench wrote with --json")
       ->type_name("RESULT.json")

@@ -40,7 +40,7 @@ std::vector<ReportInput> read_report_input(const std::string& path) {
     const auto known = gate::schema_named(schema);
     if (!known)
       refuse(place,
-             fmt::format("{}; mmverify report takes what prove, scene and bench write with --json",
+             fmt::format("{}; mmverify report takes what prove, scene, render and bench write with --json",
                          schema.empty() ? "no schema of mmverify"
                                         : fmt::format("schema '{:.60}' is none that it knows", schema)));
     try {

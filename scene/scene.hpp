@@ -114,6 +114,18 @@ struct Placements {
   std::vector<Times> others;  ///< the rest
 };
 
+/// x' = linear x + translation.
+struct Transform {
+  Placement linear;
+  std::array<double, 3> translation;
+};
+
+/// A node, or an instance of one, that places a mesh.
+struct MeshUse {
+  std::size_t mesh = 0;
+  Transform to_scene;
+};
+
 struct Mesh {
   std::string name;
   std::uint64_t uses = 0;  ///< nodes that place it, each as often as EXT_mesh_gpu_instancing says

@@ -15,5 +15,7 @@ std::vector<Law> lossy_laws();
 std::vector<Law> blend_laws();
 /// The same where hits are accepted among them.
 std::vector<Law> order_laws();
+/// What rays see, micromaps asked or not.
+std::vector<Law> image_laws();
 
 }  // namespace mmverify::proofs::traverse

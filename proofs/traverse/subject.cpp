@@ -8,6 +8,7 @@
 #include "impl/traverse/decision.hpp"
 #include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/combinations.hpp"
+#include "proofs/traverse/rays/sample_world.hpp"
 #include "proofs/traverse/words.hpp"
 
 namespace mmverify::proofs::traverse {
@@ -87,8 +88,15 @@ class Batch {
   std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, Outcome> answers_;
 };
 
+std::optional<State> look(const Looks& asks) {
+  const auto state =
+      SampleWorld::get().opacity(asks.method, asks.level)->at(asks.geometry, asks.triangle, asks.at);
+  return state ? std::optional(static_cast<State>(*state)) : std::nullopt;
+}
+
 Functions spans() {
   Functions f = singles();
+  f.look = look;
   f.decide = [batch = std::make_shared<const Batch>()](const Combination& c) { return (*batch)(c); };
   f.blend = [](Operation o, std::span<const std::uint32_t> payload, std::span<const std::uint32_t> value,
                std::span<std::uint32_t> out) {

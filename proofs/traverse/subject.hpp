@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "proofs/engine/law.hpp"
+#include "render/opacity.hpp"
 #include "spec/traverse/blend.hpp"
 #include "spec/traverse/decision.hpp"
 
@@ -21,6 +23,14 @@ using spec::traverse::Hit;
 using spec::traverse::Operation;
 using spec::traverse::Outcome;
 using spec::traverse::Undefined;
+
+/// What a candidate hit asks of the sample world's maps in one form; square maps have one level.
+struct Looks {
+  render::Method method = render::Method::flat;
+  unsigned level = 0;
+  std::uint32_t geometry = 0, triangle = 0;
+  render::Barycentrics at{0, 0};
+};
 
 /// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads at
 /// once.
@@ -37,6 +47,8 @@ struct Functions {
   std::function<spec::traverse::Colour(Operation, const spec::traverse::Colour& payload,
                                        std::span<const Hit>)>
       gather = {};
+  /// The state; none of a triangle without a map.  Domain: a form, a triangle and a point of the sample world.
+  std::function<std::optional<State>(const Looks&)> look = {};
 };
 
 /// An entry point that must be there, as messages call it.
@@ -49,6 +61,7 @@ inline constexpr Entry decide{"decide", [](const Functions& f) { return bool{f.d
 inline constexpr Entry undefined{"undefined", [](const Functions& f) { return bool{f.undefined}; }};
 inline constexpr Entry blend{"blend", [](const Functions& f) { return bool{f.blend}; }};
 inline constexpr Entry gather{"gather", [](const Functions& f) { return bool{f.gather}; }};
+inline constexpr Entry look{"look", [](const Functions& f) { return bool{f.look}; }};
 }  // namespace entry
 
 class TraverseSubject final : public Subject {

@@ -13,6 +13,8 @@ export type VqBench = bench.Vq;
 export type BakeBench = bench.Bake;
 export type AttributeBench = bench.Attribute;
 export type SceneAttributes = bench.SceneAttributes;
+export type Rendered = bench.Render;
+export type RenderedRow = Rendered["rows"][number];
 export type AttributeRow = SceneAttributes["rows"][number];
 export type { VqEncoded, VqRow } from "mmverify/bench";
 
@@ -50,7 +52,7 @@ export interface Again {
   states?: { level: number; expected: string; got: string };
 }
 
-/** A picture that a run of attributes names, as it was found when the page was made. */
+/** A picture that a run of attributes or rays names, as it was found when the page was made. */
 export interface Pictured {
   file: number;
   picture: number;

@@ -6,6 +6,7 @@ import { el, plainTable } from "./dom";
 import { footprintCharts } from "./footprint";
 import { grouped, plural, seconds } from "./format";
 import { planSections } from "./plan";
+import { raySections } from "./rays";
 import { savingsCharts } from "./savings";
 import { verdictMark, verdictTable } from "./table";
 import { themeButton } from "./theme";
@@ -47,6 +48,7 @@ const sections: Section[] = [
   { id: "footprint", title: "Footprint against level", needs: "a result of mmverify scene --sizes A..B --json", make: footprintCharts },
   { id: "savings", charts: true, title: "VQ savings", needs: "a result of mmverify bench vq --json", make: savingsCharts },
   { id: "attributes", title: "Attribute micromaps", needs: "a result of mmverify scene FILE --attributes --json", make: attributeSections },
+  { id: "rays", title: "Rays", needs: "a result of mmverify render --level A..B --heat FILE.png --json", make: raySections },
   { id: "plan", title: "The scene's plan", needs: "a result of mmverify scene --json", make: planSections },
 ];
 
@@ -79,7 +81,7 @@ function toolLine(tool: Tool): string {
 
 function sources(report: Report): HTMLElement {
   const rows = report.files.map(({ name, content }) => {
-    if (content.schema === "mmverify.bench/1") return [name, content.topic === "scene_attributes" ? "scene --attributes" : `bench ${content.topic}`, toolLine(content.tool)];
+    if (content.schema === "mmverify.bench/1") return [name, content.topic === "scene_attributes" ? "scene --attributes" : content.topic === "render" ? "render" : `bench ${content.topic}`, toolLine(content.tool)];
     const time = content.results.reduce((sum, r) => sum + r.seconds, 0);
     const shard = content.shard ? `, shard ${content.shard.number} of ${content.shard.of}: a part of a run` : "";
     return [name, `${content.scene ? "scene" : "prove"}: ${plural(content.results.length, "result")}, ${seconds(time)}${shard}`, toolLine(content.tool)];

@@ -6,11 +6,12 @@ import { test } from "node:test";
 import { answersOf } from "../src/answers";
 import { beyondWords, countRows, measures, packedBytes, timedSeries } from "../src/attributes";
 import { coordinate, differsAt, indexOfCase, mapOf, pointOf, squareOf } from "../src/cases";
-import type { Result, Run, SceneAttributes, Verdict } from "../src/data";
+import type { Rendered, Result, Run, SceneAttributes, Verdict } from "../src/data";
 import { bytes, grouped, plural, powerOfTen, ranges, seconds, short } from "../src/format";
 import { front } from "../src/front";
 import { line } from "../src/path";
 import { paint, toPixel, toPoint } from "../src/raster";
+import { callsByLevel, rayRows } from "../src/rays";
 import { linearTicks, logTicks } from "../src/ticks";
 import { below } from "../src/trade";
 import { groups, levelsText } from "../src/verdicts";
@@ -216,4 +217,20 @@ test("plans and mips of attributes: a row each, and nothing where nothing is kno
   assert.deepEqual(mipRows({ set: "normal", mip: 1, border: 0, texture: { rmse: 1, flip: 0.5, border_rmse: 4 }, faces: maps(2), vertices: maps(3) }), [
     ["1", "texture", "0.25", "1", "0.5", "4", ""], ["1", "faces, level 2", "0.5", "2", "", "", "3"], ["1", "vertices, level 3", "0.5", "2", "", "", "3"],
   ]);
+});
+
+test("rays: a line a method, flat where it has no level; one level draws none", () => {
+  const row = (method: string, level: number | undefined, any_hit: number) => ({
+    method, ...(level === undefined ? {} : { level, predicted: 0.5, even: 0.25 }), candidates: 40, ignored: 40 - any_hit, opaque: 0, any_hit,
+    any_hit_a_ray: any_hit / 20, known: 1 - any_hit / 40, texels: 4 * any_hit, bytes: 100, differing: 0, ms: 1, cpu_ms: 1, times_texture: 1,
+  }) as Rendered["rows"][number];
+  const run: Rendered = {
+    schema: "mmverify.bench/1", topic: "render",
+    tool: { version: "0", compiler: "c", flags: "", cpu: "", embree: "Embree 3", width: 4, height: 4, camera: 0, seed: 1, threads: 0, spec_hash: "0" },
+    file: "a.glb", triangles: 2, placed: 2, tested: 2, tested_placed: 2, unplanned: 0, rays: 16, shadow_rays: 4,
+    rows: [row("texture", undefined, 40), row("flat", 1, 20), row("flat", 2, 10)],
+  };
+  assert.deepEqual(callsByLevel(run).map((s) => [s.name, s.dashed, s.marks.map((m) => [m.x, m.y])]), [["texture", true, [[1, 2], [2, 2]]], ["flat", false, [[1, 1], [2, 0.5]]]]);
+  assert.deepEqual(rayRows(run)[1]!.slice(0, 3), ["flat", "1", "20"]);
+  assert.deepEqual(callsByLevel({ ...run, rows: run.rows.slice(0, 2) }), []);
 });

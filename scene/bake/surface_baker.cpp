@@ -20,7 +20,7 @@ impl::bake::Wrap wrap(Wrap w) {
 
 }  // namespace
 
-impl::bake::TriangleBaker surface_baker(const Scene& scene, const Surface& surface, float margin) {
+SurfaceInputs surface_inputs(const Scene& scene, const Surface& surface, float margin) {
   const Image& image = scene.images.at(surface.image);
   const impl::bake::Texels texels = std::visit(
       [&image]<class Texel>(const std::vector<Texel>& alpha) -> impl::bake::Texels {
@@ -36,7 +36,12 @@ impl::bake::TriangleBaker surface_baker(const Scene& scene, const Surface& surfa
   const impl::bake::AlphaMode mode = surface.mode == AlphaMode::mask
                                          ? impl::bake::AlphaMode(impl::bake::Mask{surface.cutoff})
                                          : impl::bake::AlphaMode(impl::bake::Blend{});
-  return impl::bake::TriangleBaker(std::span(&texels, 1), mode, sampling);
+  return {texels, sampling, mode};
+}
+
+impl::bake::TriangleBaker surface_baker(const Scene& scene, const Surface& surface, float margin) {
+  const SurfaceInputs inputs = surface_inputs(scene, surface, margin);
+  return impl::bake::TriangleBaker(std::span(&inputs.texels, 1), inputs.mode, inputs.sampling);
 }
 
 }  // namespace mmverify::scene

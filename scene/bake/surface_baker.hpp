@@ -6,6 +6,15 @@
 
 namespace mmverify::scene {
 
+/// What a surface's maps are baked of.  The texels are the scene's.
+struct SurfaceInputs {
+  impl::bake::Texels texels;
+  impl::bake::Sampling sampling;
+  impl::bake::AlphaMode mode;
+};
+/// Domain: a surface of a plan of this scene.
+SurfaceInputs surface_inputs(const Scene& scene, const Surface& surface, float margin = 0);
+
 /// Alpha is filtered as filter_of() says; mip levels below the first are the renderer's own and are not
 /// baked. Margin: in texels; see impl::bake::Sampling.
 /// Domain: a surface of a plan of this scene, which outlives the baker.

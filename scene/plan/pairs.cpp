@@ -30,10 +30,9 @@ TriangleUse reordered(const TriangleUse& use, const VertexOrder& order) {
 
 class Matcher {
  public:
-  Matcher(const Primitive& primitive, const PlannedPrimitive& planned)
-      : primitive_(primitive), planned_(planned) {}
+  explicit Matcher(const Primitive& primitive) : primitive_(primitive) {}
 
-  /// Calls found(lower, upper) with the uses of each pair; returns how many triangles are left.
+  /// Calls found(lower, its order, upper, its order) with the triangles of each pair; returns how many are left.
   template <class Found>
   std::uint64_t each(Found found) {
     const std::size_t count = primitive_.triangles.size();
@@ -96,11 +95,10 @@ class Matcher {
     // (0,1), the lower's third corner, is the upper's second.
     VertexOrder upper{far, next(far, 1), next(far, 2)};
     if (corner(other, upper[1]) != corner(t, lower[2])) std::swap(upper[1], upper[2]);
-    found(reordered(planned_.triangles[t], lower), reordered(planned_.triangles[other], upper));
+    found(t, lower, other, upper);
   }
 
   const Primitive& primitive_;
-  const PlannedPrimitive& planned_;
 };
 
 }  // namespace
@@ -111,10 +109,17 @@ Pairs pairs(const Scene& scene, const Plan& plan) {
   for (const PlannedPrimitive& planned : plan.primitives) {
     const Primitive& primitive = scene.primitives[planned.primitive];
     const std::uint64_t uses = scene.meshes[primitive.mesh].uses;
-    all.unpaired += Matcher(primitive, planned).each([&](const TriangleUse& lower, const TriangleUse& upper) {
+    auto& places = all.places.emplace_back(planned.triangles.size());
+    all.unpaired += Matcher(primitive).each([&](std::size_t below, const VertexOrder& below_order,
+                                                std::size_t above, const VertexOrder& above_order) {
+      const TriangleUse lower = reordered(planned.triangles[below], below_order),
+                        upper = reordered(planned.triangles[above], above_order);
       const auto [entry, is_new] =
           known.try_emplace({lower.triangle, lower.order, upper.triangle, upper.order}, all.distinct.size());
       if (is_new) all.distinct.push_back({lower, upper, 0, 0});
+      const auto number = static_cast<std::uint32_t>(entry->second);
+      places[below] = {number, false, below_order};
+      places[above] = {number, true, above_order};
       Pair& pair = all.distinct[entry->second];
       ++pair.unique;
       pair.placed += uses;

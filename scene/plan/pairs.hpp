@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "scene/plan/plan.hpp"
@@ -16,8 +17,17 @@ struct Pair {
   std::uint64_t unique = 0, placed = 0;  ///< pairs that this one stands for, itself included
 };
 
+/// Where a triangle is in its pair: corner k of the lower, or the upper, is its vertex order[k].
+struct PairPlace {
+  std::uint32_t pair = 0;  ///< of Pairs::distinct
+  bool upper = false;
+  VertexOrder order{0, 1, 2};
+};
+
 struct Pairs {
   std::vector<Pair> distinct;
+  /// By Plan::primitives, then by triangle; none of a triangle without a partner.
+  std::vector<std::vector<std::optional<PairPlace>>> places;
   std::uint64_t unique = 0;    ///< pairs of all planned primitives
   std::uint64_t unpaired = 0;  ///< triangles in no pair
 };

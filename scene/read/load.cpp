@@ -65,7 +65,19 @@ Scene scene_of(const Document& document) {
   return scene;
 }
 
+std::vector<MeshUse> uses_of(const Document& document) {
+  const Buffers buffers(document);
+  read_meshes(document, buffers);
+  return read_uses(document, buffers);
+}
+
 }  // namespace
+
+std::vector<MeshUse> load_uses(const std::string& file) { return uses_of(open_document(file)); }
+
+std::vector<MeshUse> load_uses(const std::string& name, std::span<const unsigned char> bytes) {
+  return uses_of(open_document(name, bytes));
+}
 
 Scene load(const std::string& file) { return scene_of(open_document(file)); }
 

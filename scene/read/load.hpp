@@ -30,4 +30,10 @@ Scene load(const std::string& file);
 /// Errors: as above, and BadScene where a URI names a file.
 Scene load(const std::string& name, std::span<const unsigned char> bytes);
 
+/// Where the meshes of a file are in its scene: each use of each, in one order.  Where no node places a mesh, each
+/// mesh once, as it is.
+/// Errors: as of load().
+std::vector<MeshUse> load_uses(const std::string& file);
+std::vector<MeshUse> load_uses(const std::string& name, std::span<const unsigned char> bytes);
+
 }  // namespace mmverify::scene

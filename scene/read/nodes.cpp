@@ -114,7 +114,75 @@ void place_instances(const Document& document, const Buffers& buffers, const nlo
   }
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// Where each use is
+// ---------------------------------------------------------------------------------------------------------------------
+
+Transform product(const Transform& a, const Transform& b) {
+  Transform c{product(a.linear, b.linear), a.translation};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t k = 0; k < 3; ++k) c.translation[row] += a.linear[row + 3 * k] * b.translation[k];
+  return c;
+}
+
+Transform transform_of(const tinygltf::Node& node) {
+  Transform t{linear_part(node), {0, 0, 0}};
+  if (node.matrix.size() == 16)
+    t.translation = {node.matrix[12], node.matrix[13], node.matrix[14]};
+  else if (node.translation.size() == 3)
+    t.translation = {node.translation[0], node.translation[1], node.translation[2]};
+  return t;
+}
+
+/// The instances of EXT_mesh_gpu_instancing, their counts checked by read_meshes().
+void list_instances(const Document& document, const Buffers& buffers, const nlohmann::json& attributes,
+                    const std::string& at, const Transform& node_at, std::size_t mesh,
+                    std::vector<MeshUse>& uses) {
+  const auto read = [&](const char* name, int components, Integers integers) {
+    const auto found = attributes.find(name);
+    if (found == attributes.end()) return std::vector<float>();
+    return read_floats(document, buffers, found->get<std::size_t>(), components, integers, at + " " + name);
+  };
+  const std::vector<float> translation = read("TRANSLATION", 3, Integers::none),
+                           rotation = read("ROTATION", 4, Integers::any),
+                           scale = read("SCALE", 3, Integers::none);
+  const auto part = [](const std::vector<float>& all, std::size_t k, std::size_t size) {
+    return all.empty() ? std::vector<double>()
+                       : std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(k * size),
+                                             all.begin() + static_cast<std::ptrdiff_t>(k * size + size));
+  };
+  const std::size_t instances = document.model.accessors[attributes.begin()->get<std::size_t>()].count;
+  for (std::size_t k = 0; k < instances; ++k) {
+    tinygltf::Node node;
+    node.translation = part(translation, k, 3);
+    node.rotation = part(rotation, k, 4);
+    node.scale = part(scale, k, 3);
+    uses.push_back({mesh, product(node_at, transform_of(node))});
+  }
+}
+
 }  // namespace
+
+std::vector<MeshUse> read_uses(const Document& document, const Buffers& buffers) {
+  const auto& nodes = document.model.nodes;
+  constexpr Transform still{identity, {0, 0, 0}};
+  std::vector<Transform> at(nodes.size(), still);
+  std::vector<MeshUse> uses;
+  for (const std::size_t k : checked_trees(document)) {
+    at[k] = product(at[k], transform_of(nodes[k]));
+    for (const int child : nodes[k].children) at[static_cast<std::size_t>(child)] = at[k];
+    if (nodes[k].mesh < 0) continue;
+    const auto mesh = static_cast<std::size_t>(nodes[k].mesh);
+    const nlohmann::json& instancing = extension(document.json["nodes"][k], "EXT_mesh_gpu_instancing");
+    if (const nlohmann::json& attributes = member(instancing, "attributes"); !attributes.empty())
+      list_instances(document, buffers, attributes, place("node", k), at[k], mesh, uses);
+    else
+      uses.push_back({mesh, at[k]});
+  }
+  if (uses.empty())
+    for (std::size_t mesh = 0; mesh < document.model.meshes.size(); ++mesh) uses.push_back({mesh, still});
+  return uses;
+}
 
 std::vector<Mesh> read_meshes(const Document& document, const Buffers& buffers) {
   const std::vector<std::size_t> order = checked_trees(document);

@@ -14,4 +14,9 @@ namespace mmverify::scene {
 /// for scales of instances as of read_floats().
 std::vector<Mesh> read_meshes(const Document& document, const Buffers& buffers);
 
+/// Every use of a mesh, in the order of nodes, parents before children; each mesh once, as it is, where no node
+/// places any.
+/// Domain: a document whose meshes read_meshes() has read.  Errors: as of it.
+std::vector<MeshUse> read_uses(const Document& document, const Buffers& buffers);
+
 }  // namespace mmverify::scene

@@ -14,6 +14,7 @@
 #include "bench/index/tables.hpp"
 #include "bench/scene/attribute_mip_tables.hpp"
 #include "bench/scene/attribute_tables.hpp"
+#include "bench/scene/render_tables.hpp"
 #include "bench/scene/tables.hpp"
 #include "bench/subject/tables.hpp"
 #include "bench/sweep/tables.hpp"
@@ -71,6 +72,11 @@ std::vector<Result> all_results() {
   attributes.sets[0].levels[0].error = {1, 0.5};
   mmverify::scene::AttributeScene read;
   read.left_out.push_back({.why = "no texture"});
+  RenderFigures rendered;
+  rendered.methods.resize(1);
+  rendered.methods[0].level = 2;
+  rendered.methods[0].predicted = rendered.methods[0].even = 0.5;
+  rendered.pictures = {{"heat", "heat.png"}};
   return {index_tables({index}, {}),
           tree_tables({TreeFigures{}}, {}),
           vq_tables(vq, {}),
@@ -80,6 +86,7 @@ std::vector<Result> all_results() {
           subject_tables({}),
           scene_bake_tables({}, {}),
           baker_tables({"b", "f", {{}}}),
+          render_tables(rendered),
           with_pictures(scene_attribute_tables(
               attributes, read,
               {.packed = true, .texture_coder = {.name = "coder", .compress = [](auto&&...) {}}}))};

@@ -36,11 +36,11 @@ bool by_prover(const Law& law) {
 using Source = InsideRows (*)();
 constexpr Source sources_of_faults[] = {
     inside_faults_of_index, inside_faults_of_provers, inside_faults_of_micromap,
-    inside_faults_of_tree,  inside_faults_of_vq,
+    inside_faults_of_tree,  inside_faults_of_vq,      inside_faults_of_rays,
 };
 constexpr Source sources_of_right[] = {
     inside_right_of_index, inside_right_of_provers, inside_right_of_micromap,
-    inside_right_of_tree,  inside_right_of_vq,
+    inside_right_of_tree,  inside_right_of_vq,      inside_right_of_rays,
 };
 
 InsideRows all(std::span<const Source> sources) {

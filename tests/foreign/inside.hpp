@@ -24,6 +24,8 @@ InsideRows inside_faults_of_micromap();
 InsideRows inside_right_of_micromap();
 InsideRows inside_faults_of_tree();
 InsideRows inside_right_of_tree();
+InsideRows inside_faults_of_rays();
+InsideRows inside_right_of_rays();
 InsideRows inside_faults_of_vq();
 InsideRows inside_right_of_vq();
 

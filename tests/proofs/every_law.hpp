@@ -63,6 +63,19 @@ inline bool too_long_under_sanitizers(const Law& law) {
 #define SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law) \
   if (too_long_under_sanitizers(law)) GTEST_SKIP() << "too long; the release build runs it"
 
+/// Why none of a law's own subjects has what it needs in this build; empty: some has.
+inline std::string lacking(const Law& law) {
+  std::string why;
+  for (const std::string& name : law.subjects) {
+    const auto unfit = law.unfit ? law.unfit(*find_subject(name), law.fast.first) : std::nullopt;
+    if (!unfit) return {};
+    why = *unfit;
+  }
+  return why;
+}
+#define SKIP_WHAT_THIS_BUILD_LACKS(law) \
+  if (const std::string why = lacking(law); !why.empty()) GTEST_SKIP() << why
+
 /// A suite over laws: the parameter is the law's id.
 class EveryLaw : public testing::TestWithParam<std::string> {
  protected:

@@ -98,6 +98,7 @@ TEST_P(EveryLaw, SaysWhatItIs) {
 }
 
 TEST_P(FastLaw, HoldsOfItsOwnSubjectsOverItsWholeDomain) {
+  SKIP_WHAT_THIS_BUILD_LACKS(law);
   SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   const Verdict passed = law.method == Method::sample ? Verdict::checked : Verdict::proved;
   const Level last = std::max(std::min(law.fast.last, small), law.fast.first);
@@ -176,6 +177,7 @@ TEST_P(FastLaw, KillsEveryMutant) {
 }
 
 TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
+  SKIP_WHAT_THIS_BUILD_LACKS(law);
   if (sanitized) GTEST_SKIP() << "the same runs once more; these sanitizers see nothing of threads";
   SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   // Several chunks, so that two threads have something to share.

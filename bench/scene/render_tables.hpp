@@ -1,0 +1,34 @@
+// What rays of a scene met, method by method, as tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/result.hpp"
+#include "render/scene/compare.hpp"
+
+namespace mmverify::bench {
+
+/// A picture that a run wrote.
+struct RenderPictureFile {
+  std::string shows;  ///< "seen" or "heat"
+  std::string file;   ///< a path from the folder that the program was called in, or an absolute one
+};
+
+struct RenderFigures {
+  std::string file;
+  std::uint64_t triangles = 0, placed = 0;      ///< of the scene
+  std::uint64_t tested = 0, tested_placed = 0;  ///< those that get micromaps
+  std::uint64_t unplanned = 0;                  ///< tested by a texture, and left out of the plan
+  std::uint32_t width = 0, height = 0;
+  std::uint64_t camera = 0, seed = 0, threads = 0;
+  std::string embree;
+  std::vector<render::MethodFigures> methods;  ///< the first is texture
+  std::vector<RenderPictureFile> pictures;
+};
+
+/// Source: Succinct Opacity Micromaps, 5.2 and table 3; Compressed Opacity Maps, figures 1 and 12.
+/// Domain: at least one method.
+Result render_tables(const RenderFigures& figures);
+
+}  // namespace mmverify::bench

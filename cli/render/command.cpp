@@ -1,0 +1,280 @@
+// mmverify render: a scene's rays, any-hit shaders by texture and by micromaps.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "bench/scene/render_tables.hpp"
+#include "cli/arguments.hpp"
+#include "cli/bench/tables.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output_file.hpp"
+#include "cli/scene/loaded.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/progress.hpp"
+#include "render/picture.hpp"
+#include "render/scene/compare.hpp"
+#include "scene/read/load.hpp"
+#include "scene/sample/scene.hpp"
+#include "scene/write/png.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using proofs::Interrupted;
+using proofs::InterruptGuard;
+using proofs::Progress;
+
+struct RenderOptions {
+  std::string file, level = "6", picture, heat, json;
+  std::vector<std::string> methods{"all"};
+  std::string size = "640x480";
+  std::uint64_t camera = 0, seed = 1, memory = std::uint64_t{1} << 30;
+  unsigned threads = 0, repeats = 1;
+  bool no_shadows = false, quiet = false;
+};
+
+std::vector<render::Method> wanted_methods(const std::vector<std::string>& names) {
+  std::vector<render::Method> wanted;
+  for (const std::string& name : names) {
+    if (name == "all") return {std::begin(render::methods), std::end(render::methods)};
+    const auto method = render::method_of(name);
+    if (!method)
+      throw UsageError(fmt::format(
+          "--method {}: it is one of texture, special, flat, tree, ranked, vq2, vq4 and all", name));
+    wanted.push_back(*method);
+  }
+  return wanted;
+}
+
+struct Sides {
+  std::uint32_t width, height;
+};
+
+Sides sides_of(const std::string& size) {
+  const auto wrong = [&size] {
+    return UsageError(fmt::format("--size {:.40}: write WIDTHxHEIGHT, each 1 to 4096", size));
+  };
+  const auto side = [&wrong](const std::string& text) {
+    if (text.empty() || text.size() > 4 || text.find_first_not_of("0123456789") != std::string::npos)
+      throw wrong();
+    const auto n = static_cast<std::uint32_t>(std::stoul(text));
+    if (n < 1 || n > 4096) throw wrong();
+    return n;
+  };
+  const auto x = size.find('x');
+  if (x == std::string::npos) throw wrong();
+  return {side(size.substr(0, x)), side(size.substr(x + 1))};
+}
+
+std::vector<mmverify::scene::MeshUse> uses_of(const std::string& file) {
+  using namespace mmverify::scene;
+  if (!file.empty()) return load_uses(file);
+  const Bytes bytes = sample_scene();
+  return load_uses(sample_name, bytes);
+}
+
+void commit(OutputFile& file, const render::Picture& picture) {
+  const std::vector<unsigned char> bytes = mmverify::scene::png(picture.width, picture.height, picture.rgb);
+  file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+/// Whether two paths name one file, there or not.
+bool one_place(const std::string& a, const std::string& b) {
+  const auto place = [](const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  };
+  return place(a) == place(b);
+}
+
+/// Two outputs, or an output and the scene, in one file.
+void check_files(const RenderOptions& options) {
+  const std::vector<std::pair<const char*, std::string>> files{{"the scene", options.file},
+                                                               {"-o", options.picture},
+                                                               {"--heat", options.heat},
+                                                               {"--json", options.json}};
+  for (std::size_t a = 0; a < files.size(); ++a)
+    for (std::size_t b = a + 1; b < files.size(); ++b) {
+      if (files[a].second.empty() || files[b].second.empty() || files[b].second == "-") continue;
+      if (one_place(files[a].second, files[b].second))
+        throw UsageError(
+            fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
+    }
+}
+
+/// The heat maps of a run, of which the first says what the scale's end is.
+class HeatMaps {
+ public:
+  void add(const render::MethodFigures& figures, const render::Frame& frame) {
+    if (maps_.empty()) most_ = render::scale_of(frame);
+    maps_.push_back(render::heat(frame, most_));
+    titles_.push_back(fmt::format("{}{}: {}", render::name_of(figures.method),
+                                  figures.level ? fmt::format(" {}", *figures.level) : "",
+                                  figures.counts.shader));
+  }
+  render::Picture beside_each_other() const { return render::side_by_side(maps_, titles_, most_); }
+  /// PNG takes sides up to 32768; four maps make a row.
+  bool fit(std::uint32_t height) const {
+    return (std::uint64_t{height} + 40) * (maps_.size() / 4 + 1) < 32000;
+  }
+
+ private:
+  std::vector<render::Picture> maps_;
+  std::vector<std::string> titles_;
+  std::uint32_t most_ = 1;
+};
+
+render::Camera camera_of(const render::World& world, const RenderOptions& options, float aspect) {
+  render::Box box = render::box_of(world, true);
+  if (box.empty) box = render::box_of(world, false);
+  return options.camera == 0 ? render::overview(box, aspect)
+                             : render::on_path(box, options.seed, options.camera, aspect);
+}
+
+int render_scene(const RenderOptions& options) {
+  const proofs::Levels levels = parse_levels(options.level);
+  if (levels.last > mmverify::scene::finest_level)
+    throw UsageError(
+        fmt::format("--level {}: maps go up to level {}", options.level, mmverify::scene::finest_level));
+  const std::vector<render::Method> wanted = wanted_methods(options.methods);
+  const Sides sides = sides_of(options.size);
+  check_files(options);
+  if (std::error_code none; std::filesystem::is_directory(options.file, none))
+    throw UsageError(
+        fmt::format("render {}: a folder of textures has no triangles; name a glTF file", options.file));
+  if (!render::has_embree()) throw EnvironmentError("render: " + render::embree_text());
+  std::optional<OutputFile> picture, heat_file, json;
+  if (!options.picture.empty()) picture.emplace(options.picture);
+  if (!options.heat.empty()) heat_file.emplace(options.heat);
+  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
+  const InterruptGuard guard;
+  const mmverify::scene::Scene scene = loaded_scene(options.file);
+  const auto uses = uses_of(options.file);
+  const mmverify::scene::Plan plan = mmverify::scene::plan(scene);
+  const render::SceneWorld world = render::world_of(scene, uses, plan);
+  if (world.world.instances.empty())
+    throw EnvironmentError(fmt::format("{}: no triangle to render", scene.file));
+  const render::Tracer tracer(world.world);
+  const render::Camera camera =
+      camera_of(world.world, options, static_cast<float>(sides.width) / static_cast<float>(sides.height));
+
+  std::optional<Progress> progress;
+  HeatMaps heat_maps;
+  render::CompareOptions compared{.first = levels.first, .last = levels.last, .wanted = wanted};
+  compared.trace = {.width = sides.width,
+                    .height = sides.height,
+                    .threads = options.threads,
+                    .shadows = !options.no_shadows};
+  compared.repeats = options.repeats;
+  compared.seed = options.seed;
+  compared.memory = options.memory;
+  compared.begins = [&](const std::string& what, std::uint64_t of) {
+    progress.reset();
+    progress.emplace(of, !options.quiet);
+    progress->now(what);
+    if (proofs::interrupted()) throw Interrupted();
+  };
+  compared.done = [&](std::uint64_t count) {
+    progress->add(count);
+    if (proofs::interrupted()) throw Interrupted();
+  };
+  std::optional<render::Picture> last_seen;
+  compared.frame = [&](const render::MethodFigures& figures, const render::Frame& frame) {
+    if (picture) last_seen = render::seen(world.world, frame);
+    if (heat_file && heat_maps.fit(sides.height)) heat_maps.add(figures, frame);
+  };
+  bench::RenderFigures figures;
+  try {
+    const render::Compared all = render::compare(scene, plan, world, tracer, camera, compared);
+    progress.reset();
+    if (all.first_left_out)
+      fmt::print(stderr,
+                 "render: maps of level {} would take {} bytes, more than --memory; left out from here on\n",
+                 *all.first_left_out, grouped(all.wanted_bytes));
+    figures.methods = all.methods;
+  } catch (const std::invalid_argument& error) {
+    throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
+  }
+  const auto triangles = mmverify::scene::count_triangles(scene);
+  const auto tested = mmverify::scene::counts(plan);
+  figures.file = scene.file;
+  figures.triangles = triangles.unique;
+  figures.placed = triangles.placed;
+  figures.tested = tested.unique;
+  figures.tested_placed = tested.placed;
+  figures.unplanned = world.unplanned;
+  figures.width = sides.width;
+  figures.height = sides.height;
+  figures.camera = options.camera;
+  figures.seed = options.seed;
+  figures.threads = options.threads;
+  figures.embree = render::embree_text();
+  if (picture) {
+    commit(*picture, *last_seen);
+    figures.pictures.push_back({"seen", options.picture});
+  }
+  if (heat_file) {
+    commit(*heat_file, heat_maps.beside_each_other());
+    figures.pictures.push_back({"heat", options.heat});
+  }
+  const bench::Result result = bench::render_tables(figures);
+  print_result(options.json == "-" ? stderr : stdout, result);
+  if (json) json->commit(result_json(result));
+  if (options.json == "-") fmt::print("{}", result_json(result));
+  for (const render::MethodFigures& m : figures.methods)
+    if (m.differing != 0) return failed;
+  return complete;
+}
+
+}  // namespace
+
+Action add_render(CLI::App& program) {
+  auto* command = program.add_subcommand("render",
+                                         "trace a glTF scene with Embree, any-hit shaders by texture and by "
+                                         "micromaps; exit 1 where a pixel differs");
+  auto options = std::make_shared<RenderOptions>();
+  command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
+      ->type_name("FILE.gltf|FILE.glb");
+  command->add_option("--level", options->level, "of every map; 6 where not given")->type_name("N|A..B");
+  command
+      ->add_option(
+          "--method", options->methods,
+          "how opacity is asked for, beside the texture alone: special, flat, tree, ranked, vq2, vq4; all")
+      ->delimiter(',')
+      ->type_name("NAME[,NAME...]")
+      ->allow_extra_args(false);
+  command->add_option("-o,--output", options->picture, "write the picture, of the last method")
+      ->type_name("FILE.png");
+  command
+      ->add_option("--heat", options->heat,
+                   "write how often each pixel called an any-hit shader, method by method")
+      ->type_name("FILE.png");
+  command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
+  command->add_option("--size", options->size, "of the picture in pixels; 640x480 where not given")
+      ->type_name("WIDTHxHEIGHT");
+  command->add_option("--camera", options->camera, "0: all of the scene; 1, 2, ...: of a random path")
+      ->check(whole_within(0, 1'000'000'000));
+  command->add_option("--seed", options->seed, "of the random path")->check(fits_64_bits);
+  command->add_flag("--no-shadows", options->no_shadows, "primary rays alone");
+  command->add_option("--repeat", options->repeats, "frames of each method; the least time counts")
+      ->check(whole_within(1, 1000));
+  command->add_option("--memory", options->memory, "bytes that all maps of a level may take")
+      ->check([](const std::string& text) {
+        return text.starts_with("-") || text.size() > 15 ? std::string("bytes, as 500MB or 2GB")
+                                                         : std::string();
+      })
+      ->transform(CLI::AsSizeValue(false));
+  command
+      ->add_option("--threads", options->threads,
+                   "worker threads; as many as the machine has where not given")
+      ->check(whole_within(1, 1024));
+  command->add_flag("--quiet", options->quiet, "no progress");
+  return [options] { return render_scene(*options); };
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,49 @@
+// A small world of our own for rays: cards of leaves, tiles and glass around a point, above an opaque ground.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/camera.hpp"
+#include "render/opacity.hpp"
+#include "render/tracer.hpp"
+#include "render/world.hpp"
+
+namespace mmverify::proofs::traverse {
+
+inline constexpr unsigned finest_sample_level = 5;
+
+/// Cards with a soft disc (bilinear, MASK; in pairs, so that they have square maps), with tiles of 16 bits (nearest,
+/// mirrored, a factor), with a gradient (bilinear, BLEND); some all opaque and some all transparent; triangles of a pair
+/// begin with each of their vertices; meshes placed as they are, and turned and mirrored.
+class SampleWorld {
+ public:
+  SampleWorld();
+
+  /// What a method reads at a level; null: texture.  Domain: level up to finest_sample_level.
+  const render::Opacity* opacity(render::Method method, unsigned level) const;
+  const render::Micromaps& micromaps(unsigned level) const { return *maps_.at(level); }
+  const render::World& world() const { return world_; }
+  /// Built by the first who asks.  Errors: as of render::Tracer.
+  const render::Tracer& tracer() const;
+  const render::Box& box() const { return box_; }
+
+  /// One, made once.
+  static const SampleWorld& get();
+
+ private:
+  void add_textures();
+  void add_cards();
+  void add_maps();
+
+  std::vector<std::uint8_t> disc_, gradient_;
+  std::vector<std::uint16_t> tiles_;
+  render::World world_;
+  render::Box box_;
+  render::Squares squares_;
+  std::vector<std::unique_ptr<const render::Micromaps>> maps_;                  ///< by level
+  std::vector<std::vector<std::unique_ptr<const render::Opacity>>> opacities_;  ///< by level, then method
+};
+
+}  // namespace mmverify::proofs::traverse

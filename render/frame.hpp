@@ -1,0 +1,58 @@
+// What the rays of a picture met.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace mmverify::render {
+
+/// What a ray ended on.  Equal members: the same triangle of the same instance, at the same t.
+struct Met {
+  static constexpr std::uint32_t nothing = 0xffffffff;
+  float t = 0;
+  std::uint32_t instance = nothing, geometry = nothing, triangle = nothing;
+  bool hit() const { return triangle != nothing; }
+  bool operator==(const Met&) const = default;
+};
+
+/// Of one ray.
+struct Asked {
+  std::uint32_t candidates = 0;  ///< filter calls: hits on triangles that have a surface
+  std::uint32_t shader = 0;      ///< of those, what an any-hit shader had to decide by the texture
+};
+
+struct Pixel {
+  Met primary;
+  bool lit = false;  ///< the shadow ray met nothing
+  float shade = 0;   ///< cosine of normal and light
+  Asked by_primary, by_shadow;
+};
+
+struct Counts {
+  std::uint64_t rays = 0, shadow_rays = 0;
+  std::uint64_t candidates = 0, ignored = 0, opaque = 0, shader = 0;
+  std::uint64_t planned = 0;  ///< candidates on geometries that get micromaps
+  std::uint64_t fetches = 0;  ///< texels read
+  Counts& operator+=(const Counts& other);
+  bool operator==(const Counts&) const = default;
+  /// The share of candidates on geometries with micromaps that called no shader; 0 of none.
+  double known() const {
+    return planned == 0 ? 0 : static_cast<double>(ignored + opaque) / static_cast<double>(planned);
+  }
+};
+
+struct Frame {
+  std::uint32_t width = 0, height = 0;
+  std::vector<Pixel> pixels;  ///< rows from the top
+  Counts counts;
+  double seconds = 0, cpu_seconds = 0;  ///< of all threads
+};
+
+/// Pixels whose rays met another triangle, or another t, or light in another way.
+/// Domain: frames of one size, else std::invalid_argument.
+std::uint64_t differing(const Frame& a, const Frame& b);
+
+/// A number of all hits: FNV-1a over the pixels in their order, so that it is the same for any number of threads.
+std::uint64_t digest(const Frame& frame);
+
+}  // namespace mmverify::render

@@ -1,0 +1,342 @@
+#include "render/tracer.hpp"
+
+#include <embree3/rtcore.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "impl/traverse/decision.hpp"
+#include "render/vectors.hpp"
+
+namespace mmverify::render {
+namespace {
+
+/// What a filter function needs of its geometry.
+struct Filtered {
+  const Geometry* geometry;
+  const Surface* surface;
+  std::uint32_t number;
+};
+
+/// Of one ray; Embree hands its first member to filter functions.
+struct Context {
+  RTCIntersectContext embree;
+  const Opacity* opacity;
+  std::uint64_t ray;
+  Counts counts;
+  Asked asked;
+  bool passes = false;  ///< through every candidate
+};
+
+/// Of geometries: who has a surface, and who has none.
+constexpr unsigned with_surface = 1, without_surface = 2;
+
+/// For BLEND: 2^-25 .. 1 - 2^-25, of ray and triangle alone.
+float chance_of(std::uint64_t ray, std::uint32_t instance, std::uint32_t geometry, std::uint32_t triangle) {
+  const std::uint64_t hash =
+      mixed(mixed(ray) ^ (std::uint64_t{instance} << 40) ^ (std::uint64_t{geometry} << 24) ^ triangle);
+  return static_cast<float>(hash >> 41) * 0x1p-23f + 0x1p-25f;
+}
+
+void filter(const RTCFilterFunctionNArguments* arguments) {
+  const auto& its = *static_cast<const Filtered*>(arguments->geometryUserPtr);
+  auto& context = *reinterpret_cast<Context*>(arguments->context);
+  int& valid = arguments->valid[0];
+  if (valid != -1) return;
+  const std::uint32_t triangle = RTCHitN_primID(arguments->hit, arguments->N, 0),
+                      instance = RTCHitN_instID(arguments->hit, arguments->N, 0, 0);
+  const Barycentrics b =
+      in_triangle(RTCHitN_u(arguments->hit, arguments->N, 0), RTCHitN_v(arguments->hit, arguments->N, 0));
+  ++context.counts.candidates;
+  context.counts.planned += its.geometry->planned;
+  ++context.asked.candidates;
+  std::uint32_t candidate = 0;
+  if (context.opacity != nullptr)
+    if (const auto state = context.opacity->at(its.number, triangle, b))
+      candidate = static_cast<std::uint32_t>(*state) | impl::traverse::candidate_has_micromap;
+  switch (impl::traverse::decide(candidate, 0, 0)) {
+    case impl::traverse::Outcome::ignored:
+      ++context.counts.ignored;
+      valid = 0;
+      return;
+    case impl::traverse::Outcome::opaque:
+      ++context.counts.opaque;
+      if (context.passes) valid = 0;
+      return;
+    case impl::traverse::Outcome::non_opaque:
+      break;
+  }
+  ++context.counts.shader;
+  ++context.asked.shader;
+  if (context.passes) {
+    valid = 0;
+    return;
+  }
+  context.counts.fetches += its.surface->fetches();
+  if (!its.surface->opaque(its.geometry->uv_of(triangle), b,
+                           chance_of(context.ray, instance, its.number, triangle)))
+    valid = 0;
+}
+
+[[noreturn]] void fail(RTCDevice device) {
+  throw std::runtime_error("Embree: error " + std::to_string(static_cast<int>(rtcGetDeviceError(device))));
+}
+
+Context context_of(const Opacity* opacity, std::uint64_t ray) {
+  Context context{};
+  rtcInitIntersectContext(&context.embree);
+  context.opacity = opacity;
+  context.ray = ray;
+  return context;
+}
+
+RTCRay embree_ray(const Ray& ray, float near, float far) {
+  RTCRay r{};
+  r.org_x = ray.from[0];
+  r.org_y = ray.from[1];
+  r.org_z = ray.from[2];
+  r.dir_x = ray.direction[0];
+  r.dir_y = ray.direction[1];
+  r.dir_z = ray.direction[2];
+  r.tnear = near;
+  r.tfar = far;
+  r.mask = 0xffffffff;
+  return r;
+}
+
+/// Of all threads of this process.
+double cpu_seconds() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+}  // namespace
+
+bool has_embree() { return true; }
+std::string embree_text() { return "Embree " RTC_VERSION_STRING; }
+
+struct Tracer::Built {
+  const World& world;
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  std::vector<Filtered> filtered;  ///< by geometry
+  std::vector<RTCScene> meshes;
+  float scale = 1;  ///< of the scene, for the offset of shadow rays
+
+  explicit Built(const World& w) : world(w) {
+    // Its "threads=1" would bind all of the process.
+    device = rtcNewDevice(nullptr);
+    if (device == nullptr) fail(nullptr);
+    filtered.resize(world.geometries.size());
+    // Committed by one thread: the same volumes, and so the same candidates, in each run.
+    oneapi::tbb::task_arena(1).execute([this] { build(); });
+    if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
+      throw std::runtime_error("Embree: error " + std::to_string(static_cast<int>(error)));
+    const Box box = box_of(world, false);
+    if (!box.empty)
+      for (std::size_t k = 0; k < 3; ++k) scale = std::max(k == 0 ? 0 : scale, box.high[k] - box.low[k]);
+  }
+  Built(const Built&) = delete;
+  Built& operator=(const Built&) = delete;
+  ~Built() {
+    for (const RTCScene mesh : meshes) rtcReleaseScene(mesh);
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  template <class T>
+  static void copy(RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& from) {
+    if (from.empty()) return;
+    void* const to = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), from.size());
+    if (to == nullptr) throw std::runtime_error("Embree: no memory for a geometry");
+    std::memcpy(to, from.data(), sizeof(T) * from.size());
+  }
+
+  void build() {
+    for (std::uint32_t g = 0; g < world.geometries.size(); ++g) {
+      const Geometry& geometry = world.geometries[g];
+      filtered[g] = {&geometry, geometry.surface ? &world.surfaces[*geometry.surface] : nullptr, g};
+    }
+    for (const auto& mesh : world.meshes) {
+      const RTCScene its = rtcNewScene(device);
+      meshes.push_back(its);
+      rtcSetSceneFlags(its, RTC_SCENE_FLAG_ROBUST);
+      for (std::uint32_t k = 0; k < mesh.size(); ++k) {
+        const Geometry& geometry = world.geometries[mesh[k]];
+        const RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        copy(triangles, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, geometry.positions);
+        copy(triangles, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, geometry.triangles);
+        rtcSetGeometryMask(triangles, geometry.surface ? with_surface : without_surface);
+        rtcSetGeometryUserData(triangles, &filtered[mesh[k]]);
+        if (geometry.surface) {
+          rtcSetGeometryIntersectFilterFunction(triangles, filter);
+          rtcSetGeometryOccludedFilterFunction(triangles, filter);
+        }
+        rtcCommitGeometry(triangles);
+        rtcAttachGeometryByID(its, triangles, k);
+        rtcReleaseGeometry(triangles);
+      }
+      rtcJoinCommitScene(its);
+    }
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    for (std::uint32_t k = 0; k < world.instances.size(); ++k) {
+      const RTCGeometry placed = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+      rtcSetGeometryMask(placed, with_surface | without_surface);
+      rtcSetGeometryInstancedScene(placed, meshes[world.instances[k].mesh]);
+      rtcSetGeometryTransform(placed, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                              world.instances[k].transform.data());
+      rtcCommitGeometry(placed);
+      rtcAttachGeometryByID(scene, placed, k);
+      rtcReleaseGeometry(placed);
+    }
+    rtcJoinCommitScene(scene);
+  }
+
+  Met met(const RTCRayHit& found) const {
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    const std::uint32_t instance = found.hit.instID[0];
+    return {found.ray.tfar, instance, world.meshes[world.instances[instance].mesh][found.hit.geomID],
+            found.hit.primID};
+  }
+
+  Met closest(const Ray& ray, Context& context) const {
+    RTCRayHit found{};
+    found.ray = embree_ray(ray, 0, std::numeric_limits<float>::infinity());
+    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene, &context.embree, &found);
+    return met(found);
+  }
+
+  void pass(const Ray& ray, Context& context) const {
+    context.passes = true;
+    RTCRay line = embree_ray(ray, 0, std::numeric_limits<float>::infinity());
+    line.mask = with_surface;
+    rtcOccluded1(scene, &context.embree, &line);
+  }
+
+  Pixel pixel(const Camera& camera, const Opacity* opacity, const TraceOptions& options, std::uint32_t x,
+              std::uint32_t y, Counts& counts) const {
+    const std::uint64_t number = 2 * (std::uint64_t{y} * options.width + x);
+    const Ray ray = ray_of(camera, x, y, options.width, options.height);
+    Context primary = context_of(opacity, number);
+    Pixel pixel;
+    pixel.primary = closest(ray, primary);
+    pixel.by_primary = primary.asked;
+    counts += primary.counts;
+    ++counts.rays;
+    if (!pixel.primary.hit()) return pixel;
+    const Point light = unit(options.light);
+    Point normal = normal_of(pixel.primary);
+    if (dot(normal, ray.direction) > 0) normal = times(normal, -1);  // the side that is seen
+    pixel.shade = dot(normal, light);
+    pixel.lit = true;
+    if (!options.shadows) return pixel;
+    Point at{};
+    const float offset = 1e-4f * scale;
+    for (std::size_t k = 0; k < 3; ++k)
+      at[k] = ray.from[k] + pixel.primary.t * ray.direction[k] + offset * normal[k];
+    Context shadow = context_of(opacity, number + 1);
+    RTCRay towards_light = embree_ray({at, light}, offset, std::numeric_limits<float>::infinity());
+    rtcOccluded1(scene, &shadow.embree, &towards_light);
+    pixel.lit = !(towards_light.tfar < 0);
+    pixel.by_shadow = shadow.asked;
+    counts += shadow.counts;
+    ++counts.shadow_rays;
+    return pixel;
+  }
+
+  Point normal_of(const Met& hit) const {
+    const Geometry& geometry = world.geometries[hit.geometry];
+    const auto& t = geometry.triangles[hit.triangle];
+    const Instance& instance = world.instances[hit.instance];
+    const Point a = placed(instance, geometry.positions[t[0]]),
+                b = placed(instance, geometry.positions[t[1]]),
+                c = placed(instance, geometry.positions[t[2]]);
+    return unit(cross(minus(b, a), minus(c, a)));
+  }
+};
+
+Tracer::Tracer(const World& world) : built_(std::make_unique<Built>(world)) {}
+Tracer::~Tracer() = default;
+Tracer::Tracer(Tracer&&) noexcept = default;
+Tracer& Tracer::operator=(Tracer&&) noexcept = default;
+
+Pixel Tracer::pixel(const Camera& camera, const Opacity* opacity, const TraceOptions& options,
+                    std::uint32_t x, std::uint32_t y) const {
+  Counts counts;
+  return built_->pixel(camera, opacity, options, x, y, counts);
+}
+
+Counts Tracer::even_rays(const Opacity& opacity, std::uint64_t rays, std::uint64_t seed,
+                         unsigned threads) const {
+  const Box box = box_of(built_->world, true);
+  if (box.empty) return {};
+  const Point middle = times(plus(box.low, box.high), 0.5f);
+  const float radius = 0.5f * std::sqrt(dot(minus(box.high, box.low), minus(box.high, box.low)));
+  constexpr std::uint64_t chunk = 4096;
+  std::vector<Counts> counts((rays + chunk - 1) / chunk);
+  oneapi::tbb::task_arena arena(threads == 0 ? oneapi::tbb::task_arena::automatic
+                                             : static_cast<int>(threads));
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t c) {
+      for (std::uint64_t k = c * chunk; k < std::min(rays, (c + 1) * chunk); ++k) {
+        Context context = context_of(&opacity, k);
+        built_->pass(line_through_ball(middle, radius, mixed(seed) ^ mixed(k)), context);
+        counts[c] += context.counts;
+        ++counts[c].rays;
+      }
+    });
+  });
+  Counts sum;
+  for (const Counts& one : counts) sum += one;
+  return sum;
+}
+
+Met Tracer::first_hit(const Ray& ray, const Opacity* opacity, std::uint64_t number, Counts& counts) const {
+  Context context = context_of(opacity, number);
+  const Met met = built_->closest(ray, context);
+  counts += context.counts;
+  ++counts.rays;
+  return met;
+}
+
+Frame Tracer::frame(const Camera& camera, const Opacity* opacity, const TraceOptions& options) const {
+  if (options.width == 0 || options.height == 0 || options.width > 16384 || options.height > 16384)
+    throw std::invalid_argument("Tracer: a side of 0 or above 16384");
+  Frame frame;
+  frame.width = options.width;
+  frame.height = options.height;
+  frame.pixels.resize(std::size_t{options.width} * options.height);
+  std::vector<Counts> of_rows(options.height);
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu = cpu_seconds();
+  oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
+                                                     : static_cast<int>(options.threads));
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(std::uint32_t{0}, options.height, [&](std::uint32_t y) {
+      for (std::uint32_t x = 0; x < options.width; ++x)
+        frame.pixels[std::size_t{y} * options.width + x] =
+            built_->pixel(camera, opacity, options, x, y, of_rows[y]);
+      if (options.done) options.done(options.width);
+    });
+  });
+  frame.cpu_seconds = cpu_seconds() - cpu;
+  frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (const Counts& row : of_rows) frame.counts += row;
+  return frame;
+}
+
+}  // namespace mmverify::render

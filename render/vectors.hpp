@@ -1,0 +1,23 @@
+// Vectors of three floats.
+#pragma once
+
+#include <cmath>
+
+#include "render/world.hpp"
+
+namespace mmverify::render {
+
+inline Point plus(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Point times(const Point& a, float s) { return {a[0] * s, a[1] * s, a[2] * s}; }
+inline float dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// (0, 0, -1) of a vector without length.
+inline Point unit(const Point& a) {
+  const float length = std::sqrt(dot(a, a));
+  return length > 0 ? times(a, 1 / length) : Point{0, 0, -1};
+}
+
+}  // namespace mmverify::render

@@ -1,0 +1,106 @@
+// Topic traverse, what rays ask: states of the sample world's flat maps, found by halving the triangle.
+// Source: Succinct Opacity Micromaps, 4.3; Vulkan, the table of special indices.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "proofs/traverse/rays/sample_world.hpp"
+#include "proofs/traverse/subject.hpp"
+#include "tests/foreign/inside.hpp"
+
+namespace mmverify::tests::foreign {
+namespace {
+
+using namespace proofs::traverse;
+
+enum class Wrong {
+  nothing,
+  unknown_transparent_is_ignored,
+  digits_from_the_last,
+  highest_bits_first,
+  map_of_the_triangle_before,
+  middle_is_not_turned,
+  specials_from_zero,
+};
+
+/// Children 0, 2 and 3 lie at the three corners, child 1 between them. Child 3 exchanges the first two corners, child 1
+/// has them in the order of the sides across from the second, the first, the third.
+std::uint32_t index_of(double u, double v, unsigned level, Wrong wrong) {
+  std::uint32_t index = 0;
+  double a = 1 - u - v, b = u, c = v;
+  for (unsigned k = 0; k < level; ++k) {
+    std::uint32_t digit = 1;
+    if (a >= 0.5) {
+      digit = 0;
+      a = 2 * a - 1, b = 2 * b, c = 2 * c;
+    } else if (b >= 0.5) {
+      digit = 2;
+      a = 2 * a, b = 2 * b - 1, c = 2 * c;
+    } else if (c >= 0.5) {
+      digit = 3;
+      const double exchanged = 2 * a;
+      a = 2 * b, b = exchanged, c = 2 * c - 1;
+    } else {
+      const double across = 1 - 2 * a;
+      a = 1 - 2 * b, b = across, c = 1 - 2 * c;
+      if (wrong == Wrong::middle_is_not_turned) std::swap(a, b);
+    }
+    index = wrong == Wrong::digits_from_the_last ? index | digit << (2 * k) : index << 2 | digit;
+  }
+  return index;
+}
+
+std::optional<State> look(const Looks& asks, Wrong wrong) {
+  // Square maps are left to the texture, which is right of any.
+  if (!render::has_levels(asks.method)) return std::nullopt;
+  const render::Micromaps& maps = SampleWorld::get().micromaps(asks.level);
+  const auto& codes = maps.codes[asks.geometry];
+  if (codes.empty()) return std::nullopt;
+  std::uint32_t triangle = asks.triangle;
+  if (wrong == Wrong::map_of_the_triangle_before && triangle != 0) --triangle;
+  const std::uint32_t code = codes[triangle];
+  if (code >= 0xfffffffc) {
+    const std::uint32_t special = 0xffffffff - code;
+    return static_cast<State>(wrong == Wrong::specials_from_zero ? (special + 3) % 4 : special);
+  }
+  if (asks.method == render::Method::special) return std::nullopt;
+  const auto& record = maps.array.records[code];
+  const std::uint32_t k = index_of(double{asks.at.u}, double{asks.at.v}, record.level, wrong);
+  const unsigned place = wrong == Wrong::highest_bits_first ? 3 - k % 4 : k % 4;
+  unsigned state = maps.array.data[record.offset + k / 4] >> (2 * place) & 3u;
+  if (wrong == Wrong::unknown_transparent_is_ignored && state == 2) state = 0;
+  return static_cast<State>(state);
+}
+
+InsideFault row(Wrong wrong, const char* name, const char* what) {
+  Functions functions;
+  functions.look = [wrong](const Looks& asks) { return look(asks, wrong); };
+  return {"traverse.same_image",
+          name,
+          what,
+          std::make_shared<TraverseSubject>(name, "of another hand", std::move(functions)),
+          {0, 0}};
+}
+
+}  // namespace
+
+InsideRows inside_faults_of_rays() {
+  if (!render::has_embree()) return {};
+  return {
+      row(Wrong::unknown_transparent_is_ignored, "unknown_transparent_is_ignored", "UT is read as T"),
+      row(Wrong::digits_from_the_last, "digits_from_the_last", "the index has its last digit first"),
+      row(Wrong::highest_bits_first, "highest_bits_first", "a byte's first state is in its highest bits"),
+      row(Wrong::map_of_the_triangle_before, "map_of_the_triangle_before",
+          "each triangle but the first has the map before its own"),
+      row(Wrong::middle_is_not_turned, "middle_is_not_turned", "the middle child is not turned"),
+      row(Wrong::specials_from_zero, "specials_from_zero", "special indices are counted from -2 on"),
+  };
+}
+
+InsideRows inside_right_of_rays() {
+  if (!render::has_embree()) return {};
+  return {row(Wrong::nothing, "by_halving", "")};
+}
+
+}  // namespace mmverify::tests::foreign
