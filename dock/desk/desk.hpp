@@ -103,6 +103,8 @@ class Desk {
   void ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits, std::size_t most);
   /// Asks a batch again as often as fills a large one.
   void ask_slot_many_times_over(std::size_t slot);
+  /// Asks a batch again with its elements in another order: none may depend on its neighbours.
+  void ask_slot_in_another_order(std::size_t slot);
   /// Asks a batch again with each array, and the answers, at addresses of their own modulo 64.
   void ask_slot_at_other_places(std::size_t slot);
   bool first_at_this_level() const;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <numeric>
 
 #include "dock/desk/desk.hpp"
 
@@ -28,6 +29,7 @@ void Desk::run_on_numbers(std::uint64_t number) {
   // The first command of a level is asked again in every way, all of it; the others, a batch in a way in turn.
   for (std::size_t slot = 0; first_at_this_level() && slot < batches; ++slot) {
     for (const std::size_t size : {batch_size, std::size_t{7}, std::size_t{1}}) ask_slot_again(slot, size);
+    ask_slot_in_another_order(slot);
     ask_slot_from_threads(slot);
     if (slot != 0) continue;
     ask_slot_after_another_level(slot);
@@ -150,6 +152,33 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
   for (std::size_t at = 0; at < odd_batch; at += count)
     compare(slot_answer(slot), again_.data() + at * wide, std::min(count, odd_batch - at), from,
             "asked in a batch of " + std::to_string(odd_batch));
+}
+
+void Desk::ask_slot_in_another_order(std::size_t slot) {
+  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+                    wide = asked().answer_bytes, bytes = asked().signature.number_bytes;
+  // About 0.618 of the batch on each time, so that neighbours part.
+  std::size_t stride = count * 618 / 1000 + 1;
+  while (std::gcd(stride, count) != 1) ++stride;
+  const auto rearranged = [=](const std::byte* elements) {
+    std::vector<std::byte> copy(count * bytes);
+    for (std::size_t k = 0; k < count; ++k)
+      std::memcpy(copy.data() + k * bytes, elements + k * stride % count * bytes, bytes);
+    return copy;
+  };
+  Arguments a = piece(slot, 0, count, nullptr);
+  std::vector<std::byte> inputs[most_arrays];
+  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
+    inputs[array] = rearranged(a.arrays[array]);
+    a.arrays[array] = inputs[array].data();
+  }
+  again_.assign(count * wide, std::byte{blank_again});
+  a.out = again_.data();
+  guarded(a, from);
+  std::vector<std::byte> answers(count * wide);  // back in the slot's order
+  for (std::size_t k = 0; k < count; ++k)
+    std::memcpy(answers.data() + k * stride % count * wide, again_.data() + k * wide, wide);
+  compare(slot_answer(slot), answers.data(), count, from, "asked in another order");
 }
 
 void Desk::ask_slot_at_other_places(std::size_t slot) {

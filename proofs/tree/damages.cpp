@@ -135,6 +135,8 @@ void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const T
     longer.insert(longer.end(), more, 0);
     give(fmt::format("{} bytes 00 more,", more), longer);
   }
+  // A node in a node a million times over, for who descends before he counts.
+  give("in the place of all 2^17 bytes ff,", Bytes(std::size_t{1} << 17, 0xFF));
   Bytes twice = code;
   twice.insert(twice.end(), code.begin(), code.end());
   give("twice,", twice);
