@@ -2,6 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
 #include "dock/elements.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "proofs/traverse/words.hpp"
@@ -11,26 +19,74 @@ namespace mmverify::proofs::traverse {
 namespace {
 
 using dock::Call;
+using dock::Library;
 using dock::LibraryPtr;
 
 static_assert(static_cast<std::uint32_t>(Api::ext_pipeline) == MMVERIFY_EXT_PIPELINE);
 static_assert(static_cast<std::uint32_t>(Api::dxr_query) == MMVERIFY_DXR_QUERY);
 static_assert(static_cast<std::uint32_t>(Outcome::non_opaque) == MMVERIFY_NON_OPAQUE);
 
+using Key = std::array<std::uint32_t, 3>;
+Key key_of(const Combination& c) {
+  const Words w = words_of(c);
+  return {w.candidate, w.instance, w.ray};
+}
+
+/// What a library answers about candidates of one API, all that is asked in one batch.
+std::vector<std::uint8_t> asked(const Library& library, Api api, const std::vector<Combination>& all) {
+  std::vector<std::uint32_t> candidates, instances, rays;
+  for (const Combination& c : all) {
+    const Words w = words_of(c);
+    candidates.push_back(w.candidate);
+    instances.push_back(w.instance);
+    rays.push_back(w.ray);
+  }
+  std::vector<std::uint8_t> codes(all.size());
+  dock::ask_all(library,
+                {Call::traverse_decide,
+                 0,
+                 static_cast<std::uint32_t>(api),
+                 {candidates.data(), instances.data(), rays.data()},
+                 [&](std::size_t k) { return text_of(all[k]); }},
+                all.size(), codes.data());
+  return codes;
+}
+
+/// The answers to all defined combinations, an API at a time, when the first of them is wanted.
+class Answers {
+ public:
+  explicit Answers(LibraryPtr library) : library_(std::move(library)) {}
+
+  std::uint8_t operator()(const Combination& c) {
+    const std::lock_guard hold(lock_);
+    auto& of_api = known_[c.api];
+    if (of_api.empty()) {
+      std::vector<Combination> all;
+      for (const Combination& one : defined())
+        if (one.api == c.api) all.push_back(one);
+      // Those with the same flags follow each other, whatever is held: who goes by several at a time may mix them up.
+      std::stable_sort(all.begin(), all.end(), [](const Combination& a, const Combination& b) {
+        const Words x = words_of(a), y = words_of(b);
+        return std::pair(x.instance, x.ray) < std::pair(y.instance, y.ray);
+      });
+      const std::vector<std::uint8_t> codes = asked(*library_, c.api, all);
+      for (std::size_t k = 0; k < all.size(); ++k) of_api.emplace(key_of(all[k]), codes[k]);
+    }
+    const auto answer = of_api.find(key_of(c));
+    return answer != of_api.end() ? answer->second : asked(*library_, c.api, {c}).front();
+  }
+
+ private:
+  LibraryPtr library_;
+  std::mutex lock_;
+  std::map<Api, std::map<Key, std::uint8_t>> known_;
+};
+
 Functions functions_of(const LibraryPtr& library) {
   Functions f;
   if (library->offers(Call::traverse_decide))
-    f.decide = [library](const Combination& c) {
-      const Words w = words_of(c);
-      std::uint8_t code = 0;
-      dock::ask_all(*library,
-                    {Call::traverse_decide,
-                     0,
-                     static_cast<std::uint32_t>(c.api),
-                     {&w.candidate, &w.instance, &w.ray},
-                     [&](std::size_t) { return text_of(c); }},
-                    1, &code);
-      return static_cast<Outcome>(code);  // one that is none is wrong, and named by its number
+    f.decide = [answers = std::make_shared<Answers>(library)](const Combination& c) {
+      return static_cast<Outcome>((*answers)(c));  // one that is none is wrong, and named by its number
     };
   return f;
 }
