@@ -192,6 +192,9 @@ Case featured_sample(std::uint64_t seed, std::uint64_t k) {
   constexpr float factors[] = {1, 1, 0.5f, 1.25f, 0.3f, 0}, margins[] = {0, 0, 0.00390625f, 0.25f, 1.5f};
   one.factor = factors[random.below(6)];
   one.vertex_factor = factors[random.below(4)];
+  if (one.blend &&
+      random.below(2) != 0)  // BLEND's own cutoffs are 0 and 1: texels at them, and a step beside
+    for (std::uint32_t& byte : one.alpha) byte = (byte & 1) != 0 ? 254 + (byte >> 1 & 1) : byte >> 1 & 1;
   if (is_edge_sample(k)) one.factor = one.vertex_factor = 1;  // or no line between stripes were the cutoff's
   if (!is_edge_sample(k)) one.margin = margins[random.below(5)];
   one.mips = !is_edge_sample(k) && random.below(4) == 0 ? 2 : 1;

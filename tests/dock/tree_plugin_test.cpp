@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
                          encoding},
         TreeMisbehaviour{"tree_writes_input", trip, out_of_tree_input, encoding},
         TreeMisbehaviour{"tree_unwritten", trip, "left its output unwritten", encoding},
-        TreeMisbehaviour{"tree_asks_too_much", trip, "asked for 1073741824 bytes, more than 16777216",
+        TreeMisbehaviour{"tree_asks_too_much", trip, "asked for 1073741824 bytes, more than 33554432",
                          encoding},
         TreeMisbehaviour{"tree_reads_past", trip, out_of_tree_input, decoding},
         TreeMisbehaviour{"tree_writes_code", trip, out_of_tree_input, decoding},
