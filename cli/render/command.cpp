@@ -137,7 +137,7 @@ render::Camera camera_of(const render::World& world, const RenderOptions& option
 }
 
 int render_scene(const RenderOptions& options) {
-  const proofs::Levels levels = parse_levels(options.level);
+  const proofs::Levels levels = parse_levels(options.level, "--level");
   if (levels.last > mmverify::scene::finest_level)
     throw UsageError(
         fmt::format("--level {}: maps go up to level {}", options.level, mmverify::scene::finest_level));

@@ -50,6 +50,7 @@ struct Case {
   Rules rules = {};
   std::string drawn =
       {};  ///< the draw that all texels are those of (strata.hpp, lone_texel.hpp); empty: of none
+  friend bool operator==(const Case&, const Case&) = default;
 };
 
 /// Texels of all mips together.

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "proofs/bake/forgetful.hpp"
 #include "proofs/bake/law_groups.hpp"
 #include "proofs/bake/law_parts.hpp"
 #include "proofs/bake/relation_judges.hpp"
@@ -172,6 +173,18 @@ std::function<void(Functions&)> keeping(bool (*same)(const Case&, const Case&), 
       return real(now, n, format);
     };
   };
+}
+
+std::vector<Mutant> in_turn_mutants() {
+  std::vector<Mutant> mutants = forgetful_mutants();
+  mutants.push_back(
+      mutant("a texture is known by its sides and its first row", "bake", {3, 3}, keeping(same_first_row)));
+  mutants.push_back(
+      mutant("a texture is known by its sides and the sum of its texels", "bake", {4, 4}, keeping(same_sum)));
+  mutants.push_back(
+      mutant("a texture is known by its sides, from level 5 on", "bake", {5, 5}, keeping(same_sides, 5)));
+  mutants.push_back(mutant("a texture is known by its largest mip", "bake", {4, 4}, keeping(same_first_mip)));
+  return mutants;
 }
 
 /// The last state of a map in 2-state is the other one.
@@ -345,14 +358,7 @@ std::vector<Law> relation_laws() {
                         "margin, a vertex, or sides exchanged",
                 .source = "sdk/mmverify_subject.h: an answer depends on nothing but the question",
                 .subjects = {"bake"},
-                .mutants = {mutant("a texture is known by its sides and its first row", "bake", {3, 3},
-                                   keeping(same_first_row)),
-                            mutant("a texture is known by its sides and the sum of its texels", "bake",
-                                   {4, 4}, keeping(same_sum)),
-                            mutant("a texture is known by its sides, from level 5 on", "bake", {5, 5},
-                                   keeping(same_sides, 5)),
-                            mutant("a texture is known by its largest mip", "bake", {4, 4},
-                                   keeping(same_first_mip))}},
+                .mutants = in_turn_mutants()},
                sample_in_turn, keeps_no_other, {}, count_in_turn),
       mips_law(),
   };

@@ -196,6 +196,8 @@ TEST(Subject, what_it_keeps_between_questions_is_seen) {
   const std::pair<const char*, const char*> all[] = {
       {"keeps_the_last", "asked after level 9: "},
       {"counts_in_16_bits", "left its output unwritten"},
+      {"sees_order", "asked in another order: "},
+      {"sees_addresses", "asked with its arrays at other addresses: "},
       {"shares_a_buffer", "asked from two threads at once: "},
       {"publishes_early", "two threads at once, the first time at this level"},
       {"fills_its_end_last", "two threads at once, the first time at this level"}};

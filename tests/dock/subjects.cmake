@@ -58,7 +58,7 @@ endif()
 mmverify_add_part(misbehaving subjects/misbehaving.cpp)
 foreach(misbehaviour crash hang overrun underrun exits throws rounds counts_calls sees_batch sees_threads writes_input
     tie prints unwritten forks fills_memory opens_files writes_a_file prints_on starts_threads kills_parent
-    keeps_the_last counts_in_16_bits shares_a_buffer publishes_early fills_its_end_last keeps_parents crash_and_tie crash_at_5
+    keeps_the_last counts_in_16_bits sees_order sees_addresses shares_a_buffer publishes_early fills_its_end_last keeps_parents crash_and_tie crash_at_5
     crash_on_all)
   mmverify_add_wrong(${misbehaviour} ${misbehaviour} misbehaving)
 endforeach()
@@ -136,7 +136,8 @@ set(traverse_example ${PROJECT_SOURCE_DIR}/examples/subject_traverse/subject_tra
 mmverify_add_subject(traverse_example ${traverse_example})
 mmverify_add_part(right_traverse ${traverse_example} mmverify_subject_v1=right_traverse)
 mmverify_add_part(wrong_traverse subjects/wrong_traverse.cpp)
-foreach(wrong instance_after_ray khr_query_forgets_2_state opaque_fills_holes outcome_3 crash throws unwritten counts_calls old_header)
+foreach(wrong instance_after_ray khr_query_forgets_2_state opaque_fills_holes outcome_3 crash throws unwritten counts_calls old_header
+    geometry_of_the_first_of_four)
   mmverify_add_wrong(traverse_${wrong} ${wrong} wrong_traverse right_traverse)
 endforeach()
 

@@ -78,6 +78,14 @@ INSTANTIATE_TEST_SUITE_P(
                     TraverseMisbehaviour{"traverse_counts_calls", "non-deterministic"}),
     [](const auto& info) { return std::string(info.param.name); });
 
+// All combinations of an API are one batch, those with the same flags beside each other.
+TEST(TraverseSubject, candidates_that_are_mixed_up_in_a_batch_are_seen) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome o = judge_traverse("traverse_geometry_of_the_first_of_four", "traverse.decision");
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("non-deterministic, asked "));
+}
+
 TEST(TraverseSubject, built_before_there_were_decisions_it_has_none) {
   expect_complaint(judge_traverse("traverse_old_header", "traverse"), 4, "all its entry points are null");
 }

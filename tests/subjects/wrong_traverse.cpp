@@ -25,7 +25,12 @@ void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32
     // Flags of instances are taken for the latest ones.
     if (wrong_is("instance_after_ray") && (i & 12) != 0) r &= ~3u;
     if (wrong_is("khr_query_forgets_2_state") && api == MMVERIFY_KHR_QUERY) i &= ~16u, r &= ~1024u;
-    right_traverse()->traverse_decide(api, candidate + k, &i, &r, outcome + k, 1);
+    // Four with the same flags go together, as if the geometry were one.
+    std::uint32_t c = candidate[k];
+    const std::size_t first = k / 4 * 4;
+    if (wrong_is("geometry_of_the_first_of_four") && instance[first] == i && ray[first] == r)
+      c = (c & ~8u) | (candidate[first] & 8u);
+    right_traverse()->traverse_decide(api, &c, &i, &r, outcome + k, 1);
     const bool hole = (candidate[k] & 7) == MMVERIFY_CANDIDATE_HAS_MICROMAP && (i & 32) == 0;
     if (wrong_is("opaque_fills_holes") && hole && (r & 1) != 0) outcome[k] = MMVERIFY_OPAQUE;
     if (wrong_is("outcome_3") && here) outcome[k] = 3;
