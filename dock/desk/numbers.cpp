@@ -188,7 +188,7 @@ void Desk::ask_slot_at_other_places(std::size_t slot) {
                     value = asked().signature.value_bytes;
   // First all at whole lines; then each array so many elements further that no two lie alike.
   for (std::size_t turn = 0; turn < 4; ++turn) {
-    const auto placed = [line](std::vector<std::byte>& room, std::size_t size, std::size_t offset) {
+    const auto placed = [](std::vector<std::byte>& room, std::size_t size, std::size_t offset) {
       room.assign(size + 2 * line, std::byte{blank_again});
       void* at = room.data();
       std::size_t space = room.size();

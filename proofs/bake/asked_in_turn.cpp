@@ -64,9 +64,10 @@ constexpr std::array rotating{
 };
 constexpr std::size_t turns = 3;  ///< of `rotating`, for each case
 
-Case of_one_texel(Case one) {
+/// A question that shares its one texel with no other: nobody takes the case, or a changed one, for it.
+Case of_another_texel(Case one) {
   one.width = one.height = one.mips = 1;
-  one.alpha.resize(1);
+  one.alpha = {one.alpha.front() == highest(one.texel) ? lowest(one.texel) : highest(one.texel)};
   one.drawn.clear();
   return one;
 }
@@ -84,7 +85,7 @@ Finding differ(const char* what, const char* after, const std::vector<State>& fi
 }  // namespace
 
 Finding keeps_no_other(const BakeSubject& s, const Case& one, Level n) {
-  const Case apart = of_one_texel(one);
+  const Case apart = of_another_texel(one);
   std::vector<Change> changes(always.begin(), always.end());
   map_of(s, apart, n);  // what was asked before this law's case is out of mind
   const std::vector<State> map = map_of(s, one, n);
@@ -102,7 +103,7 @@ Finding keeps_no_other(const BakeSubject& s, const Case& one, Level n) {
     if (const Finding found = differ(change.what, "the case itself", map_of(s, other, n), warm); !found.holds)
       return found;
     map_of(s, apart, n);
-    if (const Finding found = differ("the case", "one of one texel", map, map_of(s, one, n)); !found.holds)
+    if (const Finding found = differ("the case", "one of one other texel", map, map_of(s, one, n)); !found.holds)
       return found;
   }
   return {hash_of(map)};
