@@ -91,8 +91,9 @@ class Comparison {
     const std::string name = std::string(name_of(figures.method)) +
                              (figures.level ? " level " + std::to_string(*figures.level) : "");
     Frame frame;
-    for (unsigned k = 0; k < std::max(1u, options_.repeats); ++k) {
-      begins(name, std::uint64_t{trace.width} * trace.height);
+    const unsigned repeats = std::max(1u, options_.repeats);
+    begins(name, std::uint64_t{trace.width} * trace.height * repeats);
+    for (unsigned k = 0; k < repeats; ++k) {
       frame = tracer_.frame(camera_, opacity, trace);
       figures.seconds = k == 0 ? frame.seconds : std::min(figures.seconds, frame.seconds);
       figures.cpu_seconds = k == 0 ? frame.cpu_seconds : std::min(figures.cpu_seconds, frame.cpu_seconds);
