@@ -50,9 +50,15 @@ inline constexpr std::size_t remaps = 4;
 inline constexpr std::array all_remaps{Remap::cramer, Remap::two_equations, Remap::pattern, Remap::ours};
 const char* to_string(Remap remap);
 
+/// A weight below it is a difference of numbers near 1: an ulp of it says nothing of the way.
+inline constexpr double least_in_ulps = 0x1p-12;
+
 struct RemapFigure {
   double ns = 0;
-  double worst = 0;             ///< greatest error of a weight, which is one in heights of the micro-triangle
+  double worst = 0;      ///< greatest error of a weight, which is one in heights of the micro-triangle
+  double worst_ulp = 0;  ///< the same in ulps of the right weight, of weights from `least_in_ulps` on
+  std::optional<double> condition =
+      {};                       ///< in the 1-norm, of the system that is solved, worst micro-triangle
   std::uint64_t no_number = 0;  ///< points with a weight that is none
 };
 

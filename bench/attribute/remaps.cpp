@@ -110,13 +110,26 @@ void judge(const Located& l, RemapFigure& figure) {
       ++figure.no_number;
       continue;
     }
-    for (std::size_t c = 0; c < 3; ++c)
-      figure.worst = std::max(figure.worst, std::fabs(double{got[c]} - right[c]));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double error = std::fabs(double{got[c]} - right[c]);
+      figure.worst = std::max(figure.worst, error);
+      if (right[c] >= least_in_ulps)
+        figure.worst_ulp = std::max(figure.worst_ulp, std::ldexp(error, 23 - std::ilogb(right[c])));
+    }
   }
+}
+
+/// The worst is that of a corner (AttributeLookup.the_systems_condition_is_2N_minus_1).
+std::optional<double> condition_of(Remap remap, std::uint32_t level) {
+  if (remap == Remap::cramer) return spec::attribute::system_condition<double>({0, 0, false}, level);
+  if (remap == Remap::two_equations) return 1;
+  return std::nullopt;
 }
 
 RemapLevel measured(std::uint32_t level, const AttributeBenchOptions& o) {
   RemapLevel result{level, o.samples, {}};
+  for (const Remap remap : all_remaps)
+    result.by[static_cast<std::size_t>(remap)].condition = condition_of(remap, level);
   std::mt19937_64 random(o.seed + 100 + level);
   constexpr std::uint64_t piece = 1 << 14;
   for (std::uint64_t left = o.samples; left > 0;) {

@@ -62,6 +62,8 @@ Fields<RemapOf> remap_fields() {
       {{"ns", "a point", "ns"}, [](const R& r) { return r.figure.ns; }},
       {{"worst", "worst", "heights", {.digits = 1, .type = 'e'}}, [](const R& r) { return r.figure.worst; }},
       {{"", "worst", "2^-24", {.digits = 2}}, [](const R& r) { return r.figure.worst * ulp; }},
+      {{"worst_ulp", "worst", "ulp", {.digits = 0}}, [](const R& r) { return r.figure.worst_ulp; }},
+      {{"condition", "condition", "", {.digits = 0}}, [](const R& r) { return or_none(r.figure.condition); }},
       {{"no_number", "no number"}, [](const R& r) { return r.figure.no_number; }},
   };
 }
@@ -82,7 +84,8 @@ Table remaps_table(const AttributeFigures& figures) {
       {.key = "remaps",
        .caption =
            "Barycentrics on the micro-triangle, in binary32, beside exact ones; an error in heights of "
-           "the micro-triangle"},
+           "the micro-triangle,\nin ulps of weights of 2^-12 and more; condition: of the system that a way "
+           "solves"},
       fields, figures.remaps);
 }
 

@@ -103,6 +103,25 @@ constexpr Weights<Q> weights_by_cramer(const Point<Q>& p, const Corners& c, Leve
   return {determinant(x, b, d) / whole, determinant(a, x, d) / whole, determinant(a, b, x) / whole};
 }
 
+/// Condition number of that system in the 1-norm: how many times larger, at most, an error of the weights is than one of
+/// the point or of the matrix, each relative to the whole. The matrix has norm 1, for its columns are barycentrics; the
+/// inverse's columns are the weights of the base triangle's corners in the micro-triangle's plane:
+///   max over w, u, v of |w0| + |w1| + |w2|, a whole number of 2N-1 at most, which the corners' have
+/// That of the two equations is 1: their matrix, in units of 1/N, is the identity or its opposite.
+/// Domain: a micro-triangle of level n, n in 0..16.  Source: the definition; Higham 2002, section 6.2.
+template <Coordinate Q>
+constexpr Q system_condition(const MicroTriangle& t, Level n) {
+  const Q zero(0), one(1);
+  Q greatest(0);
+  for (const Point<Q>& corner : {Point<Q>{zero, zero}, Point<Q>{one, zero}, Point<Q>{zero, one}}) {
+    Q sum(0);
+    for (const Q& weight : weights_by_pattern(corner, t, n))
+      sum = sum + (weight < zero ? zero - weight : weight);
+    if (greatest < sum) greatest = sum;
+  }
+  return greatest;
+}
+
 /// The point in its micro-triangle as a point of a base triangle: the second and third weight are its u and v.
 template <class Q>
 constexpr Point<Q> within(const Weights<Q>& w) {

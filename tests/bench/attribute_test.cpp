@@ -52,7 +52,12 @@ TEST(BenchAttribute, OnlyCramersRuleLosesBitsFromLevelToLevel) {
       // Two equations round w1, w2 and both differences of 1 - w1 - w2.
       EXPECT_LE(l.of(r).worst, r == Remap::ours ? 0x1p-24 : 0x1p-23) << to_string(r) << ", level " << l.level;
       EXPECT_EQ(l.of(r).no_number, 0u);
+      // An error of 2^-24 is half an ulp of 1, and 2^12 times as many of a weight of 2^-12.
+      EXPECT_LE(l.of(r).worst_ulp, l.of(r).worst * 0x1p23 / least_in_ulps);
     }
+  EXPECT_EQ(levels[7].of(Remap::cramer).condition, 511);
+  EXPECT_EQ(levels[7].of(Remap::two_equations).condition, 1);
+  EXPECT_FALSE(levels[7].of(Remap::pattern).condition);
   EXPECT_GT(levels[7].of(Remap::cramer).worst, 100 * levels[3].of(Remap::cramer).worst);
 }
 

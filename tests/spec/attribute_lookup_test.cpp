@@ -58,6 +58,51 @@ TEST(AttributeLookup, the_determinant_is_4_to_the_minus_n) {
   }
 }
 
+TEST(AttributeLookup, the_systems_condition_by_hand) {
+  // Level 1, the middle: weights of w, u, v there are (1,1,-1) in some order, so 3. Level 0: the identity.
+  EXPECT_EQ(system_condition<Rational>({0, 0, true}, 1), Rational(3));
+  EXPECT_EQ(system_condition<Rational>({0, 0, false}, 0), Rational(1));
+}
+
+TEST(AttributeLookup, the_systems_condition_is_2N_minus_1) {
+  for (Level n = 0; n <= 5; ++n) {
+    const std::uint32_t N = side(n);
+    Rational greatest(0);
+    for (std::uint32_t iu = 0; iu < N; ++iu)
+      for (std::uint32_t iv = 0; iu + iv < N; ++iv)
+        for (const bool upper : {false, true}) {
+          if (upper && iu + iv + 1 >= N) continue;
+          const MicroTriangle t{iu, iv, upper};
+          const Rational condition = system_condition<Rational>(t, n);
+          if (greatest < condition) greatest = condition;
+          // The matrix's norm times its inverse's, by cofactors.
+          const Corners c = corners_of(t);
+          std::array<std::array<Rational, 3>, 3> m, inverse;
+          for (std::size_t k = 0; k < 3; ++k)
+            m[k] = {ratio(N - c[k].i - c[k].j, N), ratio(c[k].i, N), ratio(c[k].j, N)};
+          for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t r = 0; r < 3; ++r) {
+              std::array<std::array<Rational, 3>, 3> with = m;
+              with[r] = {Rational(0), Rational(0), Rational(0)};
+              with[r][k] = Rational(1);
+              inverse[k][r] = determinant(with[0], with[1], with[2]) / determinant(m[0], m[1], m[2]);
+            }
+          const auto norm = [](const std::array<std::array<Rational, 3>, 3>& columns) {
+            Rational most(0);
+            for (const auto& column : columns) {
+              Rational sum(0);
+              for (const Rational& x : column) sum = sum + (x < Rational(0) ? Rational(0) - x : x);
+              if (most < sum) most = sum;
+            }
+            return most;
+          };
+          ASSERT_EQ(condition, norm(m) * norm(inverse)) << "level " << n << ", " << iu << ", " << iv;
+        }
+    EXPECT_EQ(greatest, Rational(2 * std::int64_t{N} - 1)) << "level " << n;
+    EXPECT_EQ(greatest, system_condition<Rational>({0, 0, false}, n));
+  }
+}
+
 TEST(AttributeLookup, figure_4_and_vulkan_differ_on_lines_of_u) {
   EXPECT_EQ(vulkan_triangle(at(1, 0, 2), 1), (MicroTriangle{1, 0, false}));
   EXPECT_EQ(figure_4_triangle(at(1, 0, 2), 1), (MicroTriangle{0, 0, true}));

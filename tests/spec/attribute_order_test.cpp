@@ -70,6 +70,31 @@ TEST(AttributeOrders, upright_ones_before_a_lower_one_are_half_of_its_number_and
     }
 }
 
+/// The numbers of the four micro-triangles of the next level whose corners lie in t, found by their middles.
+std::vector<std::uint64_t> children(const MicroTriangle& t, Level n, FaceOrder order) {
+  // In units of 1/6 of a micro-edge of level n+1: the middle of a lower one is 2 from its base in u and in v, of an upper one 4.
+  const auto middle = [](std::uint32_t square, bool upper) {
+    return 6 * std::int64_t{square} + (upper ? 4 : 2);
+  };
+  std::vector<std::uint64_t> found;
+  for (std::uint64_t k = 0; k < face_count(n + 1); ++k) {
+    const MicroTriangle c = triangle_at(order, k, n + 1);
+    const std::int64_t u = middle(c.iu, c.upper) - 12 * std::int64_t{t.iu},
+                       v = middle(c.iv, c.upper) - 12 * std::int64_t{t.iv};
+    if (u >= 0 && v >= 0 && u <= 12 && v <= 12 && (u + v > 12) == t.upper) found.push_back(k);
+  }
+  return found;
+}
+
+TEST(AttributeOrders, children_are_four_in_a_row_on_the_curve_alone) {
+  using Four = std::vector<std::uint64_t>;
+  for (std::uint64_t k = 0; k < 4; ++k)
+    EXPECT_EQ(children(triangle_at(FaceOrder::curve, k, 1), 1, FaceOrder::curve),
+              (Four{4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3}));
+  EXPECT_EQ(children(triangle_at(FaceOrder::rows, 1, 1), 1, FaceOrder::rows), (Four{4, 9, 10, 11}));
+  EXPECT_EQ(children(triangle_at(FaceOrder::u_major, 0, 1), 1, FaceOrder::u_major), (Four{0, 1, 2, 7}));
+}
+
 TEST(AttributeOrders, triangular_roots_at_their_borders) {
   for (std::uint64_t r = 1; r <= 70'000; r += r < 300 ? 1 : 997) {
     EXPECT_EQ(triangular_root(r * (r + 1) / 2), r);

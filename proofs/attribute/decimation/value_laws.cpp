@@ -93,9 +93,9 @@ Law decimation_neighbours_law() {
                "flags",
        .source = cam_3,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {1, 7},
-       .long_run = {1, 11},
-       .fast_seconds = 0.3,
+       .fast = {1, 12},
+       .long_run = {1, 12},
+       .fast_seconds = 3,
        .domain =
            [](const Subject&, Level) {
              return std::string(

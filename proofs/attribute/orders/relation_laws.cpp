@@ -252,7 +252,7 @@ Law convert_law() {
        .source = cam_2,
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 9},
-       .long_run = {0, 14},
+       .long_run = {0, 16},
        .fast_seconds = 2,
        .domain =
            [](const Subject&, Level) {
@@ -290,7 +290,7 @@ Law convert_faces_law() {
        .source = cam_2,
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 8},
-       .long_run = {0, 14},
+       .long_run = {0, 16},
        .fast_seconds = 2,
        .domain = [](const Subject&,
                     Level) { return std::string("the 4^n faces, from each order to each, itself as well"); },
@@ -376,7 +376,7 @@ Law triangle_vertices_law() {
        .source = cam_4,
        .subjects = related_subjects,
        .fast = {0, 7},
-       .long_run = {0, 14},
+       .long_run = {0, 16},
        .fast_seconds = 3,
        .domain = [](const Subject&,
                     Level) { return std::string("the 4^n faces, 3 orders of faces by 3 of vertices"); },
