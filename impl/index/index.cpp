@@ -21,16 +21,8 @@ struct FromBarycentrics {
   Level n;
 
   WordVec operator()(FloatVec u, FloatVec v) const {
-    const Ints di;
-    const Words dw;
-    const Located p = locate(u, v, n);
-    const auto last = hn::Set(di, (std::int32_t{1} << n) - 1);
-    const auto iv = hn::Min(p.iv, last);
-    const auto i = hn::BitCast(dw, hn::Min(p.iu, hn::Sub(last, iv)));
-    const auto b0 = hn::Xor(i, hn::BitCast(dw, p.row));
-    const auto t = hn::And(hn::Xor(i, hn::BitCast(dw, iv)), b0);
-    const auto b1 = hn::Or(hn::AndNot(b0, hn::Xor(xor_from_above(t), i)), t);
-    return hn::Or(spread(b0), hn::ShiftLeft<1>(spread(b1)));
+    const Found p = find(u, v, n);
+    return curve(square(p.iu, p.iv, p.carry, hn::Set(Ints(), std::int32_t{1} << n)));
   }
 };
 

@@ -45,71 +45,137 @@ struct CornerSpans {
 
 namespace detail {
 
-/// The grid square (iu, iv) of a point, its row (the diagonal strip between u+v = row/N and (row+1)/N), and
-/// ceil(uN).
-/// iu and iv may still be N here: at u = 1 and v = 1.
-struct Located {
-  std::uint32_t iu, iv, row, u_ceil;
-};
+// The steps from two floats to an index.  F, Signed, Word and Wide are float and integers of 32 and 64 bits, or
+// a prover's names for them: `index.floats` runs these very templates on names.
 
 /// x in [0,1]; NaN and everything at or below zero become +0: std::max keeps its first argument unless 0 < x
 /// holds.
-inline float clamped(float x) noexcept { return std::min(std::max(0.0f, x), 1.0f); }
+template <class F>
+inline F clamped(F x) noexcept {
+  return std::min(std::max(F(0.0f), x), F(1.0f));
+}
 
-/// Locates a point by its clamped u and v, exactly: nothing that rounds decides anything.  n in 0..16.
-///   uN, floor(uN) and uf = uN - floor(uN) are exact: N scales by a power of two, a fraction only drops
-///   leading bits.
-///   uf+vf may round, so uf+vf >= 1 is asked as lesser >= 1 - greater.  If greater >= 1/2 the difference is
-///   exact (Sterbenz).  Otherwise both are below 1/2, the sum is below 1, and the rounded difference, at
-///   least 1/2, says so.
-inline Located locate(float u, float v, Level n) noexcept {
-  // Signed conversions: x86 has them in one instruction, and every value here is at most 2^16.
-  const std::int32_t N = std::int32_t{1} << n;
-  const float side = static_cast<float>(N);
-  const float un = clamped(u) * side, vn = clamped(v) * side;
-  const std::int32_t iu = static_cast<std::int32_t>(un), iv = static_cast<std::int32_t>(vn);
-  const float uf = un - static_cast<float>(iu), vf = vn - static_cast<float>(iv);
-  const std::int32_t carry = std::min(uf, vf) >= 1.0f - std::max(uf, vf);
-  const std::int32_t row = std::min(N - 1, iu + iv + carry), u_ceil = iu + (uf > 0.0f);
-  return {static_cast<std::uint32_t>(iu), static_cast<std::uint32_t>(iv), static_cast<std::uint32_t>(row),
-          static_cast<std::uint32_t>(u_ceil)};
+/// x N for a clamped x, exactly: N = 2^n scales by a power of two.  n in 0..30.
+template <class F>
+inline F scaled(F x, F N) noexcept {
+  return clamped(x) * N;
+}
+
+/// A number's whole part and the rest, below 1.
+template <class Signed, class F>
+struct Cut {
+  Signed whole;
+  F part;
+};
+
+/// Exactly: the rest only drops leading bits.  Domain: 0 <= y <= 2^30.
+/// Signed: x86 converts only signed words in one instruction.
+template <class Signed, class F>
+inline Cut<Signed, F> cut(F y) noexcept {
+  const Signed whole = static_cast<Signed>(y);
+  return {whole, y - static_cast<F>(whole)};
+}
+
+/// Whether uf+vf >= 1, exactly, for both in [0, 1): asked as lesser >= 1 - greater, as the sum may round.  If
+/// greater >= 1/2 the difference is exact (Sterbenz).  Otherwise both are below 1/2, the sum is below 1, and
+/// the rounded difference, at least 1/2, says so.
+template <class F>
+inline bool reach_one(F uf, F vf) noexcept {
+  return std::min(uf, vf) >= F(1.0f) - std::max(uf, vf);
+}
+
+/// The diagonal strip between u+v = row/N and (row+1)/N; the hypotenuse counts for the last, N-1.
+template <class Word>
+constexpr Word row_of(Word iu, Word iv, bool carry, Word N) noexcept {
+  const Word last = N - Word{1};
+  const Word diagonal = iu + iv + (carry ? Word{1} : Word{0});
+  return diagonal < last ? diagonal : last;
+}
+
+/// A grid square below the diagonal, and its row.
+template <class Word>
+struct Square {
+  Word iu, iv, row;
+};
+
+/// From iu = floor(uN), iv = floor(vN), both up to N, and whether uf+vf >= 1: the row; iv at most N-1, iu at
+/// most N-1-iv, as beyond the diagonal the reference keeps v and lowers u.
+template <class Word>
+constexpr Square<Word> square(Word iu, Word iv, bool carry, Word N) noexcept {
+  const Word last = N - Word{1};
+  const Word row = row_of(iu, iv, carry, N);
+  iv = iv < last ? iv : last;
+  iu = iu < last - iv ? iu : last - iv;
+  return {iu, iv, row};
 }
 
 /// XOR of a 16-bit word's bits at and above each bit.
-constexpr std::uint32_t xor_from_above(std::uint32_t x) noexcept {
-  x ^= x >> 1;
-  x ^= x >> 2;
-  x ^= x >> 4;
+template <class Word>
+constexpr Word xor_from_above(Word x) noexcept {
+  x = x ^ x >> 1;
+  x = x ^ x >> 2;
+  x = x ^ x >> 4;
   return x ^ x >> 8;
 }
 
 /// The low 16 bits of b0 on the even bits and of b1 on the odd; bits above them must be clear.  Both spread
 /// at once.
-constexpr std::uint32_t interleaved(std::uint32_t b0, std::uint32_t b1) noexcept {
-  const std::uint64_t x = impl::detail::spread<32>(b0 | std::uint64_t{b1} << 32);
-  return static_cast<std::uint32_t>(x | x >> 31);
+template <class Wide = std::uint64_t, class Word>
+constexpr Word interleaved(Word b0, Word b1) noexcept {
+  const Wide x = impl::detail::spread<32>(Wide(b0) | Wide(b1) << 32);
+  return static_cast<Word>(x | x >> 31);
+}
+
+/// The curve's index of a square, up to level 16:
+///   b0 = iu XOR row, t = (iu XOR iv) AND b0, f = XOR from above of t, b1 = ((f XOR iu) AND NOT b0) OR t,
+///   b0 to the even bits, b1 to the odd; row stands for NOT iw, which saves the masks.
+template <class Wide = std::uint64_t, class Word>
+constexpr Word curve(const Square<Word>& q) noexcept {
+  const Word b0 = q.iu ^ q.row;
+  const Word t = (q.iu ^ q.iv) & b0;
+  const Word b1 = ((xor_from_above(t) ^ q.iu) & ~b0) | t;
+  return interleaved<Wide>(b0, b1);
+}
+
+/// Where a point is: iu = floor(uN), iv = floor(vN), N at u = 1 and v = 1; whether uf+vf >= 1 and whether
+/// uf > 0.
+struct Found {
+  std::uint32_t iu, iv;
+  bool carry, beyond;
+};
+
+/// Any bit patterns; n in 0..30.
+inline Found find(float u, float v, Level n) noexcept {
+  const float N = static_cast<float>(std::int32_t{1} << n);
+  const auto pu = cut<std::int32_t>(scaled(u, N)), pv = cut<std::int32_t>(scaled(v, N));
+  return {static_cast<std::uint32_t>(pu.whole), static_cast<std::uint32_t>(pv.whole),
+          reach_one(pu.part, pv.part), pu.part > 0.0f};
+}
+
+/// The grid square (iu, iv) of a point, its row, and ceil(uN).
+/// iu and iv may still be N here: at u = 1 and v = 1.
+struct Located {
+  std::uint32_t iu, iv, row, u_ceil;
+};
+
+/// Locates a point by its u and v, exactly: nothing that rounds decides anything.  n in 0..16.
+inline Located locate(float u, float v, Level n) noexcept {
+  const Found p = find(u, v, n);
+  return {p.iu, p.iv, row_of(p.iu, p.iv, p.carry, std::uint32_t{1} << n), p.iu + (p.beyond ? 1u : 0u)};
 }
 
 }  // namespace detail
 
 /// Index on the curve of the micro-triangle that holds (u, v); the specification's answer for these very
-/// numbers.
-///   b0 = iu XOR row, t = (iu XOR iv) AND b0, f = XOR from above of t, b1 = ((f XOR iu) AND NOT b0) OR t,
-///   b0 to the even bits, b1 to the odd; row stands for NOT iw, which saves the masks.
+/// numbers: detail::curve of the square of detail::find.
 /// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16,
 /// more is 16. Result in [0, 4^level): exactly the rational evaluation of the reference for every pair of
 /// finite floats.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 inline std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
-  const detail::Located p = detail::locate(u, v, n);
-  const std::uint32_t last = (std::uint32_t{1} << n) - 1;
-  // Beyond the diagonal the reference keeps v and lowers u.
-  const std::uint32_t iv = std::min(p.iv, last), iu = std::min(p.iu, last - iv);
-  const std::uint32_t b0 = iu ^ p.row;
-  const std::uint32_t t = (iu ^ iv) & b0;
-  const std::uint32_t b1 = ((detail::xor_from_above(t) ^ iu) & ~b0) | t;
-  return detail::interleaved(b0, b1);
+  const detail::Found p = detail::find(u, v, n);
+  return detail::curve(detail::square(p.iu, p.iv, p.carry, std::uint32_t{1} << n));
 }
 
 /// The same for out.size() points: out[k] = from_barycentrics(u[k], v[k], level), bit for bit.

@@ -27,51 +27,17 @@ using FloatVec = hn::Vec<Floats>;
 using IntVec = hn::Vec<Ints>;
 using WordVec = hn::Vec<Words>;
 
-// Points are located in signed words: every value fits, and x86 converts only these.
+#include "impl/index/lanes-inl.hpp"
+
+// Where points are: their grid squares (iu, iv), their rows and ceil(uN).
 struct Located {
   IntVec iu, iv, row, u_ceil;
 };
 
-HWY_INLINE FloatVec clamped(FloatVec x) {
-  const Floats d;
-  return hn::Min(hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), x), hn::Set(d, 1.0f));
-}
-
-// 1 where the mask holds: a mask is all ones, which is -1.
-HWY_INLINE IntVec one_if(hn::Mask<Ints> mask) {
-  const Ints di;
-  return hn::Sub(hn::Zero(di), hn::VecFromMask(di, mask));
-}
-HWY_INLINE IntVec one_if_float(hn::Mask<Floats> mask) { return one_if(hn::RebindMask(Ints(), mask)); }
-
-// The argument for exactness is the scalar one's.
 HWY_INLINE Located locate(FloatVec u, FloatVec v, Level n) {
-  const Floats d;
-  const Ints di;
-  const auto side = hn::Set(d, static_cast<float>(std::int32_t{1} << n));
-  const auto last = hn::Set(di, (std::int32_t{1} << n) - 1);
-  const auto un = hn::Mul(clamped(u), side), vn = hn::Mul(clamped(v), side);
-  const auto iu = hn::ConvertTo(di, un), iv = hn::ConvertTo(di, vn);
-  const auto uf = hn::Sub(un, hn::ConvertTo(d, iu)), vf = hn::Sub(vn, hn::ConvertTo(d, iv));
-  const auto carry = one_if_float(hn::Ge(hn::Min(uf, vf), hn::Sub(hn::Set(d, 1.0f), hn::Max(uf, vf))));
-  const auto row = hn::Min(last, hn::Add(hn::Add(iu, iv), carry));
-  return {iu, iv, row, hn::Add(iu, one_if_float(hn::Gt(uf, hn::Zero(d))))};
-}
-
-HWY_INLINE WordVec xor_from_above(WordVec x) {
-  x = hn::Xor(x, hn::ShiftRight<1>(x));
-  x = hn::Xor(x, hn::ShiftRight<2>(x));
-  x = hn::Xor(x, hn::ShiftRight<4>(x));
-  return hn::Xor(x, hn::ShiftRight<8>(x));
-}
-
-template <int shift>
-HWY_INLINE WordVec part(WordVec x, std::uint32_t mask) {
-  return hn::And(hn::Or(x, hn::ShiftLeft<shift>(x)), hn::Set(Words(), mask));
-}
-
-HWY_INLINE WordVec spread(WordVec x) {
-  return part<1>(part<2>(part<4>(part<8>(x, 0x00ff00ff), 0x0f0f0f0f), 0x33333333), 0x55555555);
+  const Found p = find(u, v, n);
+  const auto N = hn::Set(Ints(), std::int32_t{1} << n);
+  return {p.iu, p.iv, row_of(p.iu, p.iv, p.carry, N), hn::Add(p.iu, p.beyond)};
 }
 
 template <int shift>

@@ -24,27 +24,9 @@ constexpr Word wide_xor_from_above(Word x) noexcept {
   return x ^ x >> 16;
 }
 
-/// A grid square below the diagonal, and its row: what `locate` finds, limited to the triangle.
-template <class Word>
-struct WideSquare {
-  Word iu, iv, row;
-};
-
-/// From iu = floor(uN), iv = floor(vN), both up to N, and whether uf+vf >= 1:
-///   row = min(N-1, iu+iv+carry); iv at most N-1, iu at most N-1-iv.
-template <class Word>
-constexpr WideSquare<Word> wide_square(Word iu, Word iv, bool carry, Word N) noexcept {
-  const Word last = N - Word{1};
-  const Word diagonal = iu + iv + (carry ? Word{1} : Word{0});
-  const Word row = diagonal < last ? diagonal : last;
-  iv = iv < last ? iv : last;
-  iu = iu < last - iv ? iu : last - iv;
-  return {iu, iv, row};
-}
-
 /// The bit formula, with row for NOT iw.
 template <class Word>
-constexpr Word wide_curve(const WideSquare<Word>& q) noexcept {
+constexpr Word wide_curve(const Square<Word>& q) noexcept {
   const Word b0 = q.iu ^ q.row;
   const Word t = (q.iu ^ q.iv) & b0;
   const Word b1 = ((wide_xor_from_above(t) ^ q.iu) & ~b0) | t;
@@ -57,17 +39,13 @@ constexpr Word wide_curve(const WideSquare<Word>& q) noexcept {
 /// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..30,
 /// more is 30. Result in [0, 4^level): exactly the rational evaluation of the formula, in words without
 /// bounds, for every pair of finite floats; at levels 0..16 that of from_barycentrics. The whole parts and
-/// the carry are exact for the reasons given at detail::locate.
+/// the carry are exact for the reasons given at detail::cut and detail::reach_one.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code"; the words' width is ours.
 inline std::uint64_t from_barycentrics_wide(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_wide_level);
-  const float side = static_cast<float>(std::int32_t{1} << n);
-  const float un = detail::clamped(u) * side, vn = detail::clamped(v) * side;
-  const std::int32_t iu = static_cast<std::int32_t>(un), iv = static_cast<std::int32_t>(vn);
-  const float uf = un - static_cast<float>(iu), vf = vn - static_cast<float>(iv);
-  const bool carry = std::min(uf, vf) >= 1.0f - std::max(uf, vf);
-  return detail::wide_curve(detail::wide_square(
-      static_cast<std::uint64_t>(iu), static_cast<std::uint64_t>(iv), carry, std::uint64_t{1} << n));
+  const detail::Found p = detail::find(u, v, n);
+  return detail::wide_curve(
+      detail::square(std::uint64_t{p.iu}, std::uint64_t{p.iv}, p.carry, std::uint64_t{1} << n));
 }
 
 }  // namespace mmverify::impl::index

@@ -85,6 +85,12 @@ class Word {
  public:
   Word(std::uint64_t k) : term("(_ bv" + std::to_string(k) + " " + std::to_string(bits) + ")", sort()) {}
   explicit Word(Term t) : term(std::move(t)) {}
+  /// Zeros above, or the low bits, as C++ converts unsigned words.
+  template <unsigned others>
+  explicit Word(const Word<others>& w)
+      : term(apply(others < bits ? "(_ zero_extend " + std::to_string(bits - others) + ")"
+                                 : "(_ extract " + std::to_string(bits - 1) + " 0)",
+                   {w.term}, sort())) {}
   Term term;
   static std::string sort() { return word_sort(bits); }
 

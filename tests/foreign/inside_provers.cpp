@@ -59,6 +59,12 @@ proofs::index::Functions functions_of_the_curve() {
   functions.index_at = [](Level n, const RationalPoint& p) {
     return static_cast<std::uint32_t>(vulkan(whole_numbers(p), n, Fault::none));
   };
+  functions.index_floats = [](Level n, proofs::index::FloatBatch batch, std::span<std::uint32_t> out) {
+    for (std::size_t t = 0; t < out.size(); ++t) {
+      const RationalPoint p{proofs::index::rational(batch.u[t]), proofs::index::rational(batch.v[t])};
+      out[t] = static_cast<std::uint32_t>(vulkan(whole_numbers(p), n, Fault::none));
+    }
+  };
   functions.max_wide_level = 30;
   functions.wide_index = [](Level n, const proofs::index::Row& row, std::span<std::uint64_t> out) {
     for (std::uint64_t t = 0; t < row.count; ++t)
@@ -167,6 +173,7 @@ std::vector<InsideFault> inside_right_of_provers() {
   return {proof("index.all_levels", "shipped", "", shipped("index/all_levels")),
           proof("index.wide_is_vulkan", "shipped", "", shipped("index/wide_is_vulkan")),
           proof("index.impl_wide_is_wide", "shipped", "", shipped("index/impl_wide_is_wide")),
+          proof("index.floats", "shipped", "", shipped("index/floats")),
           proof("tree.all_levels", "shipped", "", shipped("tree/all_levels"))};
 }
 
@@ -204,6 +211,18 @@ std::vector<InsideFault> inside_faults_of_provers() {
       "(_ bv71777214294589695 64)", "(_ bv71777214294589694 64)");
   add("iw_of_any_row", "iw has nothing to do with the row", "bits",
       "(assert (= (bvand iw low) (bvand (bvnot row) low)))\n", "");
+
+  law = "index.floats", folder = "index/floats";
+  add("sum_of_1_is_below", "where uf + vf is 1, it is taken to be below", "lanes_carry", "(fp.geq", "(fp.gt");
+  add("whole_part_to_nearest", "the whole part is the nearest whole number", "scalar_parts",
+      "((_ fp.to_sbv 32) RTZ", "((_ fp.to_sbv 32) RNE");
+  add("level_31", "whole parts are said of level 31 as well, which signed words do not hold", "lanes_parts",
+      "(assert (bvule n (_ bv30 8)))", "(assert (bvule n (_ bv31 8)))");
+  add("rest_without_bound", "what is left of uN may be any number", "reference_32",
+      "(assert (bvult uf (bvshl ((_ zero_extend 152) (_ bv1 32)) (_ bv149 184))))\n", "");
+  add("v_without_bound", "iv may be any word", "lanes_square", "(assert (bvule iv N))\n", "");
+  add("not_vacuous_of_nothing", "the witness of the carry is sought where there is none", "witness_carry",
+      "(assert (bvult uf_bits (_ bv1065353216 32)))", "(assert (bvult uf_bits (_ bv0 32)))");
 
   law = "tree.all_levels", folder = "tree/all_levels";
   add("three_children", "bitscan counts three subtrees below an internal node", "skip_node", "(- (+ c 4) 1)",

@@ -87,6 +87,11 @@ TEST(Statements, EachHypothesisHasAWitness) {
     EXPECT_TRUE(names.contains(std::string("unsat ") + name) &&
                 names.contains(std::string("sat witness_") + name))
         << name;
+  for (const char* name : {"scale", "parts", "carry", "square", "curve"})
+    for (const std::string code : {"scalar_", "lanes_"})
+      EXPECT_TRUE(names.contains("unsat " + code + name) &&
+                  names.contains(std::string("sat witness_") + name))
+          << code << name;
 }
 
 /// The first word that a program prints of a file.
@@ -189,9 +194,17 @@ TEST(Mutants, FailInTheStatementsThatTheirMistakeIsIn) {
       {"the upper half of a square is not told from the lower", {"square"}},
       {"u and v exchanged", {"square"}},
       {"bit 10 of the index is lost", {"bits"}},
+      {"uf+vf >= 1 of the rounded sum", {"scalar_carry", "scalar_flush"}},
+      {"1-uf-vf <= 0, both rounded", {"scalar_carry", "scalar_flush"}},
+      {"greater >= 1 - lesser, which rounds", {"scalar_carry", "scalar_flush"}},
+      {"uN + 1 - 1", {"scalar_scale"}},
+      {"whole parts of uN + 2^-25", {"scalar_parts"}},
+      {"uN below 2^-23 taken for 0", {"scalar_scale"}},
+      {"the rounded sum in vectors alone", {"lanes_carry", "lanes_flush"}},
   };
   std::size_t met = 0;
-  for (const char* id : {"index.all_levels", "index.wide_is_vulkan", "index.impl_wide_is_wide"})
+  for (const char* id :
+       {"index.all_levels", "index.wide_is_vulkan", "index.impl_wide_is_wide", "index.floats"})
     for (const Mutant& m : find_law(id)->mutants)
       if (const auto* own = dynamic_cast<const Provable*>(m.subject.get())) {
         EXPECT_EQ(failing(own->statements()), expected.at(m.name)) << m.name;

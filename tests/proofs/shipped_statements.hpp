@@ -9,6 +9,7 @@
 #include <string>
 
 #include "proofs/attribute/induction/provable.hpp"
+#include "proofs/index/binary32/law.hpp"
 #include "proofs/index/induction/provable.hpp"
 #include "proofs/tree/induction/provable.hpp"
 
@@ -22,6 +23,7 @@ inline std::map<std::string, proofs::induction::Statement> shipped_statements() 
   add("index/all_levels", proofs::index::induction::shipped_all_levels());
   add("index/wide_is_vulkan", proofs::index::induction::shipped_wide_is_vulkan());
   add("index/impl_wide_is_wide", proofs::index::induction::shipped_impl_wide());
+  add("index/floats", proofs::index::binary32::shipped());
   add("tree/all_levels", proofs::tree::induction::shipped_all_levels());
   add("attribute/w_minor_all_levels", proofs::attribute::induction::shipped_w_minor());
   add("attribute/u_major_all_levels", proofs::attribute::induction::shipped_u_major());

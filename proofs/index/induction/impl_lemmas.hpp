@@ -7,16 +7,16 @@
 
 namespace mmverify::proofs::index::induction {
 
-using impl::index::detail::WideSquare;
+using impl::index::detail::Square;
 
 /// The formula of impl in its two parts, so that a mutant can have one of them wrong.
 struct Implemented {
   template <class Word>
-  static WideSquare<Word> square(const Word& iu, const Word& iv, bool carry, const Word& N) {
-    return impl::index::detail::wide_square<Word>(iu, iv, carry, N);
+  static Square<Word> square(const Word& iu, const Word& iv, bool carry, const Word& N) {
+    return impl::index::detail::square<Word>(iu, iv, carry, N);
   }
   template <class Word>
-  static Word curve(const WideSquare<Word>& q) {
+  static Word curve(const Square<Word>& q) {
     return impl::index::detail::wide_curve<Word>(q);
   }
 };
@@ -34,7 +34,7 @@ Statement wide_square_lemma() {
                 "For every N = 2^n, n <= 30, all iu = floor(uN) and iv = floor(vN) in [0, N], and both "
                 "halves of the square, in 64-bit words: impl's square has the specification's iu and iv, and "
                 "its row is the low n bits of NOT iw.\n"
-                "impl::index::detail::wide_square; spec::index::grid_square.");
+                "impl::index::detail::square; spec::index::grid_square.");
   const GridWords g = declare_wide_grid_words(script);
   const Term upper = script.declare("upper_half", boolean);
   script.comment("The specification.");

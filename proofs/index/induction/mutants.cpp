@@ -109,21 +109,21 @@ struct VNotKeptBelowN : Specified {
 
 struct NeverCarries : Implemented {
   template <class Word>
-  static WideSquare<Word> square(const Word& iu, const Word& iv, bool, const Word& N) {
+  static Square<Word> square(const Word& iu, const Word& iv, bool, const Word& N) {
     return Implemented::square<Word>(iu, iv, false, N);
   }
 };
 
 struct ExchangesUAndV : Implemented {
   template <class Word>
-  static WideSquare<Word> square(const Word& iu, const Word& iv, bool carry, const Word& N) {
+  static Square<Word> square(const Word& iu, const Word& iv, bool carry, const Word& N) {
     return Implemented::square<Word>(iv, iu, carry, N);
   }
 };
 
 struct LosesBit10 : Implemented {
   template <class Word>
-  static Word curve(const WideSquare<Word>& q) {
+  static Word curve(const Square<Word>& q) {
     return Implemented::curve<Word>(q) & ~(Word{1} << 10);
   }
 };

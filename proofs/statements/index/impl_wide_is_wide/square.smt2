@@ -1,7 +1,7 @@
 ; For every N = 2^n, n <= 30, all iu = floor(uN) and iv = floor(vN) in [0, N], and both halves of
 ; the square, in 64-bit words: impl's square has the specification's iu and iv, and its row is the
 ; low n bits of NOT iw.
-; impl::index::detail::wide_square; spec::index::grid_square.
+; impl::index::detail::square; spec::index::grid_square.
 ; Written by the program itself from the specification's templates (./run statements); a test compares.
 (set-logic ALL)
 (set-info :status unsat)

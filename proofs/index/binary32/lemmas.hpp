@@ -1,0 +1,20 @@
+// The lemmas of index.floats: from every pair of binary32 numbers to the index of the exact reference, step by step.
+#pragma once
+
+#include "proofs/index/binary32/steps.hpp"
+#include "proofs/induction/statement.hpp"
+
+namespace mmverify::proofs::index::binary32 {
+
+using proofs::induction::Statement;
+
+/// The statements of a code's steps, each for every input: `scale`, `parts`, `carry`, `flush`, `square`, `curve`.
+std::vector<Statement> statements_about(const Steps& steps);
+
+/// The side as a float, the reference's whole parts, and for each hypothesis an input that fulfils it.
+std::vector<Statement> common_statements();
+
+/// All that index.floats rests on where one value goes by `scalar` and vectors by `lanes`; 64-bit words included.
+std::vector<Statement> statements_of(const Steps& scalar, const Steps& lanes);
+
+}  // namespace mmverify::proofs::index::binary32

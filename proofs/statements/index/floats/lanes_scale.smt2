@@ -1,0 +1,45 @@
+; For each of the 2^32 bit patterns and every N = 2^n, n <= 30: clamped to [0,1] and times N it is,
+; without any rounding, x 2^n of the number x that the bits stand for; 0 for a sign or a NaN, N for
+; a number above 1. It is no more than N.
+; Written by the program itself from the specification's templates (./run statements); a test compares.
+(set-logic ALL)
+(set-info :status unsat)
+
+; IEEE 754: what 32 bits without a sign, finite, stand for, in units of 2^-149.
+(define-fun significand ((x (_ BitVec 32))) (_ BitVec 184)
+  ((_ zero_extend 160)
+    (concat (ite (= ((_ extract 30 23) x) #x00) #b0 #b1) ((_ extract 22 0) x))))
+(define-fun exponent ((x (_ BitVec 32))) (_ BitVec 8)
+  (ite (= ((_ extract 30 23) x) #x00) #x00 (bvsub ((_ extract 30 23) x) #x01)))
+(define-fun exact ((x (_ BitVec 32)) (n (_ BitVec 8))) (_ BitVec 184)
+  (bvshl (significand x) ((_ zero_extend 176) (bvadd (exponent x) n))))
+(declare-const n (_ BitVec 8))
+(assert (bvule n (_ bv30 8)))
+(define-fun side_bits () (_ BitVec 32) (concat #b0 (bvadd n (_ bv127 8)) (_ bv0 23)))
+(declare-const x_bits (_ BitVec 32))
+(declare-const tie_0 Bool)
+(declare-const tie_1 Bool)
+(define-fun limited () (_ BitVec 32)
+  (ite (bvugt x_bits (_ bv2147483647 32))
+    (_ bv0 32)
+    (ite (bvugt x_bits (_ bv2139095040 32))
+      (_ bv0 32)
+      (ite (bvugt x_bits (_ bv1065353216 32)) (_ bv1065353216 32) x_bits))))
+(define-fun N () (_ FloatingPoint 8 24) ((_ to_fp 8 24) side_bits))
+(define-fun part_a () (_ FloatingPoint 8 24)
+  (ite (fp.gt ((_ to_fp 8 24) x_bits) ((_ to_fp 8 24) (_ bv0 32)))
+    ((_ to_fp 8 24) x_bits)
+    ((_ to_fp 8 24) (_ bv0 32))))
+(define-fun got () (_ FloatingPoint 8 24)
+  (fp.mul
+    RNE
+    (ite (fp.lt part_a ((_ to_fp 8 24) (_ bv1065353216 32)))
+      part_a
+      (ite (fp.lt ((_ to_fp 8 24) (_ bv1065353216 32)) part_a)
+        ((_ to_fp 8 24) (_ bv1065353216 32))
+        (ite tie_0 part_a ((_ to_fp 8 24) (_ bv1065353216 32)))))
+    N))
+(declare-const got_bits (_ BitVec 32))
+(assert (= ((_ to_fp 8 24) got_bits) got))
+(assert (not (and (bvule got_bits side_bits) (= (exact got_bits (_ bv0 8)) (exact limited n)))))
+(check-sat)

@@ -1,0 +1,88 @@
+; For every N = 2^n, n <= 16, all iu = floor(uN) and iv = floor(vN) in [0, N], and both halves of
+; the square: iu and iv as limited are the specification's, and the row is the low n bits of its NOT
+; iw. All three are below N.
+; spec::index::grid_square.
+; Written by the program itself from the specification's templates (./run statements); a test compares.
+(set-logic ALL)
+(set-info :status unsat)
+(declare-const N (_ BitVec 32))
+(declare-const iu (_ BitVec 32))
+(declare-const iv (_ BitVec 32))
+(assert (bvule (_ bv1 32) N))
+(assert (bvule N (_ bv65536 32)))
+(assert (= (bvand N (bvsub N (_ bv1 32))) (_ bv0 32)))
+(assert (bvule iu N))
+(assert (bvule iv N))
+(declare-const upper_half Bool)
+
+; The specification.
+(define-fun last () (_ BitVec 32) (bvsub N (_ bv1 32)))
+(define-fun part_a () (_ BitVec 32) (bvadd last last))
+(define-fun spec_iu () (_ BitVec 32)
+  (ite (bvult iu N)
+    (ite (bvult iv N)
+      (ite (bvult (bvadd iu iv) N) iu (bvsub iu (bvadd (bvsub (bvadd iu iv) N) (_ bv1 32))))
+      (ite (bvult (bvadd iu last) N) iu (bvsub iu (bvadd (bvsub (bvadd iu last) N) (_ bv1 32)))))
+    (ite (bvult iv N)
+      (ite (bvult (bvadd last iv) N) last (bvsub last (bvadd (bvsub (bvadd last iv) N) (_ bv1 32))))
+      (ite (bvult part_a N) last (bvsub last (bvadd (bvsub part_a N) (_ bv1 32)))))))
+(define-fun spec_iv () (_ BitVec 32) (ite (bvult iv N) iv last))
+(define-fun part_b () (_ BitVec 32)
+  (bvnot (bvadd (bvsub iu (bvadd (bvsub (bvadd iu iv) N) (_ bv1 32))) iv)))
+(define-fun part_c () Bool (bvult (bvadd iu last) last))
+(define-fun part_d () (_ BitVec 32)
+  (bvnot (bvadd (bvsub iu (bvadd (bvsub (bvadd iu last) N) (_ bv1 32))) last)))
+(define-fun part_e () Bool (bvult (bvadd last iv) last))
+(define-fun part_f () (_ BitVec 32)
+  (bvnot (bvadd (bvsub last (bvadd (bvsub (bvadd last iv) N) (_ bv1 32))) iv)))
+(define-fun part_g () Bool (bvult part_a N))
+(define-fun part_h () Bool (bvult part_a last))
+(define-fun part_i () (_ BitVec 32) (bvnot part_a))
+(define-fun part_j () (_ BitVec 32)
+  (bvnot (bvadd (bvsub last (bvadd (bvsub part_a N) (_ bv1 32))) last)))
+(define-fun spec_row () (_ BitVec 32)
+  (bvand
+    (bvnot
+      (ite upper_half
+        (ite (bvult iu N)
+          (ite (bvult iv N)
+            (ite (bvult (bvadd iu iv) N)
+              (ite (bvult (bvadd iu iv) last)
+                (bvsub (bvnot (bvadd iu iv)) (_ bv1 32))
+                (bvnot (bvadd iu iv)))
+              (ite (bvult (bvadd iu iv) last) (bvsub part_b (_ bv1 32)) part_b))
+            (ite (bvult (bvadd iu last) N)
+              (ite part_c (bvsub (bvnot (bvadd iu last)) (_ bv1 32)) (bvnot (bvadd iu last)))
+              (ite part_c (bvsub part_d (_ bv1 32)) part_d)))
+          (ite (bvult iv N)
+            (ite (bvult (bvadd last iv) N)
+              (ite part_e (bvsub (bvnot (bvadd last iv)) (_ bv1 32)) (bvnot (bvadd last iv)))
+              (ite part_e (bvsub part_f (_ bv1 32)) part_f))
+            (ite part_g
+              (ite part_h (bvsub part_i (_ bv1 32)) part_i)
+              (ite part_h (bvsub part_j (_ bv1 32)) part_j))))
+        (ite (bvult iu N)
+          (ite (bvult iv N)
+            (ite (bvult (bvadd iu iv) N) (bvnot (bvadd iu iv)) part_b)
+            (ite (bvult (bvadd iu last) N) (bvnot (bvadd iu last)) part_d))
+          (ite (bvult iv N)
+            (ite (bvult (bvadd last iv) N) (bvnot (bvadd last iv)) part_f)
+            (ite part_g part_i part_j)))))
+    last))
+
+; impl.
+(define-fun part_k () (_ BitVec 32) (bvsub last (ite (bvslt iv last) iv last)))
+(define-fun impl_iu () (_ BitVec 32) (ite (bvslt iu part_k) iu part_k))
+(define-fun impl_iv () (_ BitVec 32) (ite (bvslt iv last) iv last))
+(define-fun part_l () (_ BitVec 32) (bvadd (bvadd iu iv) (ite upper_half (_ bv1 32) (_ bv0 32))))
+(define-fun impl_row () (_ BitVec 32) (ite (bvslt last part_l) last part_l))
+(assert
+  (not
+    (and
+      (= spec_iu impl_iu)
+      (= spec_iv impl_iv)
+      (= spec_row impl_row)
+      (bvule spec_iu last)
+      (bvule spec_iv last)
+      (bvule spec_row last))))
+(check-sat)

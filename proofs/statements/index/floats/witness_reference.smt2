@@ -1,0 +1,22 @@
+; Not vacuous: some uN and vN fulfil what `reference_64` supposes, strictly inside the highest level
+; and in the upper half of a square.
+; Written by the program itself from the specification's templates (./run statements); a test compares.
+(set-logic ALL)
+(set-info :status sat)
+(declare-const N (_ BitVec 64))
+(declare-const iu (_ BitVec 64))
+(declare-const iv (_ BitVec 64))
+(declare-const uf (_ BitVec 184))
+(declare-const vf (_ BitVec 184))
+(assert (bvule N (_ bv1073741824 64)))
+(assert (bvule iu N))
+(assert (bvule iv N))
+(assert (bvult uf (bvshl ((_ zero_extend 152) (_ bv1 32)) (_ bv149 184))))
+(assert (bvult vf (bvshl ((_ zero_extend 152) (_ bv1 32)) (_ bv149 184))))
+(define-fun un () (_ BitVec 184) (bvadd (bvshl ((_ zero_extend 120) iu) (_ bv149 184)) uf))
+(define-fun vn () (_ BitVec 184) (bvadd (bvshl ((_ zero_extend 120) iv) (_ bv149 184)) vf))
+(assert (= N (_ bv1073741824 64)))
+(assert (bvult iu N))
+(assert (bvult iv N))
+(assert (bvslt (bvshl ((_ zero_extend 152) (_ bv1 32)) (_ bv149 184)) (bvadd uf vf)))
+(check-sat)
