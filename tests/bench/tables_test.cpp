@@ -76,6 +76,10 @@ std::vector<Result> all_results() {
   rendered.methods.resize(1);
   rendered.methods[0].level = 2;
   rendered.methods[0].predicted = rendered.methods[0].even = 0.5;
+  rendered.blends.resize(1);
+  rendered.blends[0].level = 2;
+  rendered.operation = "max";
+  rendered.colours = "faces";
   rendered.pictures = {{"heat", "heat.png"}};
   return {index_tables({index}, {}),
           tree_tables({TreeFigures{}}, {}),
