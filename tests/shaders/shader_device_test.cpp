@@ -214,5 +214,15 @@ TEST_F(ShaderOnDevice, a_second_device_judges_as_well) {
   EXPECT_THAT(o.out, HasSubstr("index.glsl@1: device: "));
 }
 
+TEST_F(ShaderOnDevice, two_devices_are_judged_in_one_run) {
+  const Outcome o =
+      judge(ours("index.glsl"), "index.equals_reference --levels 3 --no-companions", "--device 0,1,0");
+  if (o.out.find("no Vulkan device 1") != std::string::npos) GTEST_SKIP() << "one device alone";
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("index.glsl: device: "));
+  EXPECT_THAT(o.out, HasSubstr("index.glsl@1: device: "));
+  EXPECT_THAT(o.out, HasSubstr("2 results: 2 proved"));
+}
+
 }  // namespace
 }  // namespace mmverify::tests
