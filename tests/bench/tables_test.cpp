@@ -16,6 +16,7 @@
 #include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/render_tables.hpp"
 #include "bench/scene/tables.hpp"
+#include "bench/shaders/tables.hpp"
 #include "bench/subject/tables.hpp"
 #include "bench/sweep/tables.hpp"
 #include "bench/tree/tables.hpp"
@@ -88,6 +89,7 @@ std::vector<Result> all_results() {
           attribute_tables(maps, {}),
           sweep_tables({}),
           subject_tables({}),
+          shader_tables({.about = {{"device", "a test's"}}, .rows = {{"index", 4, 1, 1, 0}}}),
           scene_bake_tables({}, {}),
           baker_tables({"b", "f", {{}}}),
           render_tables(rendered),
