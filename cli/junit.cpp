@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <pugixml.hpp>
 #include <sstream>
 
@@ -58,6 +59,24 @@ void add_test(pugi::xml_node suite, const Result& r, Totals& sums) {
   }
 }
 
+/// Before a suite's tests.
+void add_properties(pugi::xml_node suite, const Report& report, const std::vector<RunsOn>& runs_on) {
+  const std::string law = suite.attribute("name").value();
+  pugi::xml_node properties;
+  for (const RunsOn& one : runs_on) {
+    const bool is_judged = std::any_of(report.results.begin(), report.results.end(), [&](const Result& r) {
+      return r.law == law && (r.subject == one.subject || r.subject.starts_with(one.subject + ":"));
+    });
+    if (!is_judged) continue;
+    if (!properties) properties = suite.append_child("properties");
+    for (const auto& [key, value] : one.about) {
+      pugi::xml_node property = properties.append_child("property");
+      set(property, "name", fmt::format("{}: {}", one.subject, key));
+      set(property, "value", value);
+    }
+  }
+}
+
 void set_sums(pugi::xml_node node, const Totals& sums) {
   set(node, "tests", fmt::format("{}", sums.tests));
   set(node, "failures", fmt::format("{}", sums.failures));
@@ -68,7 +87,7 @@ void set_sums(pugi::xml_node node, const Totals& sums) {
 
 }  // namespace
 
-std::string to_junit(const Report& report) {
+std::string to_junit(const Report& report, const std::vector<RunsOn>& runs_on) {
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("testsuites"), suite;
   Totals of_suite, of_all;
@@ -86,6 +105,7 @@ std::string to_junit(const Report& report) {
     close_suite();
     suite = root.append_child("testsuite");
     set(suite, "name", name);
+    add_properties(suite, report, runs_on);
   };
   for (const Result& r : report.results) {
     in_suite(r.law);

@@ -42,14 +42,42 @@ void check_program(const ShardRun& shard) {
           fmt::format("{}: made by a program of another {}; merge with that one", shard.file, name));
 }
 
+/// A verdict is about one device and one driver, so all shards have to name the same.
+void check_places(const std::string& file, const std::vector<RunsOn>& here, const std::string& first_file,
+                  const std::vector<RunsOn>& first) {
+  for (const RunsOn& one : first) {
+    const auto same =
+        std::find_if(here.begin(), here.end(), [&](const RunsOn& o) { return o.subject == one.subject; });
+    if (same == here.end())
+      throw EnvironmentError(
+          fmt::format("{}: does not say where {} ran, as {} does", file, one.subject, first_file));
+    for (const auto& [key, value] : one.about) {
+      std::string other;
+      for (const auto& [its_key, its_value] : same->about)
+        if (its_key == key) other = its_value;
+      if (other != value)
+        throw EnvironmentError(
+            fmt::format("{}: {} ran elsewhere: {}: '{}' here, '{}' in {}; run all shards in one place", file,
+                        one.subject, key, other, value, first_file));
+    }
+  }
+  if (here.size() > first.size())
+    throw EnvironmentError(fmt::format("{}: says where {} subjects ran, and {} where {}", file, here.size(),
+                                       first_file, first.size()));
+}
+
 int merge(const MergeOptions& options) {
   std::vector<ShardRun> shards;
+  std::vector<RunsOn> runs_on;
   std::error_code none;
   for (const std::string& path : options.shards) {
     if (std::filesystem::equivalent(path, options.out, none))
       throw UsageError(fmt::format("-o {}: one of the shards", options.out));
     shards.push_back(read_shard(path));
     check_program(shards.back());
+    const std::vector<RunsOn> here = read_runs_on(path);
+    if (shards.size() == 1) runs_on = here;
+    check_places(path, here, shards.front().file, runs_on);
   }
   const std::uint64_t seed = number_in(shards.front(), "seed"), errors = number_in(shards.front(), "errors");
   // Said last: what else is wrong with a shard says more.
@@ -72,10 +100,14 @@ int merge(const MergeOptions& options) {
         changed));
   OutputFile out(options.out);
   TextReport text(stdout, true);
+  for (const RunsOn& one : runs_on) {
+    for (const auto& [key, value] : one.about) text.note(fmt::format("{}: {}: {}", one.subject, key, value));
+    for (const std::string& warning : one.warnings) text.note("warning: " + warning);
+  }
   for (const Result& r : report.results) text.add(r);
   text.finish(report, false);
   if (nothing_applied(report)) throw UsageError(nothing_was_run);
-  out.commit(to_json(report, seed));
+  out.commit(to_json(report, seed, {}, {}, {}, runs_on));
   return exit_code(report);
 }
 

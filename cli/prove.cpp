@@ -35,7 +35,7 @@ struct ProveOptions {
   std::size_t errors = 1;
   std::uint64_t seed = 1, cases = 0;
   std::optional<double> timeout;
-  std::optional<std::uint32_t> device;
+  std::vector<std::uint32_t> devices;
   std::optional<std::string> entry;
   bool quiet = false, no_mutants = false, no_companions = false;
   std::string shard, journal;
@@ -45,9 +45,18 @@ Request request(const ProveOptions& options, std::vector<RunsOn>& runs_on) {
   Request r;
   r.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
   r.laws = parse_laws(options.laws, r.tier);
-  for (const std::string& name : options.subjects)
-    for (const SubjectPtr& subject : parse_subject(with_device(name, options.device, options.entry),
-                                                   timeout_of(name, options.timeout), &runs_on))
+  std::vector<std::string> called;
+  for (const std::string& name : options.subjects) {
+    std::vector<std::optional<std::uint32_t>> devices(options.devices.begin(), options.devices.end());
+    if (devices.empty()) devices.emplace_back();
+    for (const auto& device : devices) {
+      const std::string on_device = with_device(name, device, options.entry);
+      // A library, and a shader that names its device, are not asked again for each.
+      if (std::find(called.begin(), called.end(), on_device) == called.end()) called.push_back(on_device);
+    }
+  }
+  for (const std::string& name : called)
+    for (const SubjectPtr& subject : parse_subject(name, timeout_of(name, options.timeout), &runs_on))
       if (std::find(r.subjects.begin(), r.subjects.end(), subject) == r.subjects.end())
         r.subjects.push_back(subject);
   if (options.levels) r.levels = parse_levels(*options.levels);
@@ -95,7 +104,7 @@ int prove(const ProveOptions& options) {
   for (const std::string& other : {options.json, options.junit})
     if (!options.journal.empty() && same_file(options.journal, other))
       throw UsageError(fmt::format("--journal: {} is another output's file", options.journal));
-  if ((options.device || options.entry) &&
+  if ((!options.devices.empty() || options.entry) &&
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
     throw UsageError("--device, --entry: no --subject is a shader; leave them out");
   std::vector<RunsOn> runs_on;
@@ -143,7 +152,7 @@ int prove(const ProveOptions& options) {
   const auto as_json = [&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); };
   if (json) json->commit(as_json());
   if (options.json == "-") fmt::print("{}", as_json());
-  if (junit) junit->commit(to_junit(report));
+  if (junit) junit->commit(to_junit(report, runs_on));
 
   if (!report.gave_up.empty()) throw EnvironmentError(report.gave_up);
   if (nothing_applied(report)) throw UsageError(nothing_was_run);
@@ -193,9 +202,11 @@ Action add_prove(CLI::App& program) {
                    "seconds that a library may take for a batch; 10 where not given, 60 of a shader")
       ->check(finite_within(0.01, 86400));
   command
-      ->add_option("--device", options->device,
-                   "the Vulkan device that runs a shader, by number; 0 where not given")
-      ->type_name("N")
+      ->add_option("--device", options->devices,
+                   "the Vulkan devices that run a shader, each by itself, by number; 0 where not given")
+      ->type_name("N[,N...]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(whole_within(0, 9999));
   command
       ->add_option("--entry", options->entry,

@@ -148,4 +148,21 @@ ShardRun read_shard(const std::string& path) {
   }
 }
 
+std::vector<RunsOn> read_runs_on(const std::string& path) {
+  const Json json = read_json(path);
+  std::vector<RunsOn> all;
+  if (!json.contains("runs_on")) return all;
+  try {
+    for (const Json& j : json.at("runs_on")) {
+      RunsOn one{j.at("subject").get<std::string>(), {}, j.at("warnings").get<std::vector<std::string>>()};
+      for (const auto& [key, value] : j.at("about").items())
+        one.about.emplace_back(key, value.get<std::string>());
+      all.push_back(one);
+    }
+    return all;
+  } catch (const std::exception& error) {
+    throw EnvironmentError(fmt::format("{}: runs_on: {}", path, error.what()));
+  }
+}
+
 }  // namespace mmverify::cli

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/barycentrics.hpp"
+
 namespace mmverify::render {
 
 /// What a ray ended on.  Equal members: the same triangle of the same instance, at the same t.
@@ -23,8 +25,9 @@ struct Asked {
 
 struct Pixel {
   Met primary;
-  bool lit = false;  ///< the shadow ray met nothing
-  float shade = 0;   ///< cosine of normal and light
+  Barycentrics at{0, 0};  ///< where on its triangle
+  bool lit = false;       ///< the shadow ray met nothing
+  float shade = 0;        ///< cosine of normal and light
   Asked by_primary, by_shadow;
 };
 

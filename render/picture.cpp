@@ -67,24 +67,55 @@ std::uint32_t text_width(const std::string& text) {
 
 }  // namespace
 
-Picture seen(const World& world, const Frame& frame) {
+namespace {
+
+/// Of what a ray ended on, light or dark.
+std::array<float, 3> shaded(const World& world, const ColourMaps* colours, const Met& met,
+                            const Barycentrics& at, float light) {
+  std::array<float, 3> rgb = colour_of(world.geometries[met.geometry].colour);
+  if (colours != nullptr && colours->has(met.geometry)) {
+    const std::uint32_t word = colours->at(met.geometry, met.triangle, at);
+    for (unsigned c = 0; c < 3; ++c) rgb[c] = static_cast<float>(word >> 8 * c & 255) / 255;
+  }
+  for (float& c : rgb) c *= 0.35f + 0.65f * std::max(0.0f, light);
+  return rgb;
+}
+
+Rgb bytes_of(const std::array<float, 3>& rgb) {
+  Rgb bytes{};
+  for (std::size_t k = 0; k < 3; ++k)
+    bytes[k] = static_cast<std::uint8_t>(255 * std::clamp(rgb[k], 0.0f, 1.0f));
+  return bytes;
+}
+
+}  // namespace
+
+Picture seen(const World& world, const Frame& frame, const ColourMaps* colours) {
   Picture picture = blank(frame.width, frame.height, 0);
   for (std::uint32_t y = 0; y < frame.height; ++y)
     for (std::uint32_t x = 0; x < frame.width; ++x) {
       const Pixel& pixel = frame.pixels[std::size_t{y} * frame.width + x];
-      std::array<float, 3> rgb{};
-      if (pixel.primary.hit()) {
-        rgb = colour_of(world.geometries[pixel.primary.geometry].colour);
-        const float light = 0.35f + 0.65f * (pixel.lit ? std::max(0.0f, pixel.shade) : 0);
-        for (float& c : rgb) c *= light;
-      } else {
-        const float height = 1 - static_cast<float>(y) / static_cast<float>(frame.height);
-        rgb = {0.92f - 0.22f * height, 0.94f - 0.12f * height, 0.97f};
-      }
-      Rgb bytes{};
-      for (std::size_t k = 0; k < 3; ++k)
-        bytes[k] = static_cast<std::uint8_t>(255 * std::clamp(rgb[k], 0.0f, 1.0f));
-      put(picture, x, y, bytes);
+      const float height = 1 - static_cast<float>(y) / static_cast<float>(frame.height);
+      put(picture, x, y,
+          bytes_of(pixel.primary.hit()
+                       ? shaded(world, colours, pixel.primary, pixel.at, pixel.lit ? pixel.shade : 0)
+                       : std::array{0.92f - 0.22f * height, 0.94f - 0.12f * height, 0.97f}));
+    }
+  return picture;
+}
+
+Picture blended(const World& world, const BlendFrame& frame, const Blending& blending) {
+  Picture picture = blank(frame.width, frame.height, 0);
+  for (std::uint32_t y = 0; y < frame.height; ++y)
+    for (std::uint32_t x = 0; x < frame.width; ++x) {
+      const BlendPixel& pixel = frame.pixels[std::size_t{y} * frame.width + x];
+      Rgb rgb = pixel.accepted.hit()
+                    ? bytes_of(shaded(world, blending.colours, pixel.accepted, pixel.at, pixel.shade))
+                    : Rgb{0, 0, 0};
+      for (unsigned c = 0; c < 3; ++c)
+        rgb[c] = static_cast<std::uint8_t>(impl::traverse::blend(
+            blending.operation, rgb[c], pixel.payload >> 8 * c & 255, pixel.payload >> 24));
+      put(picture, x, y, rgb);
     }
   return picture;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/blend.hpp"
 #include "render/frame.hpp"
 #include "render/world.hpp"
 
@@ -15,8 +16,13 @@ struct Picture {
   std::vector<std::uint8_t> rgb;  ///< rows from the top
 };
 
-/// Each triangle in its geometry's colour, darker away from the light and in shadow; the sky behind.
-Picture seen(const World& world, const Frame& frame);
+/// Each triangle in the colours of its map, where there are maps, else in its geometry's; darker away from the light and
+/// in shadow; the sky behind.
+Picture seen(const World& world, const Frame& frame, const ColourMaps* colours = nullptr);
+
+/// What was accepted, as in seen() without shadows, and black where that is nothing; on it the payload, by the
+/// operation.
+Picture blended(const World& world, const BlendFrame& frame, const Blending& blending);
 
 /// A pixel's calls, of primary and shadow ray, from dark blue (none) by green and yellow to red (`most` or more).
 Picture heat(const Frame& frame, std::uint32_t most);

@@ -5,6 +5,7 @@
 #include <oneapi/tbb/task_arena.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -25,6 +26,13 @@ struct Filtered {
   std::uint32_t number;
 };
 
+/// A ray's hits that blend, and how they do.
+struct Gathering {
+  const Blending& blending;
+  std::vector<impl::traverse::Hit> hits = {};
+  std::vector<Met> met = {};  ///< the same, to see what is reported twice
+};
+
 /// Of one ray; Embree hands its first member to filter functions.
 struct Context {
   RTCIntersectContext embree;
@@ -32,7 +40,8 @@ struct Context {
   std::uint64_t ray;
   Counts counts;
   Asked asked;
-  bool passes = false;  ///< through every candidate
+  bool passes = false;             ///< through every candidate
+  Gathering* gathering = nullptr;  ///< none where hits do not blend
 };
 
 /// Of geometries: who has a surface, and who has none.
@@ -43,6 +52,17 @@ float chance_of(std::uint64_t ray, std::uint32_t instance, std::uint32_t geometr
   const std::uint64_t hash =
       mixed(mixed(ray) ^ (std::uint64_t{instance} << 40) ^ (std::uint64_t{geometry} << 24) ^ triangle);
   return static_cast<float>(hash >> 41) * 0x1p-23f + 0x1p-25f;
+}
+
+/// A hit blends once, however often it is reported, and the ray goes on.
+void gather(Gathering& gathering, const Filtered& its, const Met& hit, const Barycentrics& b) {
+  if (std::find(gathering.met.begin(), gathering.met.end(), hit) != gathering.met.end()) return;
+  const ColourMaps* const colours = gathering.blending.colours;
+  const std::uint32_t colour = colours != nullptr && colours->has(its.number)
+                                   ? colours->at(its.number, hit.triangle, b)
+                                   : grey_of(its.geometry->colour);
+  gathering.met.push_back(hit);
+  gathering.hits.push_back({hit.t, false, colour});
 }
 
 void filter(const RTCFilterFunctionNArguments* arguments) {
@@ -61,7 +81,16 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
   if (context.opacity != nullptr)
     if (const auto state = context.opacity->at(its.number, triangle, b))
       candidate = static_cast<std::uint32_t>(*state) | impl::traverse::candidate_has_micromap;
-  switch (impl::traverse::decide(candidate, 0, 0)) {
+  Gathering* const gathering = context.gathering;
+  // Any-hit shaders blend nothing that traversal takes for opaque.
+  const bool blends_in_shader = gathering != nullptr && gathering->blending.by == BlendedBy::shader;
+  const std::uint32_t flags = blends_in_shader ? impl::traverse::instance_force_no_opaque : 0u;
+  const auto blend = [&] {
+    valid = 0;
+    gather(*gathering, its, {RTCRayN_tfar(arguments->ray, arguments->N, 0), instance, its.number, triangle},
+           b);
+  };
+  switch (impl::traverse::decide(candidate, flags, 0)) {
     case impl::traverse::Outcome::ignored:
       ++context.counts.ignored;
       valid = 0;
@@ -69,6 +98,7 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
     case impl::traverse::Outcome::opaque:
       ++context.counts.opaque;
       if (context.passes) valid = 0;
+      if (gathering != nullptr) blend();
       return;
     case impl::traverse::Outcome::non_opaque:
       break;
@@ -83,6 +113,8 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
   if (!its.surface->opaque(its.geometry->uv_of(triangle), b,
                            chance_of(context.ray, instance, its.number, triangle)))
     valid = 0;
+  else if (gathering != nullptr)
+    blend();
 }
 
 [[noreturn]] void fail(RTCDevice device) {
@@ -211,13 +243,17 @@ struct Tracer::Built {
             found.hit.primID};
   }
 
-  Met closest(const Ray& ray, Context& context) const {
+  struct Closest {
+    Met met;
+    Barycentrics at{0, 0};
+  };
+  Closest closest(const Ray& ray, Context& context) const {
     RTCRayHit found{};
     found.ray = embree_ray(ray, 0, std::numeric_limits<float>::infinity());
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene, &context.embree, &found);
-    return met(found);
+    return {met(found), in_triangle(found.hit.u, found.hit.v)};
   }
 
   void pass(const Ray& ray, Context& context) const {
@@ -233,7 +269,9 @@ struct Tracer::Built {
     const Ray ray = ray_of(camera, x, y, options.width, options.height);
     Context primary = context_of(opacity, number);
     Pixel pixel;
-    pixel.primary = closest(ray, primary);
+    const Closest found = closest(ray, primary);
+    pixel.primary = found.met;
+    pixel.at = found.at;
     pixel.by_primary = primary.asked;
     counts += primary.counts;
     ++counts.rays;
@@ -255,6 +293,44 @@ struct Tracer::Built {
     pixel.by_shadow = shadow.asked;
     counts += shadow.counts;
     ++counts.shadow_rays;
+    return pixel;
+  }
+
+  BlendHits blend_hits(const Ray& ray, const Opacity* opacity, const Blending& blending, std::uint64_t number,
+                       Counts& counts) const {
+    Gathering gathering{blending};
+    Context context = context_of(opacity, number);
+    context.gathering = &gathering;
+    BlendHits found;
+    const Closest closest_one = closest(ray, context);
+    found.accepted = closest_one.met;
+    found.at = closest_one.at;
+    found.hits = std::move(gathering.hits);
+    if (found.accepted.hit()) found.hits.push_back({found.accepted.t, true, 0});
+    found.asked = context.asked;
+    counts += context.counts;
+    ++counts.rays;
+    return found;
+  }
+
+  BlendPixel blend_pixel(const Camera& camera, const Opacity* opacity, const Blending& blending,
+                         const TraceOptions& options, std::uint32_t x, std::uint32_t y,
+                         Counts& counts) const {
+    const Ray ray = ray_of(camera, x, y, options.width, options.height);
+    const BlendHits found =
+        blend_hits(ray, opacity, blending, 2 * (std::uint64_t{y} * options.width + x), counts);
+    BlendPixel pixel;
+    pixel.accepted = found.accepted;
+    pixel.at = found.at;
+    pixel.asked = found.asked;
+    pixel.payload = impl::traverse::blended(blending.operation, neutral(blending.operation), found.hits);
+    pixel.as_met = neutral(blending.operation);
+    for (const impl::traverse::Hit& hit : found.hits)
+      if (!hit.accepted) pixel.as_met = impl::traverse::blend(blending.operation, pixel.as_met, hit.value);
+    if (!found.accepted.hit()) return pixel;
+    Point normal = normal_of(found.accepted);
+    if (dot(normal, ray.direction) > 0) normal = times(normal, -1);
+    pixel.shade = dot(normal, unit(options.light));
     return pixel;
   }
 
@@ -307,13 +383,17 @@ Counts Tracer::even_rays(const Opacity& opacity, std::uint64_t rays, std::uint64
 
 Met Tracer::first_hit(const Ray& ray, const Opacity* opacity, std::uint64_t number, Counts& counts) const {
   Context context = context_of(opacity, number);
-  const Met met = built_->closest(ray, context);
+  const Met met = built_->closest(ray, context).met;
   counts += context.counts;
   ++counts.rays;
   return met;
 }
 
-Frame Tracer::frame(const Camera& camera, const Opacity* opacity, const TraceOptions& options) const {
+namespace {
+
+/// Fills a frame's pixels, counts and times: of_pixel(x, y, counts) is one.
+template <class Frame, class OfPixel>
+Frame filled(const TraceOptions& options, OfPixel of_pixel) {
   if (options.width == 0 || options.height == 0 || options.width > 16384 || options.height > 16384)
     throw std::invalid_argument("Tracer: a side of 0 or above 16384");
   Frame frame;
@@ -328,8 +408,7 @@ Frame Tracer::frame(const Camera& camera, const Opacity* opacity, const TraceOpt
   arena.execute([&] {
     oneapi::tbb::parallel_for(std::uint32_t{0}, options.height, [&](std::uint32_t y) {
       for (std::uint32_t x = 0; x < options.width; ++x)
-        frame.pixels[std::size_t{y} * options.width + x] =
-            built_->pixel(camera, opacity, options, x, y, of_rows[y]);
+        frame.pixels[std::size_t{y} * options.width + x] = of_pixel(x, y, of_rows[y]);
       if (options.done) options.done(options.width);
     });
   });
@@ -337,6 +416,28 @@ Frame Tracer::frame(const Camera& camera, const Opacity* opacity, const TraceOpt
   frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const Counts& row : of_rows) frame.counts += row;
   return frame;
+}
+
+}  // namespace
+
+Frame Tracer::frame(const Camera& camera, const Opacity* opacity, const TraceOptions& options) const {
+  return filled<Frame>(options, [&](std::uint32_t x, std::uint32_t y, Counts& counts) {
+    return built_->pixel(camera, opacity, options, x, y, counts);
+  });
+}
+
+BlendFrame Tracer::blend_frame(const Camera& camera, const Opacity* opacity, const Blending& blending,
+                               const TraceOptions& options) const {
+  return filled<BlendFrame>(options, [&](std::uint32_t x, std::uint32_t y, Counts& counts) {
+    return built_->blend_pixel(camera, opacity, blending, options, x, y, counts);
+  });
+}
+
+BlendHits Tracer::blend_hits(const Camera& camera, const Opacity* opacity, const Blending& blending,
+                             const TraceOptions& options, std::uint32_t x, std::uint32_t y) const {
+  Counts counts;
+  return built_->blend_hits(ray_of(camera, x, y, options.width, options.height), opacity, blending,
+                            2 * (std::uint64_t{y} * options.width + x), counts);
 }
 
 }  // namespace mmverify::render

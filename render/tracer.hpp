@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "render/blend.hpp"
 #include "render/camera.hpp"
 #include "render/frame.hpp"
 #include "render/opacity.hpp"
@@ -52,6 +53,18 @@ class Tracer {
   /// The same for any number of threads.
   Counts even_rays(const Opacity& opacity, std::uint64_t rays, std::uint64_t seed,
                    unsigned threads = 0) const;
+
+  /// A primary ray a pixel, whose hits on surfaces blend: each pixel's payload, of neutral() and all hits before the
+  /// accepted one (impl::traverse::blended), and beside it what blending them as they are met would give.
+  /// A candidate is asked for as in frame(), by the same chance; what a map says is opaque is blended by whom
+  /// `blending` names.  Shadows are not traced.
+  /// The same for any number of threads.  Errors: as of frame().
+  BlendFrame blend_frame(const Camera& camera, const Opacity* opacity, const Blending& blending,
+                         const TraceOptions& options) const;
+
+  /// What one pixel's ray met.  Domain: that of pixel().
+  BlendHits blend_hits(const Camera& camera, const Opacity* opacity, const Blending& blending,
+                       const TraceOptions& options, std::uint32_t x, std::uint32_t y) const;
 
   /// One ray, with its candidates; `chance` of BLEND is made of the ray's number.
   Met first_hit(const Ray& ray, const Opacity* opacity, std::uint64_t number, Counts& counts) const;

@@ -22,6 +22,13 @@ Frame Tracer::frame(const Camera&, const Opacity*, const TraceOptions&) const {
 Pixel Tracer::pixel(const Camera&, const Opacity*, const TraceOptions&, std::uint32_t, std::uint32_t) const {
   throw std::runtime_error(embree_text());
 }
+BlendFrame Tracer::blend_frame(const Camera&, const Opacity*, const Blending&, const TraceOptions&) const {
+  throw std::runtime_error(embree_text());
+}
+BlendHits Tracer::blend_hits(const Camera&, const Opacity*, const Blending&, const TraceOptions&,
+                             std::uint32_t, std::uint32_t) const {
+  throw std::runtime_error(embree_text());
+}
 Counts Tracer::even_rays(const Opacity&, std::uint64_t, std::uint64_t, unsigned) const {
   throw std::runtime_error(embree_text());
 }

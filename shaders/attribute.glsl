@@ -133,8 +133,8 @@ MmHit mm_hit(uint level, float u, float v) {
   MmPoint p = mm_point(level, u, v);
   MmFace f = mm_face_of_point(level, p);
   float side = float(mm_side(level));
-  MM_PRECISE float fu = clamp(u, 0.0, 1.0) * side - float(f.iu), fv = clamp(v, 0.0, 1.0) * side - float(f.iv);
-  MM_PRECISE float a = 1.0 - fv, rest = 1.0 - fu;
+  MM_PRECISE float fu = clamp(u, 0.0f, 1.0f) * side - float(f.iu), fv = clamp(v, 0.0f, 1.0f) * side - float(f.iv);
+  MM_PRECISE float a = 1.0f - fv, rest = 1.0f - fu;
   MM_PRECISE vec3 w;
   if (f.upper != 0u) {
     w = vec3(fu - a, rest, a);
@@ -156,7 +156,7 @@ uint mm_interpolate_rgba8(vec3 weights, uint a, uint b, uint c) {
   uint mixed = 0u;
   for (uint shift = 0u; shift < 32u; shift += 8u) {
     MM_PRECISE float sum = weights.x * float(a >> shift & 0xffu) + weights.y * float(b >> shift & 0xffu) +
-                           (weights.z * float(c >> shift & 0xffu) + 0.5);
+                           (weights.z * float(c >> shift & 0xffu) + 0.5f);
     mixed |= uint(sum) << shift;
   }
   return mixed;
@@ -220,24 +220,24 @@ struct MmLod {
 MmLod mm_lod(uint level, float cone, float triangle) {
   uint c = floatBitsToUint(cone), t = floatBitsToUint(triangle);
   bool no_cone = c == 0u || c >> 31 != 0u || c > 0x7f800000u, no_triangle = t == 0u || t >> 31 != 0u || t > 0x7f800000u;
-  if (no_cone) return MmLod(level, 0.0);
-  if (no_triangle) return MmLod(0u, 0.0);
+  if (no_cone) return MmLod(level, 0.0f);
+  if (no_triangle) return MmLod(0u, 0.0f);
   ivec2 ec = mm_exponent_and_fraction(cone), et = mm_exponent_and_fraction(triangle);
   int steps = et.x - ec.x - (et.y < ec.y ? 1 : 0);
   int m = steps >> 1;
-  if (m < 0) return MmLod(0u, 0.0);
-  if (m >= int(level)) return MmLod(level, 0.0);
+  if (m < 0) return MmLod(0u, 0.0f);
+  if (m >= int(level)) return MmLod(level, 0.0f);
   // The quotient of the areas over 4^m, in [1, 4).
   float quotient = uintBitsToFloat(0x3f800000u | uint(et.y)) / uintBitsToFloat(0x3f800000u | uint(ec.y));
-  float blend = 0.5 * (log2(quotient) + float(et.x - ec.x - 2 * m));
-  return MmLod(uint(m), clamp(blend, 0.0, 0.99999994));
+  float blend = 0.5f * (log2(quotient) + float(et.x - ec.x - 2 * m));
+  return MmLod(uint(m), clamp(blend, 0.0f, 0.99999994f));
 }
 
 /// Area of a ray cone's footprint where it has gone `distance`: a disc of radius `width` / 2 + distance tan(spread / 2), seen at
 /// an angle of cosine `facing`.  Source: the paper names ray cones and gives no formula; this one is Akenine-Moeller et al.'s.
 float mm_cone_area(float width, float spread, float distance_, float facing) {
-  float radius = 0.5 * width + distance_ * tan(0.5 * spread);
-  return 3.14159265 * radius * radius / max(abs(facing), 1.0e-6);
+  float radius = 0.5f * width + distance_ * tan(0.5f * spread);
+  return 3.14159265f * radius * radius / max(abs(facing), 1.0e-6f);
 }
 
 #endif

@@ -46,7 +46,7 @@ uint mm_vertex_value(uvec2 record, uvec2 place, uint up) {
 
 /// Whether a vertex lies between two of an edge whose neighbour has one level less: its value is then their mean, so that both
 /// sides show the same.  Coarser levels of detail agree anyway.
-bool mm_is_between(uvec2 record, uvec2 place, out uvec2 a, out uvec2 b) {
+bool mm_is_between(uvec2 record, uvec2 place, MM_OUT(uvec2) a, MM_OUT(uvec2) b) {
   uint N = mm_side(mm_record_level(record)), edges = mm_record_edges(record);
   bool odd_i = N > 1u && (place.x & 1u) != 0u, odd_j = N > 1u && (place.y & 1u) != 0u;
   a = b = place;
@@ -67,34 +67,39 @@ bool mm_is_between(uvec2 record, uvec2 place, out uvec2 a, out uvec2 b) {
 
 /// Level of detail of a hit: how the triangle's area compares with the cone's, by the triangle's corners.
 MmLod mm_lod_of_triangle(uvec2 record, float cone_area, vec3 p0, vec3 p1, vec3 p2) {
-  return mm_lod(mm_record_level(record), cone_area, 0.5 * length(cross(p1 - p0, p2 - p0)));
+  return mm_lod(mm_record_level(record), cone_area, 0.5f * length(cross(p1 - p0, p2 - p0)));
 }
 
+/// Where values and records are: storage buffers, unless somebody says otherwise before this is included.
+#ifndef MM_MICROMAP_BLOCKS
+#define MM_MICROMAP_BLOCKS(SET, VALUES, RECORDS, TYPE, NAME)                                                            \
+  layout(std430, set = SET, binding = VALUES) readonly buffer NAME##_values_block { TYPE NAME##_values[]; };            \
+  layout(std430, set = SET, binding = RECORDS) readonly buffer NAME##_records_block { uvec2 NAME##_records[]; };
+#endif
+
 /// Values at micro-triangles.  NAME(primitive, uv): the finest level's.  NAME_lod: between two levels, for types that mix.
-#define MM_TRIANGLE_MICROMAP_PLAIN(SET, VALUES, RECORDS, TYPE, NAME)                                                     \
-  layout(std430, set = SET, binding = VALUES) readonly buffer NAME##_values_block { TYPE NAME##_values[]; };           \
-  layout(std430, set = SET, binding = RECORDS) readonly buffer NAME##_records_block { uvec2 NAME##_records[]; };       \
+#define MM_TRIANGLE_MICROMAP_PLAIN(SET, VALUES, RECORDS, TYPE, NAME)                                                    \
+  MM_MICROMAP_BLOCKS(SET, VALUES, RECORDS, TYPE, NAME)                                                                  \
   TYPE NAME(uint primitive, vec2 uv) {                                                                                  \
     uvec2 record = NAME##_records[primitive];                                                                           \
     return NAME##_values[mm_face_value(record, uv, mm_record_level(record))];                                           \
   }
-#define MM_TRIANGLE_MICROMAP(SET, VALUES, RECORDS, TYPE, NAME)                                                           \
-  MM_TRIANGLE_MICROMAP_PLAIN(SET, VALUES, RECORDS, TYPE, NAME)                                                           \
+#define MM_TRIANGLE_MICROMAP(SET, VALUES, RECORDS, TYPE, NAME)                                                          \
+  MM_TRIANGLE_MICROMAP_PLAIN(SET, VALUES, RECORDS, TYPE, NAME)                                                          \
   TYPE NAME##_lod(uint primitive, vec2 uv, MmLod lod) {                                                                 \
     uvec2 record = NAME##_records[primitive];                                                                           \
     TYPE coarse = NAME##_values[mm_face_value(record, uv, lod.level)];                                                  \
-    if (lod.blend == 0.0) return coarse;                                                                                \
-    return (1.0 - lod.blend) * coarse + lod.blend * NAME##_values[mm_face_value(record, uv, lod.level + 1u)];           \
+    if (lod.blend == 0.0f) return coarse;                                                                               \
+    return (1.0f - lod.blend) * coarse + lod.blend * NAME##_values[mm_face_value(record, uv, lod.level + 1u)];          \
   }
 
 /// Values at micro-vertices, interpolated: float, vec2, vec3 (which std430 lays out as four floats) or vec4.
-#define MM_VERTEX_MICROMAP(SET, VALUES, RECORDS, TYPE, NAME)                                                             \
-  layout(std430, set = SET, binding = VALUES) readonly buffer NAME##_values_block { TYPE NAME##_values[]; };           \
-  layout(std430, set = SET, binding = RECORDS) readonly buffer NAME##_records_block { uvec2 NAME##_records[]; };       \
+#define MM_VERTEX_MICROMAP(SET, VALUES, RECORDS, TYPE, NAME)                                                            \
+  MM_MICROMAP_BLOCKS(SET, VALUES, RECORDS, TYPE, NAME)                                                                  \
   TYPE NAME##_at_vertex(uvec2 record, uvec2 place, uint up) {                                                           \
     uvec2 a, b;                                                                                                         \
     if (up == 0u && mm_is_between(record, place, a, b))                                                                 \
-      return 0.5 * (NAME##_values[mm_vertex_value(record, a, 0u)] + NAME##_values[mm_vertex_value(record, b, 0u)]);      \
+      return 0.5f * (NAME##_values[mm_vertex_value(record, a, 0u)] + NAME##_values[mm_vertex_value(record, b, 0u)]);    \
     return NAME##_values[mm_vertex_value(record, place, up)];                                                           \
   }                                                                                                                     \
   TYPE NAME##_at_level(uint primitive, vec2 uv, uint level) {                                                           \
@@ -102,17 +107,18 @@ MmLod mm_lod_of_triangle(uvec2 record, float cone_area, vec3 p0, vec3 p1, vec3 p
     uint n = mm_record_level(record), m = min(level, n);                                                                \
     MmHit hit = mm_hit(m, uv.x, uv.y);                                                                                  \
     mm_corners(hit.face, base, along_u, along_v);                                                                       \
-    return hit.weights.x * NAME##_at_vertex(record, base, n - m) +                                                      \
-           hit.weights.y * NAME##_at_vertex(record, along_u, n - m) +                                                   \
-           hit.weights.z * NAME##_at_vertex(record, along_v, n - m);                                                    \
+    MM_PRECISE TYPE mixed = hit.weights.x * NAME##_at_vertex(record, base, n - m) +                                     \
+                            hit.weights.y * NAME##_at_vertex(record, along_u, n - m) +                                  \
+                            hit.weights.z * NAME##_at_vertex(record, along_v, n - m);                                   \
+    return mixed;                                                                                                       \
   }                                                                                                                     \
   TYPE NAME(uint primitive, vec2 uv) {                                                                                  \
     return NAME##_at_level(primitive, uv, mm_record_level(NAME##_records[primitive]));                                  \
   }                                                                                                                     \
   TYPE NAME##_lod(uint primitive, vec2 uv, MmLod lod) {                                                                 \
     TYPE coarse = NAME##_at_level(primitive, uv, lod.level);                                                            \
-    if (lod.blend == 0.0) return coarse;                                                                                \
-    return (1.0 - lod.blend) * coarse + lod.blend * NAME##_at_level(primitive, uv, lod.level + 1u);                     \
+    if (lod.blend == 0.0f) return coarse;                                                                               \
+    return (1.0f - lod.blend) * coarse + lod.blend * NAME##_at_level(primitive, uv, lod.level + 1u);                    \
   }
 
 #endif

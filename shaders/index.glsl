@@ -24,14 +24,14 @@ struct MmPoint {
 /// Domain: u, v >= 0; level <= 16.  More than 1 counts as 1.
 MmPoint mm_point(uint level, float u, float v) {
   float side = float(mm_side(level));
-  MM_PRECISE float x = clamp(u, 0.0, 1.0) * side, y = clamp(v, 0.0, 1.0) * side;
+  MM_PRECISE float x = clamp(u, 0.0f, 1.0f) * side, y = clamp(v, 0.0f, 1.0f) * side;
   MmPoint p;
   p.iu = uint(x);
   p.iv = uint(y);
   MM_PRECISE float fu = x - float(p.iu), fv = y - float(p.iv);
   p.fu = fu;
   p.fv = fv;
-  MM_PRECISE float rest = 1.0 - max(fu, fv);
+  MM_PRECISE float rest = 1.0f - max(fu, fv);
   p.beyond = min(fu, fv) >= rest ? 1u : 0u;
   return p;
 }
@@ -74,7 +74,7 @@ uint mm_index_exact(uint level, float u, float v) {
 uint mm_index_published(uint level, float u, float v) {
   MmPoint p = mm_point(level, u, v);
   MM_PRECISE float sum = p.fu + p.fv;
-  p.beyond = sum >= 1.0 ? 1u : 0u;
+  p.beyond = sum >= 1.0f ? 1u : 0u;
   return mm_curve_index(mm_face_of_point(level, p));
 }
 
@@ -98,14 +98,14 @@ uint mm_row_index(uint level, float u, float v) {
   MmPoint p = mm_point(level, u, v);
   uint row = min(p.iu + p.iv + p.beyond, last), column = min(row, p.iv);
   // Bits, as a device may take a denormal u for 0 in a comparison.
-  bool behind = p.fu > 0.0 || (p.iu == 0u && (floatBitsToUint(u) & 0x7fffffffu) != 0u);
+  bool behind = p.fu > 0.0f || (p.iu == 0u && (floatBitsToUint(u) & 0x7fffffffu) != 0u);
   uint diagonal = min(last, last + 1u - min(p.iu + (behind ? 1u : 0u), last + 1u));
   return row * row + column + diagonal - (last - row);
 }
 
 /// Corners of a micro-triangle in units of 1/N along u and v: the base, one step along u and one along v from there; the
 /// base of an upper one is (iu + 1, iv + 1), and its steps are -1.
-void mm_corners(MmFace f, out uvec2 base, out uvec2 along_u, out uvec2 along_v) {
+void mm_corners(MmFace f, MM_OUT(uvec2) base, MM_OUT(uvec2) along_u, MM_OUT(uvec2) along_v) {
   base = uvec2(f.iu + f.upper, f.iv + f.upper);
   uint other = 1u - f.upper;
   along_u = uvec2(f.iu + other, base.y);

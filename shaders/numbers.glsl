@@ -8,6 +8,11 @@
 #define MM_PRECISE precise
 #endif
 
+// The includes are read by C++, too (render/attribute/): hence the f of 1.0f, and parameters that a function writes.
+#ifndef MM_OUT
+#define MM_OUT(TYPE) out TYPE
+#endif
+
 /// Micro-triangles along an edge of the base triangle: N = 2^level.  Domain: level <= 16.
 uint mm_side(uint level) { return 1u << level; }
 

@@ -36,6 +36,28 @@ Fields<MethodFigures> method_fields() {
   };
 }
 
+Fields<render::BlendFigures> blend_fields() {
+  using B = render::BlendFigures;
+  return {
+      {{.key = "method", .heading = "method", .leads = true},
+       [](const B& b) { return std::string(name_of(b.method)); }},
+      {{.key = "level", .heading = "level", .leads = true},
+       [](const B& b) { return b.level ? Value(std::uint64_t{*b.level}) : Value(); }},
+      {{.key = "by", .heading = "blended by", .leads = true},
+       [](const B& b) { return std::string(b.by == render::BlendedBy::shader ? "shader" : "fixed"); }},
+      {{"candidates", "candidates"}, [](const B& b) { return b.counts.candidates; }},
+      {{"ignored", "ignored"}, [](const B& b) { return b.counts.ignored; }},
+      {{"fixed", "fixed"}, [](const B& b) { return b.counts.opaque; }},
+      {{"any_hit", "any-hit"}, [](const B& b) { return b.counts.shader; }},
+      {{"saved", "saved", "", {2, 'f', per_cent, "%"}}, [](const B& b) { return b.saved; }},
+      {{"texels", "texels"}, [](const B& b) { return b.counts.fetches; }},
+      {{"differing", "differing"}, [](const B& b) { return b.differing; }},
+      {{"spoiled", "as met"}, [](const B& b) { return b.spoiled; }},
+      {{"cpu_ms", "CPU", "ms", {.digits = 1}}, [](const B& b) { return 1e3 * b.cpu_seconds; }},
+      {{"times_texture", "x texture"}, [](const B& b) { return b.times_texture; }},
+  };
+}
+
 }  // namespace
 
 Result render_tables(const RenderFigures& figures) {
@@ -73,6 +95,22 @@ Result render_tables(const RenderFigures& figures) {
           "met another triangle, t or light than with the texture alone",
       .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
                  table_of<MethodFigures>({.key = "rows"}, method_fields(), figures.methods)}};
+  if (!figures.blends.empty()) {
+    result.settings.emplace_back("blend", figures.operation);
+    result.tables.push_back(table_of<render::BlendFigures>(
+        {.key = "blends",
+         .caption =
+             "hits on surfaces blend by " + figures.operation +
+             ", and the ray goes on; fixed: candidates that a fixed function blends; saved: of the any-hit "
+             "calls of the texture alone; differing: pixels whose payload is not the texture's; as met: "
+             "pixels that would differ, were hits blended as they are met"},
+        blend_fields(), figures.blends));
+  }
+  if (!figures.colours.empty()) {
+    result.settings.emplace_back("colours", figures.colours);
+    result.settings.emplace_back("colour_level", figures.colour_level);
+    result.settings.emplace_back("colour_bytes", figures.colour_bytes);
+  }
   if (!figures.pictures.empty())
     result.tables.push_back(table_of<P>({.key = "pictures"}, pictures, figures.pictures));
   return result;

@@ -11,7 +11,7 @@ namespace mmverify::bench {
 
 /// A picture that a run wrote.
 struct RenderPictureFile {
-  std::string shows;  ///< "seen" or "heat"
+  std::string shows;  ///< "seen", "blended" or "heat"
   std::string file;   ///< a path from the folder that the program was called in, or an absolute one
 };
 
@@ -24,6 +24,9 @@ struct RenderFigures {
   std::uint64_t camera = 0, seed = 0, threads = 0;
   std::string embree;
   std::vector<render::MethodFigures> methods;  ///< the first is texture
+  std::vector<render::BlendFigures> blends;    ///< none where no hits blend; else the first is texture
+  std::string operation, colours;              ///< by which they blend, and whose: "faces" or "vertices"
+  std::uint64_t colour_level = 0, colour_bytes = 0;
   std::vector<RenderPictureFile> pictures;
 };
 

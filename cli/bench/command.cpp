@@ -10,6 +10,7 @@
 #include "cli/arguments.hpp"
 #include "cli/bench/baker.hpp"
 #include "cli/bench/plot.hpp"
+#include "cli/bench/shaders.hpp"
 #include "cli/bench/subject.hpp"
 #include "cli/bench/sweep.hpp"
 #include "cli/bench/tables.hpp"
@@ -126,6 +127,15 @@ int run_sweep_bench(const BenchOptions& options) {
   });
 }
 
+/// How fast a device looks up.  No topic's: a machine may have none, and all topics are one command.
+int run_shader_bench(const BenchOptions& options) {
+  if (options.topics.size() > 1) throw UsageError("bench shaders: by itself");
+  if (!options.subject.empty() || !options.scene.empty() || !options.textures.empty() || options.sweep)
+    throw UsageError("bench shaders: takes --levels, --device, --seed and --json");
+  const proofs::Levels levels = levels_or(options, {4, 12}, 12);
+  return run_table(options, [&] { return bench::shader_tables(shader_figures(options, levels)); });
+}
+
 using ChosenTopics = std::vector<const BenchTopic*>;
 
 /// The levels of each, empty where it has none.  Throws UsageError for levels and samples that do not go.
@@ -163,6 +173,13 @@ std::string names_of_topics(bool with_textures, const char* last) {
 }
 
 int run_bench(const BenchOptions& options) {
+  const bool of_shaders =
+      std::find(options.topics.begin(), options.topics.end(), "shaders") != options.topics.end();
+  if (options.device != 0 && !of_shaders) throw UsageError("--device: for bench shaders");
+  if (of_shaders) {
+    const proofs::InterruptGuard guard;
+    return run_shader_bench(options);
+  }
   ChosenTopics topics;
   const auto named = [&](const BenchTopic& topic) {
     return std::find(options.topics.begin(), options.topics.end(), topic.name) != options.topics.end();
@@ -172,8 +189,8 @@ int run_bench(const BenchOptions& options) {
   for (const std::string& topic : options.topics)
     if (std::none_of(bench_topics().begin(), bench_topics().end(),
                      [&](const BenchTopic& known) { return topic == known.name; }))
-      throw UsageError(
-          fmt::format("no topic is called '{}'; there are {}", topic, names_of_topics(false, ", ")));
+      throw UsageError(fmt::format("no topic is called '{}'; there are {}, and shaders", topic,
+                                   names_of_topics(false, ", ")));
   const auto only = [&](const char* name) {
     return topics.size() == 1 && topics.front()->name == std::string(name);
   };
@@ -203,7 +220,9 @@ Action add_bench(CLI::App& program) {
   auto* command =
       program.add_subcommand("bench", "error against run time, the fast way beside the obvious one");
   auto options = std::make_shared<BenchOptions>();
-  command->add_option("topic", options->topics, names_of_topics(false, " or ") + "; all where none is given")
+  command
+      ->add_option("topic", options->topics,
+                   names_of_topics(false, " or ") + "; all where none is given; or shaders")
       ->type_name("TOPIC");
   command
       ->add_option("--levels", options->levels,
@@ -235,6 +254,8 @@ Action add_bench(CLI::App& program) {
                     "measure sweeps of index.equals_reference instead, level by level");
   command->add_option("--threads", options->threads, "of a sweep; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
+  command->add_option("--device", options->device, "shaders: the Vulkan device, by number; 0 where not given")
+      ->check(whole_within(0, 9999));
   command->add_option("--seed", options->index.seed, "of the points")->check(fits_64_bits);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg");

@@ -21,6 +21,7 @@ struct BenchOptions {
   std::size_t maps = 0;  ///< 0: the topic's own number
   bool quiet = false, sweep = false;
   unsigned threads = 0;
+  std::uint32_t device = 0;  ///< of bench shaders
 };
 
 struct BenchTopic {

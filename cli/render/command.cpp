@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 #include "render/picture.hpp"
+#include "render/scene/colours_of.hpp"
 #include "render/scene/compare.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
@@ -32,6 +34,8 @@ using proofs::Progress;
 struct RenderOptions {
   std::string file, level = "6", picture, heat, json;
   std::vector<std::string> methods{"all"};
+  std::string blend, colours;
+  unsigned colour_level = 3;
   std::string size = "640x480";
   std::uint64_t camera = 0, seed = 1, memory = std::uint64_t{1} << 30;
   unsigned threads = 0, repeats = 1;
@@ -136,6 +140,34 @@ render::Camera camera_of(const render::World& world, const RenderOptions& option
                              : render::on_path(box, options.seed, options.camera, aspect);
 }
 
+/// The operations that give one payload in any order of hits.
+constexpr std::array<std::pair<const char*, mmverify::impl::traverse::Operation>, 3> operations{
+    {{"max", mmverify::impl::traverse::Operation::max},
+     {"min", mmverify::impl::traverse::Operation::min},
+     {"add", mmverify::impl::traverse::Operation::add}}};
+
+std::optional<mmverify::impl::traverse::Operation> wanted_operation(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  for (const auto& [known, operation] : operations)
+    if (name == known) return operation;
+  throw UsageError(fmt::format(
+      "--blend {:.40}: it is one of max, min and add, which give one payload in any order of hits", name));
+}
+
+std::optional<render::ColoursOf> wanted_colours(const RenderOptions& options) {
+  if (options.colours.empty() && options.blend.empty()) return std::nullopt;
+  if (options.colours.empty() || options.colours == "faces") return render::ColoursOf::faces;
+  if (options.colours == "vertices") return render::ColoursOf::vertices;
+  throw UsageError(fmt::format("--colours {:.40}: it is one of faces and vertices", options.colours));
+}
+
+mmverify::scene::AttributeScene attributes_of(const std::string& file) {
+  using namespace mmverify::scene;
+  if (!file.empty()) return load_attributes(file);
+  const Bytes bytes = sample_scene();
+  return load_attributes(sample_name, bytes);
+}
+
 int render_scene(const RenderOptions& options) {
   const proofs::Levels levels = parse_levels(options.level, "--level");
   if (levels.last > mmverify::scene::finest_level)
@@ -143,6 +175,8 @@ int render_scene(const RenderOptions& options) {
         fmt::format("--level {}: maps go up to level {}", options.level, mmverify::scene::finest_level));
   const std::vector<render::Method> wanted = wanted_methods(options.methods);
   const Sides sides = sides_of(options.size);
+  const auto operation = wanted_operation(options.blend);
+  const auto colours_of = wanted_colours(options);
   check_files(options);
   if (std::error_code none; std::filesystem::is_directory(options.file, none))
     throw UsageError(
@@ -183,9 +217,20 @@ int render_scene(const RenderOptions& options) {
     progress->add(count);
     if (proofs::interrupted()) throw Interrupted();
   };
+  std::optional<render::ColourMaps> colours;
+  if (colours_of) {
+    compared.begins("colours", mmverify::scene::count_triangles(scene).unique);
+    colours = render::colours_of(scene, world, attributes_of(options.file), *colours_of, options.colour_level,
+                                 options.threads, compared.done);
+  }
+  const render::ColourMaps* const of_colours = colours ? &*colours : nullptr;
+  if (operation) compared.blending = render::Blending{.operation = *operation, .colours = of_colours};
   std::optional<render::Picture> last_seen;
+  compared.blend_frame = [&](const render::BlendFigures&, const render::BlendFrame& frame) {
+    if (picture) last_seen = render::blended(world.world, frame, *compared.blending);
+  };
   compared.frame = [&](const render::MethodFigures& figures, const render::Frame& frame) {
-    if (picture) last_seen = render::seen(world.world, frame);
+    if (picture && !operation) last_seen = render::seen(world.world, frame, of_colours);
     if (heat_file && heat_maps.fit(sides.height)) heat_maps.add(figures, frame);
   };
   bench::RenderFigures figures;
@@ -197,6 +242,7 @@ int render_scene(const RenderOptions& options) {
                  "render: maps of level {} would take {} bytes, more than --memory; left out from here on\n",
                  *all.first_left_out, grouped(all.wanted_bytes));
     figures.methods = all.methods;
+    figures.blends = all.blends;
   } catch (const std::invalid_argument& error) {
     throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
   }
@@ -214,9 +260,15 @@ int render_scene(const RenderOptions& options) {
   figures.seed = options.seed;
   figures.threads = options.threads;
   figures.embree = render::embree_text();
+  figures.operation = options.blend;
+  if (colours) {
+    figures.colours = *colours_of == render::ColoursOf::faces ? "faces" : "vertices";
+    figures.colour_level = options.colour_level;
+    figures.colour_bytes = colours->bytes();
+  }
   if (picture) {
     commit(*picture, *last_seen);
-    figures.pictures.push_back({"seen", options.picture});
+    figures.pictures.push_back({operation ? "blended" : "seen", options.picture});
   }
   if (heat_file) {
     commit(*heat_file, heat_maps.beside_each_other());
@@ -228,6 +280,8 @@ int render_scene(const RenderOptions& options) {
   if (options.json == "-") fmt::print("{}", result_json(result));
   for (const render::MethodFigures& m : figures.methods)
     if (m.differing != 0) return failed;
+  for (const render::BlendFigures& b : figures.blends)
+    if (b.differing != 0) return failed;
   return complete;
 }
 
@@ -248,6 +302,17 @@ Action add_render(CLI::App& program) {
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
+  command
+      ->add_option("--blend", options->blend,
+                   "hits on surfaces blend their colours into the ray's payload as well: max, min or add")
+      ->type_name("OPERATION");
+  command
+      ->add_option(
+          "--colours", options->colours,
+          "draw base colours from attribute micromaps, of faces or vertices; --blend without it: faces")
+      ->type_name("faces|vertices");
+  command->add_option("--colour-level", options->colour_level, "of these maps; 3 where not given")
+      ->check(whole_within(0, 8));
   command->add_option("-o,--output", options->picture, "write the picture, of the last method")
       ->type_name("FILE.png");
   command

@@ -17,5 +17,7 @@ std::vector<Law> blend_laws();
 std::vector<Law> order_laws();
 /// What rays see, micromaps asked or not.
 std::vector<Law> image_laws();
+/// What hits that blend leave in a payload, along the same rays.
+std::vector<Law> payload_laws();
 
 }  // namespace mmverify::proofs::traverse

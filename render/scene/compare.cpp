@@ -105,6 +105,35 @@ class Comparison {
     const double texture = compared_.methods.front().cpu_seconds;
     compared_.methods.back().times_texture = texture > 0 ? figures.cpu_seconds / texture : 0;
     if (options_.frame) options_.frame(compared_.methods.back(), frame);
+    if (!options_.blending) return;
+    add_blends(figures, BlendedBy::shader, opacity);
+    if (opacity != nullptr) add_blends(figures, BlendedBy::fixed, opacity);
+  }
+
+  void add_blends(const MethodFigures& of, BlendedBy by, const Opacity* opacity) {
+    BlendFigures figures{.method = of.method, .level = of.level, .by = by};
+    Blending blending = *options_.blending;
+    blending.by = by;
+    TraceOptions trace = options_.trace;
+    trace.done = options_.done;
+    BlendFrame frame;
+    for (unsigned k = 0; k < std::max(1u, options_.repeats); ++k) {
+      begins(std::string(name_of(of.method)) + ", blending", std::uint64_t{trace.width} * trace.height);
+      frame = tracer_.blend_frame(camera_, opacity, blending, trace);
+      figures.seconds = k == 0 ? frame.seconds : std::min(figures.seconds, frame.seconds);
+      figures.cpu_seconds = k == 0 ? frame.cpu_seconds : std::min(figures.cpu_seconds, frame.cpu_seconds);
+    }
+    figures.counts = frame.counts;
+    if (compared_.blends.empty()) blended_texture_ = frame;
+    figures.differing = differing(blended_texture_, frame);
+    figures.spoiled = spoiled_as_met(frame);
+    compared_.blends.push_back(figures);
+    const BlendFigures& texture = compared_.blends.front();
+    BlendFigures& last = compared_.blends.back();
+    if (texture.counts.shader > 0)
+      last.saved = 1 - static_cast<double>(last.counts.shader) / static_cast<double>(texture.counts.shader);
+    if (texture.cpu_seconds > 0) last.times_texture = last.cpu_seconds / texture.cpu_seconds;
+    if (options_.blend_frame) options_.blend_frame(last, frame);
   }
 
   const scene::Scene& scene_;
@@ -114,6 +143,7 @@ class Comparison {
   const Camera& camera_;
   const CompareOptions& options_;
   Frame texture_;
+  BlendFrame blended_texture_;
   Compared compared_;
 };
 

@@ -26,6 +26,20 @@ struct MethodFigures {
   std::optional<double> even = {};  ///< the share that even rays met: see Tracer::even_rays()
 };
 
+/// Of hits that blend, by one method at one level.
+struct BlendFigures {
+  Method method = Method::texture;
+  std::optional<unsigned> level = {};
+  BlendedBy by = BlendedBy::shader;
+  Counts counts = {};           ///< opaque: blended by a fixed function
+  std::uint64_t differing = 0;  ///< pixels whose payload or accepted hit is not the texture's
+  std::uint64_t spoiled =
+      0;  ///< pixels whose payload would be another one, were hits blended as they are met
+  double seconds = 0, cpu_seconds = 0;
+  double saved = 0;          ///< the share of any-hit calls, of those that the texture alone makes
+  double times_texture = 0;  ///< cpu_seconds, those of the texture's row being 1
+};
+
 struct CompareOptions {
   unsigned first = 6, last = 6;
   std::vector<Method> wanted = {};  ///< besides texture, which comes first
@@ -38,10 +52,15 @@ struct CompareOptions {
   std::function<void(std::uint64_t)> done = {};
   /// Told of each frame.
   std::function<void(const MethodFigures&, const Frame&)> frame = {};
+  /// Frames of hits that blend as well; of whom blends, the rows say.
+  std::optional<Blending> blending = {};
+  std::function<void(const BlendFigures&, const BlendFrame&)> blend_frame = {};
 };
 
 struct Compared {
   std::vector<MethodFigures> methods;
+  std::vector<BlendFigures>
+      blends;  ///< by method, the shader before fixed functions; the texture has the shader
   std::optional<unsigned> first_left_out;  ///< the level whose maps would take more than the memory
   std::uint64_t wanted_bytes = 0;          ///< that it would
 };

@@ -38,7 +38,9 @@ function picture(report: Report, file: number, run: Rendered): (HTMLElement | nu
     const words =
       p.shows === "heat"
         ? "Any-hit calls of each pixel's primary and shadow ray, method by method: dark blue where none was called; the scale is below"
-        : "What the rays see: each material in a colour of its own";
+        : p.shows === "blended"
+          ? "What the rays see where hits blend their colours, and end on nothing but what has no alpha to test"
+          : "What the rays see: each material in a colour of its own, or in its attribute micromaps";
     if (found?.png === undefined) return el("p", { class: "note" }, `The picture ${p.file} is not here: ${found?.why ?? "no reason known"}.`);
     return el(
       "figure",

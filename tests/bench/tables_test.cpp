@@ -16,6 +16,7 @@
 #include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/render_tables.hpp"
 #include "bench/scene/tables.hpp"
+#include "bench/shaders/tables.hpp"
 #include "bench/subject/tables.hpp"
 #include "bench/sweep/tables.hpp"
 #include "bench/tree/tables.hpp"
@@ -76,6 +77,10 @@ std::vector<Result> all_results() {
   rendered.methods.resize(1);
   rendered.methods[0].level = 2;
   rendered.methods[0].predicted = rendered.methods[0].even = 0.5;
+  rendered.blends.resize(1);
+  rendered.blends[0].level = 2;
+  rendered.operation = "max";
+  rendered.colours = "faces";
   rendered.pictures = {{"heat", "heat.png"}};
   return {index_tables({index}, {}),
           tree_tables({TreeFigures{}}, {}),
@@ -84,6 +89,7 @@ std::vector<Result> all_results() {
           attribute_tables(maps, {}),
           sweep_tables({}),
           subject_tables({}),
+          shader_tables({.about = {{"device", "a test's"}}, .rows = {{"index", 4, 1, 1, 0}}}),
           scene_bake_tables({}, {}),
           baker_tables({"b", "f", {{}}}),
           render_tables(rendered),

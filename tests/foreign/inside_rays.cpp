@@ -1,8 +1,10 @@
-// Topic traverse, what rays ask: states of the sample world's flat maps, found by halving the triangle.
+// Topic traverse, what rays ask: states of the sample world's flat maps, found by halving the triangle, and what hits
+// blend to.
 // Source: Succinct Opacity Micromaps, 4.3; Vulkan, the table of special indices.
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "proofs/traverse/rays/sample_world.hpp"
@@ -73,6 +75,42 @@ std::optional<State> look(const Looks& asks, Wrong wrong) {
   return static_cast<State>(state);
 }
 
+enum class WronglyBlended { nothing, all_that_were_met, one_alone, above_255, without_alpha };
+
+/// Channel by channel: what lies before the accepted hit, by the operation's own words.
+spec::traverse::Colour gather(Operation o, spec::traverse::Colour payload, std::span<const Hit> hits,
+                              WronglyBlended wrong) {
+  std::uint32_t end = 0xffffffff, blended = 0;
+  for (const Hit& h : hits)
+    if (h.accepted && wrong != WronglyBlended::all_that_were_met && h.distance < end) end = h.distance;
+  for (const Hit& h : hits) {
+    if (h.accepted || h.distance >= end) continue;
+    if (++blended > 1 && wrong == WronglyBlended::one_alone) break;
+    for (std::size_t c = 0; c < (wrong == WronglyBlended::without_alpha ? 3u : 4u); ++c) {
+      std::uint32_t& p = payload[c];
+      const std::uint32_t v = h.value[c];
+      if (o == Operation::add)
+        p = wrong == WronglyBlended::above_255 ? (p + v) % 256 : p + v > 255 ? 255 : p + v;
+      else if ((v > p) == (o == Operation::max))
+        p = v;
+    }
+  }
+  return payload;
+}
+
+InsideFault row(WronglyBlended wrong, const char* name, const char* what) {
+  Functions functions;
+  functions.look = [](const Looks& asks) { return look(asks, Wrong::nothing); };
+  functions.gather = [wrong](Operation o, const spec::traverse::Colour& payload, std::span<const Hit> hits) {
+    return gather(o, payload, hits, wrong);
+  };
+  return {"traverse.same_payload",
+          name,
+          what,
+          std::make_shared<TraverseSubject>(name, "of another hand", std::move(functions)),
+          {0, 0}};
+}
+
 InsideFault row(Wrong wrong, const char* name, const char* what) {
   Functions functions;
   functions.look = [wrong](const Looks& asks) { return look(asks, wrong); };
@@ -95,12 +133,17 @@ InsideRows inside_faults_of_rays() {
           "each triangle but the first has the map before its own"),
       row(Wrong::middle_is_not_turned, "middle_is_not_turned", "the middle child is not turned"),
       row(Wrong::specials_from_zero, "specials_from_zero", "special indices are counted from -2 on"),
+      row(WronglyBlended::all_that_were_met, "all_that_were_met",
+          "hits behind the accepted one stay blended"),
+      row(WronglyBlended::one_alone, "one_alone", "the first hit met is blended alone"),
+      row(WronglyBlended::above_255, "above_255", "sums above 255 begin anew"),
+      row(WronglyBlended::without_alpha, "blended_without_alpha", "alpha is not blended"),
   };
 }
 
 InsideRows inside_right_of_rays() {
   if (!render::has_embree()) return {};
-  return {row(Wrong::nothing, "by_halving", "")};
+  return {row(Wrong::nothing, "by_halving", ""), row(WronglyBlended::nothing, "by_halving_and_channels", "")};
 }
 
 }  // namespace mmverify::tests::foreign

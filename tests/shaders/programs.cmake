@@ -18,10 +18,16 @@ if(TARGET mmverify-shaders)
     set_tests_properties(shader_program_test PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED.*level_of_detail")
   endif()
 
+  mmverify_add_test(shader_frame_test mmverify::shaders mmverify::device mmverify::scene_render)
+  target_compile_definitions(shader_frame_test PRIVATE MMVERIFY_ROOT="${PROJECT_SOURCE_DIR}")
+  if(TEST shader_frame_test)
+    set_tests_properties(shader_frame_test PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED.*shades_every_hit")
+  endif()
+
   # The figures of docs/SHADERS.md.
   add_executable(shader_figures EXCLUDE_FROM_ALL shaders/shader_figures.cpp)
   target_link_libraries(shader_figures PRIVATE mmverify::proofs mmverify::impl mmverify::shaders mmverify::device fmt::fmt)
   target_compile_definitions(shader_figures PRIVATE MMVERIFY_ROOT="${PROJECT_SOURCE_DIR}")
 else()
-  set_property(DIRECTORY APPEND PROPERTY tests_of_a_line shader_program_test)
+  set_property(DIRECTORY APPEND PROPERTY tests_of_a_line shader_program_test shader_frame_test)
 endif()

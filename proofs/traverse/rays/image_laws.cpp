@@ -1,12 +1,10 @@
 // Rays through a world, its micromaps asked in every form: what is seen is what the texture alone decides.
-#include <bit>
-#include <charconv>
-
 #include "impl/index/index.hpp"
 #include "proofs/spoils.hpp"
 #include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"
 #include "proofs/traverse/rays/sample_world.hpp"
+#include "proofs/traverse/rays/seen_by.hpp"
 
 namespace mmverify::proofs::traverse {
 namespace {
@@ -14,106 +12,7 @@ namespace {
 using render::Barycentrics;
 using render::Method;
 
-constexpr std::uint32_t picture_width = 32, picture_height = 24;
-
-/// A method's maps at a level; square maps have one.
-struct Form {
-  Method method = Method::flat;
-  unsigned level = 0;
-};
-
-const std::vector<Form>& forms() {
-  static const std::vector<Form> all = [] {
-    std::vector<Form> f;
-    for (const Method method : render::methods) {
-      if (method == Method::texture) continue;
-      for (unsigned level = 0; level <= (render::has_levels(method) ? finest_sample_level : 0); ++level)
-        f.push_back({method, level});
-    }
-    return f;
-  }();
-  return all;
-}
-
-/// A pixel of a camera of a random path, by one form.
-struct SeenBy {
-  std::uint64_t seed = 1, camera = 1;
-  std::uint32_t x = 0, y = 0;
-  Form form;
-};
-
 std::uint64_t cameras(const Run& run) { return run.tier == Tier::fast ? 10 : 500; }
-
-std::uint64_t case_count(Level, const Run& run) {
-  return cameras(run) * picture_width * picture_height * forms().size();
-}
-
-SeenBy numbered(std::uint64_t k, const Run& run) {
-  SeenBy c;
-  c.seed = run.seed;
-  c.form = forms()[k % forms().size()];
-  k /= forms().size();
-  c.x = static_cast<std::uint32_t>(k % picture_width);
-  c.y = static_cast<std::uint32_t>(k / picture_width % picture_height);
-  c.camera = 1 + k / (picture_width * picture_height);
-  return c;
-}
-
-std::string text_of(const SeenBy& c) {
-  return fmt::format("seed={},camera={},x={},y={},{},level={}", c.seed, c.camera, c.x, c.y,
-                     render::name_of(c.form.method), c.form.level);
-}
-
-/// The number after `name` at the start of `rest`, which loses it and what ends it.
-std::uint64_t number_in(std::string_view& rest, std::string_view name, std::string_view all) {
-  const auto bad = [&] {
-    return BadCase(fmt::format("'{:.100}': write seed=S,camera=C,x=X,y=Y,METHOD,level=N", all));
-  };
-  if (!rest.starts_with(name)) throw bad();
-  rest.remove_prefix(name.size());
-  std::uint64_t n = 0;
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), n);
-  if (error != std::errc()) throw bad();
-  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-  if (!rest.empty() && rest.front() != ',') throw bad();
-  if (!rest.empty()) rest.remove_prefix(1);
-  return n;
-}
-
-SeenBy read(const std::string& at) {
-  std::string_view rest = at;
-  SeenBy c;
-  c.seed = number_in(rest, "seed=", at);
-  c.camera = number_in(rest, "camera=", at);
-  const std::uint64_t x = number_in(rest, "x=", at), y = number_in(rest, "y=", at);
-  const auto comma = std::min(rest.find(','), rest.size());
-  const auto method = render::method_of(rest.substr(0, comma));
-  rest.remove_prefix(std::min(comma + 1, rest.size()));
-  const std::uint64_t level = number_in(rest, "level=", at);
-  if (x >= picture_width || y >= picture_height || !method || *method == Method::texture || !rest.empty() ||
-      level > (render::has_levels(*method) ? finest_sample_level : 0))
-    throw BadCase(fmt::format("'{:.100}': no such pixel, method or level", at));
-  c.x = static_cast<std::uint32_t>(x);
-  c.y = static_cast<std::uint32_t>(y);
-  c.form = {*method, static_cast<unsigned>(level)};
-  return c;
-}
-
-/// The subject, asked as a ray tracer asks.
-class Looked final : public render::Opacity {
- public:
-  Looked(const TraverseSubject& subject, const Form& form) : subject_(subject), form_(form) {}
-  std::optional<impl::micromap::State> at(std::uint32_t geometry, std::uint32_t triangle,
-                                          const Barycentrics& b) const override {
-    const auto state = subject_.functions.look({form_.method, form_.level, geometry, triangle, b});
-    return state ? std::optional(static_cast<impl::micromap::State>(*state)) : std::nullopt;
-  }
-  std::uint64_t bytes() const override { return 0; }
-
- private:
-  const TraverseSubject& subject_;
-  const Form form_;
-};
 
 std::string text_of(const render::Pixel& p) {
   if (!p.primary.hit()) return "nothing";
@@ -124,7 +23,7 @@ std::string text_of(const render::Pixel& p) {
 Finding check(const TraverseSubject& s, const SeenBy& c) {
   const SampleWorld& sample = SampleWorld::get();
   const render::TraceOptions options{.width = picture_width, .height = picture_height};
-  const render::Camera camera = render::on_path(sample.box(), c.seed, c.camera, 4.0f / 3);
+  const render::Camera camera = c.seen_from();
   const Looked looked(s, c.form);
   const render::Pixel by_texture = sample.tracer().pixel(camera, nullptr, options, c.x, c.y),
                       by_maps = sample.tracer().pixel(camera, &looked, options, c.x, c.y);
@@ -185,47 +84,42 @@ std::vector<Law> image_laws() {
                 "a shadow ray each, by {} forms of its maps",
                 picture_width, picture_height, forms().size());
           },
-      .unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
-        if (auto why = needing({entry::look})(s, n)) return why;
-        if (!render::has_embree()) return render::embree_text();
-        return std::nullopt;
-      },
-      .mutants =
-          {
-              mutant("unknown states are opaque", "traverse", answering([](const Asks&, Answer& a) {
-                       if (a && (*a == State::UT || *a == State::UO)) a = State::O;
-                     })),
-              mutant("special indices lose their sign: -1 is O, -2 is T", "traverse",
-                     answering([](const Asks& asks, Answer& a) {
-                       if (asks.method == Method::special && a && (*a == State::T || *a == State::O))
-                         a = *a == State::T ? State::O : State::T;
-                     })),
-              mutant("at level 5 the index is that of level 4", "traverse", asking([](Asks& asks) {
-                       if (asks.method == Method::ranked && asks.level == 5)
-                         asks.at = middle_of(impl::index::from_barycentrics(asks.at.u, asks.at.v, 4), 5);
-                     })),
-              mutant("barycentrics are rounded to 4 bits", "traverse", asking([](Asks& asks) {
-                       const auto rounded = [](float x) {
-                         return static_cast<float>(static_cast<int>(x * 16 + 0.5f)) / 16;
-                       };
-                       asks.at = render::in_triangle(rounded(asks.at.u), rounded(asks.at.v));
-                     })),
-              mutant("u and v are exchanged", "traverse", asking([](Asks& asks) {
-                       if (asks.method == Method::tree) std::swap(asks.at.u, asks.at.v);
-                     })),
-              mutant("the upper half of a square map is not turned", "traverse", asking([](Asks& asks) {
-                       if (asks.method == Method::vq4 && asks.triangle % 2 == 1)
-                         asks.at = render::in_triangle(1 - asks.at.u, 1 - asks.at.v);
-                     })),
-          }};
+      .unfit = needing_rays({entry::look}),
+      .mutants = {
+          mutant("unknown states are opaque", "traverse", answering([](const Asks&, Answer& a) {
+                   if (a && (*a == State::UT || *a == State::UO)) a = State::O;
+                 })),
+          mutant("special indices lose their sign: -1 is O, -2 is T", "traverse",
+                 answering([](const Asks& asks, Answer& a) {
+                   if (asks.method == Method::special && a && (*a == State::T || *a == State::O))
+                     a = *a == State::T ? State::O : State::T;
+                 })),
+          mutant("at level 5 the index is that of level 4", "traverse", asking([](Asks& asks) {
+                   if (asks.method == Method::ranked && asks.level == 5)
+                     asks.at = middle_of(impl::index::from_barycentrics(asks.at.u, asks.at.v, 4), 5);
+                 })),
+          mutant("barycentrics are rounded to 4 bits", "traverse", asking([](Asks& asks) {
+                   const auto rounded = [](float x) {
+                     return static_cast<float>(static_cast<int>(x * 16 + 0.5f)) / 16;
+                   };
+                   asks.at = render::in_triangle(rounded(asks.at.u), rounded(asks.at.v));
+                 })),
+          mutant("u and v are exchanged", "traverse", asking([](Asks& asks) {
+                   if (asks.method == Method::tree) std::swap(asks.at.u, asks.at.v);
+                 })),
+          mutant("the upper half of a square map is not turned", "traverse", asking([](Asks& asks) {
+                   if (asks.method == Method::vq4 && asks.triangle % 2 == 1)
+                     asks.at = render::in_triangle(1 - asks.at.u, 1 - asks.at.v);
+                 })),
+      }};
   return {on_numbered_cases(
       std::move(law),
-      {case_count,
+      {[](Level, const Run& run) { return cameras(run) * pixels_by_forms(); },
        [](const Subject& s, Level, std::uint64_t k, const Run& run) {
          return check(of_traverse(s), numbered(k, run));
        },
        [](const Subject&, Level, std::uint64_t k, const Run& run) { return text_of(numbered(k, run)); },
-       [](const Subject& s, Level, const std::string& at) { return check(of_traverse(s), read(at)); },
+       [](const Subject& s, Level, const std::string& at) { return check(of_traverse(s), read_seen_by(at)); },
        picture_width * forms().size(), Kind::interior})};
 }
 

@@ -64,6 +64,7 @@ SampleWorld::SampleWorld() {
   add_textures();
   add_cards();
   add_maps();
+  add_colours();
 }
 
 void SampleWorld::add_textures() {
@@ -140,6 +141,8 @@ void SampleWorld::add_cards() {
   Geometry& ground = world_.geometries[3];
   add(ground, {{{-4, -1.4f, -4}, {4, -1.4f, -4}, {4, -1.4f, 4}, {-4, -1.4f, 4}}}, {},
       {{{0, 1, 2}, {2, 3, 0}}});
+  // Among the cards, so that some lie behind what is opaque, and may be met before it.
+  for (int k = 0; k < 4; ++k) add(ground, card(numbers, 0.3f), {}, {{{0, 1, 2}, {2, 3, 0}}});
   world_.meshes = {{0, 1, 2}, {3}, {0, 2}};
   world_.instances.push_back({0});
   world_.instances.push_back({1});
@@ -176,6 +179,19 @@ void SampleWorld::add_maps() {
                          : level == 0                      ? render::opacity_of(method, squares_)
                                                            : nullptr);
     maps_.push_back(std::move(maps));
+  }
+}
+
+void SampleWorld::add_colours() {
+  std::uint64_t number = 0;
+  for (std::uint32_t g = 0; g < 3; ++g) {
+    std::vector<std::uint32_t> maps;
+    for (std::size_t t = 0; t < world_.geometries[g].triangles.size(); ++t) {
+      std::array<std::uint32_t, 16> map{};
+      for (std::uint32_t& value : map) value = static_cast<std::uint32_t>(render::mixed(++number));
+      maps.push_back(colours_.add(map));
+    }
+    colours_.give(g, std::move(maps));
   }
 }
 

@@ -1,10 +1,12 @@
-// A small world of our own for rays: cards of leaves, tiles and glass around a point, above an opaque ground.
+// A small world of our own for rays: cards of leaves, tiles, glass and wood around a point, above an opaque
+// ground.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "render/attribute/colour_maps.hpp"
 #include "render/camera.hpp"
 #include "render/opacity.hpp"
 #include "render/tracer.hpp"
@@ -24,6 +26,8 @@ class SampleWorld {
   /// What a method reads at a level; null: texture.  Domain: level up to finest_sample_level.
   const render::Opacity* opacity(render::Method method, unsigned level) const;
   const render::Micromaps& micromaps(unsigned level) const { return *maps_.at(level); }
+  /// Maps of faces of level 2, of four codes that a mixing function makes, for the cards.
+  const render::ColourMaps& colours() const { return colours_; }
   const render::World& world() const { return world_; }
   /// Built by the first who asks.  Errors: as of render::Tracer.
   const render::Tracer& tracer() const;
@@ -36,10 +40,12 @@ class SampleWorld {
   void add_textures();
   void add_cards();
   void add_maps();
+  void add_colours();
 
   std::vector<std::uint8_t> disc_, gradient_;
   std::vector<std::uint16_t> tiles_;
   render::World world_;
+  render::ColourMaps colours_{render::ColoursOf::faces, 2, 4};
   render::Box box_;
   render::Squares squares_;
   std::vector<std::unique_ptr<const render::Micromaps>> maps_;                  ///< by level

@@ -1,0 +1,12 @@
+// mmverify bench shaders.
+#pragma once
+
+#include "bench/shaders/tables.hpp"
+#include "cli/bench/topics.hpp"
+
+namespace mmverify::cli {
+
+/// Errors: EnvironmentError where nothing here compiles shaders or runs them.
+bench::ShaderFigures shader_figures(const BenchOptions& options, const proofs::Levels& levels);
+
+}  // namespace mmverify::cli
