@@ -7,7 +7,7 @@ if(TARGET mmverify-shaders)
   install(TARGETS mmverify-shaders LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/mmverify)
 endif()
 install(DIRECTORY shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/mmverify FILES_MATCHING PATTERN *.glsl PATTERN *.rchit
-  PATTERN compile EXCLUDE PATTERN device EXCLUDE)
+  PATTERN compile EXCLUDE PATTERN device EXCLUDE PATTERN speed EXCLUDE)
 install(TARGETS mmverify_impl EXPORT mmverify ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 file(STRINGS cmake/public_headers.txt public_headers REGEX "^[^#]")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt)

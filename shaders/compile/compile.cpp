@@ -133,7 +133,10 @@ class Compiler {
   std::string printed_by(const std::vector<std::string>& words, const std::string& source) const {
     const Ran ran = run_program(words);
     if (!ran.found) {
-      if (language_ == Language::slang) throw NotAvailable("Slang is not available here: no slangc");
+      if (language_ == Language::slang)
+        throw NotAvailable(
+            "Slang is not available here: no slangc in PATH, which compiles it; Debian has none, "
+            "https://github.com/shader-slang/slang/releases has");
       throw NotAvailable("no glslangValidator (Debian: glslang-tools), which compiles GLSL and HLSL");
     }
     if (ran.exit_code != 0) throw BadShader(message(ran.printed, source, file_));

@@ -163,7 +163,8 @@ TEST_F(ShaderFile, in_slang_is_not_judged_where_no_compiler_is) {
   const Outcome o = judge(write(folder_, "mine.slang", right));
   EXPECT_EQ(o.exit_code, 2) << o.err;
   EXPECT_THAT(o.out, HasSubstr("n/a        index.in_range"));
-  EXPECT_THAT(o.out, HasSubstr("Slang is not available here"));
+  EXPECT_THAT(o.out, HasSubstr("Slang is not available here: no slangc in PATH"));
+  EXPECT_THAT(o.out, HasSubstr("https://github.com/shader-slang/slang/releases"));
 }
 
 TEST_F(ShaderFile, without_a_device_is_not_applicable) {
