@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/index/floats/published.hpp"
 #include "proofs/induction/discharge.hpp"
 #include "proofs/tree/subject.hpp"
 #include "tests/foreign/inside.hpp"
@@ -167,6 +168,34 @@ InsideFault proof(const char* law, const char* name, const char* wrong, Statemen
   return {law, name, wrong, std::move(subject), {0, 0}};
 }
 
+/// The published code by another hand, whose set the law is about, whatever its statements say.
+class PublishedProof : public proofs::index::IndexSubject, public Provable {
+ public:
+  PublishedProof(const char* name, Statements statements)
+      : IndexSubject(name, "by another hand", functions()), statements_(std::move(statements)) {}
+  Statements statements() const override { return statements_; }
+
+ private:
+  static proofs::index::Functions functions() {
+    proofs::index::Functions f = functions_of_the_curve();
+    f.arithmetic = proofs::index::Arithmetic::binary32;
+    f.index_floats = [](Level n, proofs::index::FloatBatch batch, std::span<std::uint32_t> out) {
+      for (std::size_t t = 0; t < out.size(); ++t)
+        out[t] = proofs::index::published(n, batch.u[t], batch.v[t]);
+    };
+    return f;
+  }
+  const Statements statements_;
+};
+
+InsideFault published_proof(const char* name, const char* wrong, Statements statements) {
+  return {"index.published_differs_where",
+          name,
+          wrong,
+          std::make_shared<PublishedProof>(name, std::move(statements)),
+          {0, 0}};
+}
+
 }  // namespace
 
 std::vector<InsideFault> inside_right_of_provers() {
@@ -174,6 +203,7 @@ std::vector<InsideFault> inside_right_of_provers() {
           proof("index.wide_is_vulkan", "shipped", "", shipped("index/wide_is_vulkan")),
           proof("index.impl_wide_is_wide", "shipped", "", shipped("index/impl_wide_is_wide")),
           proof("index.floats", "shipped", "", shipped("index/floats")),
+          published_proof("shipped", "", shipped("index/published_differs_where")),
           proof("tree.all_levels", "shipped", "", shipped("tree/all_levels"))};
 }
 
@@ -223,6 +253,17 @@ std::vector<InsideFault> inside_faults_of_provers() {
   add("v_without_bound", "iv may be any word", "lanes_square", "(assert (bvule iv N))\n", "");
   add("not_vacuous_of_nothing", "the witness of the carry is sought where there is none", "witness_carry",
       "(assert (bvult uf_bits (_ bv1065353216 32)))", "(assert (bvult uf_bits (_ bv0 32)))");
+
+  folder = "index/published_differs_where";
+  const auto add_published = [&](const char* name, const char* wrong, const char* statement,
+                                 const char* before, const char* after) {
+    all.push_back(published_proof(name, wrong, altered(folder, statement, before, after)));
+  };
+  add_published("hair_of_24_bits", "the set begins at 1 - 2^-24", "square", "(_ bv124 184)", "(_ bv125 184)");
+  add_published("halves_of_last_square", "the halves differ in the squares at the hypotenuse as well",
+                "halves", "(bvult (bvadd iu iv) low)", "(bvule (bvadd iu iv) low)");
+  add_published("whole_part_up", "the whole part is rounded up", "parts", "((_ fp.to_ubv 32) RTZ",
+                "((_ fp.to_ubv 32) RTP");
 
   law = "tree.all_levels", folder = "tree/all_levels";
   add("three_children", "bitscan counts three subtrees below an internal node", "skip_node", "(- (+ c 4) 1)",

@@ -1,4 +1,4 @@
-// index.floats: impl's index of every pair of binary32 numbers is that of the exact reference.
+// index.floats and index.published_differs_where: what is proved of every pair of binary32 numbers.
 #pragma once
 
 #include "proofs/index/subject.hpp"
@@ -8,10 +8,14 @@ namespace mmverify::proofs::index::binary32 {
 
 /// The statements as they ship.
 std::vector<proofs::induction::Statement> shipped();
+std::vector<proofs::induction::Statement> shipped_published();
 
+/// impl's index is that of the exact reference.
 Law law();
+/// Where the published code's is not.
+Law published_law();
 
-/// Codes with one step wrong, each in an arithmetic that looks right.
+/// For the first: codes with one step wrong, each in an arithmetic that looks right.
 std::vector<Mutant> mutants();
 
 }  // namespace mmverify::proofs::index::binary32
