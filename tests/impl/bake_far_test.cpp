@@ -134,7 +134,7 @@ unsigned codes_of(const TriangleBaker& baker, const BaseTriangle& uv, std::uint3
     codes |= 1u << (map[k / 4] >> (2 * (k % 4)) & 3);
   return codes;
 }
-constexpr unsigned T = 1, O = 2, UT = 4;
+constexpr unsigned T = 1, UT = 4;
 
 /// A footprint of 2^33 texels a side.  Cell by cell, each of these would take hours: that it ends is what is tested.
 TEST(ImplBakeFarTime, BesideALargeTextureIsOneRegion) {

@@ -19,6 +19,12 @@
 // Nearest: row j of texels is met where P comes below j + 1 and not only above it; of P's part with j <= y <
 // j + 1, the texels from floor(inf x) to floor(sup x), less the last where sup x is whole and not attained.
 //
+// Far away.  Beyond the end of an axis (impl/bake/texture/wrap.hpp, Extent) alpha does not depend on it.  Bilinear, what P
+// bears there it bears on its edges, and of these at their ends, where they cross the end itself and the lines of the
+// other axis: nothing else is looked at there, and of a line that repeats one period.  Nearest, all rows there are one,
+// and what P meets of it is one run, P being convex.  Edges whose texels come again after a while are cut off there
+// (Closing), and of rows alike no more are taken than a period has (each_row()).
+//
 // Bits.  With P bits for S and for coordinates from a cell near by, and g bits for heights and their sums,
 //   a corner    (G S + G f) S           2P + g + 2
 //   a crossing  S dy G + r G            2P + g + 1
