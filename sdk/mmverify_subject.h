@@ -277,7 +277,10 @@ typedef struct mmverify_subject {
    * docs/VQ.md.
    *   - Every block is one. A decoder writes the whole map; `region` gives the states at (x[k], y[k]), each
    *     below 16 or 32.
-   *   - An encoder takes every map, O beside T included, and writes a whole block; one map has one block.
+   *   - An encoder takes every map, O beside T included, and writes a whole block; one map has one block. It promises that
+   *     what it writes is conservative: T and O stay or become C, and C stays. How much it keeps it promises with
+   *     MMVERIFY_VQ_KEEPS alone: then a map that some block holds whole is held whole, however few of the entries it
+   *     needs. Without that flag nothing is asked of how much is kept.
    *   - Each stands alone: what the block of an encoder means is found by the specification.
    */
   void (*vq2_decode)(const uint8_t* block, uint8_t* map);

@@ -94,8 +94,9 @@ class TriangleBaker {
   /// The 4-state map, packed (impl/micromap/micromap.hpp), in the order of impl/index/index.hpp.
   /// Domain: coordinates finite and below 2^20 in size, in any order, on a line or in a point as well; level
   /// in 0..max_bake_level; map.size() = ceil(4^level / 4).
-  /// Time: that of the micro-triangles that meet texels of both sides; for one that spans very many texels,
-  /// at worst that of the rows and of the cells along its edges. Errors: std::invalid_argument where that
+  /// Time: that of the micro-triangles that meet texels of both sides; of one of these, at worst that of the texture's
+  /// texels and of the repeats of it that its edges cross, where they do not come back to where they were.  What
+  /// addressing makes one texel, or one row, of is taken as one, however far it goes. Errors: std::invalid_argument where that
   /// does not hold; nothing is written.
   BakeCounts bake(const BaseTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map) const;
 

@@ -19,6 +19,12 @@ constexpr int bit_width(Int128 a) noexcept {
                    : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(a)));
 }
 
+/// Of a number that is not below 0, its first 64 bits, the highest of them set unless it is 0.
+constexpr std::uint64_t leading(Int128 a) noexcept {
+  const int shift = 128 - bit_width(a);
+  return shift == 128 ? 0 : static_cast<std::uint64_t>(static_cast<Unsigned128>(a) << shift >> 64);
+}
+
 /// Two's complement in 64 `limbs` bits; the caller sees to it that nothing overflows.
 template <std::size_t limbs>
 class Wide {
@@ -75,6 +81,15 @@ class Wide {
     std::size_t k = limbs;
     while (k > 0 && a.limb_[k - 1] == 0) --k;
     return k == 0 ? 0 : static_cast<int>(64 * (k - 1)) + static_cast<int>(std::bit_width(a.limb_[k - 1]));
+  }
+
+  /// Of a number that is not below 0, its first 64 bits, the highest of them set unless it is 0.
+  friend constexpr std::uint64_t leading(const Wide& a) noexcept {
+    std::size_t k = limbs;
+    while (k > 0 && a.limb_[k - 1] == 0) --k;
+    if (k == 0) return 0;
+    const int shift = std::countl_zero(a.limb_[k - 1]);
+    return a.limb_[k - 1] << shift | (shift == 0 || k == 1 ? 0 : a.limb_[k - 2] >> (64 - shift));
   }
 
   constexpr bool negative() const noexcept { return limb_[limbs - 1] >> 63 != 0; }

@@ -33,6 +33,10 @@ struct Batches {
   /// What is wrong with one that is.
   std::function<Words(const AttributeSubject&, Level, std::size_t setting, const Element&)> words;
   Kind kind;  ///< that all are counted by, unless an element has its own
+  /// The elements numbered from `first` on where they are drawn; empty: all of a level, by their numbers.
+  std::function<void(Level, std::uint64_t first, std::span<Element>, std::uint64_t seed)> draw = {};
+  /// How many are drawn.
+  std::function<std::uint64_t(Level, const Run&)> drawn = {};
 };
 
 /// The kind that an element is counted by.
@@ -71,10 +75,13 @@ Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
   law.divisible = true;
   if (!law.how)
     law.how = [method = law.method](const Subject&, Level) { return std::string(to_string(method)); };
-  law.cases = [cases](Level n, const Run&) { return cases.settings.size() * cases.count(n); };
-  law.judge = [cases](const Subject& subject, Level n, const Run& run) {
+  const auto count_of = [cases](Level n, const Run& run) {
+    return cases.drawn ? cases.drawn(n, run) : cases.count(n);
+  };
+  law.cases = [cases, count_of](Level n, const Run& run) { return cases.settings.size() * count_of(n, run); };
+  law.judge = [cases, count_of](const Subject& subject, Level n, const Run& run) {
     const AttributeSubject& s = of_attribute(subject);
-    const std::uint64_t count = cases.count(n);
+    const std::uint64_t count = count_of(n, run);
     return sweep(
         run, cases.settings.size() * count, elements_per_chunk,
         [&](Chunk chunk, Tally& tally) {
@@ -83,7 +90,10 @@ Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
           each_setting(chunk, count, [&](std::size_t setting, std::uint64_t first, std::size_t size) {
             elements.resize(size);
             outcomes.assign(size, {});
-            fill(n, first, std::span(elements));
+            if (cases.draw)
+              cases.draw(n, first, std::span(elements), run.seed);
+            else
+              fill(n, first, std::span(elements));
             in_uneven_parts(size, [&](std::size_t from, std::size_t of) {
               cases.check(s, n, setting, std::span(elements).subspan(from, of),
                           std::span(outcomes).subspan(from, of));

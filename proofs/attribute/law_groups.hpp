@@ -11,6 +11,8 @@ namespace mmverify::proofs::attribute {
 std::vector<Law> order_laws();
 /// How orders and levels are related: those of order_laws() in a file of their own.
 std::vector<Law> order_relation_laws();
+/// The same on samples, to level 16.
+std::vector<Law> order_sample_laws();
 /// A point's triplet and weights, and the values between vertices.
 std::vector<Law> lookup_laws();
 /// Of those, in files of their own: on base edges, of the remaps, and on binary32 numbers.

@@ -103,7 +103,8 @@ Finding keeps_no_other(const BakeSubject& s, const Case& one, Level n) {
     if (const Finding found = differ(change.what, "the case itself", map_of(s, other, n), warm); !found.holds)
       return found;
     map_of(s, apart, n);
-    if (const Finding found = differ("the case", "one of one other texel", map, map_of(s, one, n)); !found.holds)
+    if (const Finding found = differ("the case", "one of one other texel", map, map_of(s, one, n));
+        !found.holds)
       return found;
   }
   return {hash_of(map)};

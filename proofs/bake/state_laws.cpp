@@ -9,6 +9,7 @@
 #include "proofs/bake/offender.hpp"
 #include "proofs/bake/picture.hpp"
 #include "proofs/bake/samples.hpp"
+#include "proofs/bake/side_samples.hpp"
 #include "proofs/bake/state_mutants.hpp"
 #include "proofs/bake/strata.hpp"
 #include "proofs/bake/ties.hpp"
@@ -157,6 +158,13 @@ constexpr Domain all_samples{
     as_many,
     {2, 5},
     {0, 8}};
+constexpr Domain of_sides{
+    nullptr,
+    [](std::uint64_t seed, Level n, std::uint64_t k) { return side_sample(seed, n, k); },
+    side_samples_text,
+    [](Level, Tier tier) { return side_count() * distances * (tier == Tier::fast ? 1 : 64); },
+    {0, 1},
+    {0, 3}};
 constexpr Domain strata{
     nullptr,
     [](std::uint64_t seed, Level n, std::uint64_t k) { return stratified(seed, n, stratum(n, k)); },
@@ -375,6 +383,13 @@ std::vector<Law> state_laws() {
                                  blended_above_half),
                  side_of_another("the side is that without the factor of the vertices", {4, 5},
                                  without_vertex_factor)}),
+      state_law("bake.conservative_on_sides", conservative, not_conservative, of_sides,
+                {asked_for_another("the remainder by a side is taken by its reciprocal in binary32", {0, 1},
+                                   remainder_by_reciprocal),
+                 asked_for_another("sides of 2^k - 1 from 1023 on are taken for 2^k", {0, 1},
+                                   narrow_when_nearly_a_power),
+                 asked_for_another("mirrored repeats of more than 64 texels are one shorter", {0, 1},
+                                   mirrors_by_centres)}),
       state_law(
           "bake.conservative_on_strata", conservative, not_conservative, strata,
           {spoiled("every unknown of textures wider than 32 texels is settled", "bake", {0, 9}, claims_wide),

@@ -93,6 +93,32 @@ inline void byte_border(Case& one) {
   if (one.texel == Texel::unorm16) one.border &= 255;
 }
 
+/// The remainder of a texel's number by a product with the reciprocal in binary32.  Where that is too small a multiple of
+/// the side leaves the side, which is no texel, and the last one is taken.
+inline void remainder_by_reciprocal(Case& one) {
+  for (const std::size_t axis : {0u, 1u}) {
+    if ((axis == 0 ? one.wrap_u : one.wrap_v) != Wrap::repeat) continue;
+    const std::uint32_t size = axis == 0 ? one.width : one.height;
+    const auto side = static_cast<float>(size), reciprocal = 1.0f / side;
+    const float texel = std::floor(one.uv[axis] * side);
+    if (texel - side * std::floor(texel * reciprocal) != side) continue;
+    for (std::size_t k = axis; k < 6; k += 2) one.uv[k] -= 1 / side;
+  }
+}
+/// The same of sides that are one less than a power of two and above 1000.
+inline void narrow_when_nearly_a_power(Case& one) {
+  for (const std::size_t axis : {0u, 1u}) {
+    const std::uint32_t size = axis == 0 ? one.width : one.height;
+    if (size < 1000 || (size & (size + 1)) != 0) continue;
+    for (std::size_t k = axis; k < 6; k += 2)
+      one.uv[k] *= static_cast<float>(size + 1) / static_cast<float>(size);
+  }
+}
+inline void mirrors_by_centres(Case& one) {
+  if (one.wrap_u == Wrap::mirrored_repeat && one.width > 64)
+    for (std::size_t k = 0; k < 6; k += 2) one.uv[k] -= std::floor(one.uv[k]) / static_cast<float>(one.width);
+}
+
 /// The map of another case in the place of this one's.
 inline Mutant asked_for_another(const char* name, Levels levels, const Mistake& mistake) {
   return mutant(name, "bake", levels, [&](Functions& functions) {

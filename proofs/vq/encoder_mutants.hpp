@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 
 #include "proofs/vq/encoder_checks.hpp"
 
@@ -79,6 +80,27 @@ std::function<void(Functions&)> gives_up_a_vector(std::size_t q, std::uint32_t t
     encoded.block = spec::vq::bytes(fields);
     encoded.substitutions =
         static_cast<std::uint32_t>(substituted<Format>(map, meant<Format>(encoded.block)).answer);
+  });
+}
+
+/// Where two entries in all are of use, neither is used: their vectors are all C, and so counted.
+inline std::function<void(Functions&)> gives_up_two_entries() {
+  return spoiled<Vq2>([](const Map<Vq2>& map, Encoded<Vq2>& encoded) {
+    Vq2 fields = spec::vq::from_bytes<Vq2>(encoded.block);
+    std::set<std::uint32_t> used;
+    const auto entry = [&](std::uint32_t vector) {
+      const auto q = static_cast<std::uint32_t>(spec::vq::quadrant_of(vector % 8, vector / 8));
+      const std::uint32_t index = fields.indices[vector];
+      return index < 6 ? index : 8 + 4 * q + index;
+    };
+    for (std::uint32_t vector = 0; vector < 64; ++vector)
+      if (fields.indices[vector] >= 3) used.insert(entry(vector));
+    if (used.size() != 2) return;
+    for (auto& index : fields.indices)
+      if (index >= 3) index = 1;
+    encoded.block = spec::vq::bytes(fields);
+    encoded.substitutions =
+        static_cast<std::uint32_t>(substituted<Vq2>(map, meant<Vq2>(encoded.block)).answer);
   });
 }
 

@@ -198,6 +198,25 @@ void fill_full(Vq2& fields, Random& random) {
   use_in_turn(fields, {all_entries, all_entries, all_entries, all_entries});
 }
 
+/// One to three entries in all: of a codebook that has room for more, none may be left out for want of others to go with.
+void fill_sparsely(Vq2& fields, Random& random) {
+  const std::uint64_t count = 1 + random.below(3);
+  std::array<std::uint64_t, 4> used;
+  used.fill(7);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    // Not of one state.
+    const auto code = static_cast<std::uint8_t>(16 * random.below(2) + 1 + random.below(14));
+    const std::uint64_t index = 3 + random.below(5), owner = random.below(4);
+    if (index < 6)
+      fields.shared[index - 3] = code;
+    else
+      fields.own[owner][index - 6] = code;
+    for (std::uint64_t q = 0; q < 4; ++q)
+      if (q == owner || (index < 6 && random.below(2) != 0)) used[q] |= std::uint64_t{1} << index;
+  }
+  use_in_turn(fields, used);
+}
+
 /// A block's map but for up to three regions: what fits no block, by little.
 template <class Format>
 Map<Format> near_a_block(Random& random) {
@@ -266,6 +285,8 @@ Format sample_block(std::uint64_t seed, std::uint64_t k) {
       fill_full(fields, random);
     else if (kind == 1)
       fill_unevenly(fields, random);
+    else if (k / 2048 % 4 == 3)
+      fill_sparsely(fields, random);
     else
       fill(fields, random.below(4) != 0, random);
   } else {

@@ -23,7 +23,8 @@ Map<Format> sample_map(std::uint64_t seed, std::uint64_t k);
 
 /// Block k of a seed: its transforms are triple k mod 512.  In turn, 512 of each: its indices are a few of each
 /// quadrant's own, or in one of 4 blocks any; of VQ4 any, of VQ2 some or all entries of a quadrant, two quadrants with
-/// an entry in common; then of VQ2 twice all entries, each another.
+/// an entry in common; then of VQ2 twice all entries, each another.  One in four of the
+/// first kind of VQ2 uses one to three entries in all.
 template <class Format>
 Format sample_block(std::uint64_t seed, std::uint64_t k);
 

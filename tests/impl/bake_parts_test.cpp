@@ -55,6 +55,10 @@ TEST(ImplBakeWide, ArithmeticIsThatOfIntegers) {
     ASSERT_EQ(first <= second, product <= other);
     const int shift = static_cast<int>(random() % 180);
     ASSERT_TRUE(same(first << shift, product << shift));
+    const Integer size = product < 0 ? Integer(-product) : product;
+    const auto bits = size == 0 ? 0 : static_cast<int>(msb(size)) + 1;
+    const Integer high = bits > 64 ? Integer(size >> (bits - 64)) : Integer(size << (64 - bits));
+    ASSERT_EQ(leading(first.negative() ? -first : first), static_cast<std::uint64_t>(high));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 #include "impl/bake/exact/seen.hpp"
 
@@ -50,6 +51,7 @@ ExactBase::ExactBase(const TextureProperties& sides, const BaseTriangle& uv, std
   const int height_of = std::max(height_bits(sides.limits.opaque, sides.finest, sides.most),
                                  height_bits(sides.limits.lean, sides.finest, sides.most));
   // 20 bits of u and v, 15 of width and height, 3 for sums and a sign, one for the margin.
+  take_closings();
   bits_ = std::max(4 * position + 2 * height_of + 12, fraction + 20 + 15 + 4);
 }
 
@@ -70,8 +72,35 @@ std::array<Int, 3> ExactBase::along(const Axis& axis, std::uint32_t texels,
   return x;
 }
 
+/// An edge of the base triangle is a/g, b/g times a vector of whole repeats, a and b its sides in units of 2^-32 and g
+/// what divides both: after that many repeats, or twice as many where a mirror turns, it is where it was.  Of
+/// coordinates with finer fractions none is looked for.
+void ExactBase::take_closings() {
+  const Extent across = sides_.across(), down = sides_.down();
+  if (!across.ends()) closings_.push_back({across.period, 0});
+  if (!down.ends()) closings_.push_back({0, down.period});
+  if (across.ends() || down.ends()) return;
+  constexpr int finest = -32;
+  std::array<std::int64_t, 3> x, y;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (u_[k].e < finest || v_[k].e < finest) return;
+    x[k] = u_[k].m * (std::int64_t{1} << (u_[k].e - finest));  // below 2^20 2^32
+    y[k] = v_[k].m * (std::int64_t{1} << (v_[k].e - finest));
+  }
+  const std::int64_t turn_x = across.period / width_, turn_y = down.period / height_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int64_t dx = x[(k + 1) % 3] - x[k], dy = y[(k + 1) % 3] - y[k];
+    if (dx == 0 || dy == 0) continue;
+    const std::int64_t g = std::gcd(dx, dy);
+    std::int64_t repeats_x = dx / g, repeats_y = dy / g;
+    if (std::abs(repeats_x) >> 21 != 0 || std::abs(repeats_y) >> 21 != 0) continue;  // longer than any edge
+    if (repeats_x % turn_x != 0 || repeats_y % turn_y != 0) repeats_x *= 2, repeats_y *= 2;
+    closings_.push_back({repeats_x * width_, repeats_y * height_});
+  }
+}
+
 template <class Int>
-ExactBase::Answer ExactBase::in(const index::Corners& corners) const {
+ExactBase::Answer ExactBase::in(const index::Corners& corners, Marks known) const {
   std::array<Int, 3> x = along<Int>(u_, width_, corners), y = along<Int>(v_, height_, corners);
   const int fraction = below_point_ + level_;
   const Int margin = margin_.m == 0 ? Int(0) : Int(margin_.m) << (margin_.e + fraction), unit = Int(1)
@@ -80,7 +109,7 @@ ExactBase::Answer ExactBase::in(const index::Corners& corners) const {
                      row = moved_to_origin(y, margin, fraction);
   const Outline<Int> outline(x, y, margin);
   const auto exact = [&](const Question<Int>& question) {
-    return Exact<Int>(sides_, question, column, row, cells_, fraction, outline);
+    return Exact<Int>(sides_, question, column, row, cells_, fraction, outline, closings_);
   };
   const auto marks = [&](const Question<Int>& question) {
     Exact<Int> asked = exact(question);
@@ -88,7 +117,9 @@ ExactBase::Answer ExactBase::in(const index::Corners& corners) const {
   };
   const Height<Int> opaque_height(sides_.limits.opaque, sides_.finest);
   Answer answer{};
-  if (!sides_.limits.blend) {
+  if (known == both) {
+    answer.marks = both;
+  } else if (!sides_.limits.blend) {
     answer.marks = marks({opaque_height});
   } else {
     const Marks not_opaque = marks({opaque_height, below, [](Marks m) { return m; }});
@@ -108,14 +139,14 @@ ExactBase::Answer ExactBase::in(const index::Corners& corners) const {
   return answer;
 }
 
-ExactBase::Answer ExactBase::operator()(std::uint32_t index) const {
+ExactBase::Answer ExactBase::operator()(std::uint32_t index, Marks known) const {
   const index::Corners corners = index::corners(index, static_cast<index::Level>(level_));
-  if (bits_ <= 128) return in<Int128>(corners);
-  if (bits_ <= 384) return in<Wide<6>>(corners);
-  if (bits_ <= 1024) return in<Wide<16>>(corners);
+  if (bits_ <= 128) return in<Int128>(corners, known);
+  if (bits_ <= 384) return in<Wide<6>>(corners, known);
+  if (bits_ <= 1024) return in<Wide<16>>(corners, known);
   // The most that can be: 150 + 12 below the point, 36 above it, 447 + 416 + 4 for heights.
   static_assert(4 * (150 + 12 + 36) + 2 * (447 + 416 + 4) + 12 <= 40 * 64);
-  return in<Wide<40>>(corners);
+  return in<Wide<40>>(corners, known);
 }
 
 }  // namespace mmverify::impl::bake::detail

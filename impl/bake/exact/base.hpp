@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
+#include "impl/bake/exact/closing.hpp"
 #include "impl/bake/texture/properties.hpp"
 #include "impl/bake/triangles.hpp"
 #include "impl/common/binary.hpp"
@@ -21,16 +23,21 @@ class ExactBase {
     Marks marks;  ///< both, or what all of it is
     bool leans_to_opaque;
   };
-  /// Of micro-triangle `index` on the curve.
-  Answer operator()(std::uint32_t index) const;
+  /// Of micro-triangle `index` on the curve; `known`: both, where texels within it have said so.
+  Answer operator()(std::uint32_t index, Marks known = 0) const;
+
+  /// Of the edges of micro-triangles, and of lines along the axes.
+  const std::vector<Closing>& closings() const noexcept { return closings_; }
 
  private:
   using Axis = std::array<Binary, 3>;
 
   template <class Int>
-  Answer in(const index::Corners& corners) const;
+  Answer in(const index::Corners& corners, Marks known) const;
   template <class Int>
   std::array<Int, 3> along(const Axis& axis, std::uint32_t texels, const index::Corners& corners) const;
+
+  void take_closings();
 
   const TextureProperties& sides_;
   Axis u_, v_;
@@ -40,7 +47,8 @@ class ExactBase {
   Binary margin_;
   int below_point_ = 1;  ///< bits of u and v there, and at least the one of half a texel
   std::int64_t cells_;   ///< that a micro-triangle spans, at most
-  int bits_;             ///< that impl/bake/exact/seen.hpp and positions need
+  std::vector<Closing> closings_;
+  int bits_;  ///< that impl/bake/exact/seen.hpp and positions need
 };
 
 }  // namespace mmverify::impl::bake::detail

@@ -19,6 +19,12 @@
 // Nearest: row j of texels is met where P comes below j + 1 and not only above it; of P's part with j <= y <
 // j + 1, the texels from floor(inf x) to floor(sup x), less the last where sup x is whole and not attained.
 //
+// Far away.  Beyond the end of an axis (impl/bake/texture/wrap.hpp, Extent) alpha does not depend on it.  Bilinear, what P
+// bears there it bears on its edges, and of these at their ends, where they cross the end itself and the lines of the
+// other axis: nothing else is looked at there, and of a line that repeats one period.  Nearest, all rows there are one,
+// and what P meets of it is one run, P being convex.  Edges whose texels come again after a while are cut off there
+// (Closing), and of rows alike no more are taken than a period has (each_row()).
+//
 // Bits.  With P bits for S and for coordinates from a cell near by, and g bits for heights and their sums,
 //   a corner    (G S + G f) S           2P + g + 2
 //   a crossing  S dy G + r G            2P + g + 1
@@ -31,13 +37,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "impl/bake/exact/closing.hpp"
 #include "impl/bake/texture/limits.hpp"
 #include "impl/bake/texture/properties.hpp"
+#include "impl/bake/texture/rows.hpp"
+#include "impl/bake/texture/wrap.hpp"
+#include "impl/common/wide.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -76,6 +88,8 @@ struct Question {
   Marks (*of_texels)(Marks) = [](Marks m) { return m; };
 };
 
+/// Time: that of the rows of a period and of the cells along its edges, of one period where they close; beyond the ends
+/// of an axis there are neither.
 /// Domain: Int has the bits above.
 template <class Int>
 class Exact {
@@ -83,7 +97,8 @@ class Exact {
   /// Points in units of 2^-fraction_bits from the origin of texel (column, row), none below 0 nor beyond
   /// `cells` texels.
   Exact(const TextureProperties& sides, const Question<Int>& question, std::int64_t column, std::int64_t row,
-        std::int64_t cells, int fraction_bits, const Outline<Int>& outline)
+        std::int64_t cells, int fraction_bits, const Outline<Int>& outline,
+        const std::vector<Closing>& closings)
       : sides_(sides),
         question_(question),
         column_(column),
@@ -92,7 +107,10 @@ class Exact {
         unit_(Int(1) << fraction_bits),
         outline_(outline),
         x_(outline.x),
-        y_(outline.y) {}
+        y_(outline.y),
+        closings_(closings),
+        across_(from_here(sides.across(), column)),
+        down_(from_here(sides.down(), row)) {}
 
   Marks bilinear() {
     for (std::size_t k = 0; k < x_.size() && !done(); ++k) take(sign_at(x_[k], y_[k], unit_));
@@ -104,8 +122,11 @@ class Exact {
 
   Marks nearest() {
     const auto [low, high] = std::minmax_element(y_.begin(), y_.end());
-    const std::int64_t last = whole(*high, unit_);
-    for (std::int64_t j = whole(*low, unit_); j <= last && !done(); ++j) texels(j);
+    const std::int64_t top = whole(*low, unit_), bottom = whole(*high, unit_),
+                       first = std::clamp(top, down_.first, down_.last),
+                       last = std::clamp(bottom, down_.first, down_.last);
+    // Beyond its ends an axis has one row, of all that is there.
+    rows(first, last, [&](std::int64_t j) { return met(j == first ? top : j, j == last ? bottom : j); });
     return marks_;
   }
 
@@ -121,6 +142,12 @@ class Exact {
   }
 
  private:
+  /// From texel `origin`; ends that are beyond all points are brought nearer, for their products with sizes.
+  Extent from_here(Extent e, std::int64_t origin) const {
+    if (!e.ends()) return e;
+    const auto near = [&](std::int64_t k) { return std::clamp<std::int64_t>(k - origin, -2, cells_ + 2); };
+    return {near(e.first), near(e.last), 0};
+  }
   void take(Marks m) { marks_ = static_cast<Marks>(marks_ | m); }
   bool done() const { return (marks_ & question_.enough) == question_.enough; }
 
@@ -128,19 +155,29 @@ class Exact {
     return question_.height(sides_.stored(column_ + i, row_ + j));
   }
   static Marks sign(const Int& value) { return value < Int(0) ? below : opaque; }
-  void take_row(std::int64_t first, std::int64_t last, std::int64_t j) {
-    if (first <= last)
-      take(question_.of_texels(sides_.of(column_ + first, column_ + last, row_ + j, row_ + j)));
+  /// Of texels, row by row: columns(j) of the texture, before wrapping.
+  template <class Of>
+  void rows(std::int64_t first, std::int64_t last, Of columns) {
+    std::vector<Bend> bends;
+    if (!down_.ends())
+      for (const Int& y : y_) {
+        const std::int64_t at = whole(y, unit_);
+        bends.push_back({at - 1, at + 1});
+      }
+    each_row(first, last, down_.period, bends, columns, [this](const Columns& at, std::int64_t j) {
+      if (!at.empty()) take(question_.of_texels(sides_.of(at.first, at.last, row_ + j, row_ + j)));
+      return !done();
+    });
   }
 
   /// The greatest i with i size <= position.  Domain: size > 0, 0 <= position <= cells size.
-  std::int64_t whole(const Int& position, const Int& size) const {
-    std::int64_t low = 0, high = cells_ + 1;
-    while (high - low > 1) {
-      const std::int64_t middle = low + (high - low) / 2;
-      (Int(middle) * size <= position ? low : high) = middle;
-    }
-    return low;
+  static std::int64_t whole(const Int& position, const Int& size) {
+    // In binary64 it is off by less than 2^-50 of itself, and so by one at most: it is below 2^37.
+    const double ratio = static_cast<double>(leading(position)) / static_cast<double>(leading(size));
+    const auto i = static_cast<std::int64_t>(std::ldexp(ratio, bit_width(position) - bit_width(size)));
+    const Int rest = position - Int(i) * size;
+    if (rest < Int(0)) return i - 1;
+    return rest < size ? i : i + 1;
   }
 
   /// Where the line from (a, b), b <= level, to (a + da, b + db), db > 0, is at b = level: over db.
@@ -148,37 +185,109 @@ class Exact {
     return a * db + da * (level - b);
   }
 
-  /// What an edge crosses where one coordinate, b, is a whole number of texels; `transposed`: b is x.
-  void crossings(const std::vector<Int>& a, const std::vector<Int>& b, std::size_t from, std::size_t to,
-                 bool transposed) {
-    if (b[to] < b[from]) std::swap(from, to);
-    const Int da = a[to] - a[from], db = b[to] - b[from], size = unit_ * db;
+  /// Of [first, last] those that are not beside an axis on one side throughout: side(j) is -1, 0 or 1 in this order, or
+  /// in the other.
+  template <class Side>
+  static std::pair<std::int64_t, std::int64_t> between_sides(std::int64_t first, std::int64_t last,
+                                                             Side side) {
+    if (first > last) return {first, last};
+    const auto after = [&](std::int64_t low, std::int64_t high, auto is_low) {
+      while (high - low > 1) {
+        const std::int64_t middle = low + (high - low) / 2;
+        (is_low(middle) ? low : high) = middle;
+      }
+      return high;
+    };
+    const int begins = side(first), ends = side(last);
+    if (begins != 0) first = after(first, last + 1, [&](std::int64_t j) { return side(j) == begins; });
+    if (ends != 0 && first <= last)
+      last = after(first - 1, last, [&](std::int64_t j) { return side(j) != ends; }) - 1;
+    return {first, last};
+  }
+  /// Of a place a, over size, whether it is beyond the end of an axis.
+  static int side_of(const Int& a, const Int& size, const Extent& e) {
+    return !(Int(e.first) * size < a) ? -1 : !(a < Int(e.last) * size) ? 1 : 0;
+  }
+
+  /// What the edge from (a, b) to (a1, b1) crosses where b is a whole number of texels; `transposed`: b is x.
+  /// Beyond the ends of the axis of b alpha does not depend on it; beyond those of a it depends on b alone: one
+  /// period is enough.
+  void crossings(Int a, Int b, Int a1, Int b1, const Extent& of_a, const Extent& of_b, bool transposed) {
+    if (b1 < b) {
+      std::swap(a, a1);
+      std::swap(b, b1);
+    }
+    const Int da = a1 - a, db = b1 - b, size = unit_ * db;
     if (db == Int(0)) return;
-    for (std::int64_t j = whole(b[from], unit_) + 1; Int(j) * unit_ < b[to] && !done(); ++j) {
-      const Int at = crossing(a[from], b[from], da, db, Int(j) * unit_);
-      const std::int64_t i = whole(at, size);
-      const Int f = at - Int(i) * size;
-      const Int g = transposed ? texel(j, i) : texel(i, j),
-                next = transposed ? texel(j, i + 1) : texel(i + 1, j);
-      take(sign(g * (size - f) + next * f));
+    const auto at = [&](std::int64_t j) { return crossing(a, b, da, db, Int(j) * unit_); };
+    const auto ask = [&](std::int64_t from, std::int64_t to) {
+      for (std::int64_t j = from; j <= to && !done(); ++j) {
+        const Int p = at(j);
+        const std::int64_t i = whole(p, size);
+        const Int f = p - Int(i) * size;
+        const Int g = transposed ? texel(j, i) : texel(i, j),
+                  next = transposed ? texel(j, i + 1) : texel(i + 1, j);
+        take(sign(g * (size - f) + next * f));
+      }
+    };
+    const std::int64_t first = std::max(whole(b, unit_) + 1, of_b.first),
+                       last = std::min(whole_below(b1), of_b.last);
+    if (of_b.ends() || !of_a.ends()) return ask(first, last);
+    const auto [begin, end] =
+        between_sides(first, last, [&](std::int64_t j) { return side_of(at(j), size, of_a); });
+    ask(first, std::min(begin, first + of_b.period) - 1);
+    ask(begin, end);
+    ask(std::max(end, last - of_b.period) + 1, last);
+  }
+  /// The greatest whole number of texels before b.
+  std::int64_t whole_below(const Int& b) const {
+    const std::int64_t j = whole(b, unit_);
+    return Int(j) * unit_ == b ? j - 1 : j;
+  }
+
+  /// Of an edge that comes back to where alpha is as at its beginning, the part up to there.
+  void fold(const Int& x, const Int& y, Int& x1, Int& y1) const {
+    for (const auto& [columns, lines] : closings_) {
+      const std::int64_t across = columns < 0 ? -columns : columns, down = lines < 0 ? -lines : lines;
+      if (across > cells_ || down > cells_) continue;
+      const Int dx = x1 - x, dy = y1 - y, cx = Int(columns) * unit_, cy = Int(lines) * unit_;
+      if (!(dx * cy == dy * cx)) continue;
+      const Int length = across != 0 ? dx : dy, step = across != 0 ? cx : cy;
+      const bool same_way = (length < Int(0)) == (step < Int(0));
+      const Int size = length < Int(0) ? -length : length;
+      if (!((step < Int(0) ? -step : step) < size)) continue;
+      x1 = same_way ? x + cx : x - cx;
+      y1 = same_way ? y + cy : y - cy;
     }
   }
 
   void edge(std::size_t from, std::size_t to) {
-    crossings(x_, y_, from, to, false);
-    if (!done()) crossings(y_, x_, from, to, true);
-    if (done() || x_[from] == x_[to] || y_[from] == y_[to]) return;
-    // The cells that it visits, row by row.
-    if (y_[to] < y_[from]) std::swap(from, to);
-    const Int dx = x_[to] - x_[from], dy = y_[to] - y_[from], size = unit_ * dy;
-    const std::int64_t last = whole(y_[to], unit_);
-    for (std::int64_t j = whole(y_[from], unit_); j <= last; ++j) {
-      const Int top = std::max(y_[from], Int(j) * unit_), bottom = std::min(y_[to], Int(j + 1) * unit_);
-      std::int64_t i = whole(crossing(x_[from], y_[from], dx, dy, top), size),
-                   end = whole(crossing(x_[from], y_[from], dx, dy, bottom), size);
-      if (end < i) std::swap(i, end);
-      for (; i <= end; ++i) {
-        standstill(x_[from] - Int(i) * unit_, y_[from] - Int(j) * unit_, dx, dy, i, j);
+    Int x0 = x_[from], y0 = y_[from], x1 = x_[to], y1 = y_[to];
+    fold(x0, y0, x1, y1);
+    crossings(x0, y0, x1, y1, across_, down_, false);
+    if (!done()) crossings(y0, x0, y1, x1, down_, across_, true);
+    if (done() || x0 == x1 || y0 == y1) return;
+    // The cells that it visits, row by row, and where alpha depends on both coordinates.
+    if (y1 < y0) {
+      std::swap(x0, x1);
+      std::swap(y0, y1);
+    }
+    const Int dx = x1 - x0, dy = y1 - y0, size = unit_ * dy;
+    const auto at = [&](const Int& y) { return crossing(x0, y0, dx, dy, y); };
+    const auto top = [&](std::int64_t j) { return at(std::max(y0, Int(j) * unit_)); };
+    const auto bottom = [&](std::int64_t j) { return at(std::min(y1, Int(j + 1) * unit_)); };
+    std::int64_t begin = std::max(whole(y0, unit_), down_.first),
+                 end = std::min(whole(y1, unit_), down_.last - 1);
+    if (across_.ends())
+      std::tie(begin, end) = between_sides(begin, end, [&](std::int64_t j) {
+        const int one = side_of(top(j), size, across_);
+        return one == side_of(bottom(j), size, across_) ? one : 0;
+      });
+    for (std::int64_t j = begin; j <= end; ++j) {
+      std::int64_t i = whole(top(j), size), last = whole(bottom(j), size);
+      if (last < i) std::swap(i, last);
+      for (i = std::max(i, across_.first), last = std::min(last, across_.last - 1); i <= last; ++i) {
+        standstill(x0 - Int(i) * unit_, y0 - Int(j) * unit_, dx, dy, i, j);
         if (done()) return;
       }
     }
@@ -206,28 +315,31 @@ class Exact {
     take(sign(least ? value : -value));
   }
 
-  /// Those strictly within.
+  /// Those strictly within.  A row beyond the ends of its axis is as the last one before: a line from one of its
+  /// centres, on along y, leaves the region through an edge where alpha is the same.
   void centres() {
     const auto [low, high] = std::minmax_element(y_.begin(), y_.end());
-    for (std::int64_t j = whole(*low, unit_) + 1; Int(j) * unit_ < *high && !done(); ++j) {
-      const Int level = Int(j) * unit_;
-      std::int64_t first = cells_ + 2, end = 0;
-      for (auto [from, to] : outline_.segments) {
-        if (y_[to] < y_[from]) std::swap(from, to);
-        if (y_[from] == y_[to] || level < y_[from] || y_[to] < level) continue;
-        const Int dy = y_[to] - y_[from], size = unit_ * dy;
-        const Int at = crossing(x_[from], y_[from], x_[to] - x_[from], dy, level);
-        const std::int64_t i = whole(at, size);
-        first = std::min(first, i + 1);
-        end = std::max(end, at == Int(i) * size ? i : i + 1);
-      }
-      take_row(first, end - 1, j);
+    rows(std::max(whole(*low, unit_) + 1, down_.first), std::min(whole_below(*high), down_.last),
+         [this](std::int64_t j) { return within(j); });
+  }
+  Columns within(std::int64_t j) const {
+    const Int level = Int(j) * unit_;
+    std::int64_t first = cells_ + 2, end = 0;
+    for (auto [from, to] : outline_.segments) {
+      if (y_[to] < y_[from]) std::swap(from, to);
+      if (y_[from] == y_[to] || level < y_[from] || y_[to] < level) continue;
+      const Int dy = y_[to] - y_[from], size = unit_ * dy;
+      const Int at = crossing(x_[from], y_[from], x_[to] - x_[from], dy, level);
+      const std::int64_t i = whole(at, size);
+      first = std::min(first, i + 1);
+      end = std::max(end, at == Int(i) * size ? i : i + 1);
     }
+    return sides_.columns(column_ + first, column_ + end - 1);
   }
 
-  /// Those of row j that are met.
-  void texels(std::int64_t j) {
-    const Int level = Int(j) * unit_, next = level + unit_;
+  /// Those of the rows [top, bottom] that are met, wherever in these.
+  Columns met(std::int64_t top, std::int64_t bottom) const {
+    const Int level = Int(top) * unit_, next = Int(bottom + 1) * unit_;
     std::int64_t first = cells_ + 2, last = -1;
     for (const auto& [one, other] : outline_.segments) {
       const bool down = !(y_[other] < y_[one]);
@@ -250,7 +362,7 @@ class Exact {
       const bool leaves = !(y_[to] < next);
       reach(at(leaves ? next : y_[to]), size, !leaves);
     }
-    take_row(first, last, j);
+    return sides_.columns(column_ + first, column_ + last);
   }
 
   const TextureProperties& sides_;
@@ -259,6 +371,8 @@ class Exact {
   Int unit_;
   const Outline<Int>& outline_;
   const std::vector<Int>&x_, &y_;
+  const std::vector<Closing>& closings_;
+  Extent across_, down_;  ///< from (column, row)
   Marks marks_ = 0;
 };
 

@@ -258,7 +258,7 @@ class Bilinear {
     const double at = filter_.g(centroid) - lean_;
     if (std::fabs(at) > filter_.bound()) return at > 0 ? unknown | 1 : unknown;
     ++counts.exact;
-    return code_of(exact_(index));
+    return code_of(exact_(index, both));
   }
 
   /// `edges`: which of the quad's the edges p0 p1, p1 p2, p2 p0 are.
@@ -272,10 +272,11 @@ class Bilinear {
       const auto box = filter_.box(p);
       const Marks all = filter_.texels(box);
       if (all != both) return known_code(all);
-      if (marks != uncertain) marks = judged(p, g, box, centroid, marks, turned, quad, edges);
+      marks = filter_.usable() ? judged(p, g, box, centroid, marks, turned, quad, edges)
+                               : inner_.centres(centroid, turned);
     }
     ++counts.leaves;
-    if (marks == opaque || marks == below) return known_code(marks);
+    if (filter_.usable() && (marks == opaque || marks == below)) return known_code(marks);
     if (marks == both) return leaning(centroid, index, counts);
     ++counts.exact;
     return code_of(exact_(index));
@@ -293,7 +294,7 @@ class Bilinear {
     for (std::size_t k = 0; k < 3 && filter_.margin() == 0; ++k) {
       const std::size_t next = k == 2 ? 0 : k + 1;
       Marks marks = edges[k] == own ? Marks{0} : quad.edge[edges[k]];
-      if (marks == 0) marks = filter_.edge(p[k], p[next], g[k], g[next]);
+      if (marks == 0) marks = edge(p[k], p[next], g[k], g[next]);
       if (edges[k] != own) quad.edge[edges[k]] = marks;
       seen = static_cast<Marks>(seen | marks);
       if ((seen & both) == both) return both;
@@ -301,6 +302,24 @@ class Bilinear {
     const Marks within = filter_.centres(p, box, seen);
     if ((seen & uncertain) == 0 && (seen | within) == seen) return seen;
     return ((seen | (within & filter_.clear())) & both) == both ? both : uncertain;
+  }
+
+  /// Of a closed edge with g at its ends; of one that closes, the part up to there.  All of an edge that turns from a
+  /// closing by 2 delta or less a texel of it is within 3 delta of a line that closes, which the bound has room for.
+  Marks edge(PlanePoint p, PlanePoint q, double at_p, double at_q) const noexcept {
+    constexpr double long_one = 1024;  // texels; shorter ones take less time than to look
+    const double dx = q.x - p.x, dy = q.y - p.y;
+    if (std::fabs(dx) + std::fabs(dy) > long_one)
+      for (const Closing& c : exact_.closings()) {
+        const auto x = static_cast<double>(c.columns), y = static_cast<double>(c.rows);
+        if (!(std::fabs(dx * y - dy * x) <= 2 * filter_.delta() * (std::fabs(x) + std::fabs(y)))) continue;
+        const bool by_x = std::fabs(x) >= std::fabs(y);
+        const double length = by_x ? dx : dy, step = by_x ? x : y, sign = (length < 0) == (step < 0) ? 1 : -1;
+        if (!(std::fabs(step) < std::fabs(length))) continue;
+        const PlanePoint end{p.x + sign * x, p.y + sign * y};
+        return filter_.edge(p, end, at_p, filter_.g(end));
+      }
+    return filter_.edge(p, q, at_p, at_q);
   }
 
   /// Of the segments of the dilated triangle, until both marks are seen.
@@ -316,7 +335,7 @@ class Bilinear {
     }
     const auto take = [&](std::size_t from, std::size_t to) {
       if ((seen & both) != both)
-        seen = static_cast<Marks>(seen | filter_.edge(moved[from], moved[to], g[from], g[to]));
+        seen = static_cast<Marks>(seen | edge(moved[from], moved[to], g[from], g[to]));
     };
     for (std::size_t k = 0; k < 12; ++k) {
       take(k, k / 4 * 4 + (k + 1) % 4);

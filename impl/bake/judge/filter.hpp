@@ -25,9 +25,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "impl/bake/judge/bends.hpp"
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/plane/points.hpp"
 #include "impl/bake/texture/properties.hpp"
+#include "impl/bake/texture/rows.hpp"
+#include "impl/bake/texture/wrap.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -41,6 +44,8 @@ class BilinearFilter {
         reach_(delta + margin),
         bound_(sides.scale * (0x1p5 * delta + 0x1p-43)),
         transparent_(sides.gap + bound_),
+        across_(sides.across()),
+        down_(sides.down()),
         usable_(0x1p5 * delta < 0x1p-10),
         clear_(static_cast<Marks>((sides.clear_below > bound_ ? below : 0) |
                                   (sides.clear_opaque > bound_ ? opaque : 0))) {}
@@ -93,7 +98,8 @@ class BilinearFilter {
                   floored(std::min(p.y, q.y) - d), floored(std::max(p.y, q.y) + d) + 1};
     const Marks all = texels(box);
     if (all != both) return all;
-    if (box.right - box.left + box.bottom - box.top <= 10) return walked(p, q, at_p, at_q);
+    if (cells(box.left, box.right, across_) + cells(box.top, box.bottom, down_) <= 10)
+      return walked(p, q, at_p, at_q);
     const PlanePoint m = middle(p, q);
     const double at_m = g(m);
     const Marks first = edge(p, m, at_p, at_m);
@@ -107,10 +113,19 @@ class BilinearFilter {
     // The cells' outer texels are not within.
     if (box.left + 1 >= box.right || box.top + 1 >= box.bottom) return 0;
     const Marks about = texels({box.left + 1, box.right - 1, box.top + 1, box.bottom - 1});
-    if ((seen | about) == seen) return 0;
+    if ((seen | about) == seen || is_line(p)) return 0;
     Marks marks = 0;
-    for (std::int64_t j = box.top + 1; j < box.bottom && marks != both; ++j)
-      marks = static_cast<Marks>(marks | centres(p, j));
+    // Beyond its ends an axis has no centre that an edge does not speak for (impl/bake/exact/seen.hpp).
+    const std::int64_t top = std::max(box.top + 1, down_.first),
+                       bottom = std::min(box.bottom - 1, down_.last),
+                       period = bottom - top < down_.period ? 0 : down_.period;
+    const auto take = [&](const Columns& at, std::int64_t j) {
+      if (!at.empty()) marks = static_cast<Marks>(marks | sides_.of(at.first, at.last, j, j));
+      return marks != both;
+    };
+    each_row(
+        top, bottom, period, period == 0 ? std::array<Bend, 6>{} : bends(p, margin_),
+        [&](std::int64_t j) { return within(p, j); }, take);
     return marks;
   }
   /// The marks of texels that are clear of their limits.
@@ -121,19 +136,27 @@ class BilinearFilter {
   /// share s of the way from v to w,
   ///   g = v + (w - v) s - K s (1 - s),   K = d dx dy of the piece,
   /// which stands still at s = (1 - (w - v) / K) / 2 if |w - v| < |K|.
+  /// Beyond an axis's ends all cells are one, and there g does not depend on it.
   /// dx is 0 or, coordinates being products of 39 bits less 1/2 and halved 12 times, well above 2^-100, so
   /// that 1/dx is finite; dy likewise.
   Marks walked(PlanePoint p, PlanePoint q, double at_p, double at_q) const noexcept {
     const double dx = q.x - p.x, dy = q.y - p.y;
-    std::int64_t i = floored(p.x), j = floored(p.y);
+    std::int64_t i = std::clamp(floored(p.x), across_.first - 1, across_.last),
+                 j = std::clamp(floored(p.y), down_.first - 1, down_.last);
     const std::int64_t step_x = dx < 0 ? -1 : 1, step_y = dy < 0 ? -1 : 1;
     const double per_x = dx == 0 ? 4 : 1 / std::fabs(dx), per_y = dy == 0 ? 4 : 1 / std::fabs(dy);
     double next_x = dx == 0 ? 4 : std::fabs(static_cast<double>(dx < 0 ? i : i + 1) - p.x) * per_x,
            next_y = dy == 0 ? 4 : std::fabs(static_cast<double>(dy < 0 ? j : j + 1) - p.y) * per_y;
+    const auto leaves = [](std::int64_t k, std::int64_t step, const Extent& e) {
+      return step < 0 ? k < e.first : k >= e.last;
+    };
+    if (leaves(i, step_x, across_)) next_x = 4;
+    if (leaves(j, step_y, down_)) next_y = 4;
     double least = std::min(at_p, at_q), greatest = std::max(at_p, at_q), t = 0, v = at_p;
     while (true) {
       const auto f = sides_.four(i, j);
-      const double d = f.a - f.right - f.below + f.across, from = t;
+      const double d = is_beyond(i, across_) || is_beyond(j, down_) ? 0 : f.a - f.right - f.below + f.across,
+                   from = t;
       double w = at_q;
       const std::int64_t i_here = i, j_here = j;
       if (next_x >= 1 && next_y >= 1) {
@@ -142,14 +165,14 @@ class BilinearFilter {
         t = next_x;
         const double low = dx < 0 ? f.a : f.right, high = dx < 0 ? f.below : f.across;
         w = low + (p.y + t * dy - static_cast<double>(j_here)) * (high - low) - sides_.threshold;
-        next_x += per_x;
         i += step_x;
+        next_x = leaves(i, step_x, across_) ? 4 : next_x + per_x;
       } else {
         t = next_y;
         const double low = dy < 0 ? f.a : f.below, high = dy < 0 ? f.right : f.across;
         w = low + (p.x + t * dx - static_cast<double>(i_here)) * (high - low) - sides_.threshold;
-        next_y += per_y;
         j += step_y;
+        next_y = leaves(j, step_y, down_) ? 4 : next_y + per_y;
       }
       least = std::min(least, w);
       greatest = std::max(greatest, w);
@@ -166,19 +189,34 @@ class BilinearFilter {
     return range_or_uncertain(least, greatest);
   }
 
-  /// Of the centres on row j.
-  Marks centres(const Triangle& p, std::int64_t j) const noexcept {
+  /// Whether edges speak for all centres of a long one: it is within 5 delta of its longest edge.
+  bool is_line(const Triangle& p) const noexcept {
+    constexpr double long_one = 1024;  // texels; of shorter ones rows take less time
+    const double ax = p[1].x - p[0].x, ay = p[1].y - p[0].y, bx = p[2].x - p[0].x, by = p[2].y - p[0].y,
+                 length = std::max({std::fabs(ax), std::fabs(ay), std::fabs(bx), std::fabs(by)});
+    return margin_ == 0 && length > long_one && std::fabs(ax * by - ay * bx) <= 2 * delta_ * length;
+  }
+
+  /// The columns of the centres on row j.
+  Columns within(const Triangle& p, std::int64_t j) const noexcept {
     const auto level = static_cast<double>(j);
     // What is within m of the level along y reaches m beyond it along x.
     const Reach reach = margin_ == 0 ? at_level(p, level) : between(p, level - margin_, level + margin_);
     const double from = reach.from - margin_, to = reach.to + margin_;
-    if (from > to) return 0;
-    const std::int64_t first = -floored(-from), last = floored(to);
-    return first > last ? Marks{0} : sides_.of(first, last, j, j);
+    if (from > to) return {};
+    return sides_.columns(-floored(-from), floored(to));
+  }
+
+  /// Of a cell.
+  static bool is_beyond(std::int64_t k, const Extent& e) noexcept { return k < e.first || k >= e.last; }
+  /// How many cells' borders are between two texels where alpha depends on this axis, or about as many.
+  static std::int64_t cells(std::int64_t from, std::int64_t to, const Extent& e) noexcept {
+    return std::clamp(to, e.first - 1, e.last + 1) - std::clamp(from, e.first - 1, e.last + 1);
   }
 
   const TexturePropertiesOf<Texel>& sides_;
   double delta_, margin_, reach_, bound_, transparent_;
+  Extent across_, down_;
   bool usable_;
   Marks clear_;
 };

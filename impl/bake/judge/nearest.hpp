@@ -11,15 +11,19 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "impl/bake/exact/base.hpp"
+#include "impl/bake/judge/bends.hpp"
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/judge/inner_box.hpp"
 #include "impl/bake/plane/points.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
 #include "impl/bake/texture/properties.hpp"
+#include "impl/bake/texture/rows.hpp"
+#include "impl/bake/texture/wrap.hpp"
 
 namespace mmverify::impl::bake::detail {
 
@@ -52,8 +56,8 @@ class Nearest {
     if (all != both) return known_code(all);
     ++counts.leaves;
     const PlanePoint centroid{(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
-    const Marks marks = usable_ ? judged(p, around, centroid, turned) : uncertain;
-    if (marks == below || marks == opaque) return known_code(marks);
+    const Marks marks = usable_ ? judged(p, around, centroid, turned) : inner_.texels(centroid, turned);
+    if (usable_ && (marks == below || marks == opaque)) return known_code(marks);
     if (marks == both) {
       const std::int64_t i = floored(centroid.x - 2 * delta_), j = floored(centroid.y - 2 * delta_);
       if (i == floored(centroid.x + 2 * delta_) && j == floored(centroid.y + 2 * delta_)) {
@@ -63,7 +67,7 @@ class Nearest {
       }
     }
     ++counts.exact;
-    return code_of(exact_(index));
+    return code_of(exact_(index, marks));
   }
 
   unsigned four(const Triangle& p, PlanePoint p01, PlanePoint p02, PlanePoint p12, bool turned,
@@ -101,21 +105,34 @@ class Nearest {
     if (seen == both) return both;
     Marks most = 0;
     const double near = margin_ + 2 * delta_, far = margin_ - 2 * delta_;
-    for (std::int64_t j = around.top; j <= around.bottom; ++j) {
-      const auto low = static_cast<double>(j), high = low + 1;
-      const Reach outer = between(p, low - near, high + near);
-      if (outer.from > outer.to) continue;
-      const std::int64_t left = floored(outer.from - near), right = floored(outer.to + near);
-      const Marks row = sides_.of(left, right, j, j);
+    // Beyond its ends an axis has one row, of all that is there.
+    const Extent down = sides_.down();
+    const std::int64_t top = std::clamp(around.top, down.first, down.last),
+                       bottom = std::clamp(around.bottom, down.first, down.last);
+    const auto reach = [&](std::int64_t j, double grown) {
+      return between(p, static_cast<double>(j == top ? around.top : j) - grown,
+                     static_cast<double>(j == bottom ? around.bottom : j) + 1 + grown);
+    };
+    const auto columns = [&](std::int64_t j) {
+      const Reach outer = reach(j, near);
+      if (outer.from > outer.to) return Columns{};
+      return sides_.columns(floored(outer.from - near), floored(outer.to + near));
+    };
+    const auto take = [&](const Columns& at, std::int64_t j) {
+      if (at.empty()) return true;
+      const Marks row = sides_.of(at.first, at.last, j, j);
       most = static_cast<Marks>(most | row);
-      if ((seen | row) == seen) continue;
-      const Reach inner = between(p, low - far, high + far);
+      if ((seen | row) == seen) return true;
+      const Reach inner = reach(j, far);
       const double from = inner.from - margin_ + 4 * delta_, to = inner.to + margin_ - 4 * delta_;
-      if (!(from <= to)) continue;
-      const std::int64_t first = floored(from), last = floored(to);
-      seen = static_cast<Marks>(seen | sides_.of(first, last, j, j));
-      if (seen == both) return both;
-    }
+      if (!(from <= to)) return true;
+      const Columns sure = sides_.columns(floored(from), floored(to));
+      seen = static_cast<Marks>(seen | sides_.of(sure.first, sure.last, j, j));
+      return seen != both;
+    };
+    const std::int64_t period = bottom - top < down.period ? 0 : down.period;
+    each_row(top, bottom, period, period == 0 ? std::array<Bend, 6>{} : bends(p, near), columns, take);
+    if (seen == both) return both;
     return most == both ? uncertain : most;
   }
 

@@ -2,6 +2,7 @@
 // whether some are not transparent.  Internal to impl/bake.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "impl/bake/marks.hpp"
 #include "impl/bake/texture/limits.hpp"
 #include "impl/bake/texture/plane.hpp"
+#include "impl/bake/texture/rows.hpp"
 #include "impl/bake/texture/wrap.hpp"
 
 namespace mmverify::impl::bake::detail {
@@ -27,6 +29,16 @@ class TextureProperties {
   Marks of(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
     if (left >= 0 && right < width_ && top >= 0 && bottom < height_) return within(left, right, top, bottom);
     return wrapped_around(left, right, top, bottom);
+  }
+
+  Extent across() const noexcept { return extent(wrap_x_, width_); }
+  Extent down() const noexcept { return extent(wrap_y_, height_); }
+  /// Columns that mean the same texels as [left, right]: the same ones for many that do.
+  Columns columns(std::int64_t left, std::int64_t right) const noexcept {
+    if (left > right) return {};
+    const Extent e = across();
+    if (!e.ends() && right - left + 1 >= e.period) return {0, width_ - 1};
+    return {std::clamp(left, e.first, e.last), std::clamp(right, e.first, e.last)};
   }
 
   /// Texel (i, j), before wrapping, as it is stored.

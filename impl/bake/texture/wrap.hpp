@@ -40,6 +40,33 @@ constexpr std::int64_t wrapped(Wrap wrap, std::int64_t i, std::int64_t n) noexce
   return i < 0 ? 0 : n - 1;
 }
 
+/// Which indices of an axis mean what others do not: those below `first` mean what first does, those beyond `last` what
+/// last does; with a period, k and k + period mean the same, and first and last are beyond all indices.
+struct Extent {
+  std::int64_t first, last;
+  std::int64_t period;  ///< or 0
+
+  constexpr bool ends() const noexcept { return period == 0; }
+};
+
+/// Domain: n in 1..2^31.
+constexpr Extent extent(Wrap wrap, std::int64_t n) noexcept {
+  constexpr std::int64_t beyond = std::int64_t{1} << 61;
+  switch (wrap) {
+    case Wrap::repeat:
+      return {-beyond, beyond, n};
+    case Wrap::mirrored_repeat:
+      return {-beyond, beyond, 2 * n};
+    case Wrap::clamp_to_border:
+      return {-1, n, 0};
+    case Wrap::mirror_once:
+      return {-n, n - 1, 0};
+    case Wrap::clamp_to_edge:
+      break;
+  }
+  return {0, n - 1, 0};
+}
+
 /// What the indices [from, to] mean together: at most two runs of texels, ends included, and perhaps the
 /// border.
 struct Runs {

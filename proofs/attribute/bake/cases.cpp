@@ -182,6 +182,36 @@ void balance(Random& random, BakeCaseOf<Channel>& one) {
 
 }  // namespace
 
+BakeCase near_half_case(std::uint64_t seed, Level n, std::uint64_t k) {
+  Random random(seed, 0x6e6800 + n, k);
+  BakeCase one;
+  Picture& p = one.picture;
+  p.width = 2;
+  p.height = 1;
+  p.wrap_u = random.below(2) == 0 ? Wrap::repeat : Wrap::clamp_to_border;
+  p.wrap_v = Wrap::clamp_to_edge;
+  p.filter = Filter::nearest;
+  p.meaning = Meaning::linear;
+  p.texels.resize(2);
+  for (std::size_t c = 0; c < 4; ++c) {
+    const auto base = static_cast<std::uint8_t>(random.below(255));
+    const bool first = random.below(2) == 0;
+    p.texels[0][c] = static_cast<std::uint8_t>(base + first);
+    p.texels[1][c] = p.border[c] = static_cast<std::uint8_t>(base + !first);
+  }
+  // Left of u = 0 is the second texel, or the border.  An apex at 0 would give each a half.
+  const auto coarse = [&](std::int64_t from, std::int64_t to) {
+    return static_cast<float>(random.between(from, to)) / 64;
+  };
+  const float side = coarse(8, 32), base = coarse(0, 32), top = base + coarse(16, 64),
+              off =
+                  std::ldexp(random.below(2) == 0 ? 1.0f : -1.0f, static_cast<int>(-random.between(32, 36)));
+  one.uv = {-side, base, side, base, off, top};
+  std::rotate(one.uv.begin(), one.uv.begin() + static_cast<std::ptrdiff_t>(2 * random.below(3)),
+              one.uv.end());
+  return one;
+}
+
 BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
   const BakeCase narrow = sample_case(seed, n, k);
   Random random(seed, 0x77696400 + n, k);

@@ -28,7 +28,10 @@ const char* family_domain();
 
 /// Textures of up to 9x7 texels, all meanings and modes; coordinates of few bits, of many, on lines, in points.
 BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k);
-/// The same of 16 bits, sRGB left out; a quarter with neighbours one code apart, on places where their means are ties.
+/// Two texels one code apart, and a triangle about the line between them that leans by 2^-32 to 2^-36 to one side: its
+/// mean is a half code and at most 10^-9 of one more, or less, in each channel.
+BakeCase near_half_case(std::uint64_t seed, Level n, std::uint64_t k);
+/// sample_case() of 16 bits, sRGB left out; a quarter with neighbours one code apart, on places where their means are ties.
 BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uint64_t k);
 /// The same of floats, up to 7x7 texels: ordinary ones, 2^100 beside 2^-100, some that cancel, below 2^-126, neighbours
 /// on places where their means are ties, zeros of both signs, one of eight 2^30 times the others, and any.

@@ -149,6 +149,25 @@ std::function<void(Functions&)> rounds_half_down(MapForm form) {
   };
 }
 
+std::function<void(Functions&)> rounds_near_halves_up() {
+  return [](Functions& f) {
+    f.baking.faces = [real = f.baking.faces](const BakeCase& one, Level n) {
+      using spec::Rational;
+      std::vector<Rgba> map = real(one, n);
+      if (n != 0 || map.empty() || one.picture.meaning != Meaning::linear) return map;
+      const auto shares = face_shares<Rational>(one, n);
+      for (std::size_t c = 0; c < 4; ++c) {
+        const Rational code =
+            slow::fraction<Rational>(255, 1) *
+                slow::mean(channel_of<std::uint8_t>(one.picture, c, Filter::nearest), shares[0]) +
+            slow::fraction<Rational>(1, 1'000'000'000);
+        if (code >= slow::fraction<Rational>(2 * std::int64_t{map[0][c]} + 1, 2)) ++map[0][c];
+      }
+      return map;
+    };
+  };
+}
+
 std::function<void(Functions&)> averages_centres() {
   return of_faces([](const slow::Polygon<Rational128>& corners) {
     std::vector<slow::Place<Rational128>> centres;

@@ -85,6 +85,8 @@ Finding judged(const BakeCaseOf<Channel>& one, Level n, std::uint32_t tolerance,
 std::function<void(Functions&)> bakes_another(MapForm form, std::function<void(BakeCase&)> change);
 /// Rounds what lies in the middle between two codes down.
 std::function<void(Functions&)> rounds_half_down(MapForm form);
+/// Rounds the mean of level 0's face up where 10^-9 of a code more would be: an epsilon for what binary64 rounds.
+std::function<void(Functions&)> rounds_near_halves_up();
 /// Averages the texels whose centres lie in the micro-triangle, or takes the one under its centroid.
 std::function<void(Functions&)> averages_centres();
 /// Takes positions in binary32, as p0 + (p1 - p0) u + (p2 - p0) v.

@@ -387,6 +387,7 @@ Law faces_law() {
 std::vector<Law> order_laws() {
   std::vector<Law> all{bijective_law(), inverse_law(), walk_law(), faces_law()};
   for (Law& law : order_relation_laws()) all.push_back(std::move(law));
+  for (Law& law : order_sample_laws()) all.push_back(std::move(law));
   return all;
 }
 

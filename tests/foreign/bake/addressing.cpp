@@ -2,6 +2,7 @@
 #include "tests/foreign/bake/addressing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "sdk/mmverify_subject.h"
@@ -15,6 +16,11 @@ Index wrapped(Index i, Index size, unsigned mode, bool along_u) {
     case MMVERIFY_REPEAT:
       if (has(repeat_of_negatives)) return std::abs(i % size);
       if (has(repeat_by_mask)) return i & (size - 1);
+      if (has(repeat_by_reciprocal)) {
+        const float reciprocal = 1.0f / static_cast<float>(size);
+        const Index r = i - size * static_cast<Index>(std::floor(static_cast<float>(i) * reciprocal));
+        return std::clamp<Index>(r, 0, size - 1);
+      }
       return modulo(i, size);
     case MMVERIFY_MIRRORED_REPEAT: {
       if (has(mirror_about_centre) && size > 1) {

@@ -170,6 +170,11 @@ void vq2_encode(const std::uint8_t* map, std::uint8_t* block) {
     for (std::size_t q = 0; q < 4; ++q) words |= needs[q][exact->transforms[q]];
     if (std::popcount(words) > 8) exact.reset();
   }
+  if (has(encode_vq2_none_of_two) && exact) {
+    std::uint32_t words = 0;
+    for (std::size_t q = 0; q < 4; ++q) words |= needs[q][exact->transforms[q]];
+    if (std::popcount(words) == 2) exact = Vq2Plan{};
+  }
   Vq2Plan plan = exact ? *exact : vq2_lossy(needs, all);
   if (has(encode_shared_entries_change_places)) {
     static std::atomic<unsigned> calls{0};

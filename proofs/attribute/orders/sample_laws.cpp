@@ -1,0 +1,246 @@
+// Orders on samples of the levels that the sweeps of the fast tier do not reach.
+#include <cmath>
+
+#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/orders/parts.hpp"
+#include "proofs/attribute/orders/places.hpp"
+
+namespace mmverify::proofs::attribute {
+namespace {
+
+const std::vector<std::string> sampled_subjects{"attribute-spec", "attribute", "attribute-single"};
+
+std::uint64_t how_many(Level, const Run& run) { return run.tier == Tier::fast ? 1'024 : 262'144; }
+
+/// The specification's index, in words of 64 bits: attribute.orders_all_levels and its like prove those.
+template <class Order, class Element>
+std::uint32_t specified(Order order, const Element& at, Level n) {
+  if constexpr (std::is_same_v<Element, Vertex>)
+    return static_cast<std::uint32_t>(spec::attribute::vertex_index(order, at, n));
+  else
+    return static_cast<std::uint32_t>(spec::attribute::face_index(order, at, n));
+}
+
+/// What a subject says of one element, as numbers, beside what is right.
+struct Answers {
+  std::vector<std::uint64_t> expected, got;
+  std::vector<std::string> of;  ///< what each is
+  void add(std::string what, std::uint64_t right, std::uint64_t answer) {
+    of.push_back(std::move(what));
+    expected.push_back(right);
+    got.push_back(answer);
+  }
+};
+using Found = std::vector<Answers>;
+
+/// The law's cases: `found` asks a batch.
+template <class Element>
+Batches<Element> drawn_cases(
+    std::vector<std::string> settings, Kind kind, Element (*draw)(Level, std::uint64_t, std::uint64_t),
+    std::function<Found(const AttributeSubject&, Level, std::size_t setting, std::span<const Element>)>
+        found) {
+  Batches<Element> cases;
+  cases.settings = std::move(settings);
+  cases.drawn = how_many;
+  cases.kind = kind;
+  cases.draw = [draw](Level n, std::uint64_t first, std::span<Element> out, std::uint64_t seed) {
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = draw(n, first + k, seed);
+  };
+  cases.check = [found](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Element> at,
+                        std::span<Outcome> out) {
+    const Found all = found(s, n, setting, at);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      std::uint64_t answer = 0;
+      for (const std::uint64_t x : all[k].got) answer = answer * 5 + x;
+      out[k] = {answer, all[k].got == all[k].expected};
+    }
+  };
+  cases.words = [found](const AttributeSubject& s, Level n, std::size_t setting, const Element& at) {
+    const Answers one = found(s, n, setting, {&at, 1})[0];
+    for (std::size_t k = 0; k < one.of.size(); ++k)
+      if (one.expected[k] != one.got[k])
+        return Words{fmt::format("{} {}", one.of[k], one.expected[k]),
+                     fmt::format("{} {}", one.of[k], one.got[k])};
+    return Words{"an answer of its own", "another"};
+  };
+  return cases;
+}
+
+/// A change at levels above 12.
+template <class Change>
+auto above_12(VertexOrder of, Change change) {
+  return on_vertex_index(of, [change](Level n, const Vertex& v, std::uint32_t x) {
+    return n > 12 ? static_cast<std::uint32_t>(change(n, v, x)) : x;
+  });
+}
+
+Law sampled_vertices_law() {
+  const auto found = [](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Vertex> at) {
+    const VertexOrder order = vertex_orders[setting];
+    const Orders& f = s.functions.orders;
+    Found all(at.size());
+    std::vector<std::uint32_t> right;
+    for (const Vertex& v : at) right.push_back(specified(order, v, n));
+    const auto index = indices_of(s, order, n, at);
+    for (std::size_t k = 0; k < at.size(); ++k) all[k].add("index", right[k], index[k]);
+    if (f.vertex_at) {
+      std::vector<Vertex> back(at.size());
+      f.vertex_at(order, n, right, back);
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        all[k].add("back at i", at[k].i, back[k].i);
+        all[k].add("back at j", at[k].j, back[k].j);
+      }
+    }
+    if (f.convert_vertices)
+      for (const VertexOrder to : vertex_orders) {
+        std::vector<std::uint32_t> other(at.size());
+        f.convert_vertices(order, to, n, right, other);
+        for (std::size_t k = 0; k < at.size(); ++k)
+          all[k].add(fmt::format("in {}", name_of(to)), specified(to, at[k], n), other[k]);
+      }
+    return all;
+  };
+  return on_batches(
+      {.id = "attribute.vertices_on_samples",
+       .topic = "attribute",
+       .says = "a vertex's index, the way back and its index in the other orders are the specification's",
+       .source = cam_2,
+       .method = Method::sample,
+       .subjects = sampled_subjects,
+       .fast = {8, 16},
+       .long_run = {1, 16},
+       .fast_seconds = 1,
+       .domain =
+           [](const Subject&, Level) {
+             return std::string(
+                 "a sample of the V(n) vertices in 3 orders: corners, edges, ends of rows, powers of two");
+           },
+       .mutants =
+           {mutant("a row of W-minor is a root in binary32 from level 13 on", "attribute-spec", {12, 13},
+                   [](Functions& f) {
+                     f.orders.vertex_at = [real = f.orders.vertex_at](VertexOrder order, Level n,
+                                                                      std::span<const std::uint32_t> index,
+                                                                      std::span<Vertex> out) {
+                       real(order, n, index, out);
+                       if (order != VertexOrder::w_minor || n < 13) return;
+                       for (std::size_t k = 0; k < out.size(); ++k) {
+                         const float root = std::sqrt(8.0f * static_cast<float>(index[k]) + 1.0f);
+                         const auto row = static_cast<std::uint32_t>((root - 1.0f) / 2.0f);
+                         const auto j = index[k] - row * (row + 1) / 2;
+                         out[k] = {row - j, j};
+                       }
+                     };
+                   }),
+            mutant("where U-major's columns begin is a signed number of 32 bits", "attribute", {15, 16},
+                   above_12(
+                       VertexOrder::u_major,
+                       [](Level, const Vertex&, std::uint32_t x) { return x >> 31 != 0 ? 0x7fffffffu : x; })),
+            mutant("Bird's places have 15 bits: the corner u is lost at level 15", "attribute-spec", {14, 15},
+                   above_12(VertexOrder::bird,
+                            [](Level n, const Vertex& v, std::uint32_t x) {
+                              return n >= 15 && (v.i >> 15 != 0 || v.j >> 15 != 0) ? 0u : x;
+                            })),
+            mutant("W-minor's rows beyond 2^12 begin at the end of v", "attribute-single", {12, 13},
+                   above_12(VertexOrder::w_minor,
+                            [](Level, const Vertex& v, std::uint32_t x) {
+                              return v.i + v.j > 4096 ? x - v.j + v.i : x;
+                            }))}},
+      needing({entry::vertex_index}),
+      drawn_cases<Vertex>(settings_of(vertex_orders), Kind::vertex, drawn_vertex, found));
+}
+
+Law sampled_faces_law() {
+  const auto of = pairs(face_orders, vertex_orders);
+  const auto found = [of](const AttributeSubject& s, Level n, std::size_t setting,
+                          std::span<const MicroTriangle> at) {
+    const auto [faces, vertices] = of[setting];
+    const Orders& f = s.functions.orders;
+    Found all(at.size());
+    std::vector<std::uint32_t> right;
+    std::vector<Triplet> corners;
+    for (const MicroTriangle& t : at) {
+      right.push_back(specified(faces, t, n));
+      const auto c = spec::attribute::corners_of(t);
+      corners.push_back(
+          {specified(vertices, c[0], n), specified(vertices, c[1], n), specified(vertices, c[2], n)});
+    }
+    const auto index = indices_of(s, faces, n, at);
+    for (std::size_t k = 0; k < at.size(); ++k) all[k].add("index", right[k], index[k]);
+    if (f.face_at) {
+      std::vector<MicroTriangle> back(at.size());
+      f.face_at(faces, n, right, back);
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        all[k].add("back at iu", at[k].iu, back[k].iu);
+        all[k].add("back at iv", at[k].iv, back[k].iv);
+        all[k].add("back, upper", at[k].upper, back[k].upper);
+      }
+    }
+    if (f.convert_faces)
+      for (const FaceOrder to : face_orders) {
+        std::vector<std::uint32_t> other(at.size());
+        f.convert_faces(faces, to, n, right, other);
+        for (std::size_t k = 0; k < at.size(); ++k)
+          all[k].add(fmt::format("in {}", name_of(to)), specified(to, at[k], n), other[k]);
+      }
+    if (f.triplet) {
+      std::vector<Triplet> got(at.size());
+      f.triplet(faces, vertices, n, right, got);
+      for (std::size_t k = 0; k < at.size(); ++k)
+        for (std::size_t c = 0; c < 3; ++c) all[k].add(fmt::format("vertex {}", c), corners[k][c], got[k][c]);
+    }
+    if (f.face_of) {
+      std::vector<std::uint32_t> face(at.size());
+      f.face_of(faces, vertices, n, corners, face);
+      for (std::size_t k = 0; k < at.size(); ++k) all[k].add("face of its vertices", right[k], face[k]);
+    }
+    return all;
+  };
+  const auto on_triplet = [](auto change) {
+    return [change](Functions& f) {
+      f.orders.triplet = [change, real = f.orders.triplet](FaceOrder faces, VertexOrder vertices, Level n,
+                                                           std::span<const std::uint32_t> face,
+                                                           std::span<Triplet> out) {
+        real(faces, vertices, n, face, out);
+        for (Triplet& t : out) change(vertices, n, t);
+      };
+    };
+  };
+  return on_batches(
+      {.id = "attribute.faces_on_samples",
+       .topic = "attribute",
+       .says = "a face's index, the way back, its index in the other orders, its three vertices and the face "
+               "of these "
+               "are the specification's",
+       .source = cam_4,
+       .method = Method::sample,
+       .subjects = sampled_subjects,
+       .fast = {8, 16},
+       .long_run = {1, 16},
+       .fast_seconds = 1,
+       .domain =
+           [](const Subject&, Level) {
+             return std::string("a sample of the 4^n faces, 3 orders of faces by 3 of vertices");
+           },
+       .mutants = {mutant("iu^2 of U-major's strips is kept in 26 bits", "attribute-spec", {13, 14},
+                          on_face_index(FaceOrder::u_major,
+                                        [](Level n, const MicroTriangle& t, std::uint32_t x) {
+                                          if (n < 14) return x;
+                                          const std::uint64_t square = std::uint64_t{t.iu} * t.iu;
+                                          return static_cast<std::uint32_t>(x + (square >> 26 << 26));
+                                        })),
+                   mutant("an upper face's second vertex is that of the row before, from level 13 on",
+                          "attribute", {12, 13}, on_triplet([](VertexOrder vertices, Level n, Triplet& t) {
+                            if (n > 12 && vertices == VertexOrder::w_minor && t[0] > t[2]) t[1] = t[1] - 1;
+                          })),
+                   mutant("indices on the curve have 31 bits at level 16", "attribute-single", {15, 16},
+                          on_face_index(FaceOrder::curve, [](Level, const MicroTriangle&,
+                                                             std::uint32_t x) { return x & 0x7fffffff; }))}},
+      needing({entry::face_index}),
+      drawn_cases<MicroTriangle>(settings_of(of), Kind::interior, drawn_face, found));
+}
+
+}  // namespace
+
+std::vector<Law> order_sample_laws() { return {sampled_vertices_law(), sampled_faces_law()}; }
+
+}  // namespace mmverify::proofs::attribute
