@@ -425,14 +425,13 @@ Action add_scene(CLI::App& program) {
       "of --attributes: hold mips of the textures against those of the maps of the highest level, "
       "near the borders of an atlas's charts and inside; needs --level A..B");
   command
-      ->add_option("--plan", options->plan,
-                   "of --attributes: give each triangle the lowest of these levels whose faces, or vertices, "
-                   "keep an error, in "
-                   "codes of 8 bits, and none where one value does; beside all of one level")
-      ->delimiter(',')
-      ->check(finite_within(0, 255))
-      ->type_name("RMSE[,RMSE...]")
-      ->allow_extra_args(false);
+      ->add_option_function<std::string>(
+          "--plan", [options](const std::string& text) { options->plan = parse_numbers(text); },
+          "of --attributes: give each triangle the lowest of these levels whose faces, or vertices, "
+          "keep an error, in "
+          "codes of 8 bits, and none where one value does; beside all of one level")
+      ->check(each_finite_within(0, 255))
+      ->type_name("RMSE[,RMSE...]");
   command
       ->add_option("--pictures", options->pictures,
                    "of --attributes: write each base colour beside its maps and their FLIP, a PNG a level")
