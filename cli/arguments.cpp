@@ -53,6 +53,41 @@ std::function<std::string(const std::string&)> finite_within(double least, doubl
   };
 }
 
+namespace {
+
+/// "4," has two parts, the second one empty.
+std::vector<std::string> parts_between_commas(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text)
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+}  // namespace
+
+std::function<std::string(const std::string&)> each_finite_within(double least, double most) {
+  return [one = finite_within(least, most), least, most](const std::string& text) -> std::string {
+    for (const std::string& part : parts_between_commas(text)) {
+      if (part.empty())
+        return fmt::format(
+            "'{}': nothing stands before or after a comma, where a number from {} to {} is due", text, least,
+            most);
+      if (std::string wrong = one(part); !wrong.empty()) return wrong;
+    }
+    return {};
+  };
+}
+
+std::vector<double> parse_numbers(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& part : parts_between_commas(text))
+    numbers.push_back(std::strtod(part.c_str(), nullptr));
+  return numbers;
+}
+
 proofs::bake::BakeSubjectPtr parse_baker(const std::string& text, double timeout_seconds) {
   for (const SubjectPtr& subject : parse_subject(text, timeout_seconds))
     if (auto baker = std::dynamic_pointer_cast<const bake::BakeSubject>(subject)) return baker;

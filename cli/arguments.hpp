@@ -26,6 +26,12 @@ proofs::Level parse_level(const std::string& text);
 /// For a double's option: finite and within [least, most].  CLI11's own range lets NaN through.
 std::function<std::string(const std::string&)> finite_within(double least, double most);
 
+/// For an option of several: each of "2,4,8" such a number.  An empty one is refused, as in "4,".
+std::function<std::string(const std::string&)> each_finite_within(double least, double most);
+
+/// The numbers of a text that each_finite_within() takes.
+std::vector<double> parse_numbers(const std::string& text);
+
 /// For a whole number's option: one within [least, most], or what is wrong.
 std::function<std::string(const std::string&)> whole_within(std::uint64_t least, std::uint64_t most);
 

@@ -48,6 +48,15 @@ void Canvas::polygon(const std::vector<Pixel>& points, const std::string& fill, 
              {"stroke-linejoin", "round"}});
 }
 
+void Canvas::rectangle(const Pixel& corner, double width, double height, const std::string& fill) {
+  set(svg_.append_child("rect"), {{"x", fmt::format("{}", corner.x)},
+                                  {"y", fmt::format("{}", corner.y)},
+                                  {"width", fmt::format("{}", width)},
+                                  {"height", fmt::format("{}", height)},
+                                  {"fill", fill},
+                                  {"shape-rendering", "crispEdges"}});
+}
+
 void Canvas::dot(const Pixel& p, double radius, const std::string& fill, const std::string& stroke) {
   auto node = svg_.append_child("circle");
   set(node, {{"cx", fmt::format("{:.2f}", p.x)},

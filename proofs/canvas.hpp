@@ -22,6 +22,8 @@ class Canvas {
 
   void polygon(const std::vector<Pixel>& points, const std::string& fill, const std::string& stroke,
                double stroke_width, double opacity = 1, bool closed = true);
+  /// From its corner left above; neighbours leave no seam.
+  void rectangle(const Pixel& corner, double width, double height, const std::string& fill);
   void dot(const Pixel& p, double radius, const std::string& fill, const std::string& stroke);
   void text(const Pixel& p, const std::string& words, double size, const std::string& fill = ink,
             const std::string& anchor = "start", bool bold = false);

@@ -36,12 +36,13 @@ picture::Series curve(const AttributeSetFigures& set, Shown shown, Coordinate co
   return series;
 }
 
-/// The set's textures in ASTC, a point a block size; none where none were compressed.
+/// The set's textures in a format, a point a block size; none where none were compressed.
 template <class Error>
-void add_astc(picture::Panel& panel, const AttributeSetFigures& set, Error error) {
+void add_compressed(picture::Panel& panel, const AttributeSetFigures& set, const std::string& format,
+                    Error error) {
   if (set.compressed.empty() || set.shown == 0) return;
   picture::Series series{
-      .name = "texture in ASTC", .colour = picture::green, .shape = picture::Shape::diamond};
+      .name = "texture in " + format, .colour = picture::green, .shape = picture::Shape::diamond};
   for (const scene::CompressedTextures& one : set.compressed)
     series.points.push_back(
         {static_cast<double>(one.bytes) / static_cast<double>(set.texture_bytes), error(one.error)});
@@ -50,7 +51,7 @@ void add_astc(picture::Panel& panel, const AttributeSetFigures& set, Error error
 
 }  // namespace
 
-picture::Picture scene_attribute_picture(const AttributeFigures& figures) {
+picture::Picture scene_attribute_picture(const AttributeFigures& figures, const std::string& format) {
   using namespace picture;
   Picture drawn{.width = 1100, .height = 900};
   Panel bytes{.title = "All attributes",
@@ -93,8 +94,9 @@ picture::Picture scene_attribute_picture(const AttributeFigures& figures) {
         return Point{share(at), *error.rmse};
       }));
     }
-    add_astc(by_bytes, set, [](const scene::MapError& error) { return error.flip.value_or(0); });
-    add_astc(squares, set, [](const scene::MapError& error) { return *error.rmse; });
+    add_compressed(by_bytes, set, format,
+                   [](const scene::MapError& error) { return error.flip.value_or(0); });
+    add_compressed(squares, set, format, [](const scene::MapError& error) { return *error.rmse; });
     drawn.rows.front().push_back(by_level);
     drawn.rows.push_back({by_bytes, squares});
     break;

@@ -142,7 +142,7 @@ std::string name_of(scene::AmongSizes where) {
 }
 
 /// Columns of textures at the maps' error, by one measure.
-Fields<BesideTextures> equal_fields(Measure measure) {
+Fields<BesideTextures> equal_fields(Measure measure, const scene::TextureCoder& coder) {
   using B = BesideTextures;
   const bool flip = measure == Measure::flip;
   const std::string group = flip ? "at equal FLIP" : "at equal RMSE", key = flip ? "flip." : "rmse.";
@@ -164,20 +164,20 @@ Fields<BesideTextures> equal_fields(Measure measure) {
          const auto textures = textures_at(b, measure);
          return textures ? Value(name_of(textures->where)) : Value();
        }},
-      {{key + "astc", "ASTC bytes", "", {}, group},
+      {{key + coder.key, coder.format + " bytes", "", {}, group},
        [bytes](const B& b) {
          const auto textures = bytes(b);
          return textures ? Value(*textures) : Value();
        }},
-      {{key + "plain_to_astc", "plain to it", "", {}, group},
+      {{key + "plain_to_" + coder.key, "plain to it", "", {}, group},
        [times](const B& b) { return times(b, &scene::PackedBytes::plain); }},
-      {{key + "packed_to_astc", "packed to it", "", {}, group},
+      {{key + "packed_to_" + coder.key, "packed to it", "", {}, group},
        [times](const B& b) { return times(b, &scene::PackedBytes::packed); }},
   };
 }
 
 /// Textures by block size, and maps beside them.
-std::vector<Table> astc_tables(const AttributeFigures& figures) {
+std::vector<Table> coder_tables(const AttributeFigures& figures, const scene::TextureCoder& coder) {
   std::vector<SetBlocks> blocks;
   std::vector<BesideTextures> maps;
   for (const AttributeSetFigures& set : figures.sets) {
@@ -217,10 +217,12 @@ std::vector<Table> astc_tables(const AttributeFigures& figures) {
        [](const BesideTextures& b) { return packed_value(*b.at, &scene::PackedBytes::packed); }},
   };
   for (const Measure measure : {Measure::flip, Measure::rmse})
-    for (const Field<BesideTextures>& field : equal_fields(measure)) beside.push_back(field);
-  return {table_of<SetBlocks>({.key = "astc", .caption = "textures in ASTC"}, of_blocks, blocks),
-          table_of<BesideTextures>({.key = "beside_astc", .caption = "maps beside ASTC of the same error"},
-                                   beside, maps)};
+    for (const Field<BesideTextures>& field : equal_fields(measure, coder)) beside.push_back(field);
+  return {
+      table_of<SetBlocks>({.key = coder.key, .caption = "textures in " + coder.format}, of_blocks, blocks),
+      table_of<BesideTextures>(
+          {.key = "beside_" + coder.key, .caption = "maps beside " + coder.format + " of the same error"},
+          beside, maps)};
 }
 
 std::vector<SetLevel> set_levels(const AttributeFigures& figures) {
@@ -327,7 +329,7 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
                  table_of<S>({.key = "sets"}, sets, figures.sets),
                  table_of<SetLevel>({.key = "rows"}, rows, set_levels(figures)),
                  table_of<A>({.key = "totals", .caption = "all attributes"}, all, all_levels(figures))},
-      .drawn = scene_attribute_picture(figures)};
+      .drawn = scene_attribute_picture(figures, options.texture_coder.format)};
   if (options.packed) {
     result.settings.emplace_back("packed_error", std::uint64_t{options.packed_error});
     result.about +=
@@ -338,8 +340,9 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
         "maps";
   }
   if (options.texture_coder.compress) {
-    result.settings.emplace_back("astc", options.texture_coder.name);
-    for (Table& table : astc_tables(figures)) result.tables.push_back(std::move(table));
+    result.settings.emplace_back(options.texture_coder.key, options.texture_coder.name);
+    for (Table& table : coder_tables(figures, options.texture_coder))
+      result.tables.push_back(std::move(table));
     result.about +=
         ". ASTC: all blocks of the textures, no mips; reduced by: sides so many times shorter first, sampled "
         "bilinearly in the end. Equal error: between two sizes, on a line of logarithms of bytes and errors";

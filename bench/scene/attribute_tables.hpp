@@ -29,6 +29,6 @@ struct AttributePictureFile {
 Table attribute_pictures_table(const std::vector<AttributePictureFile>& pictures);
 
 /// Bytes by level beside the textures; FLIP and RMSE of base colours by level, and against bytes.
-picture::Picture scene_attribute_picture(const scene::AttributeFigures& figures);
+picture::Picture scene_attribute_picture(const scene::AttributeFigures& figures, const std::string& format);
 
 }  // namespace mmverify::bench

@@ -14,6 +14,7 @@
 #include "bench/scene/attribute_plan_tables.hpp"
 #include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/attribute_times.hpp"
+#include "bench/scene/bc7enc.hpp"
 #include "bench/scene/zstd.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/plot.hpp"
@@ -157,6 +158,9 @@ int scene_attributes(const AttributeArguments& arguments) {
   if (arguments.astc)
     options.texture_coder =
         bench::astc_coder({.threads = options.threads, .progress = options.progress, .stop = options.stop});
+  if (arguments.bc7)
+    options.texture_coder =
+        bench::bc7_coder({.threads = options.threads, .progress = options.progress, .stop = options.stop});
   PictureFolder pictures(arguments.pictures);
   if (!arguments.pictures.empty())
     options.picture = [&pictures](const AttributePicture& picture) { pictures.write(picture); };

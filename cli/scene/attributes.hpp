@@ -13,10 +13,10 @@ struct AttributeArguments {
   unsigned threads = 0;
   bool packed = false;  ///< pack the maps as well
   unsigned packed_error = 0;
-  bool astc = false;              ///< compress the textures beside
-  bool time = false;              ///< take times of lookups in textures and maps
-  bool mips = false;              ///< hold mips of textures against those of maps
-  std::vector<double> plan = {};  ///< plan levels for these errors
+  bool astc = false, bc7 = false;  ///< compress the textures beside; one of them
+  bool time = false;               ///< take times of lookups in textures and maps
+  bool mips = false;               ///< hold mips of textures against those of maps
+  std::vector<double> plan = {};   ///< plan levels for these errors
 };
 
 /// Prints the tables, writes JSON, the picture of the figures and pictures of the textures.  Returns the exit code.

@@ -47,7 +47,7 @@ struct SceneOptions {
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
   bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false, astc = false,
-       time = false, mips = false;
+       bc7 = false, time = false, mips = false;
   std::vector<double> plan;
   float margin = 0;
   int states = 4;
@@ -294,22 +294,27 @@ int attributes(const SceneOptions& options) {
       options.states != 4 || options.margin != 0 || options.exhaustive)
     throw UsageError(
         "--attributes: it measures and writes --json, --plot, --files and --pictures; leave the others out");
-  if (options.astc && options.packed_error != 0)
-    throw UsageError(
-        "--astc: errors are measured of lossless maps, and held against their bytes; leave --packed-error "
-        "out");
+  if (options.astc && options.bc7)
+    throw UsageError("--astc, --bc7: textures are compressed in one of them at a time");
+  if ((options.astc || options.bc7) && options.packed_error != 0)
+    throw UsageError(fmt::format(
+        "{}: errors are measured of lossless maps, and held against their bytes; leave --packed-error "
+        "out",
+        options.astc ? "--astc" : "--bc7"));
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
                            options.files, options.codes, options.quiet, options.threads,
-                           options.packed || options.packed_error != 0 || options.astc, options.packed_error,
-                           options.astc, options.time, options.mips, options.plan});
+                           options.packed || options.packed_error != 0 || options.astc || options.bc7,
+                           options.packed_error, options.astc, options.bc7, options.time, options.mips,
+                           options.plan});
 }
 
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
   if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
-  if (options.packed || options.packed_error != 0 || options.astc || options.time || options.mips ||
-      !options.plan.empty() || !options.files.empty())
-    throw UsageError("--packed, --packed-error, --astc, --time, --mips, --plan, --files: for --attributes");
+  if (options.packed || options.packed_error != 0 || options.astc || options.bc7 || options.time ||
+      options.mips || !options.plan.empty() || !options.files.empty())
+    throw UsageError(
+        "--packed, --packed-error, --astc, --bc7, --time, --mips, --plan, --files: for --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -417,6 +422,8 @@ Action add_scene(CLI::App& program) {
   command->add_flag("--astc", options->astc,
                     "of --attributes: compress the textures as ASTC beside, and say what they take at the "
                     "maps' errors; implies --packed, needs the program astcenc");
+  command->add_flag("--bc7", options->bc7,
+                    "the same in BC7; needs the program bc7enc, of npm's @gpu-tex-enc/bc");
   command->add_flag("--time", options->time,
                     "of --attributes: take the time of a lookup at random points, in the textures and in the "
                     "maps; one thread");
@@ -425,14 +432,13 @@ Action add_scene(CLI::App& program) {
       "of --attributes: hold mips of the textures against those of the maps of the highest level, "
       "near the borders of an atlas's charts and inside; needs --level A..B");
   command
-      ->add_option("--plan", options->plan,
-                   "of --attributes: give each triangle the lowest of these levels whose faces, or vertices, "
-                   "keep an error, in "
-                   "codes of 8 bits, and none where one value does; beside all of one level")
-      ->delimiter(',')
-      ->check(finite_within(0, 255))
-      ->type_name("RMSE[,RMSE...]")
-      ->allow_extra_args(false);
+      ->add_option_function<std::string>(
+          "--plan", [options](const std::string& text) { options->plan = parse_numbers(text); },
+          "of --attributes: give each triangle the lowest of these levels whose faces, or vertices, "
+          "keep an error, in "
+          "codes of 8 bits, and none where one value does; beside all of one level")
+      ->check(each_finite_within(0, 255))
+      ->type_name("RMSE[,RMSE...]");
   command
       ->add_option("--pictures", options->pictures,
                    "of --attributes: write each base colour beside its maps and their FLIP, a PNG a level")

@@ -5,6 +5,7 @@ import { type AttributeRow, benches, type Report, type SceneAttributes } from ".
 import { el, plainTable, select } from "./dom";
 import { bytes, grouped, percent, plural, ranges, short } from "./format";
 import { front } from "./front";
+import { plotLook } from "./looks";
 
 /** How maps are shown: faces; vertices, between which is interpolated or the nearest of which counts. */
 interface Reading {
@@ -58,6 +59,7 @@ function footprint(run: SceneAttributes): HTMLElement {
     name,
     line: true,
     dashed,
+    look: plotLook(name),
     marks: run.totals.flatMap(({ level }) => {
       const y = of(level);
       if (y === undefined || y === 0) return [];
@@ -179,9 +181,10 @@ function errorByLevel(rows: AttributeRow[], set: string, measure: Measure): HTML
       name: reading.name,
       line: true,
       dashed: !!reading.dashed,
+      look: plotLook(reading.name),
       marks: rows.flatMap((row) => {
         const y = measure.of(reading, row);
-        return y === undefined ? [] : [{ x: row.level, y, words: [`level ${row.level}`, `${measure.title} ${short(y)}`] }];
+        return y === undefined ? [] : [{ x: row.level, y, hollow: !!reading.dashed, words: [`level ${row.level}`, `${measure.title} ${short(y)}`] }];
       }),
     }))
     .filter((s) => s.marks.length > 0);
@@ -196,10 +199,11 @@ function errorByBytes(run: SceneAttributes, rows: AttributeRow[], set: string, m
     name,
     line: true,
     dashed,
+    look: plotLook(name),
     marks: rows.flatMap((row) => {
       const x = size(row), y = measure.of(reading, row);
       if (x === undefined || x === 0 || y === undefined) return [];
-      return [{ x, y, words: [`level ${row.level}`, `${bytes(x)}, ${percent(x / texture)} of the textures`, `${measure.title} ${short(y)}`] }];
+      return [{ x, y, hollow: !!reading.dashed, words: [`level ${row.level}`, `${bytes(x)}, ${percent(x / texture)} of the textures`, `${measure.title} ${short(y)}`] }];
     }),
   });
   const plain = readings.map((reading) => line(reading.name, !!reading.dashed, reading, reading.bytes));
@@ -223,6 +227,7 @@ export function timedSeries(run: SceneAttributes, set: string, measure: Measure)
       name: maps,
       line: true,
       dashed: false,
+      look: plotLook(maps),
       marks: timed.filter((t) => t.maps === maps).flatMap((t) => {
         const row = run.rows.find((r) => r.set === set && r.level === t.level);
         const y = row && measure.of(maps === "faces" ? readings[0]! : readings[1]!, row);

@@ -2,7 +2,7 @@
 import uPlot from "uplot";
 
 import { button, el, fresh, svg } from "./dom";
-import { colour, look, named, type Shape, trace } from "./palette";
+import { colour, type Look, look, named, type Shape, trace } from "./palette";
 import { onTheme } from "./theme";
 import { linearTicks, logTicks, tickWords } from "./ticks";
 
@@ -21,6 +21,8 @@ export interface Series {
   dashed?: boolean;
   /** Drawn beside its marks. */
   label?: string;
+  /** Its own; otherwise that of its place among the series. */
+  look?: Look | undefined;
 }
 
 export interface Axis {
@@ -70,8 +72,9 @@ const zoomedBy = (range: Range, factor: number, log: boolean): Range => {
   return [back(middle - half), back(middle + half)];
 };
 
-function swatch(k: number, dashed: boolean, line: boolean): SVGElement {
-  const { shape } = look(k);
+const lookOf = (s: Series, k: number): Look => s.look ?? look(k);
+
+function swatch(shape: Shape, hollow: boolean, dashed: boolean, line: boolean): SVGElement {
   const box = svg("svg", { width: 26, height: 14, viewBox: "0 0 26 14", "aria-hidden": "true" });
   if (line)
     box.append(svg("line", { x1: 0, x2: 26, y1: 7, y2: 7, stroke: "currentColor", "stroke-width": 1.5, ...(dashed ? { "stroke-dasharray": "4 3" } : {}) }));
@@ -83,7 +86,7 @@ function swatch(k: number, dashed: boolean, line: boolean): SVGElement {
     cross: "M9 3l8 8M9 11l8-8",
     plus: "M13 1.5v11M7.5 7h11",
   };
-  const lines = shape === "cross" || shape === "plus";
+  const lines = hollow || shape === "cross" || shape === "plus";
   box.append(svg("path", { d: paths[shape], fill: lines ? "none" : "currentColor", stroke: "currentColor", "stroke-width": lines ? 2 : 1 }));
   return box;
 }
@@ -211,7 +214,7 @@ export function chart(given: ChartSpec): HTMLElement {
     }
     spec.series.forEach((s, k) => {
       if (!shown[k]) return;
-      const { colour: number, shape } = look(k);
+      const { colour: number, shape } = lookOf(s, k);
       const lines = shape === "cross" || shape === "plus";
       c.strokeStyle = c.fillStyle = colour(number);
       c.lineWidth = (lines ? 2.2 : 1.5) * dpr;
@@ -307,7 +310,7 @@ export function chart(given: ChartSpec): HTMLElement {
           ...spec.series.map((s, k): uPlot.Series => ({
             scale: "y",
             spanGaps: true,
-            stroke: () => colour(look(k).colour),
+            stroke: () => colour(lookOf(s, k).colour),
             width: 1.5,
             ...(s.dashed ? { dash: [6, 4] } : {}),
             points: { show: false },
@@ -381,8 +384,8 @@ export function chart(given: ChartSpec): HTMLElement {
       u?.setSeries(k + 1, { show: shown[k]! });
       hide();
     }, { class: "key", "aria-pressed": "true" });
-    key.append(swatch(k, !!s.dashed, !!s.line), s.name);
-    const paint = () => ((key.firstElementChild as SVGElement).style.color = colour(look(k).colour));
+    key.append(swatch(lookOf(s, k).shape, s.marks.length > 0 && s.marks.every((m) => m.hollow), !!s.dashed, !!s.line), s.name);
+    const paint = () => ((key.firstElementChild as SVGElement).style.color = colour(lookOf(s, k).colour));
     paint();
     onTheme(paint);
     return key;

@@ -3,10 +3,11 @@ import { chart, type Mark, type Series } from "./chart";
 import { benches, type Report, runs } from "./data";
 import { el, plainTable, select } from "./dom";
 import { grouped, seconds, short } from "./format";
+import { plotLook } from "./looks";
 import { type Group, groups } from "./verdicts";
 
 const lines = (of: Map<string, Mark[]>): Series[] =>
-  [...of].filter(([, marks]) => marks.length > 0).map(([name, marks]) => ({ name, marks, line: true }));
+  [...of].filter(([, marks]) => marks.length > 0).map(([name, marks]) => ({ name, marks, line: true, look: plotLook(name) }));
 
 function add(of: Map<string, Mark[]>, name: string, x: number, y: number, words: string[]): void {
   if (!(y > 0)) return;

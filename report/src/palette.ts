@@ -8,8 +8,14 @@ const dark = ["#56b4e9", "#ff8d3f", "#2fc79b", "#e79cc6", "#f0c64a", "#9fd0f0", 
 export const shapes = ["circle", "square", "triangle", "diamond", "cross", "plus"] as const;
 export type Shape = (typeof shapes)[number];
 
+export interface Look {
+  /** A place in the palette. */
+  colour: number;
+  shape: Shape;
+}
+
 /** The k-th series' look: colour and shape together are the series' own up to 42 of them. */
-export const look = (k: number): { colour: number; shape: Shape } => ({ colour: k % light.length, shape: shapes[k % shapes.length]! });
+export const look = (k: number): Look => ({ colour: k % light.length, shape: shapes[k % shapes.length]! });
 
 /** Whether the page is light or dark now; theme.ts says so. */
 export const scheme = (): Scheme => (document.documentElement.dataset["theme"] === "dark" ? "dark" : "light");

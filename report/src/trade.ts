@@ -4,6 +4,7 @@ import { type AttributeBench, type BakeBench, benches, type IndexBench, type Rep
 import { el, plainTable, select } from "./dom";
 import { grouped, percent, short } from "./format";
 import { front } from "./front";
+import { plotLook } from "./looks";
 
 /** A decade below a logarithmic axis's least: where marks lie that have no error at all. */
 export const below = (least: number): number => Number(`1e${Math.floor(Math.log10(least) + 1e-9) - 1}`);
@@ -25,7 +26,7 @@ function tradeChart(title: string, x: string, y: string, entries: Entry[], floor
   const zero = entries.some((e) => e.error === 0);
   const floor = below(Math.min(...(errors.length > 0 ? errors : [1])));
   const marks = entries.map((e): Mark & { error: number } => ({ x: e.ns, y: e.error > 0 ? e.error : floor, words: e.words, hollow: e.error === 0, error: e.error }));
-  const series = entries.map((e, k): Series => ({ name: e.name, marks: [marks[k]!], label: e.name }));
+  const series = entries.map((e, k): Series => ({ name: e.name, marks: [marks[k]!], label: e.name, look: plotLook(e.name) }));
   return chart({
     title,
     note: `${note} ${frontNote}`,

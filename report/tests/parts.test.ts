@@ -1,5 +1,6 @@
 // Small parts: numbers in print, ticks, the front, cases, answers, rows of the table.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { mipRows, planLevelRows, planRow } from "../src/attribute_plans";
 import { test } from "node:test";
 
@@ -9,6 +10,7 @@ import { coordinate, differsAt, indexOfCase, mapOf, pointOf, squareOf } from "..
 import type { Rendered, Result, Run, SceneAttributes, Verdict } from "../src/data";
 import { bytes, grouped, plural, powerOfTen, ranges, seconds, short } from "../src/format";
 import { front } from "../src/front";
+import { plotLook } from "../src/looks";
 import { line } from "../src/path";
 import { paint, toPixel, toPoint } from "../src/raster";
 import { callsByLevel, rayRows } from "../src/rays";
@@ -43,6 +45,22 @@ test("ticks lie in the range and are round", () => {
   assert.deepEqual(logTicks(1, 20, 8), [1, 2, 5, 10, 20]);
   for (const t of logTicks(3.1, 3.2, 5)) assert.ok(t >= 3.1 && t <= 3.2);
   assert.ok(logTicks(1e-12, 1e6, 5).length <= 7);
+});
+
+test("what plots draw, too, has its colour there", () => {
+  const source = (file: string) => readFileSync(`${process.env["MMVERIFY_SOURCE"]}/bench/${file}`, "utf8");
+  // The page's colours are darker where white paper asks for it; the order is the palette's.
+  const palette = ["blue", "vermilion", "green", "purple", "orange"];
+  const scene = source("scene/attribute_picture.cpp"), bench = source("attribute/picture.cpp");
+  const hue = (name: string) => palette[plotLook(name)!.colour]!;
+  for (const name of ["faces", "vertices", "vertices, the nearest"])
+    assert.match(scene, new RegExp(`\\.name = "${name}", \\.colour = ${hue(name)},`));
+  assert.match(bench, new RegExp(`starts_with\\("W"\\) \\? ${hue("W-minor")} : order\\.starts_with\\("U"\\) \\? ${hue("U-major, batched")} : ${hue("Bird")};`));
+  assert.match(bench, new RegExp(`Remap::cramer, ${hue("3x3 by Cramer")}}, {Remap::two_equations, ${hue("two equations")}}, {Remap::pattern, ${hue("pattern")}}, {Remap::ours, ${hue("ours, locates too, batched")}}`));
+  assert.equal(hue("faces, packed"), hue("faces"));
+  assert.notEqual(plotLook("faces, packed")!.shape, plotLook("faces")!.shape);
+  assert.notDeepEqual(plotLook("vertices, Bird"), plotLook("vertices, W-minor"));
+  assert.equal(plotLook("facets"), undefined);
 });
 
 test("the front is what nothing beats", () => {

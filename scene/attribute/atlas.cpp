@@ -1,5 +1,8 @@
 #include "scene/attribute/atlas.hpp"
 
+#include <set>
+#include <tuple>
+
 namespace mmverify::scene {
 
 namespace {
@@ -40,10 +43,16 @@ std::vector<std::uint32_t> first_triangles(const ColourImage& image, std::span<c
                                            std::span<const TexelTriangle> triangles,
                                            const std::function<void()>& stop) {
   std::vector<std::uint32_t> first(std::size_t{image.width} * image.height, no_triangle);
-  for (std::uint32_t k = 0; k < triangles.size(); ++k) {
+  std::size_t left = first.size();
+  // One that lies where an earlier one does is the first of no texel; a forest has thousands on few places.
+  std::set<std::tuple<TexelTriangle, Wrap, Wrap>> places;
+  for (std::uint32_t k = 0; k < triangles.size() && left > 0; ++k) {
     if (stop) stop();
+    if (!places.emplace(triangles[k], samplers[k].wrap_u, samplers[k].wrap_v).second) continue;
     for_each_texel(image, samplers[k], triangles[k], [&](std::size_t texel, double, double) {
-      if (first[texel] == no_triangle) first[texel] = k;
+      if (first[texel] != no_triangle) return;
+      first[texel] = k;
+      --left;
     });
   }
   return first;

@@ -4,7 +4,6 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "scene/attribute/image_triangles.hpp"
 #include "scene/attribute/map_reading.hpp"
 #include "scene/attribute/reduced_texture.hpp"
+#include "scene/attribute/same_uvs.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -34,6 +34,7 @@ class SetMeasurement {
           for (const Triangle& t : primitive.triangles)
             add({use.texture, {use.uvs[t[0]], use.uvs[t[1]], use.uvs[t[2]]}});
     figures_.triangles = all_.size();
+    same_ = first_of_same_uvs(all_);
     const unsigned levels = options.last - options.first + 1;
     keys_.assign(levels * std::size(map_kinds), std::vector<MapKey>(all_.size()));
     sums_.assign(keys_.size(), {});
@@ -93,15 +94,20 @@ class SetMeasurement {
       std::vector<std::uint8_t> nearest = original;
       for (const MapKind kind : map_kinds) {
         std::vector<std::uint8_t>& rgb = kind == MapKind::faces ? picture.faces : picture.vertices;
-        std::atomic<std::uint64_t> seen{0};
+        std::vector<MapKey>& keys = keys_[place_of(level, kind)];
+        std::vector<std::uint64_t> seen(all_.size());
         oneapi::tbb::parallel_for(std::size_t{0}, maps.size(), [&](std::size_t k) {
+          if (same_[maps[k]] != maps[k]) return;
           thread_local MapValues values;
           bake(all_[maps[k]], kind, level, values);
-          keys_[place_of(level, kind)][maps[k]] = key_of(values);
+          keys[maps[k]] = key_of(values);
           show(of_image, k, kind, level, values, rgb, nearest);
-          if (kind == MapKind::faces) seen += faces_with_centre(of_image.corners[k], level);
+          if (kind == MapKind::faces) seen[maps[k]] = faces_with_centre(of_image.corners[k], level);
         });
-        if (kind == MapKind::faces) seen_faces_[level - options_.first] += seen;
+        for (const std::size_t map : maps) {
+          keys[map] = keys[same_[map]];
+          if (kind == MapKind::faces) seen_faces_[level - options_.first] += seen[same_[map]];
+        }
         const auto add = [&](ErrorSums& sums, const std::vector<std::uint8_t>& shows) {
           return add_errors(sums, image, set_, original, shows, shown, options_.threads);
         };
@@ -232,9 +238,16 @@ class SetMeasurement {
     MapsAtLevel at;
     at.level = level;
     at.kind = kind;
-    at.maps = shared(keys_[place], [&](std::size_t k) {
+    std::vector<std::size_t> first;
+    std::vector<MapKey> keys;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      if (same_[k] != k) continue;
+      first.push_back(k);
+      keys.push_back(keys_[place][k]);
+    }
+    at.maps = shared(keys, [&](std::size_t k) {
       MapValues values;
-      bake(all_[k], kind, level, values);
+      bake(all_[first[k]], kind, level, values);
       return values;
     });
     if (options_.packed || options_.stored) at.packed = packed(kind, level);
@@ -260,8 +273,12 @@ class SetMeasurement {
     MapPacker packer(kind, level, channels_, options_.packed_error);
     MapValues values;
     StoredAttributes stored{set_, {}};
-    for (const MapOfTriangle& map : all_) {
-      bake(map, kind, level, values);
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      if (same_[k] != k) {
+        stored.maps.triangles.push_back(stored.maps.triangles[same_[k]]);
+        continue;
+      }
+      bake(all_[k], kind, level, values);
       stored.maps.triangles.push_back({packer.add(values), 0});
     }
     if (options_.stored) {
@@ -294,6 +311,7 @@ class SetMeasurement {
   AttributeSetFigures figures_;
   std::map<std::size_t, MapBaker> bakers_;  ///< by textures of the scene
   std::vector<MapOfTriangle> all_;
+  std::vector<std::size_t> same_;  ///< of all_, by first_of_same_uvs()
   std::uint64_t far_ = 0;
   // By place_of(): a key a map; sums.
   std::vector<std::vector<MapKey>> keys_;

@@ -13,6 +13,7 @@
 #include "scene/attribute/charts.hpp"
 #include "scene/attribute/map_reading.hpp"
 #include "scene/attribute/reduced_texture.hpp"
+#include "scene/attribute/same_uvs.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -110,7 +111,10 @@ std::vector<ShownMip> MipErrors::maps_of(const AttributeAtlas& atlas, MapKind ki
     bakers.try_emplace(map.texture, atlas.image, scene_.textures[map.texture], options_.averaging);
   const std::uint8_t channels = channels_of(atlas.set);
   std::vector<ShownMip> levels(steps_, {atlas.original, {}});
+  const std::vector<std::size_t> same = first_of_same_uvs(atlas.maps);
   oneapi::tbb::parallel_for(std::size_t{0}, atlas.maps.size(), [&](std::size_t k) {
+    // What lies where an earlier one does is the first of no texel.
+    if (same[k] != k) return;
     if (options_.stop) options_.stop();
     const MapOfTriangle& map = atlas.maps[k];
     const MapBaker& baker = bakers.at(map.texture);

@@ -48,6 +48,7 @@ struct TextureCoder {
   std::function<void(const TexturePixels&, std::span<const BlockSize>,
                      const std::function<void(const DecodedTexture&)>& made)>
       compress = {};
+  std::string key = "astc", format = "ASTC";  ///< of its figures, and in words
 };
 
 }  // namespace mmverify::scene

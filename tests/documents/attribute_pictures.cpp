@@ -72,13 +72,16 @@ void draw_order(Canvas& canvas, const View& view, VertexOrder vertices, FaceOrde
   each_vertex(n, [&](const Vertex& v) { walk[vertex_index(vertices, v, n)] = view(v); });
   each_face(n, [&](const MicroTriangle& t) { canvas.polygon(view(corners_of(t)), "none", grey, 1); });
   canvas.polygon(walk, "none", "#a9cbe6", 3, 1, false);
+  const bool wide = n <= 2;
   each_face(n, [&](const MicroTriangle& t) {
     const Pixel at = middle(view(corners_of(t)));
-    canvas.text({at.x, at.y + 4}, fmt::format("{}", face_index(faces, t, n)), 12, vermilion, "middle");
+    canvas.text({at.x, at.y + (wide ? 4 : 3.2)}, fmt::format("{}", face_index(faces, t, n)), wide ? 12 : 9.5,
+                vermilion, "middle");
   });
   for (std::size_t k = 0; k < walk.size(); ++k) {
-    canvas.dot(walk[k], 9.5, "#ffffff", blue);
-    canvas.text({walk[k].x, walk[k].y + 4}, fmt::format("{}", k), 11, blue, "middle", true);
+    canvas.dot(walk[k], wide ? 9.5 : 7.5, "#ffffff", blue);
+    canvas.text({walk[k].x, walk[k].y + (wide ? 4 : 3.2)}, fmt::format("{}", k), wide ? 11 : 9, blue,
+                "middle", true);
   }
   name_corners(canvas, view);
 }
@@ -114,7 +117,7 @@ void draw_decimated(Canvas& canvas, const View& view, EdgeFlags flags) {
 }  // namespace
 
 std::string attribute_orders() {
-  Canvas canvas(1000, 400, "Three orders of micro-vertices and of micro-triangles, level 2");
+  Canvas canvas(1000, 760, "Three orders of micro-vertices and of micro-triangles, levels 2 and 3");
   struct Pair {
     VertexOrder vertices;
     FaceOrder faces;
@@ -124,11 +127,14 @@ std::string attribute_orders() {
   for (const Pair& pair : {Pair{VertexOrder::w_minor, FaceOrder::rows, "vertices W-minor, faces in rows"},
                            Pair{VertexOrder::u_major, FaceOrder::u_major, "vertices and faces U-major"},
                            Pair{VertexOrder::bird, FaceOrder::curve, "vertices Bird, faces on the curve"}}) {
-    const View view{x, 45, 290, 2};
-    draw_order(canvas, view, pair.vertices, pair.faces);
-    canvas.text({x + view.size / 2, 365}, pair.words, 15, ink, "middle");
+    constexpr double size = 290;
+    draw_order(canvas, {x, 45, size, 2}, pair.vertices, pair.faces);
+    draw_order(canvas, {x, 400, size, 3}, pair.vertices, pair.faces);
+    canvas.text({x + size / 2, 725}, pair.words, 15, ink, "middle");
     x += 330;
   }
+  canvas.text({20, 32}, "level 2", 14, ink, "start", true);
+  canvas.text({20, 387}, "level 3", 14, ink, "start", true);
   return canvas.str();
 }
 

@@ -18,6 +18,7 @@
 #include "proofs/canvas.hpp"
 #include "spec/index/index.hpp"
 #include "tests/documents/attribute_pictures.hpp"
+#include "tests/documents/bleeding_picture.hpp"
 
 namespace {
 
@@ -141,7 +142,8 @@ int main(int argc, char** argv) try {
       {"index.svg", curve()},
       {"micromap.svg", states()},
       {"attribute_orders.svg", tests::attribute_orders()},
-      {"attribute_decimation.svg", tests::attribute_decimation()}};
+      {"attribute_decimation.svg", tests::attribute_decimation()},
+      {"attribute_bleeding.svg", tests::attribute_bleeding()}};
   int code = 0;
   for (const auto& [name, svg] : pictures) {
     const std::string file = folder + "/" + name;

@@ -16,6 +16,7 @@
 #include "scene/attribute/measure.hpp"
 #include "scene/attribute/reduced_texture.hpp"
 #include "scene/write/png.hpp"
+#include "tests/environment.hpp"
 #include "tests/folder.hpp"
 
 namespace {
@@ -27,6 +28,7 @@ using mmverify::bench::NoProgram;
 using mmverify::bench::ProgramEnd;
 using mmverify::bench::reduced_astc_blocks;
 using mmverify::bench::run_program;
+using mmverify::tests::Environment;
 using mmverify::tests::Folder;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -292,27 +294,6 @@ TEST(ReducedTexture, IsSampledBilinearlyAndClamped) {
 // ---------------------------------------------------------------------------------------------------------------------
 // astcenc
 // ---------------------------------------------------------------------------------------------------------------------
-
-/// Sets a variable of the environment for its lifetime.
-class Environment {
- public:
-  Environment(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    setenv(name, value.c_str(), 1);
-  }
-  ~Environment() {
-    if (before_)
-      setenv(name_, before_->c_str(), 1);
-    else
-      unsetenv(name_);
-  }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
 
 #define SKIP_WITHOUT_ASTCENC()                                                     \
   try {                                                                            \

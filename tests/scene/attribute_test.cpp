@@ -9,6 +9,7 @@
 #include "scene/attribute/map_reading.hpp"
 #include "scene/attribute/measure.hpp"
 #include "scene/attribute/picture.hpp"
+#include "scene/attribute/same_uvs.hpp"
 
 namespace {
 
@@ -309,6 +310,44 @@ TEST(AttributeMeasure, IsTheSameForAnyNumberOfThreads) {
     return all;
   };
   EXPECT_EQ(figures(1), figures(3));
+}
+
+TEST(AttributeMeasure, CountsTrianglesOnOnePlaceAsIfEachWereMeasured) {
+  const AttributeScene once = square_scene(random_image(12, 8));
+  AttributeScene thrice = once;
+  // The same places again, and one turned by a corner: another place, whose map differs.
+  thrice.primitives[0].triangles = {{0, 1, 2}, {2, 1, 3}, {0, 1, 2}, {1, 2, 0}, {2, 1, 3}};
+  std::vector<MapOfTriangle> all;
+  for (const Triangle& t : thrice.primitives[0].triangles) {
+    const std::vector<Uv>& uvs = thrice.primitives[0].uses[0].uvs;
+    all.push_back({0, {uvs[t[0]], uvs[t[1]], uvs[t[2]]}});
+  }
+  EXPECT_THAT(first_of_same_uvs(all), testing::ElementsAre(0, 1, 0, 3, 1));
+  all[4].texture = 1;
+  EXPECT_EQ(first_of_same_uvs(all).back(), 4u);
+
+  for (const unsigned level : {0u, 3u}) {
+    const auto levels = [&](const AttributeScene& scene) {
+      return measure(scene, {.first = level, .last = level, .packed = true}).sets.at(0).levels;
+    };
+    const std::vector<MapsAtLevel> one = levels(once), three = levels(thrice);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_EQ(three[k].error.rmse, one[k].error.rmse);
+      EXPECT_EQ(three[k].error.flip, one[k].error.flip);
+      const bool turned_differs = level > 0 || three[k].kind == MapKind::vertices;
+      EXPECT_EQ(three[k].maps.distinct, turned_differs ? 3u : 2u);
+      EXPECT_EQ(three[k].packed->plain, 3 * three[k].maps.distinct * values_of_map(three[k].kind, level));
+    }
+    // Of faces without a texel each triangle has its own: the first place has three triangles, the second two.
+    const auto share = [&](const std::vector<MapsAtLevel>& of) {
+      return of[0].kind == MapKind::faces ? *of[0].unseen : *of[1].unseen;
+    };
+    AttributeScene first = once, second = once;
+    first.primitives[0].triangles = {{0, 1, 2}};
+    second.primitives[0].triangles = {{2, 1, 3}};
+    const double of_five = 3 * share(levels(first)) + 2 * share(levels(second));
+    EXPECT_NEAR(share(three), of_five / 5, 1e-12);
+  }
 }
 
 TEST(AttributeMeasure, LeavesOutWhatSpansTooMuch) {

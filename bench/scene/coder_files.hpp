@@ -1,0 +1,42 @@
+// What goes in and out of programs that compress textures.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/attribute/texture_coder.hpp"
+
+namespace mmverify::bench {
+
+/// A folder of temporary files that nobody else may enter, and that is gone with what is in it.
+/// Errors: std::runtime_error where there can be none, naming the program.
+class PrivateFolder {
+ public:
+  explicit PrivateFolder(const std::string& program);
+  ~PrivateFolder();
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+
+  std::string file(const char* name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Errors: std::runtime_error where the disk is full.
+void write_file(const std::string& path, const std::vector<unsigned char>& bytes);
+
+/// The colours of a picture that a program wrote.  Errors: std::runtime_error where it is none, or of another size than
+/// went in.
+std::vector<std::uint8_t> rgb_of_png(const std::string& path, const scene::TexturePixels& pixels,
+                                     const std::string& program);
+
+/// Errors: std::runtime_error where the file has another size, or is not there.
+void expect_size(const std::string& file, std::uint64_t bytes, const std::string& program);
+
+/// A program's complaints in one line.
+std::string one_line(std::string text);
+
+}  // namespace mmverify::bench
