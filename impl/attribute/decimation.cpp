@@ -19,7 +19,7 @@ Located locate(float u, float v, std::uint32_t N) noexcept {
   iu = std::min(iu, N - 1 - iv);
   // 24 bits and up to 16 more of the square: exact in binary64.
   const double fu = static_cast<double>(un) - iu, fv = static_cast<double>(vn) - iv;
-  // lesser >= 1 - greater stands for fu + fv >= 1, as in index::detail::locate.
+  // lesser >= 1 - greater stands for fu + fv >= 1, as in index::detail::reach_one.
   const bool upper = iu + iv + 1 < N && std::min(fu, fv) >= 1 - std::max(fu, fv);
   return {iu, iv, fu, fv, upper};
 }
