@@ -14,6 +14,7 @@
 #include "scene/attribute/image_triangles.hpp"
 #include "scene/attribute/map_reading.hpp"
 #include "scene/attribute/reduced_texture.hpp"
+#include "scene/attribute/same_uvs.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -68,11 +69,12 @@ class SetPlanner {
     figures.triangles = all_.size();
     for (unsigned level = options_.first; level <= options_.last; ++level)
       figures.levels.push_back({.level = level});
-    const std::vector<TrianglePlan> plan = impl::attribute::plan(
-        {neighbours_, options_.last, [&](std::size_t t) { return keeps(t, errors_[t].of_value, wanted); },
-         [&](std::size_t t, std::uint32_t level, std::uint8_t edges) {
-           return level >= options_.first && keeps(t, squares(t, level, edges), wanted);
-         }});
+    const std::vector<TrianglePlan> plan =
+        impl::attribute::plan({neighbours_, options_.last,
+                               [&](std::size_t t) { return keeps(t, errors_[same_[t]].of_value, wanted); },
+                               [&](std::size_t t, std::uint32_t level, std::uint8_t edges) {
+                                 return level >= options_.first && keeps(t, squares(t, level, edges), wanted);
+                               }});
     count(plan, figures);
     share(plan, figures);
     ErrorSums sums;
@@ -117,9 +119,11 @@ class SetPlanner {
   /// Each triangle's errors at each level, no edge decimated.
   void measure_triangles() {
     errors_.resize(all_.size());
+    same_ = first_of_same_uvs(all_);
     for (const PlannedImage& image : images_)
       oneapi::tbb::parallel_for(std::size_t{0}, image.shown.maps.size(), [&](std::size_t k) {
         const std::size_t t = image.shown.maps[k];
+        if (same_[t] != t) return;
         TriangleErrors& errors = errors_[t];
         errors.original = &image.original;
         const MapValue value = value_of(t);
@@ -136,7 +140,7 @@ class SetPlanner {
   template <class Shows>
   double squares_of(std::size_t t, Shows shows) const {
     const ColourImage& image = image_of(all_[t]);
-    const std::vector<std::uint8_t>& original = *errors_[t].original;
+    const std::vector<std::uint8_t>& original = *errors_[same_[t]].original;
     double sum = 0;
     for_each_texel(
         image, scene_.textures[all_[t].texture].sampler, in_texels(all_[t].uvs, image.width, image.height),
@@ -178,7 +182,7 @@ class SetPlanner {
   MapValue value_of(std::size_t t) const { return baked(t, MapKind::faces, 0).front(); }
 
   double squares(std::size_t t, std::uint32_t level, std::uint8_t edges) {
-    TriangleErrors& errors = errors_[t];
+    TriangleErrors& errors = errors_[same_[t]];
     if (edges == 0) return errors.of_level[level - options_.first];
     const auto [at, fresh] = errors.of_edges.try_emplace({level, edges}, 0);
     if (fresh) at->second = squares_of_map(t, level, edges);
@@ -186,7 +190,8 @@ class SetPlanner {
   }
 
   bool keeps(std::size_t t, double squares, double wanted) const {
-    return squares <= wanted * wanted * static_cast<double>(errors_[t].texels) * std::popcount(channels_);
+    return squares <=
+           wanted * wanted * static_cast<double>(errors_[same_[t]].texels) * std::popcount(channels_);
   }
 
   void count(const std::vector<TrianglePlan>& plan, PlannedMaps& figures) {
@@ -212,8 +217,11 @@ class SetPlanner {
   void share(const std::vector<TrianglePlan>& plan, PlannedMaps& figures) const {
     for (PlannedLevel& at : figures.levels) {
       std::vector<std::size_t> triangles;
+      std::set<std::pair<std::size_t, std::uint8_t>> known;
       for (std::size_t t = 0; t < plan.size(); ++t)
-        if (!plan[t].special && plan[t].level == at.level) triangles.push_back(t);
+        if (!plan[t].special && plan[t].level == at.level &&
+            known.emplace(same_[t], plan[t].decimated).second)
+          triangles.push_back(t);
       const auto map = [&](std::size_t k) {
         return map_of(triangles[k], at.level, plan[triangles[k]].decimated);
       };
@@ -231,6 +239,7 @@ class SetPlanner {
     const ColourImage& texels = scene_.images[triangles.image];
     std::vector<std::uint8_t> rgb = image.original;
     oneapi::tbb::parallel_for(std::size_t{0}, triangles.maps.size(), [&](std::size_t k) {
+      if (triangles.begin[k] == triangles.begin[k + 1]) return;
       const std::size_t t = triangles.maps[k];
       const TrianglePlan& p = plan[t];
       const MapValues values = p.special ? MapValues{value_of(t)} : map_of(t, p.level, p.decimated);
@@ -249,7 +258,8 @@ class SetPlanner {
   std::map<std::size_t, MapBaker> bakers_;  ///< by textures of the scene
   std::vector<MapOfTriangle> all_;
   std::vector<Neighbours> neighbours_;  ///< by triangle, as all below
-  std::vector<TriangleErrors> errors_;
+  std::vector<std::size_t> same_;       ///< by first_of_same_uvs()
+  std::vector<TriangleErrors> errors_;  ///< of the first of each place alone
   std::vector<PlannedImage> images_;
 };
 

@@ -22,7 +22,7 @@ class Row {
       : source_(source), frame_(frame), in_picture_(source.in_picture(frame.box())) {
     if constexpr (!floats)
       for (std::size_t k = 0; k < 4; ++k)
-        bound_[k] = source.coding().full(k) * (2 * frame.position + 8 * half_ulp);
+        bound_[k] = source_.coding().full(k) * (2 * frame.position + 8 * half_ulp);
   }
 
   RgbaOf<Channel> bilinear(const Point& p, bool& sure) const noexcept {
@@ -31,9 +31,13 @@ class Row {
     const double f = x - static_cast<double>(i), h = y - static_cast<double>(j);
     const std::array<const Channel*, 4> texels = cell(i, j);
     const std::array<double, 4> weight{(1 - f) * (1 - h), f * (1 - h), (1 - f) * h, f * h};
-    std::array<double, 4> mean{};
-    for (std::size_t k = 0; k < 4; ++k)
-      for (std::size_t t = 0; t < 4; ++t) mean[k] += weight[t] * value(texels[t], k);
+    const Channel *const a = texels[0], *const b = texels[1], *const c = texels[2], *const d = texels[3];
+    std::array<double, 4> mean;
+    for (std::size_t k = 0; k < 4; ++k) {
+      mean[k] = weight[0] * value(a, k);
+      if constexpr (floats) mean[k] += 0.0;  // -0 is 0
+      mean[k] = mean[k] + weight[1] * value(b, k) + weight[2] * value(c, k) + weight[3] * value(d, k);
+    }
     if constexpr (floats) {
       const double near = frame_.position;
       const bool inside = f > near && f < 1 - near && h > near && h < 1 - near;
