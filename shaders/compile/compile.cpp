@@ -139,6 +139,10 @@ class Compiler {
             "https://github.com/shader-slang/slang/releases has");
       throw NotAvailable("no glslangValidator (Debian: glslang-tools), which compiles GLSL and HLSL");
     }
+    if (ran.stopped)
+      throw BadShader(fmt::format(
+          "{}: {} broke down, or took more than {} s, 1 GB or 64 MB of output; does the file include itself?",
+          file_, words[0], most_seconds));
     if (ran.exit_code != 0) throw BadShader(message(ran.printed, source, file_));
     return ran.printed;
   }

@@ -75,6 +75,18 @@ TEST(SnippetFunctions, are_found_by_type_name_and_number_of_parameters) {
               testing::ElementsAre("vq2_region", "attribute_vertex_place"));
 }
 
+TEST(RunProgram, stops_what_prints_without_end_and_tells_of_signals) {
+  const shaders::Ran endless = shaders::run_program({"yes"});
+  EXPECT_TRUE(endless.found);
+  EXPECT_TRUE(endless.stopped);
+  EXPECT_EQ(endless.printed, "");
+  EXPECT_TRUE(shaders::run_program({"sh", "-c", "kill -ABRT $$"}).stopped);
+  const shaders::Ran short_one = shaders::run_program({"sh", "-c", "echo word; exit 3"});
+  EXPECT_FALSE(short_one.stopped);
+  EXPECT_EQ(short_one.exit_code, 3);
+  EXPECT_EQ(short_one.printed, "word\n");
+}
+
 TEST(Module, that_is_none_is_refused) {
   EXPECT_THROW(shaders::read_module("abc"), std::runtime_error);
   EXPECT_THROW(shaders::read_module(std::string(20, 'x')), std::runtime_error);
