@@ -103,7 +103,8 @@ std::string Script::print(const Term& t, std::map<std::size_t, int>& uses) {
   text += ")";
   if (uses[k] < 2 || length_[k] < worth_a_name) return text;
   std::string name = "part_" + std::string(1, static_cast<char>('a' + helpers_ % 26));
-  if (helpers_ >= 26) name += static_cast<char>('a' + helpers_ / 26 - 1);
+  for (std::size_t rest = helpers_ / 26; rest > 0; rest = (rest - 1) / 26)
+    name += static_cast<char>('a' + (rest - 1) % 26);
   ++helpers_;
   body_ += laid_out("(define-fun " + name + " () " + t.sort() + " " + text + ")", 0) + "\n";
   return names_[k] = name;

@@ -142,7 +142,9 @@ Law accepted_hit() {
        .source = fixed_functions,
        .subjects = {"traverse-as-met"},
        .fast_seconds = 0.1,
-       .domain = named_domain("3 operations, all 30 kinds of one to four hits, each in all its orders"),
+       .domain = named_domain(
+           "3 operations, all 30 kinds of one to four hits, each in all its orders; one payload, one value a "
+           "distance"),
        .mutants = {mutant("accepted hits hide nothing", "traverse-as-met",
                           gathering([](std::vector<Hit>& hits) {
                             std::erase_if(hits, [](const Hit& h) { return h.accepted; });
@@ -198,8 +200,9 @@ Law before_closest() {
        .source = fixed_functions,
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
-       .domain = named_domain(
-           "all kinds and orders of one to four hits, 442; max and min reported in three ways, add in one"),
+       .domain = named_domain("all kinds and orders of one to four hits, 442; max and min reported in three "
+                              "ways, add in one; one "
+                              "payload, one value a distance"),
        .mutants = {mutant("a blend at the far end stays where it is met first", "traverse",
                           gathered([](std::span<const Hit> hits, Colour& out) {
                             if (hits.size() == 4 && hits[0].distance == 4 && !hits[0].accepted)
