@@ -243,7 +243,7 @@ struct Tracer::Built {
       const Instance& instance = world.instances[k];
       // Rays cannot be taken into a space that is flat, or out of all proportion: its triangles come out of it.
       const bool own_space = has_inverse(instance, reach);
-      const Instance here;
+      const Instance here{};
       rtcSetGeometryInstancedScene(
           instance_geometry,
           own_space ? meshes[instance.mesh] : build_mesh(world.meshes[instance.mesh], &instance));
