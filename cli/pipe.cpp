@@ -219,8 +219,11 @@ Action add_gen(CLI::App& program) {
                    "on edges and "
                    "vertices")
       ->check(finite_within(0, traverse::most_distance));
-  return [options] {
+  return [options, command] {
     if (!options->rays() && options->distance != 0) throw UsageError("--distance: for gen rays");
+    if (asking_topic(*options) == nullptr && command->count("--seed") != 0)
+      throw UsageError(
+          fmt::format("gen {}: all cells of a level, none drawn; leave --seed out", options->topic));
     return generate(*options);
   };
 }

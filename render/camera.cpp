@@ -8,6 +8,11 @@
 namespace mmverify::render {
 namespace {
 
+/// Of its longest side.
+float size_of(const Box& box) {
+  return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
+}
+
 constexpr float half_angle = 0.35f;  // some 39 degrees from bottom to top
 
 /// A number in [0,1).
@@ -42,12 +47,13 @@ Camera overview(const Box& box, float aspect) {
   const Point middle{(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2,
                      (box.low[2] + box.high[2]) / 2};
   const Point towards = unit({0.45f, 0.35f, 1});
+  // Beside large coordinates a step of 1 would be rounded to another direction.
+  const float most = std::max({std::fabs(middle[0]), std::fabs(middle[1]), std::fabs(middle[2])});
   Camera camera =
-      looking(placed({}, {middle[0] + towards[0], middle[1] + towards[1], middle[2] + towards[2]}), middle,
-              half_angle, aspect);
+      looking(plus(middle, times(towards, most > 0x1p14f ? most : 1.0f)), middle, half_angle, aspect);
   const Point right = unit(camera.right), up = unit(camera.up);
   // As near as all corners allow.
-  float distance = 1e-3f;
+  float distance = 1e-3f * size_of(box);
   for (unsigned corner = 0; corner < 8; ++corner) {
     const Point p =
         minus({(corner & 1) != 0 ? box.high[0] : box.low[0], (corner & 2) != 0 ? box.high[1] : box.low[1],
@@ -66,7 +72,10 @@ Camera on_path(const Box& box, std::uint64_t seed, std::uint64_t number, float a
   Point from{}, at{};
   for (std::size_t k = 0; k < 3; ++k) {
     const float size = box.high[k] - box.low[k];
-    from[k] = box.low[k] + size * (1.5f * share(state) - 0.25f);
+    // Out of the plane of a flat scene, which no ray within it meets.
+    const bool flat = size < 1e-3f * size_of(box);
+    const float beside = flat ? size_of(box) : size;
+    from[k] = box.low[k] - (flat ? beside / 2 : 0) + beside * (1.5f * share(state) - 0.25f);
     at[k] = box.low[k] + size * share(state);
   }
   return looking(from, at, half_angle + 0.4f * share(state), aspect);

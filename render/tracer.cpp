@@ -165,19 +165,23 @@ struct Tracer::Built {
   std::vector<Filtered> filtered;  ///< by geometry
   std::vector<RTCScene> meshes;
   float scale = 1;  ///< of the scene, for the offset of shadow rays
+  float reach = 0;  ///< the greatest coordinate of what is placed
 
   explicit Built(const World& w) : world(w) {
     // Its "threads=1" would bind all of the process.
     device = rtcNewDevice(nullptr);
     if (device == nullptr) fail(nullptr);
     filtered.resize(world.geometries.size());
+    const Box box = box_of(world, false);
+    if (!box.empty)
+      for (std::size_t k = 0; k < 3; ++k) {
+        scale = std::max(k == 0 ? 0 : scale, box.high[k] - box.low[k]);
+        reach = std::max({reach, std::fabs(box.low[k]), std::fabs(box.high[k])});
+      }
     // Committed by one thread: the same volumes, and so the same candidates, in each run.
     oneapi::tbb::task_arena(1).execute([this] { build(); });
     if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
       throw std::runtime_error("Embree: error " + std::to_string(static_cast<int>(error)));
-    const Box box = box_of(world, false);
-    if (!box.empty)
-      for (std::size_t k = 0; k < 3; ++k) scale = std::max(k == 0 ? 0 : scale, box.high[k] - box.low[k]);
   }
   Built(const Built&) = delete;
   Built& operator=(const Built&) = delete;
@@ -195,43 +199,59 @@ struct Tracer::Built {
     std::memcpy(to, from.data(), sizeof(T) * from.size());
   }
 
+  /// A mesh in its own space, or, of an instance, where that places it.
+  RTCScene build_mesh(const std::vector<std::uint32_t>& mesh, const Instance* instance) {
+    const RTCScene its = rtcNewScene(device);
+    meshes.push_back(its);
+    rtcSetSceneFlags(its, RTC_SCENE_FLAG_ROBUST);
+    for (std::uint32_t k = 0; k < mesh.size(); ++k) {
+      const Geometry& geometry = world.geometries[mesh[k]];
+      const RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+      if (instance == nullptr) {
+        copy(triangles, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, geometry.positions);
+      } else {
+        std::vector<Point> positions;
+        for (const Point& p : geometry.positions) positions.push_back(placed(*instance, p));
+        copy(triangles, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions);
+      }
+      copy(triangles, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, geometry.triangles);
+      rtcSetGeometryMask(triangles, geometry.surface ? with_surface : without_surface);
+      rtcSetGeometryUserData(triangles, &filtered[mesh[k]]);
+      if (geometry.surface) {
+        rtcSetGeometryIntersectFilterFunction(triangles, filter);
+        rtcSetGeometryOccludedFilterFunction(triangles, filter);
+      }
+      rtcCommitGeometry(triangles);
+      rtcAttachGeometryByID(its, triangles, k);
+      rtcReleaseGeometry(triangles);
+    }
+    rtcJoinCommitScene(its);
+    return its;
+  }
+
   void build() {
     for (std::uint32_t g = 0; g < world.geometries.size(); ++g) {
       const Geometry& geometry = world.geometries[g];
       filtered[g] = {&geometry, geometry.surface ? &world.surfaces[*geometry.surface] : nullptr, g};
     }
-    for (const auto& mesh : world.meshes) {
-      const RTCScene its = rtcNewScene(device);
-      meshes.push_back(its);
-      rtcSetSceneFlags(its, RTC_SCENE_FLAG_ROBUST);
-      for (std::uint32_t k = 0; k < mesh.size(); ++k) {
-        const Geometry& geometry = world.geometries[mesh[k]];
-        const RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        copy(triangles, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, geometry.positions);
-        copy(triangles, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, geometry.triangles);
-        rtcSetGeometryMask(triangles, geometry.surface ? with_surface : without_surface);
-        rtcSetGeometryUserData(triangles, &filtered[mesh[k]]);
-        if (geometry.surface) {
-          rtcSetGeometryIntersectFilterFunction(triangles, filter);
-          rtcSetGeometryOccludedFilterFunction(triangles, filter);
-        }
-        rtcCommitGeometry(triangles);
-        rtcAttachGeometryByID(its, triangles, k);
-        rtcReleaseGeometry(triangles);
-      }
-      rtcJoinCommitScene(its);
-    }
+    for (const auto& mesh : world.meshes) build_mesh(mesh, nullptr);
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     for (std::uint32_t k = 0; k < world.instances.size(); ++k) {
-      const RTCGeometry placed = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-      rtcSetGeometryMask(placed, with_surface | without_surface);
-      rtcSetGeometryInstancedScene(placed, meshes[world.instances[k].mesh]);
-      rtcSetGeometryTransform(placed, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                              world.instances[k].transform.data());
-      rtcCommitGeometry(placed);
-      rtcAttachGeometryByID(scene, placed, k);
-      rtcReleaseGeometry(placed);
+      const RTCGeometry instance_geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+      rtcSetGeometryMask(instance_geometry, with_surface | without_surface);
+      const Instance& instance = world.instances[k];
+      // Rays cannot be taken into a space that is flat, or out of all proportion: its triangles come out of it.
+      const bool own_space = has_inverse(instance, reach);
+      const Instance here{};
+      rtcSetGeometryInstancedScene(
+          instance_geometry,
+          own_space ? meshes[instance.mesh] : build_mesh(world.meshes[instance.mesh], &instance));
+      rtcSetGeometryTransform(instance_geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                              (own_space ? instance : here).transform.data());
+      rtcCommitGeometry(instance_geometry);
+      rtcAttachGeometryByID(scene, instance_geometry, k);
+      rtcReleaseGeometry(instance_geometry);
     }
     rtcJoinCommitScene(scene);
   }

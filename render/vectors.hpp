@@ -1,6 +1,7 @@
 // Vectors of three floats.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/world.hpp"
@@ -16,6 +17,12 @@ inline Point cross(const Point& a, const Point& b) {
 }
 /// (0, 0, -1) of a vector without length.
 inline Point unit(const Point& a) {
+  // Squares of numbers beyond these would be infinite, or lost.
+  const float most = std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])});
+  if (most > 0 && (most < 0x1p-50f || most > 0x1p50f)) {
+    const Point scaled{a[0] / most, a[1] / most, a[2] / most};
+    return times(scaled, 1 / std::sqrt(dot(scaled, scaled)));
+  }
   const float length = std::sqrt(dot(a, a));
   return length > 0 ? times(a, 1 / length) : Point{0, 0, -1};
 }

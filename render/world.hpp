@@ -51,4 +51,8 @@ Box box_of(const World& world, bool with_surface_only);
 
 Point placed(const Instance& instance, const Point& p);
 
+/// Whether rays can be taken into the instance's own space in binary32: its determinant is not near 0, neither by itself
+/// nor beside the lengths of its columns, and no point up to `reach` from the origin goes too far.
+bool has_inverse(const Instance& instance, float reach);
+
 }  // namespace mmverify::render

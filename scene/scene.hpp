@@ -124,6 +124,8 @@ struct Transform {
 struct MeshUse {
   std::size_t mesh = 0;
   Transform to_scene;
+  std::optional<std::size_t> node =
+      {};  ///< none in a file that places nothing, whose meshes stand where they are
 };
 
 struct Mesh {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <filesystem>
@@ -109,6 +110,35 @@ void check_files(const RenderOptions& options) {
         throw UsageError(
             fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
     }
+}
+
+/// Options that would do nothing, or not what they seem to.
+void check_given(const CLI::App& command, const RenderOptions& options) {
+  const std::array<std::pair<const char*, const std::string*>, 5> texts{{{"--blend", &options.blend},
+                                                                         {"--colours", &options.colours},
+                                                                         {"--output", &options.picture},
+                                                                         {"--heat", &options.heat},
+                                                                         {"--json", &options.json}}};
+  for (const auto& [name, text] : texts)
+    if (command.count(name) != 0 && text->empty())
+      throw UsageError(fmt::format("{}: empty; give it a value, or leave it out", name));
+  if (command.count("--colour-level") != 0 && options.colours.empty() && options.blend.empty())
+    throw UsageError("--colour-level: of the maps that --colours or --blend draws from; name one of them");
+  for (const std::string& name : {options.picture, options.heat})
+    if (!name.empty() && !name.ends_with(".png") && !name.ends_with(".PNG"))
+      throw UsageError(fmt::format("{:.200}: pictures are PNG; name it .png", name));
+}
+
+/// Why equal pictures show nothing; empty where methods were held against the texture.
+std::string vacuous(const render::Compared& compared, const mmverify::scene::Plan& plan,
+                    const std::vector<render::Method>& wanted) {
+  const auto asks = [](render::Method method) { return method != render::Method::texture; };
+  if (plan.triangles.empty() || std::none_of(wanted.begin(), wanted.end(), asks)) return {};
+  if (compared.methods.size() == 1) return "no method was compared; give more --memory or a lower --level";
+  if (compared.methods.front().counts.planned == 0)
+    return "no ray met a triangle with micromaps, so nothing was compared; another --camera or --size would "
+           "do";
+  return {};
 }
 
 /// The heat maps of a run, of which the first says what the scale's end is.
@@ -234,6 +264,7 @@ int render_scene(const RenderOptions& options) {
     if (heat_file && heat_maps.fit(sides.height)) heat_maps.add(figures, frame);
   };
   bench::RenderFigures figures;
+  std::string nothing;
   try {
     const render::Compared all = render::compare(scene, plan, world, tracer, camera, compared);
     progress.reset();
@@ -241,6 +272,7 @@ int render_scene(const RenderOptions& options) {
       fmt::print(stderr,
                  "render: maps of level {} would take {} bytes, more than --memory; left out from here on\n",
                  *all.first_left_out, grouped(all.wanted_bytes));
+    nothing = vacuous(all, plan, wanted);
     figures.methods = all.methods;
     figures.blends = all.blends;
   } catch (const std::invalid_argument& error) {
@@ -282,6 +314,7 @@ int render_scene(const RenderOptions& options) {
     if (m.differing != 0) return failed;
   for (const render::BlendFigures& b : figures.blends)
     if (b.differing != 0) return failed;
+  if (!nothing.empty()) throw UsageError(fmt::format("{}: {}", scene.file, nothing));
   return complete;
 }
 
@@ -322,7 +355,9 @@ Action add_render(CLI::App& program) {
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--size", options->size, "of the picture in pixels; 640x480 where not given")
       ->type_name("WIDTHxHEIGHT");
-  command->add_option("--camera", options->camera, "0: all of the scene; 1, 2, ...: of a random path")
+  command
+      ->add_option("--camera", options->camera,
+                   "0: all that has alpha-tested triangles; 1, 2, ...: of a random path")
       ->check(whole_within(0, 1'000'000'000));
   command->add_option("--seed", options->seed, "of the random path")->check(fits_64_bits);
   command->add_flag("--no-shadows", options->no_shadows, "primary rays alone");
@@ -339,7 +374,10 @@ Action add_render(CLI::App& program) {
                    "worker threads; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
   command->add_flag("--quiet", options->quiet, "no progress");
-  return [options] { return render_scene(*options); };
+  return [options, command] {
+    check_given(*command, *options);
+    return render_scene(*options);
+  };
 }
 
 }  // namespace mmverify::cli

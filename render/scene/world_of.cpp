@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <string>
 
 #include "scene/bake/surface_baker.hpp"
+#include "scene/read/bad_scene.hpp"
 
 namespace mmverify::render {
 namespace {
@@ -31,6 +33,15 @@ std::optional<scene::Surface> unplanned_surface(const scene::Scene& scene,
   if (material.mode == scene::AlphaMode::mask) surface.cutoff = material.cutoff;
   surface.base_color_alpha = material.base_color_alpha;
   return surface;
+}
+
+bool within_reach(const World& world, const Instance& instance) {
+  for (const std::uint32_t g : world.meshes[instance.mesh])
+    for (const auto& triangle : world.geometries[g].triangles)
+      for (const std::uint32_t vertex : triangle)
+        for (const float x : placed(instance, world.geometries[g].positions[vertex]))
+          if (!(std::fabs(x) <= farthest)) return false;
+  return true;
 }
 
 bool invisible(const scene::Material& material) {
@@ -76,6 +87,11 @@ SceneWorld world_of(const scene::Scene& scene, const std::vector<scene::MeshUse>
     for (std::size_t c = 0; c < 9; ++c) instance.transform[c] = static_cast<float>(use.to_scene.linear[c]);
     for (std::size_t c = 0; c < 3; ++c)
       instance.transform[9 + c] = static_cast<float>(use.to_scene.translation[c]);
+    if (!within_reach(world, instance))
+      throw scene::BadScene(
+          scene.file, use.node ? "node " + std::to_string(*use.node) : "mesh " + std::to_string(use.mesh),
+          "rays need coordinates up to 1e12, and a vertex of mesh " + std::to_string(use.mesh) +
+              " is placed beyond; scale the scene down");
     if (!world.meshes[use.mesh].empty()) world.instances.push_back(instance);
   }
   return made;

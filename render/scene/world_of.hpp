@@ -18,10 +18,14 @@ struct SceneWorld {
   std::uint64_t unplanned = 0;
 };
 
+/// The greatest coordinate: products of three of them are finite in binary32.
+inline constexpr float farthest = 1e12f;
+
 /// The world of a scene: planned primitives on their surfaces; those that a plan leaves out on surfaces of their own
 /// where they have texture, UVs and MASK or BLEND, without vertex alpha; the rest opaque, or left away where a constant
 /// alpha is below the cutoff (BLEND: one half).
 /// Domain: uses and plan of this scene, which outlives the world.
+/// Errors: scene::BadScene with the node that places a vertex beyond farthest, or at no finite place.
 SceneWorld world_of(const scene::Scene& scene, const std::vector<scene::MeshUse>& uses,
                     const scene::Plan& plan);
 

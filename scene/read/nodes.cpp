@@ -136,8 +136,9 @@ Transform transform_of(const tinygltf::Node& node) {
 
 /// The instances of EXT_mesh_gpu_instancing, their counts checked by read_meshes().
 void list_instances(const Document& document, const Buffers& buffers, const nlohmann::json& attributes,
-                    const std::string& at, const Transform& node_at, std::size_t mesh,
+                    std::size_t number, const Transform& node_at, std::size_t mesh,
                     std::vector<MeshUse>& uses) {
+  const std::string at = place("node", number);
   const auto read = [&](const char* name, int components, Integers integers) {
     const auto found = attributes.find(name);
     if (found == attributes.end()) return std::vector<float>();
@@ -157,7 +158,7 @@ void list_instances(const Document& document, const Buffers& buffers, const nloh
     node.translation = part(translation, k, 3);
     node.rotation = part(rotation, k, 4);
     node.scale = part(scale, k, 3);
-    uses.push_back({mesh, product(node_at, transform_of(node))});
+    uses.push_back({mesh, product(node_at, transform_of(node)), number});
   }
 }
 
@@ -175,9 +176,9 @@ std::vector<MeshUse> read_uses(const Document& document, const Buffers& buffers)
     const auto mesh = static_cast<std::size_t>(nodes[k].mesh);
     const nlohmann::json& instancing = extension(document.json["nodes"][k], "EXT_mesh_gpu_instancing");
     if (const nlohmann::json& attributes = member(instancing, "attributes"); !attributes.empty())
-      list_instances(document, buffers, attributes, place("node", k), at[k], mesh, uses);
+      list_instances(document, buffers, attributes, k, at[k], mesh, uses);
     else
-      uses.push_back({mesh, at[k]});
+      uses.push_back({mesh, at[k], k});
   }
   if (uses.empty())
     for (std::size_t mesh = 0; mesh < document.model.meshes.size(); ++mesh) uses.push_back({mesh, still});

@@ -179,6 +179,78 @@ TEST(Render, AFrameThatDiffersIsCounted) {
   EXPECT_NE(digest(a), digest(b));
 }
 
+/// A unit triangle that is opaque by its texture.
+World one_triangle() {
+  static const std::vector<std::uint8_t> solid{255};
+  World world;
+  world.surfaces.emplace_back(impl::bake::TexelView<std::uint8_t>{solid.data(), 1, 1, 1},
+                              impl::bake::Sampling{}, impl::bake::AlphaMode(impl::bake::Mask{}));
+  Geometry triangle;
+  triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.triangles = {{0, 1, 2}};
+  triangle.uvs.resize(3);
+  triangle.surface = 0;
+  world.geometries = {triangle};
+  world.meshes = {{0}};
+  return world;
+}
+
+Instance scaled(float x, float y, float z, float to_the_right = 0) {
+  return {0, {x, 0, 0, 0, y, 0, 0, 0, z, to_the_right, 0, 0}};
+}
+
+TEST(Render, SeesAFlatInstanceWhereItIsPlaced) {
+  NEEDS_EMBREE;
+  // Beside a healthy one, by scales that no ray can be taken through: a flat one, others too small or too large.
+  for (const Instance& odd : {scaled(1, 1, 0, 2), scaled(1, 1, 1e-30f, 2), scaled(1, 1, 1e35f, 2)}) {
+    World world = one_triangle();
+    world.instances = {scaled(1, 1, 1), odd};
+    EXPECT_FALSE(has_inverse(odd, 4));
+    const Tracer tracer(world);
+    for (const float x : {0.25f, 2.25f}) {
+      Counts counts;
+      const Met met = tracer.first_hit({{x, 0.25f, 1}, {0, 0, -1}}, nullptr, 0, counts);
+      EXPECT_EQ(met.t, 1) << x;
+      EXPECT_EQ(met.instance, x > 1 ? 1u : 0u);
+      EXPECT_EQ(met.geometry, 0u);
+    }
+  }
+  // Without area they are there and met by none.
+  for (const Instance& odd : {scaled(0, 0, 0), scaled(0, 1, 1), scaled(1e-20f, 1e-20f, 1e-20f)}) {
+    World world = one_triangle();
+    world.instances = {scaled(1, 1, 1), odd};
+    const Tracer tracer(world);
+    const Frame frame = tracer.frame(overview(box_of(world, true), 1), nullptr, {.width = 20, .height = 20});
+    EXPECT_GT(frame.counts.candidates, 20u);
+  }
+  EXPECT_TRUE(has_inverse(scaled(1, -2, 1e-3f), 100));
+}
+
+TEST(Render, SeesScenesOfAnySizeFromEverywhere) {
+  NEEDS_EMBREE;
+  const auto seen = [](const World& world, const Camera& camera) {
+    return Tracer(world).frame(camera, nullptr, {.width = 20, .height = 20}).counts;
+  };
+  World unit_sized = one_triangle();
+  unit_sized.instances = {scaled(1, 1, 1)};
+  const auto usual = seen(unit_sized, overview(box_of(unit_sized, true), 1)).candidates;
+  for (const float size : {1e-9f, 1e-5f, 1e-4f, 1e4f, 1e5f, 1e8f, 1e10f})
+    for (const bool by_instance : {true, false}) {
+      World world = one_triangle();
+      world.instances = {by_instance ? scaled(size, size, size) : scaled(1, 1, 1)};
+      if (!by_instance)
+        for (Point& p : world.geometries[0].positions)
+          for (float& x : p) x *= size;
+      const Counts counts = seen(world, overview(box_of(world, true), 1));
+      EXPECT_NEAR(static_cast<double>(counts.candidates), static_cast<double>(usual), 6) << size;
+    }
+  // A path leaves the plane of a flat scene.
+  unsigned cameras = 0;
+  for (std::uint64_t number = 1; number <= 20; ++number)
+    cameras += seen(unit_sized, on_path(box_of(unit_sized, true), 1, number, 1)).candidates > 0;
+  EXPECT_GT(cameras, 10u);
+}
+
 /// The rays of a level on Embree: what became of each.
 struct Shot {
   std::uint64_t rays = 0, right = 0, of_a_neighbour = 0, wrong = 0, missed = 0;
@@ -262,6 +334,7 @@ TEST(ConformanceRays, AreAsFarFromAllLinesAsTheySay) {
         ++count;
         EXPECT_TRUE(std::binary_search(ray.touching.begin(), ray.touching.end(), ray.index));
         if (ray.kind != proofs::Kind::interior) return true;
+        EXPECT_FALSE(ray.on_outline);
         EXPECT_EQ(ray.touching.size(), 1u);
         seen.insert(ray.index);
         const double N = static_cast<double>(1u << level);
@@ -278,6 +351,7 @@ TEST(ConformanceRays, AreAsFarFromAllLinesAsTheySay) {
 TEST(ConformanceRays, OfAVertexInsideTouchSixAndOfAnEdgeTwo) {
   proofs::traverse::each_conformance_ray(3, 0, [](const ConformanceRay& ray) {
     const bool on_border = ray.u == 0 || ray.v == 0 || ray.u + ray.v == 1;
+    EXPECT_EQ(ray.on_outline, on_border) << ray.u << " " << ray.v;
     const std::size_t touching = ray.touching.size();
     if (ray.kind == proofs::Kind::edge) {
       EXPECT_EQ(touching, on_border ? 1u : 2u);

@@ -108,6 +108,7 @@ void each_conformance_ray(Level level, double distance,
       const std::int64_t u = 4 * (row.ku + static_cast<std::int64_t>(t) * row.stride), v = 4 * row.kv;
       ray.index = spec::index::reference(point(u, v, level), level);
       ray.touching = touching(u, v, level);
+      ray.on_outline = u == 0 || v == 0 || u + v == unit << level;
       ray.u = coordinate(u, level);
       ray.v = coordinate(v, level);
       if (distance > 0.25) {
@@ -133,14 +134,18 @@ bool write_conformance_rays(Level level, double distance, std::FILE* out) {
   std::string map;
   for (const std::uint8_t byte : ray_map(level)) map += fmt::format("{:02x}", byte);
   open = open && written.line("# map 4-state " + map);
-  open = open && written.line("# CASE KIND OX OY OZ DX DY DZ T U V INDEX STATE OUTCOME TOUCHING");
+  open =
+      open && written.line(
+                  "# MISS allowed: on the triangle's outline, which a correct ray test may miss; else never");
+  open = open && written.line("# CASE KIND OX OY OZ DX DY DZ T U V INDEX STATE OUTCOME TOUCHING MISS");
   std::uint64_t number = 0;
   each_conformance_ray(level, distance, [&](const ConformanceRay& ray) {
     const State state = ray_state(ray.index);
-    open = open && written.line(fmt::format("{} {} {:a} {:a} 1 0 0 -1 1 {:a} {:a} {} {} {} {}", number++,
-                                            name_of(ray.kind), ray.u, ray.v, ray.u, ray.v, ray.index,
-                                            spec::micromap::name_of(state), outcome_name(ray_outcome(state)),
-                                            fmt::join(ray.touching, ",")));
+    open =
+        open && written.line(fmt::format("{} {} {:a} {:a} 1 0 0 -1 1 {:a} {:a} {} {} {} {} {}", number++,
+                                         name_of(ray.kind), ray.u, ray.v, ray.u, ray.v, ray.index,
+                                         spec::micromap::name_of(state), outcome_name(ray_outcome(state)),
+                                         fmt::join(ray.touching, ","), ray.on_outline ? "allowed" : "never"));
     return open;
   });
   return written.end();

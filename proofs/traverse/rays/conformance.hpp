@@ -23,6 +23,8 @@ struct ConformanceRay {
   float u = 0, v = 0;
   std::uint32_t index = 0;              ///< by the reference code, ties included
   std::vector<std::uint32_t> touching;  ///< of all closed micro-triangles that hold the point, ascending
+  /// On the triangle's own edges, which no second triangle shares: a correct ray test may miss it.
+  bool on_outline = false;
 };
 
 /// The 4-state map that rays are meant for: the low two bits of the index, exchanged as a mixing function of its other
