@@ -4,18 +4,18 @@
 
 #include <utility>
 
-#include "bench/program/program.hpp"
 #include "cli/exit_code.hpp"
+#include "program/program.hpp"
 
 namespace mmverify::cli {
 
 std::string run_gnuplot(const std::string& script) {
   try {
-    bench::ProgramEnd end = bench::run_program({"gnuplot"}, script);
+    program::ProgramEnd end = program::run_program({"gnuplot"}, script);
     if (!end.succeeded || end.out.find("</svg>") == std::string::npos)
       throw EnvironmentError(fmt::format("gnuplot drew nothing: {}", end.errors));
     return std::move(end.out);
-  } catch (const bench::NoProgram&) {
+  } catch (const program::NoProgram&) {
     throw EnvironmentError("--plot needs gnuplot, which is not here: install the Debian package gnuplot-nox");
   }
 }

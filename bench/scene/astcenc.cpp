@@ -3,12 +3,16 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "bench/program/program.hpp"
 #include "bench/scene/coder_files.hpp"
+#include "program/program.hpp"
 #include "scene/write/png.hpp"
 
 namespace mmverify::bench {
 namespace {
+
+using program::NoProgram;
+using program::ProgramEnd;
+using program::run_program;
 
 namespace fs = std::filesystem;
 using impl::attribute::Meaning;

@@ -2,12 +2,16 @@
 
 #include <stdexcept>
 
-#include "bench/program/program.hpp"
 #include "bench/scene/coder_files.hpp"
+#include "program/program.hpp"
 #include "scene/write/png.hpp"
 
 namespace mmverify::bench {
 namespace {
+
+using program::NoProgram;
+using program::ProgramEnd;
+using program::run_program;
 
 /// A DDS file of the extended form: 4 bytes of a name, 124 and 20 of headers.
 constexpr std::uint64_t header_bytes = 148, block_bytes = 16;

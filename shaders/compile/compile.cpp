@@ -5,17 +5,19 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <regex>
 #include <sstream>
 #include <string_view>
 
+#include "program/program.hpp"
 #include "shaders/compile/includes.hpp"
-#include "shaders/compile/run_program.hpp"
 #include "shaders/compile/sha256.hpp"
 #include "shaders/compile/snippet.hpp"
 
@@ -44,6 +46,18 @@ class Folder {
 };
 
 namespace {
+
+using program::ProgramEnd;
+
+/// None where there is no such program.  A compiler takes a second; a file that includes itself would keep it for ever.
+std::optional<ProgramEnd> ended(const std::vector<std::string>& words) {
+  using std::chrono_literals::operator""s;
+  try {
+    return program::run_program(words, {}, {}, {60s, std::uint64_t{1} << 30, std::uint64_t{64} << 20});
+  } catch (const program::NoProgram&) {
+    return std::nullopt;
+  }
+}
 
 std::string contents_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
@@ -131,20 +145,18 @@ class Compiler {
     return std::regex_replace(text, std::regex(R"(//[^\n]*|/\*(?:[^*]|\*(?!/))*\*/)"), " ");
   }
   std::string printed_by(const std::vector<std::string>& words, const std::string& source) const {
-    const Ran ran = run_program(words);
-    if (!ran.found) {
+    const std::optional<ProgramEnd> end = ended(words);
+    if (!end) {
       if (language_ == Language::slang)
         throw NotAvailable(
             "Slang is not available here: no slangc in PATH, which compiles it; Debian has none, "
             "https://github.com/shader-slang/slang/releases has");
       throw NotAvailable("no glslangValidator (Debian: glslang-tools), which compiles GLSL and HLSL");
     }
-    if (ran.stopped)
-      throw BadShader(fmt::format(
-          "{}: {} broke down, or took more than {} s, 1 GB or 64 MB of output; does the file include itself?",
-          file_, words[0], most_seconds));
-    if (ran.exit_code != 0) throw BadShader(message(ran.printed, source, file_));
-    return ran.printed;
+    if (!end->by_itself)
+      throw BadShader(fmt::format("{}: {}: {}; does the file include itself?", file_, words[0], end->how));
+    if (!end->succeeded) throw BadShader(message(end->out + end->errors, source, file_));
+    return end->out + end->errors;
   }
 
   std::string file_;
@@ -159,10 +171,10 @@ bool valid(const std::string& file, const std::string& spirv, std::uint32_t vers
                        : version >= spirv_1_5 ? "vulkan1.2"
                        : version >= spirv_1_4 ? "vulkan1.1spv1.4"
                                               : "vulkan1.1";
-  const Ran ran = run_program({"spirv-val", "--target-env", target, spirv});
-  if (!ran.found) return false;
-  if (ran.exit_code != 0)
-    throw BadShader(fmt::format("{}: spirv-val, for {}: {}", file, target, ran.printed));
+  const std::optional<ProgramEnd> end = ended({"spirv-val", "--target-env", target, spirv});
+  if (!end) return false;
+  if (!end->succeeded)
+    throw BadShader(fmt::format("{}: spirv-val, for {}: {}", file, target, end->out + end->errors));
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include "render/scene/compare.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
+#include "tests/render/needs_embree.hpp"
 
 namespace {
 
@@ -16,9 +17,6 @@ using namespace mmverify;
 using namespace mmverify::render;
 using impl::traverse::Operation;
 using proofs::traverse::SampleWorld;
-
-#define NEEDS_EMBREE_TO_BLEND \
-  if (!has_embree()) GTEST_SKIP() << embree_text()
 
 /// Panes across the z axis at z = -1, -2, -3, the middle one a wall without a surface.
 struct Panes {
@@ -46,7 +44,7 @@ struct Panes {
 };
 
 TEST(Blend, EndsAtTheWall) {
-  NEEDS_EMBREE_TO_BLEND;
+  NEEDS_EMBREE;
   const Panes panes;
   const Tracer tracer(panes.world);
   const BlendFrame frame =
@@ -58,7 +56,7 @@ TEST(Blend, EndsAtTheWall) {
 }
 
 TEST(Blend, GoesThroughWhatBlends) {
-  NEEDS_EMBREE_TO_BLEND;
+  NEEDS_EMBREE;
   Panes panes;
   panes.world.meshes = {{0, 2}};
   const Tracer tracer(panes.world);
@@ -75,7 +73,7 @@ TEST(Blend, GoesThroughWhatBlends) {
 }
 
 TEST(Blend, OfAGeometryWithoutMapsIsGrey) {
-  NEEDS_EMBREE_TO_BLEND;
+  NEEDS_EMBREE;
   Panes panes;
   panes.world.meshes = {{0}};
   const Tracer tracer(panes.world);
@@ -84,7 +82,7 @@ TEST(Blend, OfAGeometryWithoutMapsIsGrey) {
 }
 
 TEST(Blend, SavesCallsAndChangesNoPixel) {
-  NEEDS_EMBREE_TO_BLEND;
+  NEEDS_EMBREE;
   const scene::Bytes bytes = scene::sample_scene();
   const scene::Scene scene = scene::load("sample", bytes);
   const scene::Plan plan = scene::plan(scene);
@@ -117,7 +115,7 @@ TEST(Blend, SavesCallsAndChangesNoPixel) {
 }
 
 TEST(Blend, IsTheSameForAnyNumberOfThreads) {
-  NEEDS_EMBREE_TO_BLEND;
+  NEEDS_EMBREE;
   const SampleWorld& sample = SampleWorld::get();
   const Camera camera = on_path(sample.box(), 5, 3, 1);
   const Blending blending{.colours = &sample.colours()};

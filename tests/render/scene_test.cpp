@@ -10,6 +10,7 @@
 #include "render/picture.hpp"
 #include "render/scene/compare.hpp"
 #include "scene/read/load.hpp"
+#include "tests/render/needs_embree.hpp"
 
 namespace {
 
@@ -17,9 +18,6 @@ using namespace mmverify;
 using namespace mmverify::render;
 using proofs::traverse::ConformanceRay;
 using proofs::traverse::SampleWorld;
-
-#define NEEDS_EMBREE \
-  if (!has_embree()) GTEST_SKIP() << embree_text()
 
 /// The suite's own scene, ready for rays.
 struct Garden {

@@ -1,17 +1,16 @@
-// Textures compressed beside attribute maps: programs that are run, bytes at equal error, what a coder is given and
-// held to, and astcenc itself where it is installed.
+// Textures compressed beside attribute maps: bytes at equal error, what a coder is given and held to, and astcenc itself
+// where it is installed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 
-#include "bench/program/program.hpp"
 #include "bench/scene/astcenc.hpp"
+#include "program/program.hpp"
 #include "scene/attribute/equal_error.hpp"
 #include "scene/attribute/measure.hpp"
 #include "scene/attribute/reduced_texture.hpp"
@@ -24,44 +23,14 @@ namespace {
 using namespace mmverify::scene;
 using mmverify::bench::astc_blocks;
 using mmverify::bench::astc_coder;
-using mmverify::bench::NoProgram;
-using mmverify::bench::ProgramEnd;
 using mmverify::bench::reduced_astc_blocks;
-using mmverify::bench::run_program;
+using mmverify::program::NoProgram;
+using mmverify::program::ProgramEnd;
+using mmverify::program::run_program;
 using mmverify::tests::Environment;
 using mmverify::tests::Folder;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Programs
-// ---------------------------------------------------------------------------------------------------------------------
-
-TEST(Program, GetsItsWordsAsTheyAre) {
-  const ProgramEnd end = run_program({"printf", "%s|", "$(exit 1)", "a b", "*", "';"});
-  EXPECT_TRUE(end.succeeded);
-  EXPECT_EQ(end.out, "$(exit 1)|a b|*|';|");
-}
-
-TEST(Program, ReadsItsInputAndSaysHowItEnds) {
-  EXPECT_EQ(run_program({"cat"}, "one\ntwo").out, "one\ntwo");
-  EXPECT_EQ(run_program({"cat"}).out, "");
-  const ProgramEnd failed = run_program({"sh", "-c", "echo why >&2; exit 3"});
-  EXPECT_FALSE(failed.succeeded);
-  EXPECT_EQ(failed.how, "exit code 3");
-  EXPECT_EQ(failed.errors, "why\n");
-  const ProgramEnd killed = run_program({"sh", "-c", "kill -9 $$"});
-  EXPECT_FALSE(killed.succeeded);
-  EXPECT_EQ(killed.how, "signal 9");
-  EXPECT_THROW(run_program({"mmverify-has-no-such-program"}), NoProgram);
-}
-
-TEST(Program, IsEndedWhereItIsStopped) {
-  struct Stopped {};
-  const auto start = std::chrono::steady_clock::now();
-  EXPECT_THROW(run_program({"sleep", "600"}, {}, [] { throw Stopped(); }), Stopped);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(100));
-}
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Bytes at an error

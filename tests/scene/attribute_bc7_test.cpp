@@ -8,8 +8,8 @@
 #include <fstream>
 #include <regex>
 
-#include "bench/program/program.hpp"
 #include "bench/scene/bc7enc.hpp"
+#include "program/program.hpp"
 #include "scene/write/png.hpp"
 #include "tests/environment.hpp"
 #include "tests/folder.hpp"
@@ -19,8 +19,8 @@ namespace {
 using namespace mmverify::scene;
 using mmverify::bench::bc7_block;
 using mmverify::bench::bc7_coder;
-using mmverify::bench::NoProgram;
-using mmverify::bench::run_program;
+using mmverify::program::NoProgram;
+using mmverify::program::run_program;
 using mmverify::tests::Environment;
 using mmverify::tests::Folder;
 using testing::ElementsAre;

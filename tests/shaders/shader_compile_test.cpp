@@ -2,8 +2,8 @@
 #include <fstream>
 #include <string>
 
+#include "program/program.hpp"
 #include "shaders/compile/compile.hpp"
-#include "shaders/compile/run_program.hpp"
 #include "shaders/compile/sha256.hpp"
 #include "shaders/compile/snippet.hpp"
 #include "tests/dock/plugin.hpp"
@@ -26,10 +26,19 @@ Outcome judge(const std::string& subject, const std::string& more = "", const st
 constexpr const char* right = "uint index(uint level, float u, float v) { return 0u; }\n";
 
 /// Compiling needs a compiler; `run test` installs it.
+bool is_here(const std::vector<std::string>& words) {
+  try {
+    program::run_program(words);
+    return true;
+  } catch (const program::NoProgram&) {
+    return false;
+  }
+}
+
 class ShaderFile : public testing::Test {
  protected:
   void SetUp() override {
-    if (!shaders::run_program({"glslangValidator", "--version"}).found)
+    if (!is_here({"glslangValidator", "--version"}))
       GTEST_SKIP() << "no glslangValidator (Debian: glslang-tools)";
   }
   Folder folder_;
@@ -73,18 +82,6 @@ TEST(SnippetFunctions, are_found_by_type_name_and_number_of_parameters) {
   EXPECT_THAT(names("uint2 vertex_place(uint l, uint o, uint k) { return 0; } uint vq2_region(uint x, uint "
                     "y) { return 0u; }"),
               testing::ElementsAre("vq2_region", "attribute_vertex_place"));
-}
-
-TEST(RunProgram, stops_what_prints_without_end_and_tells_of_signals) {
-  const shaders::Ran endless = shaders::run_program({"yes"});
-  EXPECT_TRUE(endless.found);
-  EXPECT_TRUE(endless.stopped);
-  EXPECT_EQ(endless.printed, "");
-  EXPECT_TRUE(shaders::run_program({"sh", "-c", "kill -ABRT $$"}).stopped);
-  const shaders::Ran short_one = shaders::run_program({"sh", "-c", "echo word; exit 3"});
-  EXPECT_FALSE(short_one.stopped);
-  EXPECT_EQ(short_one.exit_code, 3);
-  EXPECT_EQ(short_one.printed, "word\n");
 }
 
 TEST(Module, that_is_none_is_refused) {
@@ -159,11 +156,16 @@ TEST_F(ShaderFile, that_defines_nothing_to_ask_is_refused) {
   expect_complaint(judge(flat), 2, "workgroup is not N x 1 x 1");
 }
 
+TEST_F(ShaderFile, that_includes_itself_is_given_up) {
+  const std::string file =
+      write(folder_, "self.glsl", "#include \"self.glsl\"\n#include \"self.glsl\"\n" + std::string(right));
+  expect_complaint(judge(file), 2, "does the file include itself?");
+}
+
 TEST_F(ShaderFile, in_spirv_is_read_and_validated) {
   expect_complaint(judge(write(folder_, "text.spv", "no SPIR-V at all")), 2, "text.spv: no SPIR-V");
   expect_complaint(judge((folder_ / "missing.spv").string()), 4, "missing.spv: no such file");
-  if (!shaders::run_program({"spirv-val", "--version"}).found)
-    GTEST_SKIP() << "no spirv-val (Debian: spirv-tools)";
+  if (!is_here({"spirv-val", "--version"})) GTEST_SKIP() << "no spirv-val (Debian: spirv-tools)";
   // A header alone is a module, and a valid one has more.
   const std::uint32_t words[] = {0x07230203, 0x00010300, 0, 9, 0};
   const std::string header(reinterpret_cast<const char*>(words), sizeof words);
@@ -171,7 +173,7 @@ TEST_F(ShaderFile, in_spirv_is_read_and_validated) {
 }
 
 TEST_F(ShaderFile, in_slang_is_not_judged_where_no_compiler_is) {
-  if (shaders::run_program({"slangc", "-v"}).found) GTEST_SKIP() << "slangc is here";
+  if (is_here({"slangc", "-v"})) GTEST_SKIP() << "slangc is here";
   const Outcome o = judge(write(folder_, "mine.slang", right));
   EXPECT_EQ(o.exit_code, 2) << o.err;
   EXPECT_THAT(o.out, HasSubstr("n/a        index.in_range"));

@@ -1,4 +1,5 @@
 // Orders on samples of the levels that the sweeps of the fast tier do not reach.
+#include <algorithm>
 #include <cmath>
 
 #include "proofs/attribute/law_groups.hpp"
@@ -12,7 +13,7 @@ const std::vector<std::string> sampled_subjects{"attribute-spec", "attribute", "
 
 std::uint64_t how_many(Level, const Run& run) { return run.tier == Tier::fast ? 1'024 : 262'144; }
 
-/// The specification's index, in words of 64 bits: attribute.orders_all_levels and its like prove those.
+/// The specification's index, in words of 64 bits: `attribute.w_minor_all_levels` and its like prove those.
 template <class Order, class Element>
 std::uint32_t specified(Order order, const Element& at, Level n) {
   if constexpr (std::is_same_v<Element, Vertex>)
@@ -21,17 +22,39 @@ std::uint32_t specified(Order order, const Element& at, Level n) {
     return static_cast<std::uint32_t>(spec::attribute::face_index(order, at, n));
 }
 
-/// What a subject says of one element, as numbers, beside what is right.
-struct Answers {
-  std::vector<std::uint64_t> expected, got;
-  std::vector<std::string> of;  ///< what each is
-  void add(std::string what, std::uint64_t right, std::uint64_t answer) {
-    of.push_back(std::move(what));
-    expected.push_back(right);
-    got.push_back(answer);
+/// What a subject says of each element of a batch, as numbers, beside what is right.
+class Found {
+ public:
+  explicit Found(std::size_t elements) : of_each_(elements) {}
+  /// `what` of element k should be right(k), and is got(k).
+  template <class Right, class Got>
+  void add(std::string what, Right right, Got got) {
+    what_.push_back(std::move(what));
+    for (std::size_t k = 0; k < of_each_.size(); ++k) {
+      of_each_[k].expected.push_back(right(k));
+      of_each_[k].got.push_back(got(k));
+    }
   }
+  Outcome outcome(std::size_t k) const {
+    std::uint64_t answer = 0;
+    for (const std::uint64_t x : of_each_[k].got) answer = answer * 5 + x;
+    return {answer, of_each_[k].got == of_each_[k].expected};
+  }
+  /// The first thing that is wrong of element k, which has one.
+  Words words(std::size_t k) const {
+    const auto& [expected, got] = of_each_[k];
+    const auto at = static_cast<std::size_t>(
+        std::mismatch(expected.begin(), expected.end(), got.begin()).first - expected.begin());
+    return {fmt::format("{} {}", what_[at], expected[at]), fmt::format("{} {}", what_[at], got[at])};
+  }
+
+ private:
+  struct Numbers {
+    std::vector<std::uint64_t> expected, got;
+  };
+  std::vector<std::string> what_;
+  std::vector<Numbers> of_each_;
 };
-using Found = std::vector<Answers>;
 
 /// The law's cases: `found` asks a batch.
 template <class Element>
@@ -49,19 +72,10 @@ Batches<Element> drawn_cases(
   cases.check = [found](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Element> at,
                         std::span<Outcome> out) {
     const Found all = found(s, n, setting, at);
-    for (std::size_t k = 0; k < at.size(); ++k) {
-      std::uint64_t answer = 0;
-      for (const std::uint64_t x : all[k].got) answer = answer * 5 + x;
-      out[k] = {answer, all[k].got == all[k].expected};
-    }
+    for (std::size_t k = 0; k < at.size(); ++k) out[k] = all.outcome(k);
   };
   cases.words = [found](const AttributeSubject& s, Level n, std::size_t setting, const Element& at) {
-    const Answers one = found(s, n, setting, {&at, 1})[0];
-    for (std::size_t k = 0; k < one.of.size(); ++k)
-      if (one.expected[k] != one.got[k])
-        return Words{fmt::format("{} {}", one.of[k], one.expected[k]),
-                     fmt::format("{} {}", one.of[k], one.got[k])};
-    return Words{"an answer of its own", "another"};
+    return found(s, n, setting, {&at, 1}).words(0);
   };
   return cases;
 }
@@ -82,21 +96,23 @@ Law sampled_vertices_law() {
     std::vector<std::uint32_t> right;
     for (const Vertex& v : at) right.push_back(specified(order, v, n));
     const auto index = indices_of(s, order, n, at);
-    for (std::size_t k = 0; k < at.size(); ++k) all[k].add("index", right[k], index[k]);
+    const auto given = [&](std::size_t k) { return right[k]; };
+    all.add("index", given, [&](std::size_t k) { return index[k]; });
     if (f.vertex_at) {
       std::vector<Vertex> back(at.size());
       f.vertex_at(order, n, right, back);
-      for (std::size_t k = 0; k < at.size(); ++k) {
-        all[k].add("back at i", at[k].i, back[k].i);
-        all[k].add("back at j", at[k].j, back[k].j);
-      }
+      all.add(
+          "back at i", [&](std::size_t k) { return at[k].i; }, [&](std::size_t k) { return back[k].i; });
+      all.add(
+          "back at j", [&](std::size_t k) { return at[k].j; }, [&](std::size_t k) { return back[k].j; });
     }
     if (f.convert_vertices)
       for (const VertexOrder to : vertex_orders) {
         std::vector<std::uint32_t> other(at.size());
         f.convert_vertices(order, to, n, right, other);
-        for (std::size_t k = 0; k < at.size(); ++k)
-          all[k].add(fmt::format("in {}", name_of(to)), specified(to, at[k], n), other[k]);
+        all.add(
+            fmt::format("in {}", name_of(to)), [&](std::size_t k) { return specified(to, at[k], n); },
+            [&](std::size_t k) { return other[k]; });
       }
     return all;
   };
@@ -165,33 +181,39 @@ Law sampled_faces_law() {
           {specified(vertices, c[0], n), specified(vertices, c[1], n), specified(vertices, c[2], n)});
     }
     const auto index = indices_of(s, faces, n, at);
-    for (std::size_t k = 0; k < at.size(); ++k) all[k].add("index", right[k], index[k]);
+    const auto given = [&](std::size_t k) { return right[k]; };
+    all.add("index", given, [&](std::size_t k) { return index[k]; });
     if (f.face_at) {
       std::vector<MicroTriangle> back(at.size());
       f.face_at(faces, n, right, back);
-      for (std::size_t k = 0; k < at.size(); ++k) {
-        all[k].add("back at iu", at[k].iu, back[k].iu);
-        all[k].add("back at iv", at[k].iv, back[k].iv);
-        all[k].add("back, upper", at[k].upper, back[k].upper);
-      }
+      all.add(
+          "back at iu", [&](std::size_t k) { return at[k].iu; }, [&](std::size_t k) { return back[k].iu; });
+      all.add(
+          "back at iv", [&](std::size_t k) { return at[k].iv; }, [&](std::size_t k) { return back[k].iv; });
+      all.add(
+          "back, upper", [&](std::size_t k) { return at[k].upper; },
+          [&](std::size_t k) { return back[k].upper; });
     }
     if (f.convert_faces)
       for (const FaceOrder to : face_orders) {
         std::vector<std::uint32_t> other(at.size());
         f.convert_faces(faces, to, n, right, other);
-        for (std::size_t k = 0; k < at.size(); ++k)
-          all[k].add(fmt::format("in {}", name_of(to)), specified(to, at[k], n), other[k]);
+        all.add(
+            fmt::format("in {}", name_of(to)), [&](std::size_t k) { return specified(to, at[k], n); },
+            [&](std::size_t k) { return other[k]; });
       }
     if (f.triplet) {
       std::vector<Triplet> got(at.size());
       f.triplet(faces, vertices, n, right, got);
-      for (std::size_t k = 0; k < at.size(); ++k)
-        for (std::size_t c = 0; c < 3; ++c) all[k].add(fmt::format("vertex {}", c), corners[k][c], got[k][c]);
+      for (std::size_t c = 0; c < 3; ++c)
+        all.add(
+            fmt::format("vertex {}", c), [&](std::size_t k) { return corners[k][c]; },
+            [&](std::size_t k) { return got[k][c]; });
     }
     if (f.face_of) {
       std::vector<std::uint32_t> face(at.size());
       f.face_of(faces, vertices, n, corners, face);
-      for (std::size_t k = 0; k < at.size(); ++k) all[k].add("face of its vertices", right[k], face[k]);
+      all.add("face of its vertices", given, [&](std::size_t k) { return face[k]; });
     }
     return all;
   };

@@ -90,36 +90,34 @@ Statement parts_lemma(const Steps& steps) {
        below(rest, one_bits), equal(exactly(bits), (Exact(W(whole)) + Exact(exactly(rest))).term)});
 }
 
-Statement carry_lemma(const Steps& steps) {
-  Script script(steps.name + "_carry", Answer::unsat,
-                "For every two binary32 numbers uf and vf in [0, 1): the answer is 1 where uf + vf >= 1 "
-                "exactly, and 0 elsewhere.");
+/// Whether uf + vf >= 1 exactly is what the code says of `seen(uf)` and `seen(vf)`.
+template <class Seen>
+Statement reach_one_lemma(const Steps& steps, const std::string& name, const std::string& claim, Seen seen) {
+  Script script(steps.name + name, Answer::unsat,
+                "For every two binary32 numbers uf and vf in [0, 1): " + claim);
   define_binary32(script);
   const Term uf = script.declare("uf_bits", word_sort(32)), vf = script.declare("vf_bits", word_sort(32));
   for (const Term& x : {uf, vf}) script.require(below(x, one_bits));
   declare_free(script, steps);
-  const Term got =
-      script.define("got", steps.reach_one(Binary32::of_bits(uf).term, Binary32::of_bits(vf).term));
+  const Term got = script.define("got", steps.reach_one(seen(uf), seen(vf)));
   const Exact sum = Exact(exactly(uf)) + Exact(exactly(vf));
   return script.denying({equal(got, word_of(no(is_less(sum, Exact(1)))))});
 }
 
+Statement carry_lemma(const Steps& steps) {
+  return reach_one_lemma(steps, "_carry", "the answer is 1 where uf + vf >= 1 exactly, and 0 elsewhere.",
+                         [](const Term& x) { return Binary32::of_bits(x).term; });
+}
+
 Statement flush_lemma(const Steps& steps) {
-  Script script(
-      steps.name + "_flush", Answer::unsat,
-      "For every two binary32 numbers uf and vf in [0, 1): with 0 in the place of what is below 2^-96, the "
-      "answer is still whether uf + vf >= 1 exactly.\nA processor that takes numbers below 2^-126 for 0 "
-      "loses less, even times 2^30.");
-  define_binary32(script);
-  const Term uf = script.declare("uf_bits", word_sort(32)), vf = script.declare("vf_bits", word_sort(32));
-  for (const Term& x : {uf, vf}) script.require(below(x, one_bits));
-  declare_free(script, steps);
-  const auto flushed = [](const Term& x) {
-    return Binary32::of_bits(choose(below(x, word_constant(0x0f800000)), word_constant(0), x)).term;
-  };
-  const Term got = script.define("got", steps.reach_one(flushed(uf), flushed(vf)));
-  const Exact sum = Exact(exactly(uf)) + Exact(exactly(vf));
-  return script.denying({equal(got, word_of(no(is_less(sum, Exact(1)))))});
+  return reach_one_lemma(
+      steps, "_flush",
+      "with 0 in the place of what is below 2^-96, the answer is still whether uf + vf >= 1 exactly.\nA "
+      "processor "
+      "that takes numbers below 2^-126 for 0 loses less, even times 2^30.",
+      [](const Term& x) {
+        return Binary32::of_bits(choose(below(x, word_constant(0x0f800000)), word_constant(0), x)).term;
+      });
 }
 
 Statement square_lemma(const Steps& steps) {

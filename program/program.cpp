@@ -1,8 +1,9 @@
-#include "bench/program/program.hpp"
+#include "program/program.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,7 +17,7 @@
 
 extern char** environ;
 
-namespace mmverify::bench {
+namespace mmverify::program {
 namespace {
 
 struct Closes {
@@ -39,6 +40,16 @@ std::string contents(const File& file) {
   while (const std::size_t n = std::fread(part.data(), 1, part.size(), file.get()))
     text.append(part.data(), n);
   return text;
+}
+
+void bound(pid_t child, const Bounds& bounds) {
+  const auto at_most = [child](auto resource, rlim_t most) {
+    const rlimit limit{most, most};
+    prlimit(child, resource, &limit, nullptr);
+  };
+  at_most(RLIMIT_AS, bounds.memory);
+  at_most(RLIMIT_FSIZE, bounds.a_file);
+  at_most(RLIMIT_CORE, 0);
 }
 
 /// A program that runs; it is ended where nobody has waited for it.
@@ -74,7 +85,7 @@ class Running {
 }  // namespace
 
 ProgramEnd run_program(const std::vector<std::string>& arguments, const std::string& input,
-                       const std::function<void()>& stop) {
+                       const std::function<void()>& stop, const Bounds& bounds) {
   const std::string& program = arguments.at(0);
   // Files, not pipes: neither side can wait for the other.
   const File in = nameless_file(program), out = nameless_file(program), errors = nameless_file(program);
@@ -98,17 +109,21 @@ ProgramEnd run_program(const std::vector<std::string>& arguments, const std::str
   if (spawned != 0) throw std::runtime_error(program + ": " + std::strerror(spawned));
 
   Running running(child);
+  bound(child, bounds);
+  const auto begun = std::chrono::steady_clock::now();
   int status = 0;
   while (!running.ended(status)) {
     if (stop) stop();
+    if (std::chrono::steady_clock::now() - begun > bounds.time)
+      return {false, false, "stopped after " + std::to_string(bounds.time.count()) + " s", {}, {}};
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   // Ctrl-C ends the program as well: that is no fault of its own.
   if (stop) stop();
-  return {WIFEXITED(status) && WEXITSTATUS(status) == 0,
+  return {WIFEXITED(status) && WEXITSTATUS(status) == 0, WIFEXITED(status),
           WIFEXITED(status) ? "exit code " + std::to_string(WEXITSTATUS(status))
                             : "signal " + std::to_string(WTERMSIG(status)),
           contents(out), contents(errors)};
 }
 
-}  // namespace mmverify::bench
+}  // namespace mmverify::program

@@ -1,0 +1,9 @@
+// Tests that trace are skipped without Embree, and say so.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "render/tracer.hpp"
+
+#define NEEDS_EMBREE \
+  if (!mmverify::render::has_embree()) GTEST_SKIP() << mmverify::render::embree_text()
