@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -204,6 +205,45 @@ TEST(ImplBakeFarTime, RowsThatRepeatAreNotWalked) {
     EXPECT_LE(calls, taken + 14 * 42);
     EXPECT_GE(taken, 12);
   }
+}
+
+/// Columns whose ends go up and down between bends, and rest: whatever a row says that no row a period away does is said.
+TEST(ImplBakeFarTime, RowsThatAreLeftOutSayNothingNew) {
+  Random random(11);
+  std::uint64_t left_out = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const std::int64_t rows = 12 + static_cast<std::int64_t>(random() % 50),
+                       period = 1 + static_cast<std::int64_t>(random() % 6);
+    std::vector<std::int64_t> ends[2];
+    std::vector<detail::Bend> bends;
+    for (std::vector<std::int64_t>& end : ends) {
+      std::int64_t at = static_cast<std::int64_t>(random() % 4), way = random() % 2 == 0 ? 1 : -1;
+      for (std::int64_t j = 0; j <= rows; ++j) {
+        end.push_back(at);
+        if (j < rows && random() % 12 == 0) {
+          way = -way;
+          bends.push_back({j, j + static_cast<std::int64_t>(random() % 2)});
+        }
+        if (random() % 6 == 0) at += way;
+      }
+    }
+    const auto columns = [&](std::int64_t j) {
+      const auto k = static_cast<std::size_t>(j);
+      return detail::Columns{ends[0][k], ends[1][k]};
+    };
+    using Said = std::set<std::array<std::int64_t, 3>>;
+    Said all, taken;
+    for (std::int64_t j = 0; j <= rows; ++j) all.insert({j % period, columns(j).first, columns(j).last});
+    std::int64_t count = 0;
+    detail::each_row(0, rows, period, bends, columns, [&](const detail::Columns& at, std::int64_t j) {
+      taken.insert({j % period, at.first, at.last});
+      ++count;
+      return true;
+    });
+    left_out += static_cast<std::uint64_t>(rows + 1 - count);
+    ASSERT_EQ(taken, all) << "round " << round;
+  }
+  EXPECT_GT(left_out, 10000u);
 }
 
 TEST(ImplBakeFarTime, RowsWithoutAPeriodAreEachTaken) {

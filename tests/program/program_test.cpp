@@ -45,13 +45,14 @@ TEST(Program, IsEndedWhereItTakesMoreThanItMay) {
   EXPECT_FALSE(slow.by_itself);
   EXPECT_EQ(slow.how, "stopped after 1 s");
   // `yes` never ends by itself.
-  const ProgramEnd endless = run_program({"yes"}, {}, {}, {.a_file = 1 << 20});
+  const ProgramEnd endless = run_program({"yes"}, {}, {}, {.time = 20s, .a_file = 1 << 20});
   EXPECT_FALSE(endless.by_itself);
   EXPECT_EQ(endless.out.size(), std::size_t{1} << 20);
   // A shell that doubles a word until there is no more room.
-  const ProgramEnd large =
-      run_program({"sh", "-c", "w=xxxxxxxx; while :; do w=$w$w; done"}, {}, {}, {.memory = 64 << 20});
+  const ProgramEnd large = run_program({"sh", "-c", "w=xxxxxxxx; while :; do w=$w$w; done"}, {}, {},
+                                       {.time = 20s, .memory = 64 << 20});
   EXPECT_FALSE(large.succeeded);
+  EXPECT_NE(large.how, "stopped after 20 s");
 }
 
 }  // namespace

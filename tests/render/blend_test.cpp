@@ -55,6 +55,39 @@ TEST(Blend, EndsAtTheWall) {
   EXPECT_TRUE(frame.pixels[0].as_met == 0xff102030u || frame.pixels[0].as_met == 0xff405060u);
 }
 
+// Some panes behind the wall are met before it, whatever order a tracer takes; none of them is seen.
+TEST(Blend, SeesNothingBehindTheWall) {
+  NEEDS_EMBREE;
+  constexpr std::uint32_t count = 64, wall = 23;
+  std::vector<std::uint8_t> texel{255};
+  World world;
+  world.surfaces.emplace_back(impl::bake::TexelView<std::uint8_t>{texel.data(), 1, 1, 1},
+                              impl::bake::Sampling{}, impl::bake::AlphaMode(impl::bake::Mask{}));
+  ColourMaps colours{ColoursOf::faces, 0, count};
+  Geometry panes, wall_alone;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    // The farthest first, and each turned a little, so that their boxes lie in one another.
+    const std::uint32_t place = count - 1 - k;
+    const float z = -1.0f - static_cast<float>(place);
+    const std::array<Point, 3> corners{Point{-90, -90, z - 30}, Point{90, -90, z + 30}, Point{0, 90, z}};
+    Geometry& one = place == wall ? wall_alone : panes;
+    const auto from = static_cast<std::uint32_t>(one.positions.size());
+    one.positions.insert(one.positions.end(), corners.begin(), corners.end());
+    one.triangles.push_back({from, from + 1, from + 2});
+    one.uvs.resize(one.positions.size());
+  }
+  panes.surface = 0;
+  world.geometries = {panes, wall_alone};
+  world.meshes = {{0, 1}};
+  world.instances.push_back({});
+  colours.give(0,
+               std::vector<std::uint32_t>(count - 1, colours.add(std::array<std::uint32_t, 1>{0x00000001u})));
+  const BlendFrame frame = Tracer(world).blend_frame(
+      Camera{}, nullptr, {.operation = Operation::add, .colours = &colours}, {.width = 1, .height = 1});
+  EXPECT_EQ(frame.pixels[0].payload, wall) << "one of each pane before the wall";
+  EXPECT_GT(frame.pixels[0].as_met, wall) << "the test has to meet some behind it";
+}
+
 TEST(Blend, GoesThroughWhatBlends) {
   NEEDS_EMBREE;
   Panes panes;

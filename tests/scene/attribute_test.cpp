@@ -222,6 +222,13 @@ TEST(AttributeAtlas, GivesEachTexelToTheFirstTriangleThatShowsIt) {
   const std::vector<TexelTriangle> shifted{{{{-4, 4}, {0, 4}, {-4, 8}}}};
   const auto again = first_triangles(image, samplers, shifted);
   for (std::size_t k = 0; k < again.size(); ++k) EXPECT_EQ(again[k], first[k] == 0 ? 0 : no_triangle);
+  // The same place by another addressing: other texels.
+  const std::vector<TexelTriangle> beyond(2, TexelTriangle{{{4, 0}, {8, 0}, {4, 4}}});
+  const std::vector<Sampler> both{wrapped_as(Wrap::clamp_to_edge), wrapped_as(Wrap::repeat)};
+  const auto shown = first_triangles(image, both, beyond);
+  for (std::uint32_t y = 0; y < 4; ++y)
+    for (std::uint32_t x = 0; x < 4; ++x)
+      EXPECT_EQ(shown[x + 4 * y], x == 3 ? 0u : x + y <= 3 ? 1u : no_triangle) << x << ' ' << y;
   EXPECT_TRUE(within_reach({{{0, 0}, {4000, 0}, {0, 4000}}}));
   EXPECT_FALSE(within_reach({{{0, 0}, {4100, 0}, {0, 4100}}}));
   EXPECT_FALSE(within_reach({{{0, 0}, {33000, 0}, {0, 1}}}));
