@@ -234,6 +234,21 @@ TEST(AttributeAtlas, GivesEachTexelToTheFirstTriangleThatShowsIt) {
   EXPECT_FALSE(within_reach({{{0, 0}, {33000, 0}, {0, 1}}}));
 }
 
+TEST(SameUvs, AreThoseOfEachCornerAndOfTheTexture) {
+  const MapOfTriangle one{3, {{{0, 0.25f}, {0.5f, 0.75f}, {1, 0.125f}}}};
+  std::vector<MapOfTriangle> all{one};
+  for (std::size_t c = 0; c < 6; ++c) {
+    all.push_back(one);
+    all.back().uvs[c / 2][c % 2] += 2;
+  }
+  all.push_back(one);
+  all.back().texture = 4;
+  const std::size_t others = all.size();
+  for (std::size_t k = 0; k < others; ++k) all.push_back(all[k]);
+  const std::vector<std::size_t> first = first_of_same_uvs(all);
+  for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(first[k], k % others) << k;
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 
 const MapsAtLevel& at(const AttributeFigures& figures, unsigned level, MapKind kind) {

@@ -156,6 +156,18 @@ Law sampled_vertices_law() {
                             [](Level n, const Vertex& v, std::uint32_t x) {
                               return n >= 15 && (v.i >> 15 != 0 || v.j >> 15 != 0) ? 0u : x;
                             })),
+            mutant("Bird's indices above 2^26 are one less when they come from another order", "attribute",
+                   {13, 14},
+                   [](Functions& f) {
+                     f.orders.convert_vertices = [real = f.orders.convert_vertices](
+                                                     VertexOrder from, VertexOrder to, Level n,
+                                                     std::span<const std::uint32_t> index,
+                                                     std::span<std::uint32_t> out) {
+                       real(from, to, n, index, out);
+                       if (from == to || to != VertexOrder::bird) return;
+                       for (std::uint32_t& x : out) x -= x >> 26 != 0 ? 1 : 0;
+                     };
+                   }),
             mutant("W-minor's rows beyond 2^12 begin at the end of v", "attribute-single", {12, 13},
                    above_12(VertexOrder::w_minor,
                             [](Level, const Vertex& v, std::uint32_t x) {
@@ -254,6 +266,30 @@ Law sampled_faces_law() {
                           "attribute", {12, 13}, on_triplet([](VertexOrder vertices, Level n, Triplet& t) {
                             if (n > 12 && vertices == VertexOrder::w_minor && t[0] > t[2]) t[1] = t[1] - 1;
                           })),
+                   mutant("faces of rows are one further in U-major, from level 13 on", "attribute", {12, 13},
+                          [](Functions& f) {
+                            f.orders.convert_faces = [real = f.orders.convert_faces](
+                                                         FaceOrder from, FaceOrder to, Level n,
+                                                         std::span<const std::uint32_t> index,
+                                                         std::span<std::uint32_t> out) {
+                              real(from, to, n, index, out);
+                              if (n < 13 || from != FaceOrder::rows || to != FaceOrder::u_major) return;
+                              for (std::uint32_t& x : out) ++x;
+                            };
+                          }),
+                   mutant("three of Bird's vertices with a number above 2^26 are the face before",
+                          "attribute", {13, 14},
+                          [](Functions& f) {
+                            f.orders.face_of = [real = f.orders.face_of](FaceOrder faces,
+                                                                         VertexOrder vertices, Level n,
+                                                                         std::span<const Triplet> triplet,
+                                                                         std::span<std::uint32_t> out) {
+                              real(faces, vertices, n, triplet, out);
+                              if (vertices != VertexOrder::bird) return;
+                              for (std::size_t k = 0; k < out.size(); ++k)
+                                if (triplet[k][0] >> 26 != 0) --out[k];
+                            };
+                          }),
                    mutant("indices on the curve have 31 bits at level 16", "attribute-single", {15, 16},
                           on_face_index(FaceOrder::curve, [](Level, const MicroTriangle&,
                                                              std::uint32_t x) { return x & 0x7fffffff; }))}},
