@@ -66,10 +66,11 @@ TEST(Blend, SeesNothingBehindTheWall) {
   ColourMaps colours{ColoursOf::faces, 0, count};
   Geometry panes, wall_alone;
   for (std::uint32_t k = 0; k < count; ++k) {
-    // The farthest first, and each turned a little, so that their boxes lie in one another.
+    // Those behind are turned so far that their boxes begin before all others.
     const std::uint32_t place = count - 1 - k;
-    const float z = -1.0f - static_cast<float>(place);
-    const std::array<Point, 3> corners{Point{-90, -90, z - 30}, Point{90, -90, z + 30}, Point{0, 90, z}};
+    const float z = -1.0f - static_cast<float>(place), turned = place > wall ? -z : 0.0f;
+    const std::array<Point, 3> corners{Point{-90, -90, z - turned}, Point{90, -90, z + turned},
+                                       Point{0, 90, z}};
     Geometry& one = place == wall ? wall_alone : panes;
     const auto from = static_cast<std::uint32_t>(one.positions.size());
     one.positions.insert(one.positions.end(), corners.begin(), corners.end());
