@@ -9,12 +9,19 @@
 namespace mmverify::cli {
 namespace {
 
+/// The name alone does not tell processors apart: a virtual machine may call four generations "AMD EPYC".
 std::string cpu_name() {
+  std::string name = "unknown", numbers;
   std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name"))
-      if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
-  return "unknown";
+  for (std::string line; std::getline(info, line) && !line.empty();) {
+    const auto colon = line.find(": ");
+    if (colon == std::string::npos) continue;
+    const std::string value = line.substr(colon + 2);
+    if (line.starts_with("model name")) name = value;
+    if (line.starts_with("cpu family")) numbers = " (family " + value;
+    if (line.starts_with("model\t")) numbers += ", model " + value + ")";
+  }
+  return name + numbers;
 }
 
 }  // namespace
