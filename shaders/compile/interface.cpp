@@ -55,7 +55,7 @@ class Reader {
         fault(
             fmt::format("its push constants{} take {} bytes, and {} are given: uint count, level, first, "
                         "second, bytes",
-                        name_of(block), end, sizeof(PushConstants)));
+                        name_of_type(block), end, sizeof(PushConstants)));
     }
     for (const json& entry : group("entryPoints"))
       for (const json& by_constant : entry.value("workgroup_size_is_spec_constant_id", json::array()))
@@ -75,6 +75,12 @@ class Reader {
   static std::string place(const json& resource) {
     return fmt::format("binding {} of set {}{}", resource.value("binding", 0u), resource.value("set", 0u),
                        name_of(resource));
+  }
+
+  /// spirv-cross numbers the variable of a block that has no name of its own.
+  std::string name_of_type(const json& block) const {
+    const std::string type = block.value("type", "");
+    return all_.contains("types") && all_["types"].contains(type) ? name_of(all_["types"][type]) : "";
   }
 
   std::uint64_t end_of_struct(const std::string& type, unsigned depth) const {
