@@ -37,7 +37,7 @@ std::string with_device(const std::string& name, std::optional<std::uint32_t> de
   if (!shader) return name;
   if (const auto all = shaders::entry_points();
       entry_point && std::find(all.begin(), all.end(), *entry_point) == all.end())
-    throw UsageError(fmt::format("--entry {:.60}: no entry point of shaders is called that; there are {}",
+    throw UsageError(fmt::format("--entry: no entry point of shaders is called {:.60}; there are {}",
                                  *entry_point, fmt::join(all, ", ")));
   // What the name says itself stands.
   if (!shader->device && device != 0u) shader->device = device;

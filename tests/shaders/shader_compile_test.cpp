@@ -263,10 +263,9 @@ TEST_F(ShaderFile, in_spirv_has_one_compute_shader_that_is_called) {
 
 TEST_F(ShaderFile, is_asked_only_what_it_answers) {
   const std::string file = write(folder_, "mine.glsl", right);
-  expect_complaint(
-      judge(file, "--entry nonsense"), 2,
-      "--entry nonsense: no entry point of shaders is called that; there are index_f32, corners, ");
-  expect_complaint(judge(file, "--entry Index"), 2, "no entry point of shaders is called that");
+  expect_complaint(judge(file, "--entry nonsense"), 2,
+                   "--entry: no entry point of shaders is called nonsense; there are index_f32, corners, ");
+  expect_complaint(judge(file, "--entry Index"), 2, "no entry point of shaders is called Index");
   expect_complaint(judge(file + "@nonsense"), 2,
                    "mine.glsl: it does not answer nonsense; it answers index_f32");
   expect_complaint(judge(file, "--entry corners"), 2,
