@@ -87,6 +87,8 @@ std::vector<Result> all_results() {
   along.cameras.resize(1);
   along.rows.resize(1);
   along.rows[0].level = 2;
+  PathFigures walked;
+  walked.path = &along;
   return {index_tables({index}, {}),
           tree_tables({TreeFigures{}}, {}),
           vq_tables(vq, {}),
@@ -98,7 +100,7 @@ std::vector<Result> all_results() {
           scene_bake_tables({}, {}),
           baker_tables({"b", "f", {{}}}),
           render_tables(rendered),
-          path_tables({.path = &along}),
+          path_tables(walked),
           with_pictures(scene_attribute_tables(
               attributes, read,
               {.packed = true, .texture_coder = {.name = "coder", .compress = [](auto&&...) {}}}))};
