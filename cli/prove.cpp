@@ -210,7 +210,8 @@ Action add_prove(CLI::App& program) {
       ->check(whole_within(0, 9999));
   command
       ->add_option("--entry", options->entry,
-                   "what a shader with a main of its own answers; index_f32 where not given")
+                   "what a shader with a main of its own answers, index_f32 where not given; of a "
+                   "file of functions, the one that is asked")
       ->type_name("NAME");
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--junit", options->junit, "write the results as JUnit XML")->type_name("FILE");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/exit_code.hpp"
@@ -34,6 +35,10 @@ std::string with_device(const std::string& name, std::optional<std::uint32_t> de
   const auto [file, kind] = plugin_name(name);
   auto shader = shaders::shader_name(file);
   if (!shader) return name;
+  if (const auto all = shaders::entry_points();
+      entry_point && std::find(all.begin(), all.end(), *entry_point) == all.end())
+    throw UsageError(fmt::format("--entry: no entry point of shaders is called {:.60}; there are {}",
+                                 *entry_point, fmt::join(all, ", ")));
   // What the name says itself stands.
   if (!shader->device && device != 0u) shader->device = device;
   if (!shader->entry_point) shader->entry_point = entry_point;

@@ -15,6 +15,7 @@ namespace mmverify::cli {
 bool is_shader(const std::string& name);
 
 /// The name with the device's number and the entry point in it, where it names none; as it is of what is no shader.
+/// UsageError where shaders have no such entry point.
 std::string with_device(const std::string& name, std::optional<std::uint32_t> device,
                         const std::optional<std::string>& entry_point);
 

@@ -71,7 +71,9 @@ constexpr std::uint32_t formats = formats_side * formats_side;
   ROW(attribute_face_mip,  attribute, 1, (a.format, a.blob, a.room / bytes_of_face, a.bytes()))                       \
   ROW(attribute_bake_faces, attribute, 1, (CaseOf<mmverify_attribute_case_t>(a), a.bytes()))                          \
   ROW(attribute_bake_vertices, attribute, 1, (CaseOf<mmverify_attribute_case_t>(a), a.bytes()))                       \
-  ROW(traverse_decide,     traverse, 1, (a.format, a.words(0), a.words(1), a.words(2), a.bytes(), a.count))
+  ROW(traverse_decide,     traverse, 1, (a.format, a.words(0), a.words(1), a.words(2), a.bytes(), a.count))           \
+  ROW(traverse_blend,      traverse, 1, (a.format, a.words(0), a.words(1), a.numbers(), a.count))                     \
+  ROW(traverse_blend_hits, traverse, 1, (HitsOf(a), a.bytes()))
 // clang-format on
 
 /// Entry points by number: their rows'.

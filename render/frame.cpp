@@ -4,12 +4,6 @@
 #include <stdexcept>
 
 namespace mmverify::render {
-namespace {
-
-bool same(const Pixel& a, const Pixel& b) { return a.primary == b.primary && a.lit == b.lit; }
-
-}  // namespace
-
 Counts& Counts::operator+=(const Counts& other) {
   rays += other.rays;
   shadow_rays += other.shadow_rays;
@@ -18,9 +12,12 @@ Counts& Counts::operator+=(const Counts& other) {
   opaque += other.opaque;
   shader += other.shader;
   planned += other.planned;
+  met += other.met;
   fetches += other.fetches;
   return *this;
 }
+
+bool same(const Pixel& a, const Pixel& b) { return a.primary == b.primary && a.lit == b.lit; }
 
 std::uint64_t differing(const Frame& a, const Frame& b) {
   if (a.width != b.width || a.height != b.height)

@@ -35,6 +35,7 @@ struct Counts {
   std::uint64_t rays = 0, shadow_rays = 0;
   std::uint64_t candidates = 0, ignored = 0, opaque = 0, shader = 0;
   std::uint64_t planned = 0;  ///< candidates on geometries that get micromaps
+  std::uint64_t met = 0;      ///< of a frame: rays, shadow rays among them, that have such a candidate
   std::uint64_t fetches = 0;  ///< texels read
   Counts& operator+=(const Counts& other);
   bool operator==(const Counts&) const = default;
@@ -48,8 +49,11 @@ struct Frame {
   std::uint32_t width = 0, height = 0;
   std::vector<Pixel> pixels;  ///< rows from the top
   Counts counts;
-  double seconds = 0, cpu_seconds = 0;  ///< of all threads
+  double seconds = 0, cpu_seconds = 0;  ///< cpu: of the threads that traced it, together
 };
+
+/// Whether their rays met the same triangle of the same instance at the same t, and light alike.
+bool same(const Pixel& a, const Pixel& b);
 
 /// Pixels whose rays met another triangle, or another t, or light in another way.
 /// Domain: frames of one size, else std::invalid_argument.

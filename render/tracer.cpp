@@ -3,13 +3,14 @@
 #include <embree3/rtcore.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
-#include <sys/resource.h>
+#include <time.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -143,14 +144,11 @@ RTCRay embree_ray(const Ray& ray, float near, float far) {
   return r;
 }
 
-/// Of all threads of this process.
+/// Of this thread.
 double cpu_seconds() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 }  // namespace
@@ -293,6 +291,7 @@ struct Tracer::Built {
     pixel.primary = found.met;
     pixel.at = found.at;
     pixel.by_primary = primary.asked;
+    primary.counts.met = primary.counts.planned != 0;
     counts += primary.counts;
     ++counts.rays;
     if (!pixel.primary.hit()) return pixel;
@@ -311,6 +310,7 @@ struct Tracer::Built {
     rtcOccluded1(scene, &shadow.embree, &towards_light);
     pixel.lit = !(towards_light.tfar < 0);
     pixel.by_shadow = shadow.asked;
+    shadow.counts.met = shadow.counts.planned != 0;
     counts += shadow.counts;
     ++counts.shadow_rays;
     return pixel;
@@ -421,18 +421,20 @@ Frame filled(const TraceOptions& options, OfPixel of_pixel) {
   frame.height = options.height;
   frame.pixels.resize(std::size_t{options.width} * options.height);
   std::vector<Counts> of_rows(options.height);
+  std::vector<double> cpu_of_rows(options.height);
   const auto start = std::chrono::steady_clock::now();
-  const double cpu = cpu_seconds();
   oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
                                                      : static_cast<int>(options.threads));
   arena.execute([&] {
     oneapi::tbb::parallel_for(std::uint32_t{0}, options.height, [&](std::uint32_t y) {
+      const double cpu = cpu_seconds();
       for (std::uint32_t x = 0; x < options.width; ++x)
         frame.pixels[std::size_t{y} * options.width + x] = of_pixel(x, y, of_rows[y]);
+      cpu_of_rows[y] = cpu_seconds() - cpu;
       if (options.done) options.done(options.width);
     });
   });
-  frame.cpu_seconds = cpu_seconds() - cpu;
+  frame.cpu_seconds = std::accumulate(cpu_of_rows.begin(), cpu_of_rows.end(), 0.0);
   frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const Counts& row : of_rows) frame.counts += row;
   return frame;

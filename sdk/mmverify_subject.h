@@ -81,6 +81,29 @@ extern "C" {
 #define MMVERIFY_CANDIDATE_HAS_MICROMAP 4u
 #define MMVERIFY_CANDIDATE_GEOMETRY_OPAQUE 8u
 
+/* How a hit blends into a ray's payload; see traverse_blend. */
+#define MMVERIFY_BLEND_MAX 0u
+#define MMVERIFY_BLEND_MIN 1u
+#define MMVERIFY_BLEND_ADD 2u
+#define MMVERIFY_BLEND_MULTIPLY 3u
+#define MMVERIFY_BLEND_OVER 4u
+
+/* A hit on a ray.  Its value, and a payload, is a word: codes x / 255, R in the lowest byte, then G, B, A. */
+typedef struct mmverify_hit {
+  float distance;
+  uint32_t accepted; /* 1: it may be the ray's closest hit; 0: it blends, and the ray goes on */
+  uint32_t value;    /* of one that blends */
+} mmverify_hit_t;
+
+/* What a ray met.  `size` bytes of it are there, as of mmverify_bake_case. */
+typedef struct mmverify_blend_case {
+  uint32_t size;              /* sizeof(mmverify_blend_case) */
+  uint32_t operation;         /* MMVERIFY_BLEND_MAX, ... */
+  uint32_t payload;           /* before any hit */
+  uint32_t count;             /* hits, up to 16 */
+  const mmverify_hit_t* hits; /* in the order in which they are met, which is none by distance */
+} mmverify_blend_case_t;
+
 /* What codes of attributes mean, and so what is averaged; see attribute_bake_vertices. */
 #define MMVERIFY_LINEAR 0u
 #define MMVERIFY_SRGB 1u
@@ -391,6 +414,18 @@ typedef struct mmverify_subject {
   /* Where it runs, for whom that matters: lines KEY: VALUE, which are printed and kept with the verdicts, of 4000
    * bytes together.  May be null. */
   const char* runs_on;
+
+  /* Fixed functions in traversal (Color and Attribute Micromaps, 4.3): out[k] is the payload payload[k] after a hit with
+   * value[k], code by code, p of the payload, v of the value, alpha the value's own code A:
+   *   MAX max(p, v); MIN min(p, v); ADD min(255, p + v); MULTIPLY p v / 255; OVER min(255, v + p (255 - alpha) / 255), of
+   *   values with alpha multiplied in.  A quotient is the code nearest to it; none lies halfway. */
+  void (*traverse_blend)(uint32_t operation, const uint32_t* payload, const uint32_t* value, uint32_t* out,
+                         size_t count);
+
+  /* The payload that a ray ends with, as bytes R G B A.  The hits that blend are those nearer than the nearest accepted one,
+   * whether that is met before them or after; one at its very distance does not blend.  Each blends as often as it is
+   * reported, MULTIPLY and OVER in the order in which the hits are met. */
+  void (*traverse_blend_hits)(const mmverify_blend_case_t* what, uint8_t* payload);
 
   /* Arrays will have their entry points after these. */
 } mmverify_subject_t;

@@ -1,4 +1,4 @@
-// What traversal does with a candidate hit before any shader runs.
+// What traversal does with a candidate hit before any shader runs, and with a payload by a fixed function.
 #ifndef MMVERIFY_SHADERS_TRAVERSE
 #define MMVERIFY_SHADERS_TRAVERSE
 
@@ -22,6 +22,28 @@ uint mm_decide(uint candidate, uint instance_flags, uint ray_flags) {
   if ((ray_flags & 64u) != 0u && outcome == MM_OPAQUE) return MM_IGNORED;
   if ((ray_flags & 128u) != 0u && outcome == MM_NON_OPAQUE) return MM_IGNORED;
   return outcome;
+}
+
+const uint MM_BLEND_MAX = 0u, MM_BLEND_MIN = 1u, MM_BLEND_ADD = 2u, MM_BLEND_MULTIPLY = 3u, MM_BLEND_OVER = 4u;
+
+/// The code nearest to x / 255, exactly.  Domain: x up to 255 * 255.
+uint mm_divided_by_255(uint x) { return (x + 128u + ((x + 128u) >> 8)) >> 8; }
+
+/// A payload after a hit with this value, by a fixed function: four codes x / 255 to a word, R in the lowest byte.
+///   max(p, v) | min(p, v) | min(255, p + v) | p v / 255 | min(255, v + p (255 - alpha) / 255), alpha the value's own
+/// Source: Color and Attribute Micromaps, 4.3; docs/TRAVERSE.md.
+uint mm_blend(uint operation, uint payload, uint value) {
+  uint result = 0u, kept = 255u - (value >> 24);
+  for (uint shift = 0u; shift < 32u; shift += 8u) {
+    uint p = (payload >> shift) & 255u, v = (value >> shift) & 255u, code;
+    if (operation == MM_BLEND_MAX) code = max(p, v);
+    else if (operation == MM_BLEND_MIN) code = min(p, v);
+    else if (operation == MM_BLEND_ADD) code = min(p + v, 255u);
+    else if (operation == MM_BLEND_MULTIPLY) code = mm_divided_by_255(p * v);
+    else code = min(v + mm_divided_by_255(p * kept), 255u);
+    result |= code << shift;
+  }
+  return result;
 }
 
 #endif

@@ -15,6 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
+#include "cli/render/path.hpp"
 #include "cli/scene/loaded.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
@@ -38,7 +39,7 @@ struct RenderOptions {
   std::string blend, colours;
   unsigned colour_level = 3;
   std::string size = "640x480";
-  std::uint64_t camera = 0, seed = 1, memory = std::uint64_t{1} << 30;
+  std::uint64_t camera = 0, cameras = 0, seed = 1, memory = std::uint64_t{1} << 30;
   unsigned threads = 0, repeats = 1;
   bool no_shadows = false, quiet = false;
 };
@@ -124,6 +125,13 @@ void check_given(const CLI::App& command, const RenderOptions& options) {
       throw UsageError(fmt::format("{}: empty; give it a value, or leave it out", name));
   if (command.count("--colour-level") != 0 && options.colours.empty() && options.blend.empty())
     throw UsageError("--colour-level: of the maps that --colours or --blend draws from; name one of them");
+  if (command.count("--cameras") != 0)
+    for (const char* other :
+         {"--camera", "--blend", "--colours", "--colour-level", "--output", "--heat", "--repeat"})
+      if (command.count(other) != 0)
+        throw UsageError(fmt::format(
+            "--cameras and {}: along a path frames are compared, and neither drawn nor timed; leave one out",
+            other));
   for (const std::string& name : {options.picture, options.heat})
     if (!name.empty() && !name.ends_with(".png") && !name.ends_with(".PNG"))
       throw UsageError(fmt::format("{:.200}: pictures are PNG; name it .png", name));
@@ -247,6 +255,12 @@ int render_scene(const RenderOptions& options) {
     progress->add(count);
     if (proofs::interrupted()) throw Interrupted();
   };
+  if (options.cameras != 0) {
+    json.reset();
+    return render_path({scene, plan, world, tracer, options.cameras, options.seed, options.json,
+                        [&progress] { progress.reset(); }},
+                       compared);
+  }
   std::optional<render::ColourMaps> colours;
   if (colours_of) {
     compared.begins("colours", mmverify::scene::count_triangles(scene).unique);
@@ -359,9 +373,17 @@ Action add_render(CLI::App& program) {
       ->add_option("--camera", options->camera,
                    "0: all that has alpha-tested triangles; 1, 2, ...: of a random path")
       ->check(whole_within(0, 1'000'000'000));
+  command
+      ->add_option(
+          "--cameras", options->cameras,
+          "law traverse.same_image on the scene: so many cameras of a random path, each of which looks "
+          "at a triangle with micromaps")
+      ->check(whole_within(1, 10'000));
   command->add_option("--seed", options->seed, "of the random path")->check(fits_64_bits);
   command->add_flag("--no-shadows", options->no_shadows, "primary rays alone");
-  command->add_option("--repeat", options->repeats, "frames of each method; the least time counts")
+  command
+      ->add_option("--repeat", options->repeats,
+                   "rounds of a frame by the texture and by each method; the least time counts")
       ->check(whole_within(1, 1000));
   command->add_option("--memory", options->memory, "bytes that all maps of a level may take")
       ->check([](const std::string& text) {

@@ -46,4 +46,21 @@ class CaseOf {
   Case what_;
 };
 
+/// The case that a blob begins with; its hits are the rest of the blob.
+class HitsOf {
+ public:
+  explicit HitsOf(const Arguments& a) {
+    std::memcpy(&what_, a.blob, sizeof what_);
+    // As aligned as a hit has to be, whatever the blob is.
+    std::memcpy(hits_.data(), a.blob + sizeof what_, a.blob_bytes - sizeof what_);
+    what_.hits = hits_.data();
+  }
+  operator const mmverify_blend_case_t*() const { return &what_; }
+
+ private:
+  static constexpr std::size_t most = 16;
+  mmverify_blend_case_t what_;
+  std::array<mmverify_hit_t, most> hits_;
+};
+
 }  // namespace mmverify::dock

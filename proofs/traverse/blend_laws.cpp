@@ -1,6 +1,9 @@
 // Operations on payloads, code by code.  If any two hits may change places on any payload, hits of any number may be met in
 // any order: each order comes of each other one by exchanging neighbours.
+#include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 #include "proofs/engine/shape.hpp"
 #include "proofs/spoils.hpp"
@@ -21,33 +24,74 @@ struct Codes {
 };
 
 constexpr std::size_t all_codes = 256;
-using Column = std::array<std::uint32_t, all_codes>;
+using CodeWords = std::vector<std::uint32_t>;
 
 /// A code in each of the four channels, so that every channel meets every combination, and no two the same at once.
 constexpr std::uint32_t in_all(Code code) {
   return code | ((code + 85) & 255) << 8 | ((code + 170) & 255) << 16 | (255 - code) << 24;
 }
+/// A value with this alpha.
+constexpr std::uint32_t valued(Code v, Code alpha) { return (in_all(v) & 0xFFFFFF) | alpha << 24; }
 /// The same code in all four.
 constexpr std::uint32_t alike(Code code) { return code * 0x01010101u; }
 
-Column blended(const TraverseSubject& s, Operation o, const Column& payload, const Column& value) {
-  Column out{};
+CodeWords blended(const TraverseSubject& s, Operation o, const CodeWords& payload, const CodeWords& value) {
+  CodeWords out(payload.size());
   s.functions.blend(o, payload, value, out);
   return out;
 }
 
+/// A word for each of all pairs of a second and a third code.
 template <class Word>
-Column column(Word word) {
-  Column all{};
-  for (Code k = 0; k < all_codes; ++k) all[k] = word(k);
+CodeWords of_pairs(Word word) {
+  CodeWords all;
+  all.reserve(all_codes * all_codes);
+  for (Code second = 0; second < all_codes; ++second)
+    for (Code third = 0; third < all_codes; ++third) all.push_back(word(second, third));
   return all;
+}
+
+/// What a subject answers of all pairs, for one operation and one first code.
+struct CodeSheet {
+  CodeWords one, other;
+};
+using AsksSheet = CodeSheet (*)(const TraverseSubject&, Operation, Code first);
+
+/// The answers to a case's second code: 256 words.  A thread asks for a whole sheet at once, as a subject elsewhere is
+/// fastest, and keeps the last one.
+struct TwoColumns {
+  std::span<const std::uint32_t> one, other;
+};
+TwoColumns answers_to(const TraverseSubject& s, const Codes& c, AsksSheet asks) {
+  struct Kept {
+    std::uint64_t subject = 0;
+    AsksSheet asks = nullptr;
+    Operation operation = Operation::max;
+    Code first = 0;
+    CodeSheet sheet = {};
+  };
+  thread_local Kept kept;
+  if (kept.subject != s.serial || kept.asks != asks || kept.operation != c.operation ||
+      kept.first != c.first) {
+    kept.subject = 0;  // while it may throw
+    kept.sheet = asks(s, c.operation, c.first);
+    kept.asks = asks;
+    kept.operation = c.operation;
+    kept.first = c.first;
+    kept.subject = s.serial;
+  }
+  const auto of = [&c](const CodeWords& all) {
+    const std::span<const std::uint32_t> whole = all;
+    return whole.size() <= all_codes ? whole : whole.subspan(c.second * all_codes, all_codes);
+  };
+  return {of(kept.sheet.one), of(kept.sheet.other)};
 }
 
 std::string codes_of(std::uint32_t word) {
   return fmt::format("{} {} {} {}", word & 255, word >> 8 & 255, word >> 16 & 255, word >> 24);
 }
 
-std::uint64_t digest_of(const Column& column) {
+std::uint64_t digest_of(std::span<const std::uint32_t> column) {
   std::uint64_t sum = 0;
   for (std::size_t k = 0; k < column.size(); ++k) sum += Tally::digest_of(k, column[k]);
   return sum;
@@ -124,15 +168,20 @@ Law blend_law() {
       {entry::blend}, on_codes(Operation::max, Operation::over, [](const TraverseSubject& s, const Codes& c) {
         // The payload's code, and the value's alpha.
         const std::uint32_t payload = in_all(c.first);
-        const Column value = column([&](Code v) { return (in_all(v) & 0xFFFFFF) | c.second << 24; });
-        const Column got = blended(s, c.operation, column([&](Code) { return payload; }), value);
+        const auto value = [&c](std::size_t v) { return valued(static_cast<Code>(v), c.second); };
+        const auto got =
+            answers_to(s, c, [](const TraverseSubject& subject, Operation o, Code first) {
+              return CodeSheet{blended(subject, o, CodeWords(all_codes * all_codes, in_all(first)),
+                                       of_pairs([](Code alpha, Code v) { return valued(v, alpha); })),
+                               {}};
+            }).one;
         for (std::size_t k = 0; k < all_codes; ++k)
           for (unsigned shift = 0; shift < 32; shift += 8) {
             const Code right =
-                spec::traverse::blend(c.operation, payload >> shift & 255, value[k] >> shift & 255, c.second);
+                spec::traverse::blend(c.operation, payload >> shift & 255, value(k) >> shift & 255, c.second);
             if ((got[k] >> shift & 255) != right)
               return wrong(fmt::format("{} in channel {} of {} and {}", right, shift / 8, codes_of(payload),
-                                       codes_of(value[k])),
+                                       codes_of(value(k))),
                            fmt::format("{}", got[k] >> shift & 255));
           }
         return Finding{digest_of(got)};
@@ -140,15 +189,18 @@ Law blend_law() {
 }
 
 /// Both orders of two values on a payload.
-struct Orders {
-  Column one, other;
-};
-Orders in_both_orders(const TraverseSubject& s, const Codes& c, std::uint32_t (*word)(Code)) {
-  const Column payload = column([&](Code) { return word(c.first); }),
-               a = column([&](Code) { return word(c.second); }), b = column(word);
-  return {blended(s, c.operation, blended(s, c.operation, payload, a), b),
-          blended(s, c.operation, blended(s, c.operation, payload, b), a)};
+template <std::uint32_t (*word)(Code)>
+TwoColumns in_both_orders(const TraverseSubject& s, const Codes& c) {
+  return answers_to(s, c, [](const TraverseSubject& subject, Operation o, Code first) {
+    const CodeWords payload(all_codes * all_codes, word(first)),
+        a = of_pairs([](Code second, Code) { return word(second); }),
+        b = of_pairs([](Code, Code third) { return word(third); });
+    return CodeSheet{blended(subject, o, blended(subject, o, payload, a), b),
+                     blended(subject, o, blended(subject, o, payload, b), a)};
+  });
 }
+/// Opaque.
+constexpr std::uint32_t opaque(Code code) { return code * 0x010101u | 0xFF000000; }
 
 Law order_free() {
   return on_cases(
@@ -174,7 +226,7 @@ Law order_free() {
                             if (o == Operation::min && p >> 24 == 128 && v >> 24 == 127) out |= 0xFF000000;
                           }))}},
       {entry::blend}, on_codes(Operation::max, Operation::add, [](const TraverseSubject& s, const Codes& c) {
-        const Orders orders = in_both_orders(s, c, in_all);
+        const TwoColumns orders = in_both_orders<in_all>(s, c);
         for (std::size_t b = 0; b < all_codes; ++b)
           if (orders.one[b] != orders.other[b])
             return wrong(fmt::format("{} on payload {} with {}, then {}", codes_of(orders.one[b]),
@@ -211,13 +263,19 @@ Law duplicates() {
                           }))}},
       {entry::blend},
       on_codes(Operation::max, Operation::multiply, [](const TraverseSubject& s, const Codes& c) {
-        const std::array<std::uint32_t, 1> payload{in_all(c.first)}, value{in_all(c.second)};
-        std::array<std::uint32_t, 1> once{}, twice{};
-        s.functions.blend(c.operation, payload, value, once);
-        s.functions.blend(c.operation, once, value, twice);
+        // Of all second codes, as there is no third.
+        const auto asks = [](const TraverseSubject& subject, Operation o, Code first) {
+          CodeWords value;
+          for (Code second = 0; second < all_codes; ++second) value.push_back(in_all(second));
+          const CodeWords single = blended(subject, o, CodeWords(all_codes, in_all(first)), value);
+          return CodeSheet{single, blended(subject, o, single, value)};
+        };
+        const TwoColumns all = answers_to(s, {c.operation, c.first, 0}, asks);
+        const std::uint32_t payload = in_all(c.first), value = in_all(c.second), once = all.one[c.second],
+                            twice = all.other[c.second];
         for (unsigned shift = 0; shift < 32; shift += 8) {
-          const Code p = payload[0] >> shift & 255, v = value[0] >> shift & 255, m = once[0] >> shift & 255,
-                     n = twice[0] >> shift & 255;
+          const Code p = payload >> shift & 255, v = value >> shift & 255, m = once >> shift & 255,
+                     n = twice >> shift & 255;
           const bool counts_once = c.operation == Operation::add        ? v == 0 || p + v >= 255
                                    : c.operation == Operation::multiply ? 2 * m * (255 - v) < 255
                                                                         : true;
@@ -225,7 +283,7 @@ Law duplicates() {
             return wrong(fmt::format("{}{} on payload {} with {} twice", counts_once ? "" : "not ", m, p, v),
                          fmt::format("{}", n));
         }
-        return Finding{once[0] + (std::uint64_t{twice[0]} << 32) + 1};
+        return Finding{once + (std::uint64_t{twice} << 32) + 1};
       }));
 }
 
@@ -264,7 +322,7 @@ Law multiply_depends() {
        .general = false},
       {entry::blend},
       on_codes(Operation::multiply, Operation::multiply, [](const TraverseSubject& s, const Codes& c) {
-        const Orders orders = in_both_orders(s, c, alike);
+        const TwoColumns orders = in_both_orders<alike>(s, c);
         for (Code b = 0; b < all_codes; ++b) {
           const std::array<Code, 3> here{c.first, c.second, b};
           const int change = static_cast<int>(orders.one[b] & 255) - static_cast<int>(orders.other[b] & 255);
@@ -304,7 +362,7 @@ Law over_depends() {
        .general = false},
       {entry::blend},
       on_codes(Operation::over, Operation::over, [](const TraverseSubject& s, const Codes& c) {
-        const Orders orders = in_both_orders(s, c, [](Code code) { return code * 0x010101u | 0xFF000000; });
+        const TwoColumns orders = in_both_orders<opaque>(s, c);
         for (Code b = 0; b < all_codes; ++b)
           if ((orders.one[b] & 255) != b || (orders.other[b] & 255) != c.second)
             return wrong(fmt::format("{} and {} on payload {}", b, c.second, c.first),

@@ -1,5 +1,8 @@
 // A lossy map has unknown states in the place of others.  Its shader answers as the full map would; then a ray may end
 // another way only where nobody asks the shader.
+#include <map>
+#include <mutex>
+
 #include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"
 #include "proofs/traverse/premises.hpp"
@@ -31,22 +34,36 @@ std::vector<Substitution> all_substitutions() {
   return all;
 }
 
+bool any(const Substitution&) { return true; }
+
+/// The ray drops whatever is opaque by the lookup.
+bool drops_opaque(const Combination& c) {
+  return made_non_opaque(c) ? c.ray.cull_no_opaque : c.ray.cull_opaque;
+}
+
 /// Nobody but a shader can tell.  Without force-2-state: T where no flag makes hits opaque, or CullOpaque drops them; O
-/// where a flag settles the opacity, or nothing is culled by it.  With it: states that stay on their side.
+/// where a flag settles the opacity, or nothing is culled by it.  With it: states that stay on their side; others where the
+/// ray drops both sides, and T where flags let a shader drop it.
 bool leaves_it_to_the_shader(const Substitution& s) {
   const Combination& c = s.full;
-  if (spec::traverse::two_state_override(c)) return own_side(s);
+  if (spec::traverse::two_state_override(c))
+    return own_side(s) || drops_opaque(c) || (c.candidate.state == State::T && made_non_opaque(c));
   if (c.candidate.state == State::T) return !made_opaque(c) || c.ray.cull_opaque;
   return c.candidate.state != State::O || (made_opaque(c) || made_non_opaque(c)) || !culls(c);
 }
 
-/// Without force-2-state a known state outside of leaves_it_to_the_shader(); with it a known state that goes to the other
-/// side, and no other flag.
-bool shows(const Substitution& s) {
+bool shows(const Substitution& s) { return !leaves_it_to_the_shader(s); }
+
+/// Traversal itself accepts or drops what the full map leaves to a shader, or does the other with.  Without force-2-state: a
+/// T that flags make opaque, an O that CullNoOpaque drops because it is unknown.  With it: a state read as the other one,
+/// unless both are dropped, or a shader is asked of a T or UT.
+bool decides_more(const Substitution& s) {
   const Combination& c = s.full;
-  if (spec::micromap::unknown(c.candidate.state)) return false;
-  if (!spec::traverse::two_state_override(c)) return !leaves_it_to_the_shader(s);
-  return !own_side(s) && !made_opaque(c) && !made_non_opaque(c) && !culls(c);
+  if (spec::traverse::two_state_override(c))
+    return !own_side(s) && !drops_opaque(c) &&
+           !(on_transparent_side(c.candidate.state) && made_non_opaque(c));
+  if (c.candidate.state == State::T) return made_opaque(c) && !c.ray.cull_opaque;
+  return c.candidate.state == State::O && c.ray.cull_no_opaque && !made_opaque(c) && !made_non_opaque(c);
 }
 
 /// Whether the candidate is a hit, given what the shader would say.
@@ -54,38 +71,55 @@ bool hits(Outcome o, bool shader_says) {
   return o == Outcome::opaque || (o == Outcome::non_opaque && shader_says);
 }
 
-/// The law on the substitutions that it is about: the ray ends as with the full map, or it does not.
-Law on_substitutions(Law law, bool (*about)(const Substitution&), bool changes) {
-  const auto some = std::make_shared<std::vector<Substitution>>();
-  for (const Substitution& s : all_substitutions())
-    if (about(s)) some->push_back(s);
+/// The law on the substitutions that it is about.
+Law on_substitutions(Law law, bool (*about)(const Substitution&),
+                     std::function<Finding(const Substitution&, Outcome full, Outcome lossy)> check) {
+  // By then the combinations are there.
+  const auto some = [about]() -> const std::vector<Substitution>& {
+    static std::map<bool (*)(const Substitution&), std::vector<Substitution>> known;
+    static std::mutex lock;
+    const std::lock_guard hold(lock);
+    auto& found = known[about];
+    if (found.empty())
+      for (const Substitution& s : all_substitutions())
+        if (about(s)) found.push_back(s);
+    return found;
+  };
   Cases<Substitution> cases;
-  cases.count = [some] { return std::uint64_t{some->size()}; };
-  cases.number = [some](std::uint64_t k) { return (*some)[k]; };
+  cases.count = [some] { return std::uint64_t{some().size()}; };
+  cases.number = [some](std::uint64_t k) { return some()[k]; };
   cases.text = [](const Substitution& s) {
     return fmt::format("{},read={}", text_of(s.full), spec::micromap::name_of(s.read));
   };
   cases.read = [some, text = cases.text](const std::string& at) {
-    for (const Substitution& s : *some)
+    for (const Substitution& s : some())
       if (text(s) == at) return s;
-    throw BadCase(fmt::format("'{:.110}': write {}", at, text(some->front())));
+    throw BadCase(fmt::format("'{:.110}': write {}", at, text(some().front())));
   };
-  cases.check = [changes](const TraverseSubject& subject, const Substitution& s) {
+  cases.check = [check](const TraverseSubject& subject, const Substitution& s) {
     Combination read = s.full;
     read.candidate.state = s.read;
-    const Outcome full = subject.functions.decide(s.full), lossy = subject.functions.decide(read);
-    bool changed = false;
-    for (const bool shader_says : {false, true}) {
-      // The full map settles what a shader says of its known states.
-      if (s.full.candidate.state == State::T && shader_says) continue;
-      if (s.full.candidate.state == State::O && !shader_says) continue;
-      changed = changed || hits(full, shader_says) != hits(lossy, shader_says);
-    }
-    if (changed == changes)
-      return Finding{static_cast<std::uint64_t>(lossy) * 4 + static_cast<std::uint64_t>(full) + 1};
-    return wrong(fmt::format("{} {}", changes ? "not as with" : "as with", text_of(full)), text_of(lossy));
+    return check(s, subject.functions.decide(s.full), subject.functions.decide(read));
   };
   return on_cases(std::move(law), {entry::decide}, std::move(cases));
+}
+
+/// Whether the ray ends otherwise than with the full map, for some answer of a shader that answers as that would.
+bool ends_otherwise(const Substitution& s, Outcome full, Outcome lossy) {
+  for (const bool shader_says : {false, true}) {
+    // The full map settles what a shader says of its known states.
+    if (s.full.candidate.state == State::T && shader_says) continue;
+    if (s.full.candidate.state == State::O && !shader_says) continue;
+    if (hits(full, shader_says) != hits(lossy, shader_says)) return true;
+  }
+  return false;
+}
+
+template <bool otherwise>
+Finding ends(const Substitution& s, Outcome full, Outcome lossy) {
+  if (ends_otherwise(s, full, lossy) == otherwise)
+    return Finding{static_cast<std::uint64_t>(lossy) * 4 + static_cast<std::uint64_t>(full) + 1};
+  return wrong(fmt::format("{} {}", otherwise ? "not as with" : "as with", text_of(full)), text_of(lossy));
 }
 
 Law is_conservative() {
@@ -95,12 +129,11 @@ Law is_conservative() {
        .says = "a state read as unknown ends no ray otherwise, if its shader answers as the full map would: "
                "without "
                "force-2-state, unless flags make a T opaque or the ray culls an O by its opacity; with it, "
-               "where the state "
-               "keeps its side",
+               "where the state keeps its side, the ray drops both sides, or a shader is asked of a T",
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
-       .domain = named_domain("all 1,328 substitutions of KHR traces that leave it to the shader"),
+       .domain = named_domain("all 1,736 substitutions of KHR traces that leave it to the shader"),
        .mutants = {mutant("unknown is transparent where the ray does not force 2-state", "traverse",
                           deciding([](const Combination& c, Outcome o) {
                             return c.candidate.state == State::UT && o == Outcome::non_opaque
@@ -119,7 +152,7 @@ Law is_conservative() {
                                        ? Outcome::ignored
                                        : o;
                           }))}},
-      leaves_it_to_the_shader, false);
+      leaves_it_to_the_shader, ends<false>);
 }
 
 Law shows_without_a_shader() {
@@ -127,13 +160,14 @@ Law shows_without_a_shader() {
       {.id = "traverse.lossy_shows",
        .topic = "traverse",
        .says =
-           "everywhere else a known state that a lossy map reads as unknown does change the ray, and no "
-           "shader can help: "
-           "a hole is hit, an opaque one is culled or escapes culling, or force-2-state reads the other side",
+           "everywhere else a state that a lossy map reads as unknown does change the ray, and no shader can "
+           "help: a hole is hit, an opaque one is culled or escapes culling, or force-2-state reads the "
+           "other "
+           "side",
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
-       .domain = named_domain("all 160 substitutions of known states that do not leave it to the shader"),
+       .domain = named_domain("all 1,144 substitutions of KHR traces that do not leave it to the shader"),
        .mutants = {mutant("CullNoOpaque spares what is unknown", "traverse",
                           deciding([](const Combination& c, Outcome o) {
                             return spec::traverse::consulted(c) &&
@@ -157,11 +191,55 @@ Law shows_without_a_shader() {
                                        ? Outcome::non_opaque
                                        : o;
                           }))}},
-      shows, true);
+      shows, ends<true>);
+}
+
+Law decides_no_more() {
+  return on_substitutions(
+      {.id = "traverse.lossy_decides_no_more",
+       .topic = "traverse",
+       .says =
+           "traversal accepts or drops by a lossy map what it accepts or drops by the full one, and asks a "
+           "shader of the rest, but just where flags make a T opaque, CullNoOpaque drops an O, or "
+           "force-2-state reads the other side",
+       .source = lossy_source,
+       .subjects = {"traverse-spec", "traverse"},
+       .fast_seconds = 0.1,
+       .domain = named_domain("all 2,880 substitutions of KHR traces"),
+       .mutants = {mutant("UT of 4-state maps is ignored", "traverse",
+                          deciding([](const Combination& c, Outcome o) {
+                            return c.candidate.held == Held::four_state && c.candidate.state == State::UT &&
+                                           o == Outcome::non_opaque
+                                       ? Outcome::ignored
+                                       : o;
+                          })),
+                   mutant("CullNoOpaque spares UO", "traverse-spec",
+                          deciding([](const Combination& c, Outcome o) {
+                            return spec::traverse::consulted(c) && c.candidate.state == State::UO &&
+                                           c.ray.cull_no_opaque && !made_opaque(c) && !made_non_opaque(c) &&
+                                           !spec::traverse::two_state_override(c)
+                                       ? Outcome::non_opaque
+                                       : o;
+                          })),
+                   mutant("under NoOpaque force-2-state accepts UO without a shader", "traverse",
+                          deciding([](const Combination& c, Outcome o) {
+                            return c.candidate.state == State::UO && c.ray.no_opaque &&
+                                           spec::traverse::two_state_override(c) && o == Outcome::non_opaque
+                                       ? Outcome::opaque
+                                       : o;
+                          }))}},
+      any, [](const Substitution& s, Outcome full, Outcome lossy) {
+        const bool more = lossy != Outcome::non_opaque && lossy != full;
+        if (more == decides_more(s))
+          return Finding{static_cast<std::uint64_t>(lossy) * 4 + static_cast<std::uint64_t>(full) + 1};
+        return wrong(more ? fmt::format("{} or non-opaque", text_of(full))
+                          : fmt::format("another outcome than {} and non-opaque", text_of(full)),
+                     text_of(lossy));
+      });
 }
 
 }  // namespace
 
-std::vector<Law> lossy_laws() { return {is_conservative(), shows_without_a_shader()}; }
+std::vector<Law> lossy_laws() { return {is_conservative(), shows_without_a_shader(), decides_no_more()}; }
 
 }  // namespace mmverify::proofs::traverse

@@ -1,6 +1,9 @@
 // Hits that blend, with accepted hits among them, in every order in which traversal may meet them.
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <set>
+#include <utility>
 
 #include "proofs/engine/shape.hpp"
 #include "proofs/spoils.hpp"
@@ -20,82 +23,146 @@ using spec::traverse::Colour;
 enum class Reports { once, each_twice, all_again };
 constexpr const char* reports_names[] = {"once", "each-twice", "all-again"};
 
-/// One hit at each of the distances 1 to kinds.size(): A accepted, B blends.  `order`: the places in which they are met.
+/// Whether a hit that is met later, of those at one distance, or farther, of the others, has greater codes; of `mixed` each
+/// channel has an order of its own, and of add each sum is another one.
+enum class Values { rising, falling, mixed };
+constexpr const char* values_names[] = {"rising", "falling", "mixed"};
+
+/// What the payload is before any hit.
+enum class Before { neutral, coloured };
+constexpr const char* before_names[] = {"neutral", "coloured"};
+
+/// Hits in the order in which they are met: a letter, A accepted and B blends, and a distance, 1 to 4, which several may
+/// share.
 struct Scene {
   Operation operation = Operation::max;
-  std::string kinds = {}, order = {};
+  std::string hits = {};
   Reports reports = Reports::once;
+  Values values = Values::rising;
+  Before before = Before::neutral;
+  std::size_t count() const { return hits.size() / 2; }
+  bool accepted(std::size_t k) const { return hits[2 * k] == 'A'; }
+  std::uint32_t distance(std::size_t k) const { return static_cast<std::uint32_t>(hits[2 * k + 1] - '0'); }
 };
 
 std::string text_of_scene(const Scene& s) {
-  return fmt::format("{},{},{},{}", name_of(s.operation), s.kinds, s.order,
-                     reports_names[static_cast<unsigned>(s.reports)]);
+  return fmt::format(
+      "{},{},{},{},{}", name_of(s.operation), s.hits, reports_names[static_cast<unsigned>(s.reports)],
+      values_names[static_cast<unsigned>(s.values)], before_names[static_cast<unsigned>(s.before)]);
 }
 
-/// A payload that every value changes, and values that all show in what is blended: farther ones are greater for max and
-/// smaller for min, and no two sets of them have one sum.
-Colour payload_of(Operation o) {
-  return o == Operation::min ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 0};
-}
-Colour value_at(Operation o, std::uint32_t distance) {
-  const auto code = static_cast<std::uint32_t>(o == Operation::min   ? 250 - 10 * distance
-                                               : o == Operation::add ? 1u << distance
-                                                                     : 10 * distance);
-  return {code, 2 * code / 3, code / 2, code};
+Colour payload_of(const Scene& s) {
+  const bool bright = s.operation == Operation::min || s.operation == Operation::multiply;
+  if (s.before == Before::neutral) return bright ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 0};
+  return bright ? Colour{254, 253, 252, 251} : Colour{9, 8, 7, 6};
 }
 
-/// The hits as they are met.
-std::vector<Hit> met(const Scene& s) {
-  std::vector<Hit> hits;
-  for (const char place : s.order) {
-    const auto distance = static_cast<std::uint32_t>(place - '0');
-    const Hit hit{distance, s.kinds[distance - 1] == 'A', value_at(s.operation, distance)};
-    hits.push_back(hit);
-    if (s.reports == Reports::each_twice) hits.push_back(hit);
+/// The value of the k-th of `count` hits, by distance and then as they are met.
+Colour value_of(const Scene& s, std::size_t k, std::size_t count) {
+  constexpr std::array<std::array<std::uint32_t, 4>, 4> orders{
+      {{0, 1, 2, 3}, {2, 0, 3, 1}, {1, 3, 0, 2}, {3, 2, 1, 0}}};
+  Colour value{};
+  for (std::size_t c = 0; c < value.size(); ++c) {
+    std::uint32_t place = static_cast<std::uint32_t>(k);
+    if (s.values == Values::falling) place = static_cast<std::uint32_t>(count - 1 - k);
+    if (s.values == Values::mixed) place = orders[c][k];
+    // No two sets of hits have one sum, and no product or mean one code.
+    value[c] = s.operation == Operation::add ? (1u << (place + 1)) + (c == 3 ? 1 : 0)
+                                             : 20 + 50 * place + static_cast<std::uint32_t>(c);
   }
-  if (s.reports == Reports::all_again) {
-    const std::size_t count = hits.size();
-    for (std::size_t k = 0; k < count; ++k) hits.push_back(hits[k]);
+  return value;
+}
+
+/// The hits, once each.
+std::vector<Hit> hits_of(const Scene& s) {
+  std::vector<std::size_t> nearest(s.count());
+  std::iota(nearest.begin(), nearest.end(), std::size_t{0});
+  std::stable_sort(nearest.begin(), nearest.end(),
+                   [&s](std::size_t a, std::size_t b) { return s.distance(a) < s.distance(b); });
+  std::vector<Hit> hits(s.count());
+  for (std::size_t place = 0; place < nearest.size(); ++place) {
+    const std::size_t k = nearest[place];
+    hits[k] = {s.distance(k), s.accepted(k), value_of(s, place, s.count())};
   }
   return hits;
 }
 
+/// The same as traversal reports them.
+std::vector<Hit> reported(const Scene& s, const std::vector<Hit>& hits) {
+  std::vector<Hit> all;
+  for (const Hit& hit : hits) {
+    all.push_back(hit);
+    if (s.reports == Reports::each_twice) all.push_back(hit);
+  }
+  if (s.reports == Reports::all_again) {
+    const std::size_t count = all.size();
+    for (std::size_t k = 0; k < count; ++k) all.push_back(all[k]);
+  }
+  return all;
+}
+
 constexpr Operation order_free_ones[] = {Operation::max, Operation::min, Operation::add};
 
-/// The kinds of one to four hits: 2 + 4 + 8 + 16.
-std::vector<std::string> all_kinds() {
+/// Lists of one to four hits as they are met, each of either kind at a distance of 1 to their number: 2 + 16 + 216 + 4096.
+/// Every order of every such scene is among them.
+std::vector<std::string> make_lists() {
   std::vector<std::string> all;
-  for (std::size_t hits = 1; hits <= 4; ++hits)
-    for (unsigned set = 0; set < 1u << hits; ++set) {
-      std::string kinds;
-      for (std::size_t k = 0; k < hits; ++k) kinds += (set >> k & 1) != 0 ? 'A' : 'B';
-      all.push_back(kinds);
+  for (std::size_t hits = 1; hits <= 4; ++hits) {
+    std::size_t count = 1;
+    for (std::size_t k = 0; k < hits; ++k) count *= 2 * hits;
+    for (std::size_t number = 0; number < count; ++number) {
+      std::string list;
+      std::size_t rest = number;
+      for (std::size_t k = 0; k < hits; ++k, rest /= 2 * hits) {
+        list += rest % 2 != 0 ? 'A' : 'B';
+        list += static_cast<char>('1' + rest / 2 % hits);
+      }
+      all.push_back(list);
     }
+  }
   return all;
 }
 
-std::vector<std::string> orders_of(std::size_t hits) {
-  std::string order = std::string("1234").substr(0, hits);
-  std::vector<std::string> all;
-  do all.push_back(order);
-  while (std::next_permutation(order.begin(), order.end()));
+const std::vector<std::string>& all_lists() {
+  static const std::vector<std::string> all = make_lists();
   return all;
 }
 
-Cases<Scene> on_scenes(std::vector<Scene> list,
+/// Those of them that are met from the nearest on, each distance up to the last one taken: scenes, whatever the order.
+const std::vector<std::string>& sorted_lists() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> some;
+    for (const std::string& list : all_lists()) {
+      bool sorted = list[1] == '1';
+      for (std::size_t k = 3; k < list.size(); k += 2)
+        sorted = sorted && (list[k] == list[k - 2] || list[k] == list[k - 2] + 1);
+      if (sorted) some.push_back(list);
+    }
+    return some;
+  }();
+  return all;
+}
+
+/// Each of the `frames` with each of the lists.
+Cases<Scene> on_scenes(std::vector<Scene> frames, const std::vector<std::string>& (*lists)(),
                        std::function<Finding(const TraverseSubject&, const Scene&)> check) {
-  const auto scenes = std::make_shared<const std::vector<Scene>>(std::move(list));
+  const auto number = [frames, lists](std::uint64_t k) {
+    Scene scene = frames[k / lists().size()];
+    scene.hits = lists()[k % lists().size()];
+    return scene;
+  };
+  const auto count = [frames, lists] { return std::uint64_t{frames.size()} * lists().size(); };
   Cases<Scene> cases;
-  cases.count = [scenes] { return std::uint64_t{scenes->size()}; };
-  cases.number = [scenes](std::uint64_t k) { return (*scenes)[k]; };
+  cases.count = count;
+  cases.number = number;
   cases.text = text_of_scene;
-  cases.read = [scenes](const std::string& at) {
-    for (const Scene& s : *scenes)
-      if (text_of_scene(s) == at) return s;
-    throw BadCase(fmt::format("'{:.60}': write {}", at, text_of_scene(scenes->front())));
+  cases.read = [number, count](const std::string& at) {
+    for (std::uint64_t k = 0; k < count(); ++k)
+      if (const Scene s = number(k); at.find(s.hits) != std::string::npos && text_of_scene(s) == at) return s;
+    throw BadCase(fmt::format("'{:.60}': write {}", at, text_of_scene(number(0))));
   };
   cases.check = std::move(check);
-  cases.chunk = 64;
+  cases.chunk = 256;
   return cases;
 }
 
@@ -116,53 +183,83 @@ std::function<void(Functions&)> gathered(void (*change)(std::span<const Hit>, Co
                                              Colour& out) { change(hits, out); });
 }
 
+/// A mutant that gathers hits by distance, for some operations.
+std::function<void(Functions&)> sorting_gathered(bool (*some)(Operation)) {
+  return [some](Functions& f) {
+    f.gather = [some, real = f.gather](Operation o, const Colour& payload, std::span<const Hit> hits) {
+      std::vector<Hit> others(hits.begin(), hits.end());
+      if (some(o))
+        std::stable_sort(others.begin(), others.end(),
+                         [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
+      return real(o, payload, others);
+    };
+  };
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // As they are met
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Where the first A has a B behind it.
+/// Where the nearest A has a B behind it, or beside it.
 bool blends_behind_an_accepted(const Scene& s) {
-  const auto accepted = s.kinds.find('A');
-  return accepted != std::string::npos && s.kinds.find('B', accepted) != std::string::npos;
+  std::uint32_t nearest = ~0u;
+  for (std::size_t k = 0; k < s.count(); ++k)
+    if (s.accepted(k)) nearest = std::min(nearest, s.distance(k));
+  for (std::size_t k = 0; k < s.count(); ++k)
+    if (!s.accepted(k) && s.distance(k) >= nearest) return true;
+  return false;
 }
 
 Law accepted_hit() {
-  std::vector<Scene> scenes;
+  std::vector<Scene> frames;
+  // What lies behind must show: it is the greatest, or of min the least.
   for (const Operation o : order_free_ones)
-    for (const std::string& kinds : all_kinds())
-      scenes.push_back({o, kinds, orders_of(kinds.size()).front(), Reports::once});
+    for (const Before before : {Before::neutral, Before::coloured})
+      frames.push_back(
+          {o, {}, Reports::once, o == Operation::min ? Values::falling : Values::rising, before});
   return on_cases(
       {.id = "paper.blend_with_accepted_hit",
        .topic = "traverse",
        .says = "blended as they are met, hits depend on the order just where one lies behind an accepted "
-               "hit, the paper's max "
-               "as well as min and add: 1 of 4 scenes of two hits, 4 of 8 of three, 11 of 16 of four; the "
-               "smallest is a "
-               "hit that blends behind one that is accepted",
+               "hit, or at its distance, the paper's max as well as min and add: of scenes of different "
+               "distances 1 of 4 of two hits, 4 of 8 of three, 11 of 16 of four; the smallest is a hit that "
+               "blends behind one that is accepted",
        .source = fixed_functions,
        .subjects = {"traverse-as-met"},
        .fast_seconds = 0.1,
-       .domain = named_domain(
-           "3 operations, all 30 kinds of one to four hits, each in all its orders; one payload, one value a "
-           "distance"),
-       .mutants = {mutant("accepted hits hide nothing", "traverse-as-met",
-                          gathering([](std::vector<Hit>& hits) {
-                            std::erase_if(hits, [](const Hit& h) { return h.accepted; });
-                          })),
-                   mutant("hits are sorted first", "traverse-as-met", gathering([](std::vector<Hit>& hits) {
-                            std::sort(hits.begin(), hits.end(),
-                                      [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
-                          })),
-                   mutant("the first met is never blended", "traverse-as-met",
-                          gathering([](std::vector<Hit>& hits) {
-                            if (!hits.front().accepted) hits.erase(hits.begin());
-                          }))},
+       .domain = named_domain("3 operations, all 170 scenes of one to four hits, two or more at one distance "
+                              "among them, each in all its orders; two payloads; values that show what lies "
+                              "behind"),
+       .mutants =
+           {mutant("accepted hits hide nothing", "traverse-as-met", gathering([](std::vector<Hit>& hits) {
+                     std::erase_if(hits, [](const Hit& h) { return h.accepted; });
+                   })),
+            mutant("hits are sorted first", "traverse-as-met", gathering([](std::vector<Hit>& hits) {
+                     std::sort(hits.begin(), hits.end(),
+                               [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
+                   })),
+            mutant("the first met is never blended", "traverse-as-met", gathering([](std::vector<Hit>& hits) {
+                     if (!hits.front().accepted) hits.erase(hits.begin());
+                   })),
+            mutant("of hits at one distance those that blend come first", "traverse-as-met",
+                   gathering([](std::vector<Hit>& hits) {
+                     for (std::size_t a = 0; a < hits.size(); ++a)
+                       for (std::size_t b = a + 1; b < hits.size(); ++b)
+                         if (hits[a].distance == hits[b].distance && hits[a].accepted && !hits[b].accepted)
+                           std::swap(hits[a], hits[b]);
+                   }))},
        .general = false},
-      {entry::gather}, on_scenes(std::move(scenes), [](const TraverseSubject& s, const Scene& scene) {
+      {entry::gather},
+      on_scenes(std::move(frames), sorted_lists, [](const TraverseSubject& s, const Scene& scene) {
         std::set<Colour> payloads;
-        for (const std::string& order : orders_of(scene.kinds.size()))
-          payloads.insert(s.functions.gather(scene.operation, payload_of(scene.operation),
-                                             met({scene.operation, scene.kinds, order, scene.reports})));
+        const std::vector<Hit> hits = hits_of(scene);
+        std::vector<std::size_t> order(hits.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        do {
+          std::vector<Hit> met;
+          for (const std::size_t k : order) met.push_back(hits[k]);
+          payloads.insert(s.functions.gather(scene.operation, payload_of(scene), met));
+        } while (std::next_permutation(order.begin(), order.end()));
         const bool depends = blends_behind_an_accepted(scene);
         if ((payloads.size() > 1) == depends)
           return Finding{word_of(*payloads.begin()) + std::uint64_t{payloads.size()} + 1};
@@ -176,33 +273,47 @@ Law accepted_hit() {
 // Before the closest
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The blends before the first A, by distance, one at a time.
+bool is_order_free(Operation o) { return o != Operation::multiply && o != Operation::over; }
+
+/// The blends before the nearest A: of max, min and add by distance and each once, of multiply and over as they are met.
 Colour expected_of(const Scene& s) {
-  Colour payload = payload_of(s.operation);
-  for (std::uint32_t distance = 1; distance <= s.kinds.size() && s.kinds[distance - 1] == 'B'; ++distance)
-    payload = spec::traverse::blend(s.operation, payload, value_at(s.operation, distance));
+  std::vector<Hit> hits = hits_of(s);
+  if (is_order_free(s.operation))
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
+  Colour payload = payload_of(s);
+  for (const Hit& hit : hits) {
+    const bool hidden = hit.accepted || std::any_of(hits.begin(), hits.end(), [&hit](const Hit& other) {
+                          return other.accepted && other.distance <= hit.distance;
+                        });
+    if (!hidden) payload = spec::traverse::blend(s.operation, payload, hit.value);
+  }
   return payload;
 }
 
 Law before_closest() {
-  std::vector<Scene> scenes;
-  for (const Operation o : order_free_ones)
-    for (const std::string& kinds : all_kinds())
-      for (const std::string& order : orders_of(kinds.size()))
-        for (const Reports reports : {Reports::once, Reports::each_twice, Reports::all_again})
-          if (o != Operation::add || reports == Reports::once) scenes.push_back({o, kinds, order, reports});
+  std::vector<Scene> frames;
+  for (unsigned o = 0; o < spec::traverse::operations; ++o)
+    for (const Reports reports : {Reports::once, Reports::each_twice, Reports::all_again})
+      for (const Values values : {Values::rising, Values::falling, Values::mixed})
+        for (const Before before : {Before::neutral, Before::coloured})
+          // Only max and min take a hit that is reported twice as one.
+          if (o <= static_cast<unsigned>(Operation::min) || reports == Reports::once)
+            frames.push_back({static_cast<Operation>(o), {}, reports, values, before});
   return on_cases(
       {.id = "traverse.blend_before_closest",
        .topic = "traverse",
-       .says = "where blending waits for the closest accepted hit, exactly the hits before it are blended, "
-               "in any order: one "
-               "payload for max, min and add; for max and min also where hits are reported twice",
+       .says =
+           "where blending waits for the closest accepted hit, exactly the hits before it are blended: in "
+           "any order to one payload for max, min and add, for max and min also where hits are reported "
+           "twice; multiply and over as they are met",
        .source = fixed_functions,
        .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 0.1,
-       .domain = named_domain("all kinds and orders of one to four hits, 442; max and min reported in three "
-                              "ways, add in one; one "
-                              "payload, one value a distance"),
+       .fast_seconds = 1,
+       .domain =
+           named_domain("5 operations, all 4,330 lists of one to four hits at distances that may be the "
+                        "same, in every order; max and min reported in three ways; two payloads, three "
+                        "orders of values"),
        .mutants = {mutant("a blend at the far end stays where it is met first", "traverse",
                           gathered([](std::span<const Hit> hits, Colour& out) {
                             if (hits.size() == 4 && hits[0].distance == 4 && !hits[0].accepted)
@@ -218,10 +329,24 @@ Law before_closest() {
                           })),
                    mutant("a hit met third is lost", "traverse", gathering([](std::vector<Hit>& hits) {
                             if (hits.size() > 2) hits.erase(hits.begin() + 2);
-                          }))}},
-      {entry::gather}, on_scenes(std::move(scenes), [](const TraverseSubject& s, const Scene& scene) {
-        const Colour right = expected_of(scene),
-                     got = s.functions.gather(scene.operation, payload_of(scene.operation), met(scene));
+                          })),
+                   mutant("of hits at one distance one blends", "traverse",
+                          gathering([](std::vector<Hit>& hits) {
+                            for (std::size_t k = 1; k < hits.size(); ++k)
+                              if (!hits[k].accepted && !hits[k - 1].accepted &&
+                                  hits[k].distance == hits[k - 1].distance)
+                                hits[k].value = hits[k - 1].value;
+                          })),
+                   mutant("a hit at the accepted one's distance blends", "traverse-spec",
+                          gathering([](std::vector<Hit>& hits) {
+                            for (Hit& h : hits) h.distance = 2 * h.distance + (h.accepted ? 1 : 0);
+                          })),
+                   mutant("over and multiply go by distance", "traverse",
+                          sorting_gathered([](Operation o) { return !is_order_free(o); }))}},
+      {entry::gather},
+      on_scenes(std::move(frames), all_lists, [](const TraverseSubject& s, const Scene& scene) {
+        const Colour right = expected_of(scene), got = s.functions.gather(scene.operation, payload_of(scene),
+                                                                          reported(scene, hits_of(scene)));
         if (got == right) return Finding{word_of(got) + std::uint64_t{1}};
         return wrong(codes_of_colour(right), codes_of_colour(got));
       }));

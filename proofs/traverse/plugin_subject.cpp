@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
 
+#include "dock/codec.hpp"
 #include "dock/elements.hpp"
+#include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "proofs/traverse/words.hpp"
 #include "sdk/mmverify_subject.h"
@@ -25,6 +28,8 @@ using dock::LibraryPtr;
 static_assert(static_cast<std::uint32_t>(Api::ext_pipeline) == MMVERIFY_EXT_PIPELINE);
 static_assert(static_cast<std::uint32_t>(Api::dxr_query) == MMVERIFY_DXR_QUERY);
 static_assert(static_cast<std::uint32_t>(Outcome::non_opaque) == MMVERIFY_NON_OPAQUE);
+
+static_assert(static_cast<std::uint32_t>(Operation::over) == MMVERIFY_BLEND_OVER);
 
 using Key = std::array<std::uint32_t, 3>;
 Key key_of(const Combination& c) {
@@ -82,8 +87,66 @@ class Answers {
   std::map<Api, std::map<Key, std::uint8_t>> known_;
 };
 
+/// A payload or a value, as cases of laws write it.
+std::string text_of_word(std::uint32_t word) {
+  return fmt::format("{} {} {} {}", word & 255, word >> 8 & 255, word >> 16 & 255, word >> 24);
+}
+
+void blend(const Library& library, Operation o, std::span<const std::uint32_t> payload,
+           std::span<const std::uint32_t> value, std::span<std::uint32_t> out) {
+  dock::ask_all(library,
+                {Call::traverse_blend,
+                 0,
+                 static_cast<std::uint32_t>(o),
+                 {payload.data(), value.data()},
+                 [&](std::size_t k) {
+                   return fmt::format("{} of payload {} and {}", name_of(o), text_of_word(payload[k]),
+                                      text_of_word(value[k]));
+                 }},
+                out.size(), out.data());
+}
+
+std::string text_of_hits(Operation o, std::uint32_t payload, std::span<const Hit> hits) {
+  std::string text = fmt::format("blending by {} into {}", name_of(o), text_of_word(payload));
+  for (const Hit& h : hits)
+    text += h.accepted ? fmt::format(", accepted at {}", h.distance)
+                       : fmt::format(", {} at {}", text_of_word(word_of(h.value)), h.distance);
+  return text;
+}
+
+spec::traverse::Colour gather(const Library& library, Operation o, const spec::traverse::Colour& payload,
+                              std::span<const Hit> hits) {
+  mmverify_blend_case_t what{};
+  what.size = sizeof what;
+  what.operation = static_cast<std::uint32_t>(o);
+  what.payload = word_of(payload);
+  what.count = static_cast<std::uint32_t>(hits.size());
+  std::vector<std::uint8_t> blob(sizeof what + hits.size() * sizeof(mmverify_hit_t));
+  std::memcpy(blob.data(), &what, sizeof what);
+  std::uint8_t* to = blob.data() + sizeof what;
+  for (const Hit& h : hits) {
+    const mmverify_hit_t hit{static_cast<float>(h.distance), h.accepted ? 1u : 0u, word_of(h.value)};
+    std::memcpy(to, &hit, sizeof hit);
+    to += sizeof hit;
+  }
+  spec::traverse::Colour out{};
+  const dock::Answer answer =
+      dock::ask(library, {Call::traverse_blend_hits, 0, what.operation, blob, out.size()},
+                [&] { return text_of_hits(o, what.payload, hits); });
+  for (std::size_t c = 0; c < out.size(); ++c) out[c] = answer.bytes[c];
+  return out;
+}
+
 Functions functions_of(const LibraryPtr& library) {
   Functions f;
+  if (library->offers(Call::traverse_blend))
+    f.blend = [library](Operation o, std::span<const std::uint32_t> payload,
+                        std::span<const std::uint32_t> value,
+                        std::span<std::uint32_t> out) { blend(*library, o, payload, value, out); };
+  if (library->offers(Call::traverse_blend_hits))
+    f.gather = [library](Operation o, const spec::traverse::Colour& payload, std::span<const Hit> hits) {
+      return gather(*library, o, payload, hits);
+    };
   if (library->offers(Call::traverse_decide))
     f.decide = [answers = std::make_shared<Answers>(library)](const Combination& c) {
       return static_cast<Outcome>((*answers)(c));  // one that is none is wrong, and named by its number

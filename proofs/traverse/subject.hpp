@@ -1,6 +1,7 @@
 // An implementation of topic traverse in the dock: what it decides of a candidate, a function each.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -75,8 +76,10 @@ class TraverseSubject final : public Subject {
   std::string fingerprint() const override { return fingerprint_; }
 
   const Functions functions;
+  const std::uint64_t serial = ++made_;  ///< no other one of this process has it
 
  private:
+  static inline std::atomic<std::uint64_t> made_ = 0;
   std::string fingerprint_;
 };
 using TraverseSubjectPtr = std::shared_ptr<const TraverseSubject>;

@@ -1,6 +1,7 @@
 #include "render/scene/compare.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace mmverify::render {
@@ -16,124 +17,132 @@ std::uint64_t texel_bytes(const scene::Scene& scene, const scene::Plan& plan) {
   return bytes;
 }
 
+/// Of a frame that was traced several times.
+template <class Figures, class Frame>
+void keep_least(Figures& figures, const Frame& frame, unsigned round) {
+  figures.seconds = round == 0 ? frame.seconds : std::min(figures.seconds, frame.seconds);
+  figures.cpu_seconds = round == 0 ? frame.cpu_seconds : std::min(figures.cpu_seconds, frame.cpu_seconds);
+}
+
+double ratio(double a, double b) { return b > 0 ? a / b : 0; }
+
 class Comparison {
  public:
   Comparison(const scene::Scene& scene, const scene::Plan& plan, const SceneWorld& world,
              const Tracer& tracer, const Camera& camera, const CompareOptions& options)
-      : scene_(scene), plan_(plan), world_(world), tracer_(tracer), camera_(camera), options_(options) {}
+      : scene_(scene), plan_(plan), world_(world), tracer_(tracer), camera_(camera), options_(options) {
+    trace_ = options.trace;
+    trace_.done = options.done;
+  }
 
   Compared all() {
-    MethodFigures texture;
-    texture.bytes = texel_bytes(scene_, plan_);
-    add(texture, nullptr);
-    if (plan_.triangles.empty()) return std::move(compared_);
-    if (wants(Method::vq2) || wants(Method::vq4)) squares();
-    if (std::any_of(options_.wanted.begin(), options_.wanted.end(), has_levels))
-      for (unsigned level = options_.first; level <= options_.last; ++level) {
-        const std::uint64_t bytes = scene::map_bytes_at_level(plan_, level);
-        if (bytes > options_.memory) {
-          compared_.first_left_out = level;
-          compared_.wanted_bytes = bytes;
-          break;
-        }
-        at_level(level);
-      }
+    texture_alone();
+    const FormsOptions forms{.first = options_.first,
+                             .last = options_.last,
+                             .wanted = options_.wanted,
+                             .memory = options_.memory,
+                             .threads = options_.trace.threads,
+                             .begins = options_.begins,
+                             .done = options_.done};
+    const LeftOut left_out =
+        each_forms(scene_, plan_, world_, forms, [this](const FormsOfMaps& maps) { held_against(maps); });
+    compared_.first_left_out = left_out.first;
+    compared_.wanted_bytes = left_out.bytes;
     return std::move(compared_);
   }
 
  private:
-  bool wants(Method method) const {
-    return std::find(options_.wanted.begin(), options_.wanted.end(), method) != options_.wanted.end();
+  unsigned rounds() const { return std::max(1u, options_.repeats); }
+  void begins(const std::string& what, std::uint64_t frames) const {
+    if (options_.begins) options_.begins(what, std::uint64_t{trace_.width} * trace_.height * frames);
   }
-  void begins(const std::string& what, std::uint64_t of) const {
-    if (options_.begins) options_.begins(what, of);
-  }
-
-  void squares() {
-    begins("square maps", 0);
-    const scene::Pairs pairs = scene::pairs(scene_, plan_);
-    const scene::SquareMaps maps =
-        scene::square_maps(scene_, plan_, pairs, {.threads = options_.trace.threads});
-    const Squares squares = squares_of(world_, plan_, pairs, maps);
-    for (const Method method : {Method::vq2, Method::vq4})
-      if (wants(method)) add({.method = method}, opacity_of(method, squares).get());
-  }
-
-  void at_level(unsigned level) {
-    const std::vector<unsigned> levels(plan_.triangles.size(), level);
-    begins("bake level " + std::to_string(level),
-           impl::micromap::micro_triangles(level) * plan_.triangles.size());
-    const scene::Baked baked =
-        scene::bake(scene_, plan_, levels, {.threads = options_.trace.threads, .done = options_.done});
-    const Micromaps micromaps = micromaps_of(world_, plan_, scene::arrays(plan_, baked));
-    const double predicted = scene::any_hit_shares(scene_, plan_, baked).known();
-    begins("even rays", 0);
-    const double even = tracer_
-                            .even_rays(*opacity_of(Method::flat, micromaps), options_.even_rays,
-                                       options_.seed, options_.trace.threads)
-                            .known();
-    for (const Method method : methods)
-      if (has_levels(method) && wants(method)) {
-        const auto opacity = opacity_of(method, micromaps);
-        MethodFigures figures{.method = method, .level = level};
-        if (method != Method::special) {
-          figures.predicted = predicted;
-          figures.even = even;
-        }
-        add(figures, opacity.get());
-      }
-  }
-
-  void add(MethodFigures figures, const Opacity* opacity) {
-    if (opacity != nullptr) figures.bytes = opacity->bytes();
-    TraceOptions trace = options_.trace;
-    trace.done = options_.done;
-    const std::string name = std::string(name_of(figures.method)) +
-                             (figures.level ? " level " + std::to_string(*figures.level) : "");
-    Frame frame;
-    const unsigned repeats = std::max(1u, options_.repeats);
-    begins(name, std::uint64_t{trace.width} * trace.height * repeats);
-    for (unsigned k = 0; k < repeats; ++k) {
-      frame = tracer_.frame(camera_, opacity, trace);
-      figures.seconds = k == 0 ? frame.seconds : std::min(figures.seconds, frame.seconds);
-      figures.cpu_seconds = k == 0 ? frame.cpu_seconds : std::min(figures.cpu_seconds, frame.cpu_seconds);
-    }
-    figures.counts = frame.counts;
-    if (compared_.methods.empty()) texture_ = frame;
-    figures.differing = differing(texture_, frame);
-    compared_.methods.push_back(figures);
-    const double texture = compared_.methods.front().cpu_seconds;
-    compared_.methods.back().times_texture = texture > 0 ? figures.cpu_seconds / texture : 0;
-    if (options_.frame) options_.frame(compared_.methods.back(), frame);
-    if (!options_.blending) return;
-    add_blends(figures, BlendedBy::shader, opacity);
-    if (opacity != nullptr) add_blends(figures, BlendedBy::fixed, opacity);
-  }
-
-  void add_blends(const MethodFigures& of, BlendedBy by, const Opacity* opacity) {
-    BlendFigures figures{.method = of.method, .level = of.level, .by = by};
+  BlendFrame blend_frame(const Opacity* opacity, BlendedBy by) const {
     Blending blending = *options_.blending;
     blending.by = by;
-    TraceOptions trace = options_.trace;
-    trace.done = options_.done;
-    BlendFrame frame;
-    for (unsigned k = 0; k < std::max(1u, options_.repeats); ++k) {
-      begins(std::string(name_of(of.method)) + ", blending", std::uint64_t{trace.width} * trace.height);
-      frame = tracer_.blend_frame(camera_, opacity, blending, trace);
-      figures.seconds = k == 0 ? frame.seconds : std::min(figures.seconds, frame.seconds);
-      figures.cpu_seconds = k == 0 ? frame.cpu_seconds : std::min(figures.cpu_seconds, frame.cpu_seconds);
+    return tracer_.blend_frame(camera_, opacity, blending, trace_);
+  }
+
+  void texture_alone() {
+    MethodFigures figures{.times_texture = 1};
+    figures.bytes = texel_bytes(scene_, plan_);
+    begins(std::string(name_of(Method::texture)), rounds());
+    for (unsigned k = 0; k < rounds(); ++k)
+      keep_least(figures, texture_ = tracer_.frame(camera_, nullptr, trace_), k);
+    figures.counts = texture_.counts;
+    compared_.methods.push_back(figures);
+    if (options_.frame) options_.frame(figures, texture_);
+    if (!options_.blending) return;
+    BlendFigures blends{.times_texture = 1};
+    begins("texture, blending", rounds());
+    for (unsigned k = 0; k < rounds(); ++k)
+      keep_least(blends, blended_texture_ = blend_frame(nullptr, BlendedBy::shader), k);
+    blends.counts = blended_texture_.counts;
+    blends.spoiled = spoiled_as_met(blended_texture_);
+    compared_.blends.push_back(blends);
+    if (options_.blend_frame) options_.blend_frame(blends, blended_texture_);
+  }
+
+  /// What the machine does besides changes from one minute to the next: so the texture is traced again in each round, and
+  /// all forms beside it.
+  void held_against(const FormsOfMaps& maps) {
+    const std::string of =
+        maps.predicted ? "level " + std::to_string(*maps.forms.front().level) : std::string("VQ2, VQ4");
+    std::optional<double> even;
+    if (maps.predicted) {
+      begins("even rays", 0);
+      even = tracer_.even_rays(*maps.flat, options_.even_rays, options_.seed, options_.trace.threads).known();
     }
-    figures.counts = frame.counts;
-    if (compared_.blends.empty()) blended_texture_ = frame;
-    figures.differing = differing(blended_texture_, frame);
-    figures.spoiled = spoiled_as_met(frame);
-    compared_.blends.push_back(figures);
-    const BlendFigures& texture = compared_.blends.front();
-    BlendFigures& last = compared_.blends.back();
-    if (texture.counts.shader > 0)
-      last.saved = 1 - static_cast<double>(last.counts.shader) / static_cast<double>(texture.counts.shader);
-    if (texture.cpu_seconds > 0) last.times_texture = last.cpu_seconds / texture.cpu_seconds;
-    if (options_.blend_frame) options_.blend_frame(last, frame);
+    begins(of, (maps.forms.size() + 1) * rounds());
+    MethodFigures texture;
+    std::vector<MethodFigures> figures(maps.forms.size());
+    std::vector<Frame> frames(maps.forms.size());
+    for (unsigned k = 0; k < rounds(); ++k) {
+      keep_least(texture, tracer_.frame(camera_, nullptr, trace_), k);
+      for (std::size_t f = 0; f < maps.forms.size(); ++f)
+        keep_least(figures[f], frames[f] = tracer_.frame(camera_, maps.forms[f].opacity.get(), trace_), k);
+    }
+    for (std::size_t f = 0; f < maps.forms.size(); ++f) {
+      MethodFigures& its = figures[f];
+      its.method = maps.forms[f].method;
+      its.level = maps.forms[f].level;
+      its.counts = frames[f].counts;
+      its.bytes = maps.forms[f].opacity->bytes();
+      its.differing = differing(texture_, frames[f]);
+      its.times_texture = ratio(its.cpu_seconds, texture.cpu_seconds);
+      if (its.method != Method::special) its.predicted = maps.predicted, its.even = even;
+      compared_.methods.push_back(its);
+      if (options_.frame) options_.frame(its, frames[f]);
+    }
+    if (options_.blending) blends_held_against(maps, of);
+  }
+
+  void blends_held_against(const FormsOfMaps& maps, const std::string& of) {
+    constexpr BlendedBy ways[] = {BlendedBy::shader, BlendedBy::fixed};
+    constexpr std::size_t count = std::size(ways);
+    begins(of + ", blending", (count * maps.forms.size() + 1) * rounds());
+    BlendFigures texture;
+    std::vector<BlendFigures> figures(count * maps.forms.size());
+    std::vector<BlendFrame> frames(figures.size());
+    for (unsigned k = 0; k < rounds(); ++k) {
+      keep_least(texture, blend_frame(nullptr, BlendedBy::shader), k);
+      for (std::size_t f = 0; f < figures.size(); ++f)
+        keep_least(figures[f], frames[f] = blend_frame(maps.forms[f / count].opacity.get(), ways[f % count]),
+                   k);
+    }
+    const auto calls = static_cast<double>(compared_.blends.front().counts.shader);
+    for (std::size_t f = 0; f < figures.size(); ++f) {
+      BlendFigures& its = figures[f];
+      its.method = maps.forms[f / count].method;
+      its.level = maps.forms[f / count].level;
+      its.by = ways[f % count];
+      its.counts = frames[f].counts;
+      its.differing = differing(blended_texture_, frames[f]);
+      its.spoiled = spoiled_as_met(frames[f]);
+      if (calls > 0) its.saved = 1 - static_cast<double>(its.counts.shader) / calls;
+      its.times_texture = ratio(its.cpu_seconds, texture.cpu_seconds);
+      compared_.blends.push_back(its);
+      if (options_.blend_frame) options_.blend_frame(its, frames[f]);
+    }
   }
 
   const scene::Scene& scene_;
@@ -142,6 +151,7 @@ class Comparison {
   const Tracer& tracer_;
   const Camera& camera_;
   const CompareOptions& options_;
+  TraceOptions trace_;
   Frame texture_;
   BlendFrame blended_texture_;
   Compared compared_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "render/scene/forms.hpp"
 #include "render/scene/world_of.hpp"
 #include "render/tracer.hpp"
 
@@ -20,7 +21,7 @@ struct MethodFigures {
   std::uint64_t bytes = 0;              ///< of maps, records and indices; of texture: of its texels
   std::uint64_t differing = 0;          ///< pixels
   double seconds = 0, cpu_seconds = 0;  ///< of a frame: the least of the repetitions, each by itself
-  double times_texture = 0;             ///< cpu_seconds, the texture's of the same run being 1
+  double times_texture = 0;  ///< cpu_seconds, the least of the texture's frames of the same rounds being 1
   /// The share of placed area where maps of this level call no shader: what is predicted without a ray.
   std::optional<double> predicted = {};
   std::optional<double> even = {};  ///< the share that even rays met: see Tracer::even_rays()
@@ -37,14 +38,14 @@ struct BlendFigures {
       0;  ///< pixels whose payload would be another one, were hits blended as they are met
   double seconds = 0, cpu_seconds = 0;
   double saved = 0;          ///< the share of any-hit calls, of those that the texture alone makes
-  double times_texture = 0;  ///< cpu_seconds, those of the texture's row being 1
+  double times_texture = 0;  ///< cpu_seconds, the least of the texture's of the same rounds being 1
 };
 
 struct CompareOptions {
   unsigned first = 6, last = 6;
   std::vector<Method> wanted = {};  ///< besides texture, which comes first
   TraceOptions trace = {};
-  unsigned repeats = 1;
+  unsigned repeats = 1;  ///< rounds: the texture and all forms of a level, one after the other
   std::uint64_t even_rays = 200000, seed = 1;
   std::uint64_t memory = std::uint64_t{1} << 30;  ///< bytes that all maps of a level may take
   /// Told what is being done, and how many rays or micro-triangles are done, from any thread; what they throw ends it.

@@ -1,75 +1,28 @@
 #include "shaders/compile/compile.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <regex>
 #include <sstream>
 #include <string_view>
 
-#include "program/program.hpp"
 #include "shaders/compile/includes.hpp"
+#include "shaders/compile/interface.hpp"
 #include "shaders/compile/sha256.hpp"
 #include "shaders/compile/snippet.hpp"
+#include "shaders/compile/tools.hpp"
 
 namespace mmverify::shaders {
 
 namespace fs = std::filesystem;
 
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "mmverify-shader-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error(fmt::format("{}: {}", name, std::strerror(errno)));
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string file(const std::string& name) const { return (fs::path(path_) / name).string(); }
-
- private:
-  std::string path_;
-};
-
 namespace {
 
 using program::ProgramEnd;
-
-/// None where there is no such program.  A compiler takes a second; a file that includes itself would keep it for ever.
-std::optional<ProgramEnd> ended(const std::vector<std::string>& words) {
-  using std::chrono_literals::operator""s;
-  try {
-    return program::run_program(words, {}, {}, {60s, std::uint64_t{1} << 30, std::uint64_t{64} << 20});
-  } catch (const program::NoProgram&) {
-    return std::nullopt;
-  }
-}
-
-std::string contents_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || fs::is_directory(file)) throw std::runtime_error(file + ": cannot be read");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void write_file(const std::string& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
-}
 
 /// The first of the compiler's messages about a file, and how many more there are: FILE:LINE: what.
 std::string message(const std::string& printed, const std::string& ours, const std::string& file) {
@@ -178,6 +131,46 @@ bool valid(const std::string& file, const std::string& spirv, std::uint32_t vers
   return true;
 }
 
+/// What is called, and may be.
+void check_entry_point(const std::string& file, const ModuleFacts& facts) {
+  if (facts.function.empty()) {
+    if (facts.other_entry_points.empty()) throw BadShader(file + ": it has no entry point");
+    throw BadShader(fmt::format("{}: it has no compute shader; its entry points are {}", file,
+                                fmt::join(facts.other_entry_points, ", ")));
+  }
+  if (facts.compute_entry_points.size() > 1 && facts.function != "main")
+    throw BadShader(fmt::format("{}: it has {} compute shaders, {}, and none of them is called main", file,
+                                facts.compute_entry_points.size(),
+                                fmt::join(facts.compute_entry_points, ", ")));
+  if (!facts.foreign_capabilities.empty())
+    throw BadShader(
+        fmt::format("{}: it declares what no device is opened with, capability {}; there are numbers of 8, "
+                    "16 and 64 bits, "
+                    "derivatives, subgroups and float controls",
+                    file, fmt::join(facts.foreign_capabilities, ", ")));
+}
+
+/// What it wants to be given.  A driver takes what it is not given from anywhere.
+void check_interface(const std::string& file, const Module& m, const Folder& folder, Compiled& made) {
+  std::optional<Interface> found;
+  try {
+    found = read_interface(m.file, folder);
+  } catch (const std::runtime_error& why) {
+    throw BadShader(fmt::format("{}: {}: {}", file, m.entry_point, why.what()));
+  }
+  if (!found)
+    throw NotAvailable("no spirv-cross (Debian: spirv-cross), which reads what a shader wants to be given");
+  if (!found->faults.empty())
+    throw BadShader(fmt::format(
+        "{}: {}: {}{}", file, m.entry_point, found->faults.front(),
+        found->faults.size() == 1 ? std::string() : fmt::format(" (and {} more)", found->faults.size() - 1)));
+  if (!found->constants.empty())
+    made.warnings.push_back(
+        fmt::format("{}: {}: specialization constants are what the module gives them, and another value is "
+                    "another shader: {}",
+                    file, m.entry_point, fmt::join(found->constants, ", ")));
+}
+
 /// Reads the modules that the manifest names and fills in what is known of them.
 void describe(const std::string& file, Compiled& made) {
   std::string all;
@@ -191,10 +184,11 @@ void describe(const std::string& file, Compiled& made) {
       throw BadShader(fmt::format("{}: {}", file, why.what()));
     }
     validated = valid(file, m.file, facts.version) && validated;
-    if (facts.function.empty()) throw BadShader(file + ": it has no compute shader");
+    check_entry_point(file, facts);
     if (facts.function.find_first_of(" \n") != std::string::npos)
       throw BadShader(file + ": the name of its compute shader has a space in it");
     if (facts.group_size == 0) throw BadShader(file + ": its workgroup is not N x 1 x 1, given by LocalSize");
+    check_interface(file, m, *made.files, made);
     m.function = facts.function;
     m.group_size = facts.group_size;
     const std::string hash = sha256(bytes);
@@ -222,14 +216,12 @@ void describe(const std::string& file, Compiled& made) {
 
 /// What a whole shader answers.
 std::string known_entry(const ShaderName& name) {
-  const std::string entry = name.entry_point.value_or("index_f32");
-  std::vector<std::string> all;
-  for (const SnippetFunction& f : snippet_functions()) {
-    if (entry == f.entry_point) return entry;
-    all.push_back(f.entry_point);
-  }
-  throw BadShader(fmt::format("{}: no entry point of shaders is called {}; there are {}", name.file, entry,
-                              fmt::join(all, ", ")));
+  std::string entry = name.entry_point.value_or("index_f32");
+  const std::vector<std::string> all = entry_points();
+  if (std::find(all.begin(), all.end(), entry) == all.end())
+    throw BadShader(fmt::format("{}: no entry point of shaders is called {}; there are {}", name.file, entry,
+                                fmt::join(all, ", ")));
+  return entry;
 }
 
 void compile_source(const ShaderName& name, Compiled& made) {
@@ -246,11 +238,17 @@ void compile_source(const ShaderName& name, Compiled& made) {
     made.manifest.modules.push_back({known_entry(name), {}, 0, spirv});
     return;
   }
+  std::vector<std::string> defined;
   for (const SnippetFunction& f : functions_in(plain)) {
+    defined.emplace_back(f.entry_point);
+    if (name.entry_point && *name.entry_point != f.entry_point) continue;
     const std::string spirv = folder.file(std::string(f.entry_point) + ".spv");
     compiler.compile(shader_of(text, name.file, f, compiler.language()), spirv);
     made.manifest.modules.push_back({f.entry_point, {}, 0, spirv});
   }
+  if (made.manifest.modules.empty() && !defined.empty())
+    throw BadShader(fmt::format("{}: it does not answer {}; it answers {}", name.file, *name.entry_point,
+                                fmt::join(defined, ", ")));
   if (made.manifest.modules.empty())
     throw BadShader(
         name.file +
@@ -261,14 +259,19 @@ void compile_source(const ShaderName& name, Compiled& made) {
 }  // namespace
 
 std::optional<ShaderName> shader_name(const std::string& subject) {
-  static const std::regex form(
-      R"((.*\.(?:glsl|comp|hlsl|slang|spv))(?:@([a-z][a-z0-9_]*))?(?:@([0-9]{1,4}))?)");
+  static const std::regex form(R"((.*\.(?:glsl|comp|hlsl|slang|spv))(?:@([A-Za-z_]\w*))?(?:@([0-9]{1,4}))?)");
   std::smatch parts;
   if (!std::regex_match(subject, parts, form)) return std::nullopt;
   ShaderName name{parts[1]};
   if (parts[2].matched) name.entry_point = parts[2].str();
   if (parts[3].matched) name.device = static_cast<std::uint32_t>(std::stoul(parts[3]));
   return name;
+}
+
+std::vector<std::string> entry_points() {
+  std::vector<std::string> all;
+  for (const SnippetFunction& f : snippet_functions()) all.emplace_back(f.entry_point);
+  return all;
 }
 
 std::string to_text(const ShaderName& name) {

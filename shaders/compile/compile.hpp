@@ -18,19 +18,21 @@ namespace mmverify::shaders {
 struct ShaderName {
   std::string file;
   std::optional<std::string> entry_point =
-      {};  ///< of a whole shader, index_f32 where none is named; a snippet's follow
-           ///< from its functions
+      {};  ///< of a whole shader, index_f32 where none is named; of a snippet, all that it defines
   std::optional<std::uint32_t> device = {};  ///< 0 where none is named
 };
 std::string to_text(const ShaderName& name);
 /// Nothing where the file's name does not end as that of a shader does: .glsl, .comp, .hlsl, .slang, .spv.
 std::optional<ShaderName> shader_name(const std::string& subject);
 
-/// The file does not compile, is no valid SPIR-V, or defines nothing that could be asked; what() names file and line.
+/// All that a shader may answer.
+std::vector<std::string> entry_points();
+
+/// The file does not compile, wants to be given what nobody gives it, is no valid SPIR-V, or defines nothing that could be asked; what() names file and line.
 struct BadShader : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// What compiles such a file is not installed.
+/// What compiles such a file, or reads its interface, is not installed.
 struct NotAvailable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -47,7 +49,7 @@ struct Compiled {
   std::shared_ptr<const Folder> files;
 };
 
-/// Compiles, validates with spirv-val, and reads what came of it.  Throws BadShader, NotAvailable, and std::runtime_error
+/// Compiles, validates with spirv-val, and reads what came of it, with spirv-cross what it wants to be given.  Throws BadShader, NotAvailable, and std::runtime_error
 /// where the file cannot be read or a program not be run.
 Compiled compile(const ShaderName& name);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -14,6 +15,7 @@ enum Op : std::uint32_t {
   op_name = 5,
   op_entry_point = 15,
   op_execution_mode = 16,
+  op_capability = 17,
   op_spec_constant_true = 48,
   op_spec_constant_false = 49,
   op_spec_constant = 50,
@@ -34,6 +36,17 @@ constexpr std::uint32_t magic = 0x07230203, header = 5, compute_model = 5, local
 bool is_float_operation(std::uint32_t op) {
   return op == op_f_add || op == op_f_sub || op == op_f_mul || op == op_f_div || op == op_f_rem ||
          op == op_f_mod || (op >= op_vector_times_scalar && op <= op_dot);
+}
+
+/// What every device of Vulkan 1.1 has, or what a device is opened with or refused for (Program), or refuses by itself:
+/// Matrix, Shader, numbers of other sizes, ImageQuery, DerivativeControl, subgroups, float controls.
+bool is_ours(std::uint32_t capability) {
+  constexpr std::uint32_t ours[] = {0, 1, 9, 10, 11, 22, 39, 50, 51};
+  constexpr std::uint32_t subgroups = 61, last_of_subgroups = 68, float_controls = 4464,
+                          last_of_float_controls = 4468;
+  return std::find(std::begin(ours), std::end(ours), capability) != std::end(ours) ||
+         (capability >= subgroups && capability <= last_of_subgroups) ||
+         (capability >= float_controls && capability <= last_of_float_controls);
 }
 
 /// Of SPV_KHR_float_controls.
@@ -94,9 +107,16 @@ ModuleFacts read_module(const std::string& bytes) {
   each_instruction(words, [&](const Instruction& i) {
     const auto has = [&](std::size_t count) { return i.count >= count; };
     if (i.op == op_name && has(1)) names[i.words[0]] = i.text(1);
-    if (i.op == op_entry_point && has(2) && i.words[0] == compute_model && facts.function.empty()) {
-      facts.function = i.text(2);
-      entry = i.words[1];
+    if (i.op == op_capability && has(1) && !is_ours(i.words[0]))
+      facts.foreign_capabilities.push_back(i.words[0]);
+    if (i.op == op_entry_point && has(2)) {
+      const bool computes = i.words[0] == compute_model;
+      const std::string name = i.text(2);
+      (computes ? facts.compute_entry_points : facts.other_entry_points).push_back(name);
+      if (computes && (facts.function.empty() || (facts.function != "main" && name == "main"))) {
+        facts.function = name;
+        entry = i.words[1];
+      }
     }
     if (i.op == op_execution_mode && has(2) && i.words[0] == entry) {
       if (i.words[1] == local_size && has(5) && i.words[3] == 1 && i.words[4] == 1)

@@ -8,7 +8,10 @@
 namespace mmverify::shaders {
 
 struct ModuleFacts {
-  std::string function;          ///< the first compute entry point's name; empty: there is none
+  std::string function;  ///< of a compute entry point: main, else the first; empty: there is none
+  std::vector<std::string> compute_entry_points, other_entry_points;
+  std::vector<std::uint32_t>
+      foreign_capabilities;      ///< that ask for a device's feature which none is opened with
   std::uint32_t group_size = 0;  ///< invocations of its workgroup; 0: not stated as LocalSize
   std::uint32_t version = 0;     ///< 0x00010300 for SPIR-V 1.3
   std::uint32_t spec_constants = 0;

@@ -145,6 +145,9 @@ const std::vector<SnippetFunction>& snippet_functions() {
        "$first, mmverify_word(4u * mmverify_k), mmverify_word(4u * mmverify_k + 1u), mmverify_word(4u * mmverify_k + 2u), "
        "mmverify_word(4u * mmverify_k + 3u)", "uint"},
       {"traverse_decide", "uint", "decide", "uint api, uint candidate, uint instance_flags, uint ray_flags", "$first, IN0, IN1, IN2", "uint"},
+      {"traverse_blend", "uint", "blend", "uint operation, uint payload, uint value", "$first, IN0, IN1", "uint"},
+      {"traverse_blend_hits", "uint", "blend_hits", "uint operation, uint payload, uint count",
+       "$first, $second, mmverify_byte_count() / 12u", "uint"},
   };
   // clang-format on
   return table;

@@ -248,6 +248,25 @@ const Entry entries[] = {
                   out);
        };
      }},
+    {"traverse_blend",
+     [](mmverify_subject_t& s) {
+       s.traverse_blend = [](std::uint32_t operation, Words payload, Words value, std::uint32_t* out,
+                             std::size_t count) {
+         to_words("traverse_blend", {.first = operation, .arrays = {payload, value}, .count = count}, out);
+       };
+     }},
+    {"traverse_blend_hits",
+     [](mmverify_subject_t& s) {
+       s.traverse_blend_hits = [](const mmverify_blend_case_t* what, std::uint8_t* payload) {
+         const std::uint32_t* words =
+             run("traverse_blend_hits", {.first = what->operation,
+                                         .second = what->payload,
+                                         .bytes = what->hits,
+                                         .byte_count = what->count * sizeof *what->hits,
+                                         .count = 1});
+         std::memcpy(payload, words, sizeof *words);
+       };
+     }},
 };
 
 /// The shaders that the manifest names, ready.

@@ -60,8 +60,8 @@ struct Hit {
   Colour value = {};
 };
 
-/// The payload where each hit is blended as it is met.  An accepted hit hides what is met later and lies behind it, not what
-/// was met before.  Domain: hits in the order in which they are met, no two at one distance but the same reported again.
+/// The payload where each hit is blended as it is met.  An accepted hit hides what is met later and lies behind it, or at its
+/// distance, not what was met before.  Domain: hits in the order in which they are met; some may be reported again.
 /// Source: Color and Attribute Micromaps, 4.3, figure 6, which leaves the order open; Vulkan, Ray Closest Hit
 /// Determination.
 constexpr Colour blended_as_met(Operation o, Colour payload, std::span<const Hit> hits) {
@@ -77,7 +77,7 @@ constexpr Colour blended_as_met(Operation o, Colour payload, std::span<const Hit
 }
 
 /// The payload where blending waits until the closest accepted hit is known: the hits before it, in the order in which they
-/// were met.  Domain: that of blended_as_met.
+/// were met; a hit at its very distance is hidden.  Domain: that of blended_as_met.
 constexpr Colour blended_before_closest(Operation o, Colour payload, std::span<const Hit> hits) {
   std::uint32_t closest = ~0u;
   for (const Hit& h : hits)

@@ -14,6 +14,7 @@
 #include "bench/index/tables.hpp"
 #include "bench/scene/attribute_mip_tables.hpp"
 #include "bench/scene/attribute_tables.hpp"
+#include "bench/scene/path_tables.hpp"
 #include "bench/scene/render_tables.hpp"
 #include "bench/scene/tables.hpp"
 #include "bench/shaders/tables.hpp"
@@ -82,6 +83,12 @@ std::vector<Result> all_results() {
   rendered.operation = "max";
   rendered.colours = "faces";
   rendered.pictures = {{"heat", "heat.png"}};
+  mmverify::render::Path along;
+  along.cameras.resize(1);
+  along.rows.resize(1);
+  along.rows[0].level = 2;
+  PathFigures walked;
+  walked.path = &along;
   return {index_tables({index}, {}),
           tree_tables({TreeFigures{}}, {}),
           vq_tables(vq, {}),
@@ -93,6 +100,7 @@ std::vector<Result> all_results() {
           scene_bake_tables({}, {}),
           baker_tables({"b", "f", {{}}}),
           render_tables(rendered),
+          path_tables(walked),
           with_pictures(scene_attribute_tables(
               attributes, read,
               {.packed = true, .texture_coder = {.name = "coder", .compress = [](auto&&...) {}}}))};

@@ -137,7 +137,8 @@ mmverify_add_subject(traverse_example ${traverse_example})
 mmverify_add_part(right_traverse ${traverse_example} mmverify_subject_v1=right_traverse)
 mmverify_add_part(wrong_traverse subjects/wrong_traverse.cpp)
 foreach(wrong instance_after_ray khr_query_forgets_2_state opaque_fills_holes outcome_3 crash throws unwritten counts_calls old_header
-    geometry_of_the_first_of_four)
+    geometry_of_the_first_of_four blend_crash blend_unwritten blend_truncates blend_wraps blend_chains hits_as_met
+    hits_beside_blend hits_throw hits_unwritten)
   mmverify_add_wrong(traverse_${wrong} ${wrong} wrong_traverse right_traverse)
 endforeach()
 

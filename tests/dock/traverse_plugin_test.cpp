@@ -1,4 +1,4 @@
-// Shared libraries that decide what becomes of a candidate: right, wrong and misbehaving ones, judged by the built program.
+// Shared libraries that decide what becomes of a candidate, and blend hits: right, wrong and misbehaving ones, judged by the built program.
 #include <string>
 
 #include "tests/dock/plugin.hpp"
@@ -10,16 +10,17 @@ namespace {
 using testing::HasSubstr;
 
 Outcome judge_traverse(const std::string& name, const std::string& what) {
-  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --threads 1 --subject " +
+  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 20 --threads 1 --subject " +
                library(name));
 }
 
-TEST(TraverseSubject, the_example_in_c_keeps_every_law_about_decisions) {
+TEST(TraverseSubject, the_example_in_c_keeps_every_law) {
   const Outcome o = judge_traverse("traverse_example", "traverse");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   for (const char* law :
        {"decision", "ignored_is_final", "two_state_never_calls_a_shader", "micromap_replaces_flag",
-        "last_flag_wins", "apis_agree", "lossy_is_conservative", "lossy_shows"})
+        "last_flag_wins", "apis_agree", "lossy_is_conservative", "lossy_shows", "lossy_decides_no_more",
+        "blend", "blend_order_free", "blend_duplicates", "blend_before_closest"})
     EXPECT_THAT(o.out, HasSubstr(std::string("proved     traverse.") + law));
   EXPECT_THAT(o.out, HasSubstr("n/a        traverse.undefined_is_named"));
 }
@@ -50,8 +51,29 @@ INSTANTIATE_TEST_SUITE_P(
             "khr-query"},
         WrongDecision{"traverse_opaque_fills_holes", "traverse.ignored_is_final",
                       "expected ignored got opaque"},
-        WrongDecision{"traverse_outcome_3", "traverse.decision", "expected ignored got outcome 3"}),
-    [](const auto& info) { return std::string(info.param.name); });
+        WrongDecision{"traverse_outcome_3", "traverse.decision", "expected ignored got outcome 3"},
+        WrongDecision{"traverse_blend_truncates", "traverse.blend", "case multiply,"},
+        WrongDecision{"traverse_blend_wraps", "traverse.blend_duplicates", "case add,"}),
+    [](const auto& info) { return std::to_string(info.index) + "_" + info.param.name; });
+
+// One case each: the whole law is 233,820 questions.
+TEST(TraverseSubject, hits_that_an_accepted_one_hides_are_refuted) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto replay = [](const char* name, const char* hits) {
+    return shell(std::string("mmverify replay traverse.blend_before_closest --level 0 --case max,") + hits +
+                 ",once,rising,neutral --subject " + library(name));
+  };
+  for (const char* hits : {"B2A1", "B1A1", "A1B2"})
+    EXPECT_EQ(replay("traverse_example", hits).exit_code, 0) << hits;
+  const Outcome met = replay("traverse_hits_as_met", "B2A1");
+  EXPECT_EQ(met.exit_code, 1) << met.out << met.err;
+  EXPECT_THAT(met.out, HasSubstr("expected 0 0 0 0 got 70 71 72 73"));
+  EXPECT_EQ(replay("traverse_hits_as_met", "A1B2").exit_code, 0);
+  const Outcome beside = replay("traverse_hits_beside_blend", "B1A1");
+  EXPECT_EQ(beside.exit_code, 1) << beside.out << beside.err;
+  EXPECT_THAT(beside.out, HasSubstr("expected 0 0 0 0 got 20 21 22 23"));
+  EXPECT_EQ(replay("traverse_hits_beside_blend", "B2A1").exit_code, 0);
+}
 
 struct TraverseMisbehaviour {
   friend void PrintTo(const TraverseMisbehaviour& m, std::ostream* out) { *out << m.name; }
@@ -85,6 +107,36 @@ TEST(TraverseSubject, candidates_that_are_mixed_up_in_a_batch_are_seen) {
   EXPECT_EQ(o.exit_code, 1) << o.err;
   EXPECT_THAT(o.out, HasSubstr("non-deterministic, asked "));
 }
+
+struct BrokenBlend {
+  friend void PrintTo(const BrokenBlend& b, std::ostream* out) { *out << b.name; }
+  const char *name, *law, *said, *place;
+};
+
+class BrokenBlends : public testing::TestWithParam<BrokenBlend> {};
+
+TEST_P(BrokenBlends, are_broken_with_the_case) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto& [name, law, said, place] = GetParam();
+  const Outcome o = judge_traverse(name, law);
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_THAT(o.out, HasSubstr(std::string("broken     ") + law));
+  EXPECT_THAT(o.out, HasSubstr(said));
+  EXPECT_THAT(o.out, HasSubstr(place));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Subject, BrokenBlends,
+    testing::Values(BrokenBlend{"traverse_blend_crash", "traverse.blend_duplicates", "crashed (signal ",
+                                "max of payload 9 94 179 246 and 200 29 114 55"},
+                    BrokenBlend{"traverse_blend_unwritten", "traverse.blend_duplicates",
+                                "left its output unwritten", "max of payload 9 94 179 246 and 200 29 114 55"},
+                    BrokenBlend{"traverse_blend_chains", "traverse.blend", "non-deterministic", "asked "},
+                    BrokenBlend{"traverse_hits_throw", "traverse.blend_before_closest",
+                                "threw an exception: no third hit", "blending by max into 0 0 0 0, "},
+                    BrokenBlend{"traverse_hits_unwritten", "traverse.blend_before_closest",
+                                "left its output unwritten", "blending by max into 0 0 0 0, "}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 TEST(TraverseSubject, built_before_there_were_decisions_it_has_none) {
   expect_complaint(judge_traverse("traverse_old_header", "traverse"), 4, "all its entry points are null");

@@ -1,5 +1,5 @@
 // The decision of a traversal, written from the header and docs/TRAVERSE.md alone: each step is a list of who has a say, and
-// the last who has one is heard.  Each fault of the table is one slip inside this code.
+// the last who has one is heard.  Of blending, from the header alone.  Each fault of the table is one slip inside this code.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -82,6 +82,7 @@ Answer looked_up(const Seen& s) {
   const bool two = s.instance_two || s.ray_two, unknown = s.state > 1;
   if (has(holes_of_opaque_geometries) && s.state == 0 && s.geometry_opaque) return take;
   if (has(ut_is_ignored) && s.state == 2) return drop;
+  if (has(ut_is_dropped_under_no_opaque) && s.ray_no_opaque && unknown && !two && s.state == 2) return drop;
   if (has(uo_is_opaque) && s.state == 3) return take;
   if (has(two_state_reads_uo_as_transparent) && s.state == 3 && s.instance_two && s.ray_two) return drop;
   if (has(unknown_by_the_geometry) && unknown && !two) return s.geometry_opaque ? take : ask;
@@ -122,6 +123,72 @@ void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32
   for (std::size_t k = 0; k < count; ++k) outcome[k] = decided(seen(api, candidate[k], instance[k], ray[k]));
 }
 
+// Fixed functions: a code is a fraction of 255, and a hit a function of fractions.
+
+/// a b / 255 to the nearest whole number, by long division.
+unsigned of_255(unsigned a, unsigned b) {
+  const unsigned whole = a * b / 255, rest = a * b % 255;
+  if (has(products_are_rounded_down)) return whole;
+  return whole + (rest > 127 ? 1 : 0);
+}
+
+unsigned one_code(std::uint32_t operation, unsigned p, unsigned v, unsigned alpha) {
+  const auto most_255 = [](unsigned x) { return x > 255 ? 255 : x; };
+  switch (operation) {
+    case MMVERIFY_BLEND_MAX:
+      if (has(max_leaves_black) && p == 0 && v < 4) return p;
+      return v > p ? v : p;
+    case MMVERIFY_BLEND_MIN:
+      return v < p ? v : p;
+    case MMVERIFY_BLEND_ADD:
+      if (has(sums_stop_at_254) && p + v > 254) return 254;
+      if (has(sums_from_the_payload) && p > 127 && v > 127) return p;
+      return most_255(p + v);
+    case MMVERIFY_BLEND_MULTIPLY:
+      return of_255(p, v);
+    default:
+      if (has(over_of_plain_values)) v = of_255(v, alpha);
+      return most_255(v + of_255(p, 255 - alpha));
+  }
+}
+
+std::uint32_t one_word(std::uint32_t operation, std::uint32_t payload, std::uint32_t value) {
+  std::uint32_t out = 0;
+  for (unsigned c = 4; c-- > 0;) {
+    const unsigned p = payload >> (8 * c) & 0xFF, v = value >> (8 * c) & 0xFF, alpha = value >> 24;
+    out = out << 8 | (has(alpha_is_kept) && c == 3 ? p : one_code(operation, p, v, alpha));
+  }
+  return out;
+}
+
+void blend(std::uint32_t operation, const std::uint32_t* payload, const std::uint32_t* value,
+           std::uint32_t* out, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) out[k] = one_word(operation, payload[k], value[k]);
+}
+
+/// Whether an accepted hit takes the place of hit k.
+bool hidden(const mmverify_blend_case_t& what, std::uint32_t k) {
+  for (std::uint32_t a = 0; a < what.count; ++a) {
+    if (what.hits[a].accepted == 0) continue;
+    if (has(only_later_hits_are_hidden) && a > k) continue;
+    if (what.hits[a].distance < what.hits[k].distance) return true;
+    if (what.hits[a].distance == what.hits[k].distance && !has(beside_is_not_behind)) return true;
+  }
+  return false;
+}
+
+void blend_hits(const mmverify_blend_case_t* what, std::uint8_t* payload) {
+  std::uint32_t word = what->payload;
+  for (std::uint32_t n = 0; n < what->count; ++n) {
+    const std::uint32_t k = has(hits_from_the_last) ? what->count - 1 - n : n;
+    const bool again = k > 0 && what->hits[k].distance == what->hits[k - 1].distance;
+    if (has(one_hit_a_distance) && again && what->hits[k - 1].accepted == 0) continue;
+    if (what->hits[k].accepted == 0 && !hidden(*what, k))
+      word = one_word(what->operation, word, what->hits[k].value);
+  }
+  for (unsigned c = 0; c < 4; ++c) payload[c] = static_cast<std::uint8_t>(word >> (8 * c) & 0xFF);
+}
+
 mmverify_subject_t make() {
   mmverify_subject_t s{};
   s.abi = MMVERIFY_SUBJECT_ABI;
@@ -129,6 +196,8 @@ mmverify_subject_t make() {
   s.name = "foreign traversal";
   s.flags = threading();
   s.traverse_decide = decide;
+  s.traverse_blend = blend;
+  s.traverse_blend_hits = blend_hits;
   return s;
 }
 

@@ -49,16 +49,20 @@ TEST(TraverseLaws, HaveAsManyCasesAsTheirDomainsSay) {
   EXPECT_EQ(cases("traverse.last_flag_wins"), (17'040u - 3'240) * 12 / 15);
   EXPECT_EQ(cases("traverse.apis_agree"), 11u * 2 * 12 * 10);
   // 2 APIs, 2 geometries, 2 forms.  Without force-2-state: T to two states, 5 of 15 make it opaque; O to two, 2 cull it; UT
-  // and UO to the other.  With it, 3 ways: T and O to their own side.
-  EXPECT_EQ(cases("traverse.lossy_is_conservative"), 8u * (2 * 10 + 2 * 13 + 2 * 15 + 3 * 2 * 15));
-  EXPECT_EQ(cases("traverse.lossy_shows"), 8u * (2 * 5 + 2 * 2 + 3 * 2));
+  // and UO to the other.  With it, 3 ways: T and O to their own side; each of four to the other, of which 3 of 15 drop both
+  // sides, and 5 ask a shader, which drops a T.
+  EXPECT_EQ(cases("traverse.lossy_is_conservative"),
+            8u * (2 * 10 + 2 * 13 + 2 * 15 + 3 * 2 * 15 + 3 * (4 * 3 + 5)));
+  EXPECT_EQ(cases("traverse.lossy_shows"), 8u * (2 * 5 + 2 * 2 + 3 * (4 * 12 - 5)));
+  EXPECT_EQ(cases("traverse.lossy_decides_no_more"), 1'736u + 1'144);
   // Pairs of codes; the third code runs within a case.
   EXPECT_EQ(cases("traverse.blend"), 5u * 65'536);
   EXPECT_EQ(cases("traverse.blend_order_free"), 3u * 65'536);
   EXPECT_EQ(cases("traverse.blend_duplicates"), 4u * 65'536);
-  // Kinds of one to four hits; with all orders, and 3 + 3 + 1 ways to report them.
-  EXPECT_EQ(cases("paper.blend_with_accepted_hit"), 3u * (2 + 4 + 8 + 16));
-  EXPECT_EQ(cases("traverse.blend_before_closest"), 7u * (2 * 1 + 4 * 2 + 8 * 6 + 16 * 24));
+  // Kinds of one to four hits, and 2^(n-1) ways in which neighbours are at one distance; 2 payloads.
+  EXPECT_EQ(cases("paper.blend_with_accepted_hit"), 3u * 2 * (2 * 1 + 4 * 2 + 8 * 4 + 16 * 8));
+  // Each hit's kind and distance; 3 + 3 + 1 + 1 + 1 ways to report them, 3 orders of values, 2 payloads.
+  EXPECT_EQ(cases("traverse.blend_before_closest"), 9u * 3 * 2 * (2 + 4 * 4 + 6 * 6 * 6 + 8 * 8 * 8 * 8));
 }
 
 }  // namespace

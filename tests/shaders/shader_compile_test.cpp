@@ -1,11 +1,17 @@
 // Shaders as subjects, up to the device: names, what a file defines, what is wrong with it, and places without a device.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "program/program.hpp"
 #include "shaders/compile/compile.hpp"
 #include "shaders/compile/sha256.hpp"
 #include "shaders/compile/snippet.hpp"
+#include "shaders/compile/tools.hpp"
 #include "tests/dock/plugin.hpp"
 
 namespace mmverify::tests {
@@ -154,6 +160,163 @@ TEST_F(ShaderFile, that_defines_nothing_to_ask_is_refused) {
   const std::string flat =
       write(folder_, "flat.comp", "#version 450\nlayout(local_size_y = 64) in;\nvoid main() {}\n");
   expect_complaint(judge(flat), 2, "workgroup is not N x 1 x 1");
+}
+
+/// A whole shader that answers 0 to every index, and what else it declares and does.
+std::string whole(const std::string& declares, const std::string& does = "", const std::string& size = "64") {
+  return "#version 450\nlayout(local_size_x = " + size + R"() in;
+layout(std430, set = 0, binding = 0) readonly buffer U { float u[]; };
+layout(std430, set = 0, binding = 3) writeonly buffer Out { uint answer[]; };
+)" + declares +
+         "\nvoid main() { uint k = gl_GlobalInvocationID.x; answer[k] = uint(u[k]) * 0u; " + does + " }\n";
+}
+
+TEST_F(ShaderFile, that_wants_what_nobody_gives_is_refused_by_name) {
+  if (!is_here({"spirv-cross", "--help"})) GTEST_SKIP() << "no spirv-cross (Debian: spirv-cross)";
+  struct {
+    const char *name, *declares, *does, *complaint;
+  } const cases[] = {
+      {"binding", "layout(set = 0, binding = 7) buffer Mine { uint more[]; };", "more[0] = 1u;",
+       "binding.comp: index_f32: binding 7 of set 0 (`Mine`) is bound by nobody: there are bindings 0 to 4 "
+       "of set 0"},
+      {"set", "layout(set = 2, binding = 0) buffer Mine { uint more[]; };", "more[0] = 1u;",
+       "set.comp: index_f32: binding 0 of set 2 (`Mine`) is bound by nobody"},
+      {"uniform", "layout(set = 0, binding = 1) uniform Mine { uint more; };", "answer[k] = more;",
+       "uniform.comp: index_f32: binding 1 of set 0 (`Mine`) is a uniform buffer, and what is bound are "
+       "storage buffers"},
+      {"texture", "layout(set = 0, binding = 2) uniform sampler2D mine;",
+       "answer[k] = uint(textureLod(mine, vec2(0), 0).x);",
+       "texture.comp: index_f32: binding 2 of set 0 (`mine`) is a sampled image"},
+      {"image", "layout(set = 0, binding = 2, r32ui) uniform uimage2D mine;",
+       "answer[k] = imageLoad(mine, ivec2(0)).x;", "binding 2 of set 0 (`mine`) is a storage image"},
+      {"array", "layout(set = 0, binding = 1) buffer Mine { uint more[]; } mine[2];", "mine[1].more[0] = 1u;",
+       "binding 1 of set 0 (`Mine`) is an array of storage buffers"},
+      {"push", "layout(push_constant) uniform Asked { uint count, level, a, b, c; uvec2 d; };",
+       "answer[k] = d.y;",
+       "its push constants (`Asked`) take 32 bytes, and 20 are given: uint count, level, first, second, "
+       "bytes"},
+      {"nested", "struct S { uint a; uint b[4]; };\nlayout(push_constant) uniform Asked { uint n; S s; };",
+       "answer[k] = s.b[3];", "take 24 bytes, and 20 are given"},
+      {"size", "layout(local_size_x_id = 1) in;", "", "workgroup's size is a specialization constant"},
+      {"atomics",
+       "#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require\n#extension "
+       "GL_EXT_shader_atomic_int64 : require\nlayout(set = 0, binding = 1) buffer Mine { uint64_t more; };",
+       "atomicAdd(more, uint64_t(1));", "what no device is opened with, capability 12"},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.name);
+    const std::string text = whole(c.declares, c.does);
+    // An extension stands before all else.
+    const auto extension = text.find("#extension"),
+               end = text.find("\nlayout(set = 0, binding = 1) buffer Mine { uint64");
+    const std::string ordered = extension == std::string::npos
+                                    ? text
+                                    : "#version 450\n" + text.substr(extension, end - extension) + "\n" +
+                                          text.substr(13, extension - 13) + text.substr(end);
+    const std::string file = write(folder_, std::string(c.name) + ".comp", ordered);
+    const Outcome o = judge(file);
+    expect_complaint(o, 2, c.complaint);
+    EXPECT_EQ(o.out, "");
+  }
+  // A snippet has bindings of its own as well.
+  expect_complaint(judge(write(folder_, "own.glsl",
+                               "layout(set = 1, binding = 0) buffer Mine { uint more[]; };\n"
+                               "uint index(uint level, float u, float v) { return more[0]; }\n")),
+                   2, "own.glsl: index_f32: binding 0 of set 1 (`Mine`) is bound by nobody");
+}
+
+TEST_F(ShaderFile, may_declare_what_it_does_not_use) {
+  if (!is_here({"spirv-cross", "--help"}) || !is_here({"spirv-opt", "--version"}))
+    GTEST_SKIP() << "no spirv-cross or spirv-opt";
+  const std::string file = write(folder_, "unused.comp",
+                                 whole("layout(set = 3, binding = 9) uniform sampler2D mine;\n"
+                                       "float unused() { return textureLod(mine, vec2(0), 0).x; }"));
+  EXPECT_EQ(shaders::compile({file}).warnings, std::vector<std::string>{});
+}
+
+TEST_F(ShaderFile, is_told_of_its_specialization_constants) {
+  if (!is_here({"spirv-cross", "--help"})) GTEST_SKIP() << "no spirv-cross (Debian: spirv-cross)";
+  const std::string file = write(folder_, "constant.comp",
+                                 whole("layout(constant_id = 3) const uint side = 5;", "answer[k] = side;"));
+  const auto warnings = shaders::compile({file}).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr("constant.comp: index_f32: specialization constants are what the module "
+                                     "gives them"));
+  EXPECT_THAT(warnings[0], HasSubstr("3 (`side`): 5"));
+}
+
+TEST_F(ShaderFile, in_spirv_has_one_compute_shader_that_is_called) {
+  const auto spirv = [&](const std::string& name, const std::string& text, const std::string& options) {
+    const std::string source = write(folder_, name + ".glsl", text),
+                      to = (folder_ / (name + ".spv")).string();
+    const Outcome made =
+        shell("glslangValidator -V --target-env vulkan1.1 " + options + " -o " + to + " " + source);
+    EXPECT_EQ(made.exit_code, 0) << made.out << made.err;
+    return to;
+  };
+  expect_complaint(judge(spirv("vertex", "#version 450\nvoid main() {}\n", "-S vert")), 2,
+                   "vertex.spv: it has no compute shader; its entry points are main");
+  // The name of an entry point is free.
+  const std::string renamed = spirv("renamed", whole(""), "-S comp --source-entrypoint main -e other");
+  EXPECT_EQ(shaders::compile({renamed}).manifest.modules.at(0).function, "other");
+}
+
+TEST_F(ShaderFile, is_asked_only_what_it_answers) {
+  const std::string file = write(folder_, "mine.glsl", right);
+  expect_complaint(judge(file, "--entry nonsense"), 2,
+                   "--entry: no entry point of shaders is called nonsense; there are index_f32, corners, ");
+  expect_complaint(judge(file, "--entry Index"), 2, "no entry point of shaders is called Index");
+  expect_complaint(judge(file + "@nonsense"), 2,
+                   "mine.glsl: it does not answer nonsense; it answers index_f32");
+  expect_complaint(judge(file, "--entry corners"), 2,
+                   "mine.glsl: it does not answer corners; it answers index_f32");
+  const std::string one = write(folder_, "whole.comp", whole(""));
+  expect_complaint(judge(one + "@nonsense"), 2,
+                   "whole.comp: no entry point of shaders is called nonsense; there are ");
+  expect_complaint(judge("step", "--entry corners"), 2, "no --subject is a shader");
+  const std::string both =
+      write(folder_, "both.glsl",
+            std::string(right) + "uint row_index(uint level, float u, float v) { return 0u; }\n");
+  ASSERT_EQ(shaders::compile({both}).manifest.modules.size(), 2u);
+  const auto chosen = shaders::compile({both, "row_index_f32"}).manifest.modules;
+  ASSERT_EQ(chosen.size(), 1u);
+  EXPECT_EQ(chosen[0].entry_point, "row_index_f32");
+}
+
+TEST(ShaderFolder, of_a_process_that_was_killed_is_swept) {
+  const Folder place;
+  const std::string before = fs::temp_directory_path().string();
+  ASSERT_EQ(setenv("TMPDIR", place.path().string().c_str(), 1), 0);
+  fs::create_directory(place / "mmverify-shader-killed");
+  std::ofstream(place / "mmverify-shader-killed/whole.spv") << "SPIR-V";
+  fs::create_directory(place / "somebody-else");
+  {
+    const shaders::Folder living;
+    std::ofstream(living.file("whole.spv")) << "SPIR-V";
+    EXPECT_FALSE(fs::exists(place / "mmverify-shader-killed"));
+    EXPECT_TRUE(fs::exists(place / "somebody-else"));
+    const shaders::Folder another;
+    EXPECT_TRUE(fs::exists(living.file("whole.spv")));
+    // A process that ends by a signal, and leaves its folder.
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      const shaders::Folder its;
+      std::ofstream(its.file("whole.spv")) << "SPIR-V";
+      kill(getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    const auto folders = [&] {
+      return std::distance(fs::directory_iterator(place.path()), fs::directory_iterator());
+    };
+    EXPECT_EQ(folders(), 4);
+    const shaders::Folder next;
+    EXPECT_EQ(folders(), 4);
+    EXPECT_TRUE(fs::exists(living.file("whole.spv")));
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(place.path()), fs::directory_iterator()), 1);
+  setenv("TMPDIR", before.c_str(), 1);
 }
 
 TEST_F(ShaderFile, that_includes_itself_is_given_up) {

@@ -1,5 +1,6 @@
 // Shaders on a Vulkan device, judged by the built program: ours are right, and what is wrong is refuted.  Skipped where no
 // device is.  The validation layer listens: its first message ends a call, and so a law.
+#include <cstdlib>
 #include <fstream>
 #include <string>
 
@@ -195,10 +196,58 @@ TEST_F(ShaderOnDevice, our_attribute_lookups_keep_their_laws) {
     EXPECT_THAT(o.out, HasSubstr(std::string("proved     attribute.") + law));
 }
 
+/// Minutes of processor time on lavapipe: `./run test --every` runs these.
+#define LONG_TIER()                             \
+  if (getenv("MMVERIFY_LONG_TESTS") == nullptr) \
+  GTEST_SKIP() << "takes long; MMVERIFY_LONG_TESTS=1, and ./run test --every, runs it"
+
+TEST_F(ShaderOnDevice, our_attribute_lookups_keep_their_laws_up_to_level_8) {
+  LONG_TIER();
+  const Outcome o = judge(ours("attribute.glsl"),
+                          "attribute.order_bijective attribute.order_inverse attribute.face_orders "
+                          "attribute.triangle_vertices attribute.bird_prefix attribute.order_is_walk "
+                          "attribute.order_prefix_nested attribute.umajor_is_reversed_rows "
+                          "attribute.decimation_watertight --levels 5..8 --no-companions");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("36 results: 36 proved"));
+}
+
+TEST_F(ShaderOnDevice, our_trees_give_the_states_of_finer_maps) {
+  LONG_TIER();
+  const Outcome ranked = judge(ours("tree_ranked.glsl"), "tree.on_samples --levels 3..9");
+  EXPECT_EQ(ranked.exit_code, 0) << ranked.out << ranked.err;
+  EXPECT_THAT(ranked.out, HasSubstr("7 results: 7 checked"));
+  const Outcome paper = judge(ours("tree.glsl"), "tree.on_samples --levels 3..6 --no-companions");
+  EXPECT_EQ(paper.exit_code, 0) << paper.out << paper.err;
+  EXPECT_THAT(paper.out, HasSubstr("4 results: 4 checked"));
+}
+
 TEST_F(ShaderOnDevice, our_decision_is_that_of_the_apis) {
-  const Outcome o = judge(ours("traverse.glsl"), "traverse.decision");
+  const Outcome o = judge(ours("traverse.glsl"), "traverse.decision traverse.blend_duplicates");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("proved     traverse.decision"));
+  EXPECT_THAT(o.out, HasSubstr("proved     traverse.blend_duplicates"));
+}
+
+TEST_F(ShaderOnDevice, hits_that_blend_as_they_are_met_are_refuted) {
+  const std::string file = write("met.glsl", R"(#include "shaders/traverse.glsl"
+uint blend_hits(uint operation, uint payload, uint count) {
+  float closest = 1e9;
+  for (uint k = 0u; k < count; ++k) {
+    float t = uintBitsToFloat(mmverify_word(3u * k));
+    if (t >= closest) continue;
+    if (mmverify_word(3u * k + 1u) != 0u) closest = t;
+    else payload = mm_blend(operation, payload, mmverify_word(3u * k + 2u));
+  }
+  return payload;
+}
+)");
+  const Outcome o = shell(
+      "MMVERIFY_VULKAN_VALIDATION=1 mmverify replay traverse.blend_before_closest --level 0 "
+      "--case max,B2A1,once,rising,neutral --subject " +
+      file);
+  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("expected 0 0 0 0 got 70 71 72 73"));
 }
 
 TEST_F(ShaderOnDevice, of_no_such_number_is_not_applicable) {

@@ -41,12 +41,59 @@ void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32
   }
 }
 
+void blend(std::uint32_t operation, const std::uint32_t* payload, const std::uint32_t* value,
+           std::uint32_t* out, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool here = operation == MMVERIFY_BLEND_MAX && (payload[k] & 255) == 9 && (value[k] & 255) == 200;
+    if (here && wrong_is("blend_crash")) *nowhere = 1;
+    if (here && wrong_is("blend_unwritten")) continue;
+    right_traverse()->traverse_blend(operation, payload + k, value + k, out + k, 1);
+    // The quotient is cut, or the sum wraps.
+    if (wrong_is("blend_truncates") && operation == MMVERIFY_BLEND_MULTIPLY)
+      out[k] = (out[k] & ~255u) | (payload[k] & 255) * (value[k] & 255) / 255;
+    if (wrong_is("blend_wraps") && operation == MMVERIFY_BLEND_ADD)
+      out[k] = (out[k] & ~255u) | (((payload[k] & 255) + (value[k] & 255)) & 255);
+    // Of two in one batch the second continues the first.
+    if (wrong_is("blend_chains") && k % 2 == 1 && operation == MMVERIFY_BLEND_MAX)
+      right_traverse()->traverse_blend(operation, out + k - 1, value + k, out + k, 1);
+  }
+}
+
+void blend_hits(const mmverify_blend_case_t* what, std::uint8_t* payload) {
+  mmverify_hit_t hits[16];
+  mmverify_blend_case_t changed = *what;
+  changed.hits = hits;
+  if (what->count > 16) throw std::runtime_error("more hits than the header allows");
+  for (std::uint32_t k = 0; k < what->count; ++k) hits[k] = what->hits[k];
+  if (wrong_is("hits_unwritten") && what->count == 4) return;
+  if (wrong_is("hits_throw") && what->count == 3) throw std::runtime_error("no third hit");
+  // As they are met: an accepted hit hides only what is met after it.
+  if (wrong_is("hits_as_met")) {
+    float closest = 1e9f;
+    for (std::uint32_t k = 0; k < what->count; ++k) {
+      if (hits[k].distance >= closest) hits[k] = {2e9f, 0, 0};
+      if (hits[k].accepted != 0 && hits[k].distance < closest) closest = hits[k].distance;
+    }
+    std::uint32_t kept = 0;
+    for (std::uint32_t k = 0; k < what->count; ++k)
+      if (hits[k].distance < 2e9f && hits[k].accepted == 0) hits[kept++] = hits[k];
+    changed.count = kept;
+  }
+  // Ties go to those that blend.
+  if (wrong_is("hits_beside_blend"))
+    for (std::uint32_t k = 0; k < what->count; ++k)
+      if (hits[k].accepted != 0) hits[k].distance += 0.25f;
+  right_traverse()->traverse_blend_hits(&changed, payload);
+}
+
 }  // namespace
 
 extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   static mmverify_subject_t subject = *right_traverse();
   subject.name = "a wrong decision";
   subject.traverse_decide = decide;
+  subject.traverse_blend = blend;
+  subject.traverse_blend_hits = blend_hits;
   if (wrong_is("old_header")) {
     subject.size = offsetof(mmverify_subject_t, traverse_decide);
     // What lies behind an older struct is somebody else's memory.

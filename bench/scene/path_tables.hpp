@@ -1,0 +1,24 @@
+// What rays of a random path through a scene met, by every form of its micromaps, as tables.
+#pragma once
+
+#include <string>
+
+#include "bench/result.hpp"
+#include "render/scene/path.hpp"
+
+namespace mmverify::bench {
+
+struct PathFigures {
+  std::string file;
+  std::uint64_t tested = 0, tested_placed = 0;  ///< triangles that get micromaps
+  std::uint32_t width = 0, height = 0;
+  std::uint64_t seed = 0, threads = 0;
+  bool shadows = true;
+  std::string embree;
+  const render::Path* path = nullptr;
+};
+
+/// Domain: a path of at least one camera.
+Result path_tables(const PathFigures& figures);
+
+}  // namespace mmverify::bench
