@@ -9,7 +9,7 @@
 
 #include "cli/build_info.hpp"
 #include "proofs/bake/subject.hpp"
-#include "proofs/bake/truth.hpp"
+#include "proofs/bake/truth/truth.hpp"
 #include "proofs/index/wrong_cells.hpp"
 #include "proofs/registry.hpp"
 

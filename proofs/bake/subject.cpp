@@ -6,9 +6,9 @@
 #include <type_traits>
 
 #include "impl/bake/triangles.hpp"
-#include "proofs/bake/exact_texture.hpp"
-#include "proofs/bake/narrow.hpp"
-#include "proofs/bake/truth.hpp"
+#include "proofs/bake/truth/exact_texture.hpp"
+#include "proofs/bake/truth/narrow.hpp"
+#include "proofs/bake/truth/truth.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

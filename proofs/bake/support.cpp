@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "proofs/bake/resize.hpp"
-#include "proofs/bake/threshold.hpp"
+#include "proofs/bake/cases/resize.hpp"
+#include "proofs/bake/domains/threshold.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

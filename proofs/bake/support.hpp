@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "proofs/bake/case.hpp"
+#include "proofs/bake/cases/case.hpp"
 #include "proofs/engine/value_set.hpp"
 
 namespace mmverify::proofs::bake {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "proofs/bake/truth.hpp"
+#include "proofs/bake/truth/truth.hpp"
 #include "proofs/scene/law_parts.hpp"
 
 namespace mmverify::proofs::scene {

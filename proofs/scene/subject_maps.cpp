@@ -4,7 +4,7 @@
 #include <cmath>
 #include <variant>
 
-#include "proofs/bake/truth.hpp"
+#include "proofs/bake/truth/truth.hpp"
 #include "scene/bake/surface_baker.hpp"
 
 namespace mmverify::proofs::scene {

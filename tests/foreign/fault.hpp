@@ -1,9 +1,12 @@
 // Which fault a foreign subject has: a row of its topic's table, named by the environment.
 #pragma once
 
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
+
+#include "sdk/mmverify_subject.h"
 
 namespace mmverify::tests::foreign {
 
@@ -16,6 +19,12 @@ std::optional<int> chosen_fault(const char* const (&names)[rows]) {
   for (int k = 0; k < rows; ++k)
     if (std::strcmp(names[k], name) == 0) return k;
   return std::nullopt;
+}
+
+/// What the subject says of threads.  Asked from two at once it takes several times as long, and a fault that no thread has a
+/// part in answers as before: MMVERIFY_ONE_THREAD spares it that.
+inline std::uint32_t threading() {
+  return std::getenv("MMVERIFY_ONE_THREAD") != nullptr ? MMVERIFY_SINGLE_THREADED : 0u;
 }
 
 }  // namespace mmverify::tests::foreign

@@ -107,12 +107,21 @@ std::vector<Asks> asked_of(const Fault& fault) {
   return all;
 }
 
+/// Whether threads have a part in it, as its words say.
+bool of_threads(const Fault& fault) {
+  return std::string_view(fault.wrong).find("thread") != std::string_view::npos;
+}
+
 /// The topic's library with that fault; none where the name is empty.  Attribute micromaps are no library: most of
 /// their laws ask for more than a library can offer.
-std::vector<SubjectPtr> foreign(const std::string& topic, const std::string& fault) {
+std::vector<SubjectPtr> foreign(const std::string& topic, const std::string& fault, bool one_thread = false) {
   if (topic == "attribute") return {mmverify::tests::foreign::attribute::subject_with(fault)};
   setenv("MMVERIFY_WORKER", MMVERIFY_WORKER_PROGRAM, 1);
   setenv("MMVERIFY_FAULT", fault.c_str(), 1);
+  if (one_thread)
+    setenv("MMVERIFY_ONE_THREAD", "", 1);
+  else
+    unsetenv("MMVERIFY_ONE_THREAD");
   std::vector<SubjectPtr> subjects;
   for (const PluginSubject& s :
        plugin_subjects(open_library(std::string(MMVERIFY_SUBJECTS) + "/foreign_" + topic + ".so", {})))
@@ -143,7 +152,7 @@ TEST_P(ForeignFault, IsRefutedByItsLaws) {
   const Fault& fault = GetParam();
   const std::vector<Asks> laws = asked_of(fault);
   if (laws.empty()) GTEST_SKIP() << "not in the fast tier: " << fault.wrong;
-  const std::vector<SubjectPtr> subjects = foreign(fault.topic, fault.name);
+  const std::vector<SubjectPtr> subjects = foreign(fault.topic, fault.name, !of_threads(fault));
   for (const Asks& asks : laws) {
     ASSERT_NE(find_law(asks.law), nullptr) << asks.law;
     const auto found = refutation(asks, subjects);
@@ -174,7 +183,7 @@ TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
     bool fits = false;
     for (const SubjectPtr& s : subjects) {
       if (!law.general || law.topic != s->topic()) continue;
-      // As far as a test can afford: a library of another hand is slow, and laws_test runs every level of ours.
+      // As far as a test can afford: a library of another hand is slow, and ./run prove runs every level of ours.
       const bool bakes = law.topic == "bake" || law.id.starts_with("attribute.bake_") ||
                          law.id == "attribute.face_mean_is_parent";
       const Level first = law.fast.first,

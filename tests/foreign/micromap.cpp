@@ -12,6 +12,7 @@
 namespace {
 
 using mmverify::tests::foreign::chosen_fault;
+using mmverify::tests::foreign::threading;
 
 enum Fault {
 #define MMVERIFY_FAULT(name, wrong, laws) name,
@@ -349,6 +350,7 @@ mmverify_subject_t make() {
   s.size = sizeof s;
   s.name = "foreign micromap";
   s.max_level = 12;
+  s.flags = threading();
   s.micromap_pack = pack;
   s.micromap_unpack = unpack;
   s.micromap_force2 = force2;

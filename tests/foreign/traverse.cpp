@@ -10,6 +10,7 @@
 namespace {
 
 using mmverify::tests::foreign::chosen_fault;
+using mmverify::tests::foreign::threading;
 
 enum Fault {
 #define MMVERIFY_FAULT(name, wrong, laws) name,
@@ -126,6 +127,7 @@ mmverify_subject_t make() {
   s.abi = MMVERIFY_SUBJECT_ABI;
   s.size = sizeof s;
   s.name = "foreign traversal";
+  s.flags = threading();
   s.traverse_decide = decide;
   return s;
 }

@@ -12,6 +12,7 @@
 #include "impl/attribute/lookup.hpp"
 #include "impl/index/index.hpp"
 #include "tests/impl/every_target.hpp"
+#include "tests/sanitized.hpp"
 
 namespace {
 
@@ -112,7 +113,7 @@ TEST(ImplAttributeLookup, values_of_spans_are_the_single_ones) {
 }
 
 TEST(ImplAttributeLookup, the_micro_triangle_is_the_one_of_the_index) {
-  const auto [u, v] = points(20'000);
+  const auto [u, v] = points(sanitized ? 2'000 : 20'000);
   for (const fast::Level n : {1u, 4u, 9u, 16u})
     for (std::size_t k = 0; k < u.size(); ++k) {
       const fast::MicroTriangle t = fast::locate(u[k], v[k], n).at;
@@ -123,7 +124,7 @@ TEST(ImplAttributeLookup, the_micro_triangle_is_the_one_of_the_index) {
 }
 
 TEST(ImplAttributeLookup, whatever_comes_in_weights_are_none_below_0_and_add_up_to_1) {
-  const auto [u, v] = points(20'000);
+  const auto [u, v] = points(sanitized ? 2'000 : 20'000);
   for (fast::Level n = 0; n <= 16; ++n)
     for (std::size_t k = 0; k < u.size(); ++k) {
       const fast::Weights w = fast::locate(u[k], v[k], n).weights;

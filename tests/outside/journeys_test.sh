@@ -5,7 +5,7 @@ set -euo pipefail
 
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../.."
 # shellcheck disable=SC2016  # the marks of code in Markdown
-script=$(sed -n '/^## Three journeys/,/^## Ask it/p' README.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}' | sed 's/fuzz subject 60/fuzz subject 5/')
+script=$(sed -n '/^## Three journeys/,/^## Ask it/p' README.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}' | sed 's/fuzz subject 60/fuzz subject 2/')
 [[ $(grep -c . <<<"$script") -ge 10 ]] || { echo "FAILED: the README has no journeys"; exit 1; }
 TMPDIR=$(mktemp -d)
 export TMPDIR

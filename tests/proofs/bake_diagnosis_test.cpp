@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "proofs/bake/baked_order.hpp"
-#include "proofs/bake/case_properties.hpp"
-#include "proofs/bake/diagnosis.hpp"
-#include "proofs/bake/known_mistakes.hpp"
-#include "proofs/bake/ties.hpp"
+#include "proofs/bake/diagnosis/baked_order.hpp"
+#include "proofs/bake/diagnosis/case_properties.hpp"
+#include "proofs/bake/diagnosis/diagnosis.hpp"
+#include "proofs/bake/diagnosis/known_mistakes.hpp"
+#include "proofs/bake/truth/ties.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry.hpp"
 #include "tests/sanitized.hpp"

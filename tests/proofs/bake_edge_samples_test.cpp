@@ -1,10 +1,10 @@
-// proofs/bake/edge_samples.hpp: what each sample is said to turn on, it turns on.
+// proofs/bake/domains/edge_samples.hpp: what each sample is said to turn on, it turns on.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "proofs/bake/edge_samples.hpp"
-#include "proofs/bake/truth.hpp"
+#include "proofs/bake/domains/edge_samples.hpp"
+#include "proofs/bake/truth/truth.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

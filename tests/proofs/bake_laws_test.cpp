@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "proofs/bake/family.hpp"
-#include "proofs/bake/narrow.hpp"
-#include "proofs/bake/offender.hpp"
-#include "proofs/bake/samples.hpp"
-#include "proofs/bake/strata.hpp"
+#include "proofs/bake/domains/family.hpp"
+#include "proofs/bake/domains/samples.hpp"
+#include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/subject.hpp"
-#include "proofs/bake/truth.hpp"
+#include "proofs/bake/truth/narrow.hpp"
+#include "proofs/bake/truth/offender.hpp"
+#include "proofs/bake/truth/truth.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry.hpp"

@@ -6,12 +6,12 @@
 #include <set>
 #include <string>
 
-#include "proofs/bake/fitted_families.hpp"
-#include "proofs/bake/resize.hpp"
-#include "proofs/bake/samples.hpp"
-#include "proofs/bake/strata.hpp"
+#include "proofs/bake/cases/resize.hpp"
+#include "proofs/bake/domains/fitted_families.hpp"
+#include "proofs/bake/domains/samples.hpp"
+#include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/support.hpp"
-#include "proofs/bake/truth.hpp"
+#include "proofs/bake/truth/truth.hpp"
 #include "tests/sanitized.hpp"
 
 namespace mmverify::proofs::bake {

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 
 #include "proofs/attribute/induction/provable.hpp"
 #include "proofs/attribute/induction/statements.hpp"
@@ -56,6 +58,12 @@ struct Written {
   std::vector<std::string> beside;
 };
 
+/// How many statements there are.  Writing them takes half of a program's start, and most commands never ask.
+struct Count {
+  std::once_flag once;
+  std::uint64_t of = 0;
+};
+
 Law for_all_levels(const Written& w) {
   Law law{.id = w.id,
           .topic = "attribute",
@@ -65,7 +73,10 @@ Law for_all_levels(const Written& w) {
           .subjects = {about},
           .at_once = "all levels",
           .fast_seconds = 1};
-  law.cases = [count = w.statements().size()](Level, const Run&) { return count; };
+  law.cases = [statements = w.statements, known = std::make_shared<Count>()](Level, const Run&) {
+    std::call_once(known->once, [&] { known->of = statements().size(); });
+    return known->of;
+  };
   law.domain = [domain = w.domain](const Subject&, Level) { return domain; };
   law.how = [](const Subject&, Level) { return "induction, " + proofs::induction::prover_name(); };
   law.unfit = [](const Subject& s, Level) -> std::optional<std::string> {

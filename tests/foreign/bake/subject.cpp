@@ -14,7 +14,7 @@ const mmverify_subject_t subject = [] {
   s.size = sizeof(mmverify_subject_t);
   s.name = "foreign-bake";
   s.max_level = 12;
-  s.flags = MMVERIFY_BAKE_CENTROID | MMVERIFY_BAKE_TIGHT;
+  s.flags = threading() | MMVERIFY_BAKE_CENTROID | MMVERIFY_BAKE_TIGHT;
   s.bake = [](const mmverify_bake_case_t* what, std::uint8_t* map) {
     const mmverify_bake_case_t c = with_kept_texels(*what);
     return bake(&c, map);

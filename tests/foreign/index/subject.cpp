@@ -14,7 +14,7 @@ mmverify_subject_t make() {
   s.size = sizeof s;
   s.name = "a stranger's index";
   s.max_level = 16;
-  s.flags = MMVERIFY_CORNERS_OF_CHILDREN;
+  s.flags = threading() | MMVERIFY_CORNERS_OF_CHILDREN;
   s.index_f32 = indices<float>;
   s.index_f64 = indices<double>;
   s.corners = corners;

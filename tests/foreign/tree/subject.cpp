@@ -89,7 +89,7 @@ mmverify_subject_t make() {
   s.size = sizeof s;
   s.name = "foreign tree";
   s.max_level = 12;
-  s.flags = is_private() ? 0u : MMVERIFY_TREE_STREAM;
+  s.flags = threading() | (is_private() ? 0u : MMVERIFY_TREE_STREAM);
   const bool all = variant.empty() || is_private();
   if (all || variant == "encode") s.tree_encode = tree_encode;
   if (all || variant == "decode") s.tree_decode = tree_decode;

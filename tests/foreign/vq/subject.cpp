@@ -14,7 +14,7 @@ mmverify_subject_t subject() {
   s.size = sizeof s;
   s.name = "a stranger's square maps";
   s.max_level = 12;
-  s.flags = MMVERIFY_VQ_KEEPS;
+  s.flags = threading() | MMVERIFY_VQ_KEEPS;
   s.vq2_decode = vq2_decode;
   s.vq2_region = vq2_region;
   s.vq2_encode = vq2_encode;

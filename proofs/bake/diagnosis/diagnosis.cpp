@@ -1,0 +1,190 @@
+#include "proofs/bake/diagnosis/diagnosis.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <tuple>
+
+#include "proofs/bake/diagnosis/baked_order.hpp"
+#include "proofs/bake/diagnosis/case_properties.hpp"
+#include "proofs/bake/diagnosis/known_mistakes.hpp"
+#include "proofs/bake/domains/samples.hpp"
+#include "proofs/bake/domains/strata.hpp"
+#include "proofs/bake/truth/ties.hpp"
+#include "proofs/engine/interrupt.hpp"
+
+namespace mmverify::proofs::bake {
+namespace {
+
+using spec::micromap::force2;
+using spec::micromap::unknown;
+
+/// What was wrong of one case.
+struct Wrong {
+  bool any = false, on_an_area = false;
+};
+
+struct Counts {
+  std::uint64_t cases = 0, wrong = 0;
+};
+
+/// Cases by the value of one property, in the order in which the values came.
+struct ByValue {
+  const char* of;
+  std::vector<std::pair<std::string, Counts>> values;
+
+  Counts& at(const std::string& value) {
+    for (auto& [name, counts] : values)
+      if (name == value) return counts;
+    return values.emplace_back(value, Counts{}).second;
+  }
+};
+
+bool is_wrong(const BakeSubject& s, Fault fault, State got, State lower, State upper) {
+  switch (fault) {
+    case Fault::conservative:
+      return (got == State::O && lower != State::O) || (got == State::T && upper != State::T);
+    case Fault::tight:
+      return unknown(got) && (upper == State::O || lower == State::T);
+    case Fault::side:
+      break;
+  }
+  if (!unknown(got)) return false;
+  if (s.functions.centroid) return force2(got) != force2(lower) && force2(got) != force2(upper);
+  return got == (s.functions.support.unknown == UnknownSide::opaque ? State::UT : State::UO);
+}
+
+/// Which known mistakes the wrong maps are those of.
+class Guesses {
+ public:
+  explicit Guesses(Fault fault) : loose_(fault == Fault::conservative) {}
+  void take(const Case& one, Level n, const std::vector<State>& got) {
+    if (cases_ == most) return;
+    ++cases_;
+    for (std::size_t k = 0; k < known_mistakes().size(); ++k) {
+      Case other = one;
+      known_mistakes()[k].mistake(other);
+      const auto baked = right_->functions.bake(other, n, Format::four_state);
+      const auto alike = [this](State a, State b) {
+        return a == b || (unknown(a) && (loose_ || unknown(b)));
+      };
+      right_of_[k] += baked && std::equal(got.begin(), got.end(), baked->states.begin(), alike) ? 1 : 0;
+    }
+  }
+  /// The mistake that explains most of the cases, nine of ten at least.
+  std::optional<std::string> line() const {
+    const auto best = std::max_element(right_of_.begin(), right_of_.end());
+    if (cases_ == 0 || *best * 10 < cases_ * 9) return std::nullopt;
+    return fmt::format("{} of {} wrong maps are as if {}", *best, cases_,
+                       known_mistakes()[static_cast<std::size_t>(best - right_of_.begin())].as_if);
+  }
+
+ private:
+  static constexpr std::uint64_t most = 128;
+  const bool loose_;  ///< what is wrong is an O or a T: of the others more may be unknown than has to be
+  BakeSubjectPtr right_ = built_in("bake");
+  std::uint64_t cases_ = 0;
+  std::vector<std::uint64_t> right_of_ = std::vector<std::uint64_t>(known_mistakes().size());
+};
+
+/// None where the subject declined the case.
+std::optional<Wrong> judged(const BakeSubject& s, Fault fault, const Case& one, Level n, Guesses& guesses) {
+  const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
+  if (!baked) return std::nullopt;
+  const std::vector<std::uint32_t> at = judged_at(one, n);
+  const Truth truth = true_states(one, n);
+  Wrong wrong;
+  for (std::size_t k = 0; k < at.size() && !wrong.on_an_area; ++k) {
+    const State got = baked->states.at(at[k]);
+    if (!is_wrong(s, fault, got, truth.lower[k], truth.upper[k])) continue;
+    wrong.any = true;
+    wrong.on_an_area = fault != Fault::conservative || !is_tie(one, n, at[k], got);
+  }
+  if (wrong.any) guesses.take(one, n, baked->states);
+  return wrong;
+}
+
+/// "filter: nearest (98 of 130) wrong; bilinear all right", where some values are right throughout and some are not.
+std::optional<std::string> in_words(const ByValue& by) {
+  constexpr std::uint64_t few = 8;  // cases that say nothing
+  std::vector<std::string> wrong, right;
+  for (const auto& [value, counts] : by.values) {
+    if (counts.cases < few) continue;
+    if (counts.wrong == 0)
+      right.push_back(value);
+    else
+      wrong.push_back(fmt::format("{} ({} of {})", value, counts.wrong, counts.cases));
+  }
+  if (wrong.empty() || right.empty()) return std::nullopt;
+  return fmt::format("{}: wrong where it is {}; all right where it is {}", by.of, fmt::join(wrong, ", "),
+                     fmt::join(right, ", "));
+}
+
+std::vector<std::string> found(const BakeSubject& s, Fault fault) {
+  // Low levels have few states that are known, and so show little.
+  constexpr std::uint64_t samples = 240, rows = 96;
+  constexpr Level last = 5;
+  std::vector<ByValue> by;
+  std::uint64_t cases = 0, proper = 0, ties = 0;
+  Guesses guesses(fault);
+  const auto take = [&](Case drawn, Level n, std::uint64_t salt) {
+    const Case one = fitted(s.functions.support, std::move(drawn), salt);
+    const std::optional<Wrong> wrong = interrupted() ? std::nullopt : judged(s, fault, one, n, guesses);
+    if (!wrong) return;
+    ++cases;
+    proper += wrong->on_an_area ? 1 : 0;
+    ties += wrong->any && !wrong->on_an_area ? 1 : 0;
+    const std::vector<Property> properties = properties_of(one, n);
+    for (std::size_t p = 0; p < properties.size(); ++p) {
+      if (by.size() == p) by.push_back({properties[p].of, {}});
+      Counts& counts = by[p].at(properties[p].value);
+      ++counts.cases;
+      counts.wrong += wrong->any ? 1 : 0;
+    }
+  };
+  for (std::uint64_t k = 0; k < samples; ++k) {
+    // Each of the eight kinds of samples at each level.
+    const Level n = static_cast<Level>(k / 8 % (last + 1));
+    take(sample(1, k), n, k);
+    take(featured_sample(1, k), n, k);
+    take(large_sample(1, k), last - static_cast<Level>(k % 3), k);
+  }
+  for (std::uint64_t k = 0; k < rows; ++k)
+    take(stratified(1, static_cast<Level>(k % (last + 1)), k), static_cast<Level>(k % (last + 1)), k);
+
+  std::vector<std::string> lines;
+  if (fault == Fault::conservative)
+    lines.push_back(
+        fmt::format("of {} cases of levels 0..{}, {} have a state that is wrong on an area, {} only ties: a "
+                    "contact of area 0",
+                    cases, last, proper, ties));
+  else
+    lines.push_back(fmt::format("of {} cases of levels 0..{}, {} are wrong", cases, last, proper));
+  for (const ByValue& one : by)
+    if (auto line = in_words(one)) lines.push_back(std::move(*line));
+  if (auto line = guesses.line()) lines.push_back(std::move(*line));
+  if (lines.size() == 1 && proper + ties != 0)
+    lines.emplace_back("no property of a case tells the wrong ones from the right ones");
+  const Level n = std::min<Level>(3, s.functions.support.max_level);
+  if (const std::string order = n == 0 ? std::string() : order_of(s, n); !order.empty())
+    lines.push_back(fmt::format("the order of its micro-triangles at level {}: {}", n, order));
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> diagnose(const BakeSubject& s, Fault fault) {
+  // The laws of one fault ask one after the other.
+  static std::mutex lock;
+  static std::map<std::tuple<std::string, std::string, Fault>, std::vector<std::string>> known;
+  const std::lock_guard hold(lock);
+  auto& lines = known[{s.name(), s.fingerprint(), fault}];
+  if (lines.empty()) lines = found(s, fault);
+  return lines;
+}
+
+}  // namespace mmverify::proofs::bake

@@ -1,0 +1,87 @@
+#include "proofs/bake/domains/edge_samples.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace mmverify::proofs::bake {
+namespace {
+
+int any_sign(Random& random) { return random.below(2) != 0 ? 1 : -1; }
+
+/// Draws the texture; returns the axis that stripes follow each other on.  On it every second texture repeats.
+std::size_t draw_stripes(Random& random, Case& one) {
+  const std::size_t axis = random.below(2);
+  std::uint32_t& size = axis == 0 ? one.width : one.height;
+  // Even: stripes go on where they repeat.  Of some sides binary32's reciprocal is too small by a bit: 82, 94, 110, 122.
+  size = static_cast<std::uint32_t>(2 + 2 * random.below(random.below(2) != 0 ? 3 : 64));
+  if (random.below(2) != 0) (axis == 0 ? one.wrap_u : one.wrap_v) = Wrap::repeat;
+  one.cutoff = {1, 2};
+  one.alpha.clear();
+  for (std::uint32_t k = 0; k < one.width * one.height; ++k)
+    one.alpha.push_back((axis == 0 ? k % one.width : k / one.width) % 2 == 0 ? 0 : 255);
+  return axis;
+}
+
+/// A line between stripes, in texels, up to two repeats away; one in two where the texture begins again.
+std::int64_t any_line(Random& random, std::uint32_t size) {
+  const auto away = 2 * static_cast<std::int64_t>(size);
+  return random.below(2) == 0 ? size * random.between(-1, 2) * static_cast<std::int64_t>(random.below(2))
+                              : random.between(-away, away);
+}
+
+/// On the axis, the first corner at `first`, the others up to `extent` texels from `behind`, away from the line;
+/// on the other axis all anywhere.
+void place(Random& random, Case& one, std::size_t axis, float first, double behind, double extent) {
+  const std::uint32_t size = axis == 0 ? one.width : one.height;
+  for (std::size_t k = 0; k < 6; ++k)
+    one.uv[k] = static_cast<float>(
+        k % 2 != axis ? static_cast<double>(random.between(-16, 16)) / 16
+                      : (behind + extent * static_cast<double>(random.between(1, 16)) / 16) / size);
+  one.uv[axis] = first;
+}
+
+}  // namespace
+
+void cross_a_line_by_a_step(Random& random, Case& one) {
+  const std::size_t axis = draw_stripes(random, one);
+  const std::uint32_t size = axis == 0 ? one.width : one.height;
+  const std::int64_t at = any_line(random, size);
+  const int over = any_sign(random);
+  const float line = static_cast<float>(at) / static_cast<float>(size),
+              beyond = static_cast<float>(over) * std::numeric_limits<float>::infinity(),
+              first = at != 0
+                          ? std::nextafter(line, beyond)
+                          : std::ldexp(static_cast<float>(over), -static_cast<int>(random.between(20, 149)));
+  place(random, one, axis, first, static_cast<double>(at), -over * 0.75);
+}
+
+void reach_a_line_by_the_margin(Random& random, Case& one) {
+  const std::size_t axis = draw_stripes(random, one);
+  const std::uint32_t size = axis == 0 ? one.width : one.height;
+  one.margin = std::ldexp(1 + static_cast<float>(random.below(1u << 23)) * 0x1p-23f,
+                          -static_cast<int>(random.between(3, 7)));
+  const int over = any_sign(random);
+  const double hair = std::ldexp(any_sign(random), -static_cast<int>(random.between(9, 18))),
+               first = static_cast<double>(any_line(random, size)) - over * (one.margin + hair);
+  place(random, one, axis, static_cast<float>(first / size), first, -over * 0.5 * (1 - 2 * one.margin));
+}
+
+void cross_the_cutoff_within_an_edge(Random& random, Case& one) {
+  one.width = one.height = 2;
+  const auto low = static_cast<std::uint32_t>(random.below(200)),
+             half = static_cast<std::uint32_t>(1 + random.below(27));
+  const bool crest = random.below(2) != 0;
+  const std::uint32_t ends = crest ? low : low + 2 * half, others = crest ? low + 2 * half : low;
+  one.alpha = {ends, others, others, ends};
+  // Half way between the centres of the first and the last texel alpha is that of `middle`.
+  const std::uint32_t steps = 1u << random.between(3, 20), middle = low + half;
+  one.cutoff = {crest ? middle * steps - 1 : middle * steps + 1, 255 * steps};
+  const double length = std::ldexp(1.0, -static_cast<int>(random.below(6))),
+               first = 1 - length * static_cast<double>(2 * random.below(64) + 1) / 128,
+               third = first + length * static_cast<double>(random.below(9)) / 8;
+  const auto at = [](double texels) { return static_cast<float>(texels / 2); };
+  one.uv = {at(first), at(first), at(first + length), at(first + length), at(third), at(third)};
+}
+
+}  // namespace mmverify::proofs::bake

@@ -1,0 +1,243 @@
+#include "proofs/bake/laws/relation_judges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <mutex>
+#include <utility>
+
+namespace mmverify::proofs::bake {
+std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n, Format format) {
+  std::optional<Baked> baked = s.functions.bake(one, n, format);
+  if (!baked) throw Declined();
+  if (!baked->padded) throw Unpadded();
+  return std::move(baked->states);
+}
+
+namespace {
+
+using spec::micromap::as_unknown;
+using spec::micromap::force2;
+using spec::micromap::unknown;
+
+/// Whether one micro-triangle cannot be both.  Anything may be unknown, so that O beside T alone is wrong; where unknown
+/// ones go by the centroid, also what force-2-state tells apart; and of who promises to be tight every difference.
+bool contradict(const BakeSubject& s, State a, State b) {
+  if (s.functions.tight) return a != b;
+  if (s.functions.centroid) return force2(a) != force2(b);
+  return a != b && !unknown(a) && !unknown(b);
+}
+
+/// The first micro-triangle whose state is another, if there is one.
+std::optional<Finding> differ(const BakeSubject& s, const char* of, const std::vector<State>& expected,
+                              const std::vector<State>& got) {
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    if (contradict(s, got.at(k), expected[k]))
+      return wrong(fmt::format("{} micro-triangle {} {}", of, k, name_of(expected[k])), name_of(got[k]));
+  return std::nullopt;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Shifts
+// ---------------------------------------------------------------------------------------------------------------------
+
+Case shifted(Case one, float u, float v) {
+  for (std::size_t k = 0; k < 6; k += 2) one.uv[k] += u, one.uv[k + 1] += v;
+  return one;
+}
+
+bool same_coordinates(const Case& a, const Case& b) { return a.uv == b.uv; }
+
+}  // namespace
+
+Finding keeps_shifts(const BakeSubject& s, const Case& one, Level n) {
+  const auto period = [](Wrap w) {
+    return w == Wrap::repeat ? 1.0f : w == Wrap::mirrored_repeat ? 2.0f : 0.0f;
+  };
+  const float u = period(one.wrap_u), v = period(one.wrap_v);
+  const std::vector<State> map = map_of(s, one, n);
+  for (const auto& [x, y] : {std::pair{u, 0.0f}, {0.0f, -v}, {-3 * u, 5 * v}, {40 * u, -70 * v}}) {
+    const Case other = shifted(one, x, y);
+    if (!same_coordinates(shifted(other, -x, -y), one)) continue;        // rounded, and so another triangle
+    if (fitted(s.functions.support, other, 0).uv != other.uv) continue;  // outside what it declares
+    if (const auto wrong =
+            differ(s, fmt::format("shifted by {:g}, {:g}:", x, y).c_str(), map, map_of(s, other, n)))
+      return *wrong;
+  }
+  return {hash_of(map)};
+}
+
+namespace {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The order of the vertices
+// ---------------------------------------------------------------------------------------------------------------------
+
+using Order = std::array<std::size_t, 3>;
+constexpr std::array<Order, 5> orders{{{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+
+/// Three times the weights of a micro-triangle's centroid, over 3N: of the first, second and third vertex.
+using Weights = std::array<std::uint32_t, 3>;
+Weights weights_of(std::uint32_t index, Level n) {
+  Weights w{3 * spec::side(n), 0, 0};
+  for (const spec::index::Vertex& corner : spec::index::corners(index, n)) {
+    w[1] += corner.i;
+    w[2] += corner.j;
+  }
+  w[0] -= w[1] + w[2];
+  return w;
+}
+
+/// Which micro-triangle of the triangle itself each one of the triangle with its vertices in that order is.
+std::vector<std::uint32_t> places(const Order& order, Level n) {
+  std::map<Weights, std::uint32_t> by_weights;
+  const std::uint32_t count = std::uint32_t{1} << 2 * n;
+  for (std::uint32_t k = 0; k < count; ++k) by_weights.emplace(weights_of(k, n), k);
+  std::vector<std::uint32_t> places(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Weights w = weights_of(k, n);
+    Weights original{};
+    for (std::size_t vertex = 0; vertex < 3; ++vertex) original[order[vertex]] = w[vertex];
+    places[k] = by_weights.at(original);
+  }
+  return places;
+}
+
+const std::vector<std::uint32_t>& known_places(std::size_t order, Level n) {
+  static std::mutex lock;
+  static std::map<std::pair<std::size_t, Level>, std::vector<std::uint32_t>> known;
+  const std::lock_guard hold(lock);
+  auto& found = known[{order, n}];
+  if (found.empty()) found = places(orders.at(order), n);
+  return found;
+}
+
+}  // namespace
+
+Finding keeps_orders(const BakeSubject& s, const Case& one, Level n) {
+  const std::vector<State> map = map_of(s, one, n);
+  for (std::size_t order = 0; order < orders.size(); ++order) {
+    Case other = one;
+    for (std::size_t k = 0; k < 3; ++k) {
+      other.uv[2 * k] = one.uv[2 * orders[order][k]];
+      other.uv[2 * k + 1] = one.uv[2 * orders[order][k] + 1];
+    }
+    const auto& place = known_places(order, n);
+    std::vector<State> expected(map.size());
+    for (std::size_t k = 0; k < map.size(); ++k) expected[k] = map[place[k]];
+    const auto& o = orders[order];
+    if (const auto wrong = differ(s, fmt::format("vertices {}, {}, {}:", o[0], o[1], o[2]).c_str(), expected,
+                                  map_of(s, other, n)))
+      return *wrong;
+  }
+  return {hash_of(map)};
+}
+
+namespace {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Formats, levels, cutoffs
+// ---------------------------------------------------------------------------------------------------------------------
+
+}  // namespace
+
+Finding keeps_formats(const BakeSubject& s, const Case& one, Level n) {
+  std::vector<State> forced = map_of(s, one, n);
+  for (State& state : forced) state = force2(state);
+  const std::vector<State> two = map_of(s, one, n, Format::two_state);
+  if (const auto wrong = differ(s, "2-state", forced, two)) return *wrong;
+  return {hash_of(two)};
+}
+
+Finding keeps_levels(const BakeSubject& s, const Case& one, Level n) {
+  const std::vector<State> parents = map_of(s, one, n), children = map_of(s, one, n + 1);
+  for (std::size_t k = 0; k < parents.size(); ++k) {
+    const auto four = children.begin() + static_cast<std::ptrdiff_t>(4 * k);
+    const bool uniform = !unknown(*four) && std::count(four, four + 4, *four) == 4;
+    const auto is_other = [&](State child) { return contradict(s, parents[k], child); };
+    if (unknown(parents[k]) ? uniform && is_other(*four) : std::any_of(four, four + 4, is_other))
+      return wrong(fmt::format("micro-triangle {} {}", k, uniform ? name_of(*four) : "unknown"),
+                   name_of(parents[k]));
+  }
+  return {hash_of(children)};
+}
+
+Finding keeps_cutoffs(const BakeSubject& s, const Case& one, Level n) {
+  // As bytes over 255, so that alpha meets them; and the case's own, which alpha meets in another way.
+  std::vector<Cutoff> rising{{0, 1}, {1, 255}, {1, 2}, {128, 255}, {1, 1}, {256, 255}, one.cutoff};
+  std::sort(rising.begin(), rising.end(), [](const Cutoff& a, const Cutoff& b) {
+    return std::uint64_t{a.numerator} * b.denominator < std::uint64_t{b.numerator} * a.denominator;
+  });
+  std::vector<State> before;
+  std::uint64_t hash = 0;
+  for (const Cutoff& cutoff : rising) {
+    Case other = one;
+    other.blend = false;
+    other.cutoff = s.functions.support.float_cutoffs ? float_cutoff(cutoff) : cutoff;
+    std::vector<State> map = map_of(s, other, n);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const std::string what =
+          fmt::format("cutoff {}/{}: micro-triangle {}", cutoff.numerator, cutoff.denominator, k);
+      if (map[k] == State::O && contradict(s, before[k], State::O)) return wrong(what + " not O", "O");
+      if (before[k] == State::T && contradict(s, State::T, map[k]))
+        return wrong(what + " T", name_of(map[k]));
+    }
+    before = std::move(map);
+    hash = hash * 31 + hash_of(before);
+  }
+  return {hash};
+}
+
+Finding keeps_margins(const BakeSubject& s, const Case& one, Level n) {
+  std::vector<State> before;
+  std::uint64_t hash = 0;
+  for (const float margin : {0.0f, 0x1p-8f, 0.5f, 3.0f}) {
+    Case other = one;
+    other.margin = margin;
+    std::vector<State> map = map_of(s, other, n);
+    for (std::size_t k = 0; k < before.size(); ++k)
+      if (!unknown(map[k]) && contradict(s, map[k], before[k]))
+        return wrong(fmt::format("margin {}: micro-triangle {} {} or unknown", margin, k, name_of(before[k])),
+                     name_of(map[k]));
+    before = std::move(map);
+    hash = hash * 31 + hash_of(before);
+  }
+  return {hash};
+}
+
+namespace {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Mips
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// One mip as a texture of its own.
+Case mip_of(const Case& one, std::uint32_t mip) {
+  Case other = one;
+  other.width = std::max(1u, one.width >> mip);
+  other.height = std::max(1u, one.height >> mip);
+  other.mips = 1;
+  const auto from = one.alpha.begin() + static_cast<std::ptrdiff_t>(texels_of(one.width, one.height, mip));
+  other.alpha.assign(from, from + std::ptrdiff_t{other.width} * other.height);
+  other.drawn.clear();
+  return other;
+}
+
+}  // namespace
+
+Finding keeps_mips(const BakeSubject& s, const Case& one, Level n) {
+  const std::vector<State> map = map_of(s, one, n);
+  std::vector<State> all = map_of(s, mip_of(one, 0), n);
+  for (std::uint32_t mip = 1; mip < one.mips; ++mip) {
+    const std::vector<State> other = map_of(s, mip_of(one, mip), n);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (!unknown(all[k]) && all[k] != other[k]) all[k] = as_unknown(all[k]);
+  }
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!contradict(s, all[k], map[k])) continue;
+    return wrong(fmt::format("micro-triangle {} {}", k, name_of(all[k])), name_of(map[k]));
+  }
+  return {hash_of(map)};
+}
+
+}  // namespace mmverify::proofs::bake

@@ -1,0 +1,417 @@
+// Laws of states: O and T are true of all of their micro-triangle, an unknown is one, and on the right side.
+#include "proofs/bake/mutants/states.hpp"
+
+#include <array>
+#include <numeric>
+
+#include "proofs/bake/diagnosis/diagnosis.hpp"
+#include "proofs/bake/diagnosis/picture.hpp"
+#include "proofs/bake/domains/fitted_families.hpp"
+#include "proofs/bake/domains/samples.hpp"
+#include "proofs/bake/domains/side_samples.hpp"
+#include "proofs/bake/domains/strata.hpp"
+#include "proofs/bake/law_groups.hpp"
+#include "proofs/bake/law_parts.hpp"
+#include "proofs/bake/truth/offender.hpp"
+#include "proofs/bake/truth/ties.hpp"
+
+namespace mmverify::proofs::bake {
+namespace {
+
+using spec::micromap::force2;
+using spec::micromap::unknown;
+
+constexpr char source[] =
+    "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake/state.hpp";
+
+/// Whether a state is wrong by a law, given the true ones of a cutoff less the slack and of that plus it: without a
+/// slack the same one twice.
+using Denies = bool (*)(State got, State lower, State upper);
+
+bool not_conservative(State got, State lower, State upper) {
+  return (got == State::O && lower != State::O) || (got == State::T && upper != State::T);
+}
+bool not_tight(State got, State lower, State upper) {
+  return unknown(got) && (upper == State::O || lower == State::T);
+}
+bool wrong_side(State got, State lower, State upper) {
+  return unknown(got) && force2(got) != force2(lower) && force2(got) != force2(upper);
+}
+bool differs(State got, State lower, State upper) {
+  return not_conservative(got, lower, upper) || not_tight(got, lower, upper) || wrong_side(got, lower, upper);
+}
+bool leans_transparent(State got, State, State) { return got == State::UT; }
+bool leans_opaque(State got, State, State) { return got == State::UO; }
+
+/// The law's own, or what a subject says of its unknowns in the place of the centroid.
+Denies denied_of(const BakeSubject& s, Denies denies) {
+  if (denies != wrong_side || s.functions.centroid) return denies;
+  return s.functions.support.unknown == UnknownSide::opaque ? leans_transparent : leans_opaque;
+}
+
+/// The true state that a state is held against.
+State against(State got, State lower, State upper) {
+  if (got == State::O) return lower;
+  if (got == State::T) return upper;
+  return upper == State::O ? State::O : lower;
+}
+
+/// The states with those that the law does not deny made right.
+std::optional<Offender> offender(const Case& one, Level n, std::vector<State> got,
+                                 const std::vector<std::uint32_t>& at, const Truth& truth, Denies denies) {
+  std::vector<State> right(at.size());
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const State lower = truth.lower[k], upper = truth.upper[k];
+    State& state = got[at[k]];
+    const bool denied = denies(state, lower, upper);
+    right[k] = against(state, lower, upper);
+    if (denied && right[k] == state) right[k] = state == State::UO ? State::UT : State::UO;
+    if (!denied) state = right[k];
+  }
+  return worst(one, n, got, at, right);
+}
+
+std::string place_text(const Place& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
+
+/// What an O or T that is wrong amounts to: an edge, or which part of the area and by how much.
+std::string amount(const Case& one, Level n, const Offender& o, const Extreme& e) {
+  if (is_tie(one, n, o.index, o.said)) return ", a tie: wrong on an area of 0 alone";
+  std::string text;
+  if (!one.blend) {
+    const Rational cutoff = spec::bake::fraction<Rational>(one.cutoff.numerator, one.cutoff.denominator);
+    const Rational by = o.said == State::O ? Rational(cutoff - e.alpha) : Rational(e.alpha - cutoff);
+    if (by > 0) text = fmt::format(", {} {} the cutoff", text_of(by), o.said == State::O ? "below" : "above");
+  }
+  if (one.margin == 0) {
+    const double share = wrong_share(one, n, o.index, o.said, e.mip);
+    text += share == 0 ? std::string(", on less than 1/256 of its area")
+                       : fmt::format(", wrong on about {:.0f} % of its area", 100 * share);
+  }
+  return text;
+}
+
+Words in_words(const Case& one, Level n, const Offender& o) {
+  const Extreme& e = contradiction(o);
+  return {fmt::format("micro-triangle {} {}, alpha {} at texel {}{}{}", o.index, name_of(o.is),
+                      text_of(e.alpha), place_text(e.at), e.mip == 0 ? "" : fmt::format(" of mip {}", e.mip),
+                      unknown(o.said) ? std::string() : amount(one, n, o, e)),
+          name_of(o.said)};
+}
+
+/// Whether all that is wrong are ties.
+bool ties_alone(const Case& one, Level n, const std::vector<State>& got, const std::vector<std::uint32_t>& at,
+                const Truth& truth) {
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (not_conservative(got[at[k]], truth.lower[k], truth.upper[k]) && !is_tie(one, n, at[k], got[at[k]]))
+      return false;
+  return true;
+}
+
+/// What a law ranges over: a family, all of it, or samples.
+struct Domain {
+  const Families& (*families)() = nullptr;
+  Case (*drawn)(std::uint64_t seed, Level n, std::uint64_t k) = nullptr;
+  const char* (*says)() = nullptr;                       ///< of samples
+  std::uint64_t (*count)(Level n, Tier tier) = nullptr;  ///< of samples
+  Levels fast = {0, 3}, long_run = {0, 3};
+
+  bool whole() const { return families != nullptr; }
+  const Families& families_of(const Support& support) const { return fitted(families(), support); }
+  /// The micro-triangles that a case is judged at: of a family all.
+  std::vector<std::uint32_t> at(const Case& one, Level n) const {
+    if (!whole()) return judged_at(one, n);
+    std::vector<std::uint32_t> all(std::size_t{1} << 2 * n);
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+  }
+  /// Their states.
+  Truth truth(const Support& support, const Case& one, Level n,
+              const std::optional<std::uint64_t>& number) const {
+    if (!whole()) return true_states(one, n);
+    if (!number) return true_states(one, n, at(one, n));
+    const Families& all = families_of(support);
+    Truth truth{all.truth(n, *number, Threshold::lower), {}};
+    truth.upper = one.rules.slack != 0 ? all.truth(n, *number, Threshold::upper) : truth.lower;
+    return truth;
+  }
+};
+
+/// Each level has samples of its own, whose kinds are those of the first.
+std::uint64_t sample_of(Level n, std::uint64_t k) { return 104 * 200 * std::uint64_t{n} + k; }
+std::uint64_t as_many(Level, Tier tier) { return tier == Tier::fast ? 104 : 20'000; }
+std::uint64_t strata_count(Level n, Tier tier) {
+  if (tier == Tier::fast) return with_plain(fast_strata(n));
+  constexpr std::array<std::uint64_t, 13> counts{4840, 4840, 4840, 4840, 4840, 4840, 2420,
+                                                 1936, 968,  484,  96,   8,    4};
+  return n < counts.size() ? with_plain(counts[n]) : 0;
+}
+
+constexpr Domain bilinear{bilinear_families}, nearest{nearest_families}, blend{blend_families},
+    grid{grid_families};
+constexpr Domain plain_samples{
+    nullptr,      [](std::uint64_t seed, Level n, std::uint64_t k) { return sample(seed, sample_of(n, k)); },
+    samples_text, as_many,
+    {2, 5},       {0, 8}};
+constexpr Domain all_samples{
+    nullptr,
+    [](std::uint64_t seed, Level n, std::uint64_t k) { return featured_sample(seed, sample_of(n, k)); },
+    featured_samples_text,
+    as_many,
+    {2, 5},
+    {0, 8}};
+constexpr Domain of_sides{
+    nullptr,
+    [](std::uint64_t seed, Level n, std::uint64_t k) { return side_sample(seed, n, k); },
+    side_samples_text,
+    [](Level, Tier tier) { return side_count() * distances * (tier == Tier::fast ? 1 : 64); },
+    {0, 1},
+    {0, 3}};
+constexpr Domain strata{
+    nullptr,
+    [](std::uint64_t seed, Level n, std::uint64_t k) { return stratified(seed, n, stratum(n, k)); },
+    judged_strata_text,
+    strata_count,
+    {0, 9},
+    {0, 12}};
+
+Check judged_by(Denies by_law, const Domain& domain) {
+  return [=](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>& number) {
+    const Denies denies = denied_of(s, by_law);
+    const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
+    if (!baked) return unsupported();
+    if (!baked->padded) return wrong("zeros after the last state", "others");
+    const Truth truth = domain.truth(s.functions.support, one, n, number);
+    const auto offends = [&] {
+      if (domain.whole()) {
+        for (std::size_t k = 0; k < truth.lower.size(); ++k)
+          if (denies(baked->states.at(k), truth.lower[k], truth.upper[k])) return true;
+        return false;
+      }
+      const std::vector<std::uint32_t> at = domain.at(one, n);
+      for (std::size_t k = 0; k < at.size(); ++k)
+        if (denies(baked->states.at(at[k]), truth.lower[k], truth.upper[k])) return true;
+      return false;
+    };
+    if (!offends()) return Finding{hash_of(baked->states)};
+    Finding finding = wrong([=, states = baked->states] {
+      return in_words(one, n, offender(one, n, states, domain.at(one, n), truth, denies).value());
+    });
+    finding.lesser =
+        denies == not_conservative && ties_alone(one, n, baked->states, domain.at(one, n), truth);
+    return finding;
+  };
+}
+
+Draw drawn_by(Denies denies, const Domain& domain) {
+  return [=](const BakeSubject& s, const Case& one, Level n) {
+    const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
+    return picture(one, n,
+                   offender(one, n, baked.value().states, domain.at(one, n),
+                            domain.truth(s.functions.support, one, n, std::nullopt), denied_of(s, denies)));
+  };
+}
+
+/// Whether it says which unknown a state is.
+bool says_the_side(const BakeSubject& s) {
+  return s.functions.centroid || s.functions.support.unknown == UnknownSide::opaque ||
+         s.functions.support.unknown == UnknownSide::transparent;
+}
+
+/// Why a law does not fit what a subject declares.
+Lacks lacking(Denies denies, const Domain& domain) {
+  const Family* first = domain.whole() ? &domain.families().all().front().family() : nullptr;
+  const bool both = domain.whole() && domain.families().all().back().family().filter != first->filter;
+  return [=](const BakeSubject& s, Level) -> std::optional<std::string> {
+    const Support& support = s.functions.support;
+    if (denies == differs && !s.functions.centroid)
+      return s.name() + " does not promise the centroid's side for what is unknown";
+    if (denies == wrong_side && !says_the_side(s))
+      return s.name() + " does not promise the centroid's side for what is unknown";
+    if (support.filters == Set(1u << static_cast<unsigned>(Filter::nearest)) && support.coordinate_bits != 0)
+      return "it declares nearest filtering of rounded coordinates alone: which texel it samples is not said";
+    if (first == nullptr) return std::nullopt;
+    if (first->blend ? !support.blend : !support.mask)
+      return first->blend ? "it declares no BLEND" : "it declares no MASK";
+    if (first->blend && !support.judges_blend())
+      return "it declares sampling in fixed point, which says nothing of BLEND's thresholds";
+    const auto filtered = [&](Filter filter) {
+      return support.filters.has(filter) && (filter == Filter::bilinear || support.coordinate_bits == 0);
+    };
+    if (both || filtered(first->filter)) return std::nullopt;
+    return first->filter == Filter::nearest ? "it declares no nearest filtering of exact coordinates"
+                                            : "it declares no bilinear filtering";
+  };
+}
+
+Fault fault_of(Denies denies) {
+  return denies == not_tight ? Fault::tight : denies == wrong_side ? Fault::side : Fault::conservative;
+}
+
+Law state_law(const char* id, const char* says, Denies denies, const Domain& domain,
+              std::vector<Mutant> mutants) {
+  Cases cases;
+  const bool whole = domain.whole();
+  if (whole) {
+    cases.count = [domain](Level, const Run&) { return domain.families().count(); };
+    cases.number = [domain](const Support& support, Level, std::uint64_t k, std::uint64_t) {
+      return domain.families_of(support).at(k);
+    };
+    cases.chunk = 64;
+  } else {
+    cases.count = [domain](Level n, const Run& run) { return domain.count(n, run.tier); };
+    cases.number = [domain](const Support& support, Level n, std::uint64_t k, std::uint64_t seed) {
+      return fitted(support, domain.drawn(seed, n, k), k);
+    };
+    cases.chunk = 4;
+  }
+  return on_cases(
+      {.id = id,
+       .topic = "bake",
+       .says = says,
+       .source = source,
+       .method = whole ? Method::exhaustive : Method::sample,
+       .subjects = {"bake"},
+       .fast = domain.fast,
+       .long_run = domain.long_run,
+       .fast_seconds = 0.5,
+       .domain =
+           [domain, whole](const Subject& s, Level) {
+             if (!whole) return std::string(domain.says());
+             const auto* subject = dynamic_cast<const BakeSubject*>(&s);
+             return (subject == nullptr ? domain.families() : domain.families_of(subject->functions.support))
+                 .domain();
+           },
+       .mutants = std::move(mutants),
+       .diagnose = [fault = fault_of(denies)](
+                       const Subject& s,
+                       const Levels&) { return diagnose(dynamic_cast<const BakeSubject&>(s), fault); }},
+      cases, judged_by(denies, domain), drawn_by(denies, domain), lacking(denies, domain));
+}
+
+Law grid_law() {
+  Law law =
+      state_law("bake.equals_spec", "every state is the specification's", differs, grid,
+                {spoiled("one micro-triangle of one texture on one line", "bake", {3, 3},
+                         claims_one({0, 128, 255, 0}, Wrap::repeat, Wrap::clamp_to_edge, -0.8125f)),
+                 asked_for_another("mirror-once is clamped to the edge", {0, 1}, mirror_once_as_clamp),
+                 unknown_where_another_differs("alpha at the cutoff is unknown", {0, 0}, above_the_cutoff)});
+  law.long_only = true;
+  return law;
+}
+
+}  // namespace
+
+std::vector<Law> state_laws() {
+  constexpr char
+      conservative[] =
+          "alpha is opaque on all of a closed micro-triangle that is O, transparent on all "
+          "of one that is T",
+      tight[] =
+          "a micro-triangle is unknown only where alpha is opaque at one point of it and transparent "
+          "at another",
+      tight_blend[] =
+          "a micro-triangle is unknown only where alpha is below 1 at a point of it and above "
+          "0 at a point of it",
+      side[] = "an unknown micro-triangle is UO where alpha at its centroid is opaque, else UT";
+  const auto far = claims_one({0, 128, 128, 0}, Wrap::mirrored_repeat, Wrap::mirror_once, -3);
+  return {
+      state_law("bake.conservative", conservative, not_conservative, bilinear,
+                {spoiled("one micro-triangle far below 0 of one texture, mirrored beside mirror-once", "bake",
+                         {2, 3}, far),
+                 asked_for_another("mirror-once is clamped to the edge", {0, 1}, mirror_once_as_clamp),
+                 asked_for_another("alpha at the cutoff is transparent", {0, 0}, above_the_cutoff)}),
+      state_law("bake.tight", tight, not_tight, bilinear,
+                {spoiled("one micro-triangle of one texture that is O", "bake", {3, 3},
+                         forgets_one({255, 255, 128, 0}, State::O)),
+                 spoiled("one micro-triangle of one texture that is T", "bake", {2, 2},
+                         forgets_one({0, 0, 255, 0}, State::T)),
+                 unknown_where_another_differs("alpha at the cutoff is unknown", {0, 0}, above_the_cutoff)}),
+      state_law(
+          "bake.unknown_side", side, wrong_side, bilinear,
+          {spoiled("one micro-triangle of one texture leans the other way", "bake", {3, 3},
+                   leans_once({0, 255, 255, 128})),
+           side_of_another("the side is that above the cutoff", {0, 1}, above_the_cutoff),
+           side_of_another("the side is that of the vertices in another order, shrunk", {1, 2}, shrunk)}),
+      state_law("bake.conservative_nearest", conservative, not_conservative, nearest,
+                {spoiled("one micro-triangle far below 0 of one texture, mirrored beside mirror-once", "bake",
+                         {2, 3}, far),
+                 asked_for_another("texels own their high sides, not their low ones", {0, 1}, high_sides),
+                 asked_for_another("alpha at the cutoff is transparent", {0, 0}, above_the_cutoff)}),
+      state_law("bake.tight_nearest", tight, not_tight, nearest,
+                {unknown_where_another_differs("texels own their high sides as well", {0, 1}, high_sides),
+                 spoiled("one micro-triangle of one texture that is T", "bake", {2, 2},
+                         forgets_one({0, 0, 255, 0}, State::T)),
+                 unknown_where_another_differs("alpha at the cutoff is unknown", {0, 0}, above_the_cutoff)}),
+      state_law("bake.conservative_blend", conservative, not_conservative, blend,
+                {asked_for_another("opaque from 254/255 on", {0, 1}, masked_at({254, 255})),
+                 asked_for_another("transparent below 1/255, and what is not is opaque", {0, 0},
+                                   masked_at({1, 255})),
+                 spoiled("one micro-triangle of one texture, clamped", "bake", {3, 3},
+                         claims_one({0, 128, 255, 255}, Wrap::clamp_to_edge, Wrap::clamp_to_edge, 0.125f))}),
+      state_law("bake.tight_blend", tight_blend, not_tight, blend,
+                {unknown_where_another_differs("opaque above 1 only", {0, 0}, masked_at({256, 255})),
+                 spoiled("one micro-triangle of one texture that is O", "bake", {3, 3},
+                         forgets_last({255, 255, 255, 0}, State::O)),
+                 spoiled("one micro-triangle of one texture that is T", "bake", {2, 2},
+                         forgets_last({0, 0, 255, 0}, State::T))}),
+      state_law("bake.conservative_on_samples", conservative, not_conservative, plain_samples,
+                {asked_for_another("texture coordinates in steps of 2^-14", {2, 5}, in_steps_of(14)),
+                 asked_for_another("alpha at the cutoff is transparent", {2, 2}, above_the_cutoff),
+                 spoiled("an unknown of textures of 7 rows is settled", "bake", {5, 5}, claims_of_rows(7))}),
+      state_law("bake.tight_on_samples", tight, not_tight, plain_samples,
+                {asked_for_another("texture coordinates in steps of 2^-8", {2, 5}, in_steps_of(8)),
+                 unknown_where_another_differs("alpha at the cutoff is unknown", {2, 2}, above_the_cutoff),
+                 spoiled("the first settled of textures of 7 rows is unknown", "bake", {5, 5},
+                         forgets_of_rows(7))}),
+      state_law(
+          "bake.unknown_side_on_samples", side, wrong_side, plain_samples,
+          {side_of_another("texture coordinates in steps of 2^-6", {2, 5}, in_steps_of(6)),
+           side_of_another("the side is that above the cutoff", {2, 5}, above_the_cutoff),
+           side_of_another("mirror-once leans as if clamped to the edge", {4, 4}, mirror_once_as_clamp)}),
+      state_law("bake.conservative_on_features", conservative, not_conservative, all_samples,
+                {asked_for_another("margins up to a quarter are none", {2, 5}, quarter_margin_as_none),
+                 asked_for_another("the second mip is left out", {2, 5}, first_mip_alone),
+                 asked_for_another("the factor of the vertices is left out", {4, 5}, without_vertex_factor)}),
+      state_law("bake.tight_on_features", tight, not_tight, all_samples,
+                {asked_for_another("every margin is a sixteenth more", {2, 5}, more_margin),
+                 unknown_where_another_differs("unknown, too, where bilinear and nearest differ", {2, 2},
+                                               other_filter),
+                 unknown_where_another_differs("unknown, too, where the vertices' factor decides", {4, 5},
+                                               without_vertex_factor)}),
+      state_law("bake.unknown_side_on_features", side, wrong_side, all_samples,
+                {side_of_another("the side is that of the other filter", {2, 2}, other_filter),
+                 side_of_another("the side is that of a cutoff of 1/2 where alpha is blended", {2, 5},
+                                 blended_above_half),
+                 side_of_another("the side is that without the factor of the vertices", {4, 5},
+                                 without_vertex_factor)}),
+      state_law("bake.conservative_on_sides", conservative, not_conservative, of_sides,
+                {asked_for_another("the remainder by a side is taken by its reciprocal in binary32", {0, 1},
+                                   remainder_by_reciprocal),
+                 asked_for_another("sides of 2^k - 1 from 1023 on are taken for 2^k", {0, 1},
+                                   narrow_when_nearly_a_power),
+                 asked_for_another("mirrored repeats of more than 64 texels are one shorter", {0, 1},
+                                   mirrors_by_centres)}),
+      state_law(
+          "bake.conservative_on_strata", conservative, not_conservative, strata,
+          {spoiled("every unknown of textures wider than 32 texels is settled", "bake", {0, 9}, claims_wide),
+           spoiled("every unknown is settled from level 6 on", "bake", {6, 9}, claims_from(6)),
+           asked_for_another("the third mip and those after it are left out", {0, 9}, two_mips),
+           asked_for_another("the factors' product is rounded to binary32", {0, 9}, rounded_product),
+           asked_for_another("columns above 255 are read modulo 256", {4, 9}, narrow_columns),
+           asked_for_another("of a border of 16 bits the low byte is read", {0, 9}, byte_border)}),
+      state_law("bake.tight_on_strata", tight, not_tight, strata,
+                {spoiled("all of level 8 is unknown in textures of more than 256 columns", "bake", {8, 8},
+                         forgets_wide),
+                 spoiled("all is unknown with three mips or more", "bake", {0, 9}, forgets_three_mips),
+                 unknown_where_another_differs("unknown, too, where the cutoff in binary32 decides", {0, 9},
+                                               rounded_cutoff)}),
+      state_law(
+          "bake.unknown_side_on_strata", side, wrong_side, strata,
+          {side_of_another("the side is the second mip's", {0, 9}, without_first_mip),
+           side_of_another("the side is that of coordinates in steps of 2^-12", {5, 9}, in_steps_of(12)),
+           side_of_another("the side is that of the factors' rounded product", {0, 9}, rounded_product)}),
+      grid_law(),
+  };
+}
+
+}  // namespace mmverify::proofs::bake
