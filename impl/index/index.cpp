@@ -30,15 +30,11 @@ struct WMinor {
   Level n;
 
   WordVec operator()(FloatVec u, FloatVec v) const {
-    const Ints di;
     const Words dw;
-    const Located p = locate(u, v, n);
-    const auto last = hn::Set(di, (std::int32_t{1} << n) - 1);
-    const auto side = hn::Set(di, std::int32_t{1} << n);
-    const auto col = hn::Min(p.row, p.iv), dia = hn::Min(last, hn::Sub(side, p.u_ceil));
-    const auto in_row = hn::Add(col, hn::Add(p.row, hn::Sub(dia, last)));
-    const auto row = hn::BitCast(dw, p.row);
-    return hn::Add(hn::Mul(row, row), hn::BitCast(dw, in_row));
+    const Found p = find(u, v, n);
+    const RowPlace place = row_place(p.iu, p.iv, p.carry, p.beyond, hn::Set(Ints(), std::int32_t{1} << n));
+    const auto row = hn::BitCast(dw, place.row);
+    return hn::Add(hn::Mul(row, row), hn::BitCast(dw, place.along));
   }
 };
 

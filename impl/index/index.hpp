@@ -84,6 +84,12 @@ inline bool reach_one(F uf, F vf) noexcept {
   return std::min(uf, vf) >= F(1.0f) - std::max(uf, vf);
 }
 
+/// Whether a part is no zero.
+template <class F>
+inline bool is_more_than_none(F uf) noexcept {
+  return uf > F(0.0f);
+}
+
 /// The diagonal strip between u+v = row/N and (row+1)/N; the hypotenuse counts for the last, N-1.
 template <class Word>
 constexpr Word row_of(Word iu, Word iv, bool carry, Word N) noexcept {
@@ -107,6 +113,24 @@ constexpr Square<Word> square(Word iu, Word iv, bool carry, Word N) noexcept {
   iv = iv < last ? iv : last;
   iu = iu < last - iv ? iu : last - iv;
   return {iu, iv, row};
+}
+
+/// A row, and how far along it.
+template <class Word>
+struct RowPlace {
+  Word row, along;
+};
+
+/// From iu = floor(uN), iv = floor(vN), both up to N, whether uf+vf >= 1 and whether uf > 0: the row, and in it
+/// col + (dia - (N-1-row)), col = min(row, iv), dia = min(N-1, N - ceil(uN)).
+template <class Word>
+constexpr RowPlace<Word> row_place(Word iu, Word iv, bool carry, bool beyond, Word N) noexcept {
+  const Word last = N - Word{1};
+  const Word row = row_of(iu, iv, carry, N);
+  const Word col = iv < row ? iv : row;
+  const Word from_u = N - (iu + (beyond ? Word{1} : Word{0}));
+  const Word dia = from_u < last ? from_u : last;
+  return {row, col + (dia - (last - row))};
 }
 
 /// XOR of a 16-bit word's bits at and above each bit.
@@ -149,7 +173,7 @@ inline Found find(float u, float v, Level n) noexcept {
   const float N = static_cast<float>(std::int32_t{1} << n);
   const auto pu = cut<std::int32_t>(scaled(u, N)), pv = cut<std::int32_t>(scaled(v, N));
   return {static_cast<std::uint32_t>(pu.whole), static_cast<std::uint32_t>(pv.whole),
-          reach_one(pu.part, pv.part), pu.part > 0.0f};
+          reach_one(pu.part, pv.part), is_more_than_none(pu.part)};
 }
 
 /// The grid square (iu, iv) of a point, its row, and ceil(uN).
@@ -217,10 +241,9 @@ void corners(std::span<const std::uint32_t> index, Level level, const CornerSpan
 /// Source: Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
 inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
-  const detail::Located p = detail::locate(u, v, n);
-  const std::uint32_t N = std::uint32_t{1} << n;
-  const std::uint32_t col = std::min(p.row, p.iv), dia = std::min(N - 1, N - p.u_ceil);
-  return p.row * p.row + col + (dia - (N - 1 - p.row));
+  const detail::Found p = detail::find(u, v, n);
+  const auto place = detail::row_place(p.iu, p.iv, p.carry, p.beyond, std::uint32_t{1} << n);
+  return place.row * place.row + place.along;
 }
 
 /// The same for out.size() points: out[k] = w_minor(u[k], v[k], level), bit for bit.

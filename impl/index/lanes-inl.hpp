@@ -30,6 +30,8 @@ HWY_INLINE IntVec reach_one(FloatVec uf, FloatVec vf) {
   return one_if_float(hn::Ge(hn::Min(uf, vf), hn::Sub(hn::Set(Floats(), 1.0f), hn::Max(uf, vf))));
 }
 
+HWY_INLINE IntVec is_more_than_none(FloatVec uf) { return one_if_float(hn::Gt(uf, hn::Zero(Floats()))); }
+
 HWY_INLINE IntVec row_of(IntVec iu, IntVec iv, IntVec carry, IntVec N) {
   return hn::Min(hn::Sub(N, hn::Set(Ints(), 1)), hn::Add(hn::Add(iu, iv), carry));
 }
@@ -41,7 +43,7 @@ struct Found {
 HWY_INLINE Found find(FloatVec u, FloatVec v, Level n) {
   const auto N = hn::Set(Floats(), static_cast<float>(std::int32_t{1} << n));
   const Cut pu = cut(scaled(u, N)), pv = cut(scaled(v, N));
-  return {pu.whole, pv.whole, reach_one(pu.part, pv.part), one_if_float(hn::Gt(pu.part, hn::Zero(Floats())))};
+  return {pu.whole, pv.whole, reach_one(pu.part, pv.part), is_more_than_none(pu.part)};
 }
 
 struct Square {
@@ -51,6 +53,16 @@ HWY_INLINE Square square(IntVec iu, IntVec iv, IntVec carry, IntVec N) {
   const auto last = hn::Sub(N, hn::Set(Ints(), 1));
   const auto below = hn::Min(iv, last);
   return {hn::Min(iu, hn::Sub(last, below)), below, row_of(iu, iv, carry, N)};
+}
+
+struct RowPlace {
+  IntVec row, along;
+};
+HWY_INLINE RowPlace row_place(IntVec iu, IntVec iv, IntVec carry, IntVec beyond, IntVec N) {
+  const auto last = hn::Sub(N, hn::Set(Ints(), 1));
+  const auto row = row_of(iu, iv, carry, N);
+  const auto col = hn::Min(row, iv), dia = hn::Min(last, hn::Sub(N, hn::Add(iu, beyond)));
+  return {row, hn::Add(col, hn::Add(row, hn::Sub(dia, last)))};
 }
 
 HWY_INLINE WordVec xor_from_above(WordVec x) {

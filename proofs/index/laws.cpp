@@ -345,9 +345,10 @@ std::vector<Law> laws() {
   std::vector<Law> all{equals_reference_law(), in_range_law(),     bijective_law(),
                        nested_law(),           contiguous_law(),   inverse_law(),
                        corners_law(),          corner_order_law(), rounding_law()};
-  for (const auto& group : {induction::laws(), std::vector{binary32::law(), binary32::published_law()},
-                            wide_laws(), arithmetic_laws(), std::vector{row_order_law(), row_corners_law()},
-                            float_laws(), dialect_laws(), sample_laws(), paper_laws(equals_reference_law())})
+  for (const auto& group :
+       {induction::laws(), std::vector{binary32::law(), binary32::row_law(), binary32::published_law()},
+        wide_laws(), arithmetic_laws(), std::vector{row_order_law(), row_corners_law()}, float_laws(),
+        dialect_laws(), sample_laws(), paper_laws(equals_reference_law())})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

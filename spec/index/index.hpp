@@ -277,24 +277,45 @@ constexpr Corners corners(std::uint32_t index, Level n) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// The lesser of floor(q) and limit.
-template <Number Q>
-constexpr std::uint32_t whole_up_to(std::uint32_t limit, const Q& q) {
-  const std::uint32_t k = whole(q);
+template <class Word, Coordinate Q>
+constexpr Word whole_up_to(const Word& limit, const Q& q) {
+  const Word k = whole(q);
   return k < limit ? k : limit;
 }
 
-/// Index in row order, rows counted from the w-corner: row^2 + col + (dia - (N-1-row)), where
+/// A micro-triangle in row order: its row counted from the w-corner, and how far it lies along the row by v (col)
+/// and by u (dia).
+template <class Word>
+struct RowPlace {
+  Word row, col, dia;
+};
+
+/// The place of a point given by (1-w)N, vN and (1-u)N:
 ///   row = min(N-1, floor((1-w)N)), col = min(row, floor(vN)), dia = min(N-1, floor((1-u)N)).
+/// Domain: vN and (1-u)N in [0, N], (1-w)N in [0, 2N].
+/// Source: Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
+template <class Word, Coordinate Q>
+constexpr RowPlace<Word> w_minor_place(const Q& beyond_w, const Q& vn, const Q& beyond_u, const Word& N) {
+  const Word last = N - 1;
+  const Word row = whole_up_to<Word>(last, beyond_w);
+  return {row, whole_up_to<Word>(row, vn), whole_up_to<Word>(last, beyond_u)};
+}
+
+/// How far the micro-triangle of a place lies along its row: col + (dia - (N-1-row)).
+template <class Word>
+constexpr Word along_row(const RowPlace<Word>& p, const Word& N) {
+  return p.col + (p.dia - (N - 1 - p.row));
+}
+
+/// Index in row order: row^2 + along_row of the place.
 /// Domain: u, v >= 0, u+v <= 1; n in 0..16.  Result in [0, 4^n).
 /// Source: Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
 template <Number Q>
 constexpr std::uint32_t w_minor(const Point<Q>& p, Level n) {
   const std::uint32_t N = side(n);
   const Q one(1), w = one - (p.u + p.v);
-  const std::uint32_t row = whole_up_to(N - 1, times(N, one - w));
-  const std::uint32_t col = whole_up_to(row, times(N, p.v));
-  const std::uint32_t dia = whole_up_to(N - 1, times(N, one - p.u));
-  return row * row + col + (dia - (N - 1 - row));
+  const auto place = w_minor_place<std::uint32_t>(times(N, one - w), times(N, p.v), times(N, one - p.u), N);
+  return place.row * place.row + along_row(place, N);
 }
 
 /// r^2, the number of micro-triangles in the rows before row r.

@@ -77,11 +77,39 @@ proofs::index::Functions functions_of_the_curve() {
   return functions;
 }
 
+/// Figure 4's row order by counting: of the lines u+v = k/N, v = k/N and 1-u = k/N, those that lie below a point.
+std::uint32_t row_order_by_lines(Level n, const proofs::index::RationalPoint& p) {
+  using proofs::Rational;
+  const std::uint32_t N = std::uint32_t{1} << n;
+  const auto lines = [N](const Rational& q, std::uint32_t most) {
+    std::uint32_t low = 0;  // 0/N is no more than q
+    for (std::uint32_t high = most + 1; high - low > 1;) {
+      const std::uint32_t middle = (low + high) / 2;
+      (Rational(middle) <= q * Rational(N) ? low : high) = middle;
+    }
+    return low;
+  };
+  const std::uint32_t row = lines(p.u + p.v, N - 1);
+  return row * row + lines(p.v, row) + lines(Rational(1) - p.u, N - 1) - (N - 1 - row);
+}
+
+/// The same with row order.
+proofs::index::Functions functions_of_rows() {
+  proofs::index::Functions f = functions_of_the_curve();
+  f.row_index_at = row_order_by_lines;
+  f.row_index_floats = [](Level n, proofs::index::FloatBatch batch, std::span<std::uint32_t> out) {
+    for (std::size_t t = 0; t < out.size(); ++t)
+      out[t] = row_order_by_lines(
+          n, {proofs::index::rational(batch.u[t]), proofs::index::rational(batch.v[t])});
+  };
+  return f;
+}
+
 /// Right on every point, whatever its statements say.
 class IndexProof : public proofs::index::IndexSubject, public Provable {
  public:
   IndexProof(const char* name, Statements statements)
-      : IndexSubject(name, "by another hand", functions_of_the_curve()), statements_(std::move(statements)) {}
+      : IndexSubject(name, "by another hand", functions_of_rows()), statements_(std::move(statements)) {}
   Statements statements() const override { return statements_; }
 
  private:
@@ -203,6 +231,7 @@ std::vector<InsideFault> inside_right_of_provers() {
           proof("index.wide_is_vulkan", "shipped", "", shipped("index/wide_is_vulkan")),
           proof("index.impl_wide_is_wide", "shipped", "", shipped("index/impl_wide_is_wide")),
           proof("index.floats", "shipped", "", shipped("index/floats")),
+          proof("index.row_floats", "shipped", "", shipped("index/row_floats")),
           published_proof("shipped", "", shipped("index/published_differs_where")),
           proof("tree.all_levels", "shipped", "", shipped("tree/all_levels"))};
 }
@@ -253,6 +282,13 @@ std::vector<InsideFault> inside_faults_of_provers() {
   add("v_without_bound", "iv may be any word", "lanes_square", "(assert (bvule iv N))\n", "");
   add("not_vacuous_of_nothing", "the witness of the carry is sought where there is none", "witness_carry",
       "(assert (bvult uf_bits (_ bv1065353216 32)))", "(assert (bvult uf_bits (_ bv0 32)))");
+
+  law = "index.row_floats", folder = "index/row_floats";
+  add("none_is_more", "0 counts as more than 0", "scalar_more", "(fp.lt", "(fp.leq");
+  add("u_beyond_n", "uN may be above N", "lanes_rows", "(assert (not (bvslt (bvshl ((_ zero_extend 152) N) (_ bv149 184)) un)))\n", "");
+  add("floor_of_u_up", "the specification's (1-u)N is cut to a multiple of 2^-148", "scalar_rows", "XX", "YY");
+  add("not_vacuous_of_nothing", "the witness of the rows is sought where there is none", "witness_rows",
+      "(assert (bvule iu N))", "(assert (bvult N iu))");
 
   folder = "index/published_differs_where";
   const auto add_published = [&](const char* name, const char* wrong, const char* statement,

@@ -201,13 +201,16 @@ TEST(Mutants, FailInTheStatementsThatTheirMistakeIsIn) {
       {"whole parts of uN + 2^-25", {"scalar_parts"}},
       {"uN below 2^-23 taken for 0", {"scalar_scale"}},
       {"the rounded sum in vectors alone", {"lanes_carry", "lanes_flush"}},
+      {"N - 1 - floor(uN) in the place of floor((1-u)N)", {"scalar_rows"}},
+      {"the hypotenuse in a row of its own", {"scalar_rows"}},
+      {"uf below 2^-64 taken for 0", {"scalar_more"}},
       {"uf+vf > 1 of the rounded sum", {"square"}},
       {"1 - uf - vf <= 0 in binary32", {"square"}},
       {"the comparison that does not round", {"square"}},
   };
   std::size_t met = 0;
   for (const char* id : {"index.all_levels", "index.wide_is_vulkan", "index.impl_wide_is_wide",
-                         "index.floats", "index.published_differs_where"})
+                         "index.floats", "index.row_floats", "index.published_differs_where"})
     for (const Mutant& m : find_law(id)->mutants)
       if (const auto* own = dynamic_cast<const Provable*>(m.subject.get())) {
         EXPECT_EQ(failing(own->statements()), expected.at(m.name)) << m.name;

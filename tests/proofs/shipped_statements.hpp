@@ -24,6 +24,7 @@ inline std::map<std::string, proofs::induction::Statement> shipped_statements() 
   add("index/wide_is_vulkan", proofs::index::induction::shipped_wide_is_vulkan());
   add("index/impl_wide_is_wide", proofs::index::induction::shipped_impl_wide());
   add("index/floats", proofs::index::binary32::shipped());
+  add("index/row_floats", proofs::index::binary32::shipped_rows());
   add("index/published_differs_where", proofs::index::binary32::shipped_published());
   add("tree/all_levels", proofs::tree::induction::shipped_all_levels());
   add("attribute/w_minor_all_levels", proofs::attribute::induction::shipped_w_minor());

@@ -106,6 +106,8 @@ using impl::index::Level;
 #include "impl/index/lanes-inl.hpp"
 #undef HWY_INLINE
 
+IntVec as_word(const Term& condition) { return {choose(condition, hn::word(1), hn::word(0))}; }
+
 }  // namespace
 
 Steps lane_steps() {
@@ -125,15 +127,20 @@ Steps lane_steps() {
                 hn::ties = 0;
                 return reach_one(FloatVec{uf}, FloatVec{vf}).term;
               },
+          .is_more_than_none = [](const Term& uf) { return is_more_than_none(FloatVec{uf}).term; },
           .square = [](const Term& iu, const Term& iv, const Term& carry, const Term& N) -> SquareTerms {
-            const Square q =
-                square(IntVec{iu}, IntVec{iv}, IntVec{choose(carry, hn::word(1), hn::word(0))}, IntVec{N});
+            const Square q = square(IntVec{iu}, IntVec{iv}, as_word(carry), IntVec{N});
             return {q.iu.term, q.iv.term, q.row.term};
           },
           .curve =
               [](const SquareTerms& q) {
                 return curve(Square{IntVec{q.iu}, IntVec{q.iv}, IntVec{q.row}}).term;
-              }};
+              },
+          .row_place = [](const Term& iu, const Term& iv, const Term& carry, const Term& beyond,
+                          const Term& N) -> RowTerms {
+            const RowPlace p = row_place(IntVec{iu}, IntVec{iv}, as_word(carry), as_word(beyond), IntVec{N});
+            return {p.row.term, p.along.term};
+          }};
 }
 
 Steps lane_steps_of_plain_sums() {

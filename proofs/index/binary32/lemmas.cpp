@@ -2,7 +2,7 @@
 
 #include <iterator>
 
-#include "proofs/index/binary32/exact.hpp"
+#include "proofs/index/binary32/scaled.hpp"
 #include "proofs/index/induction/impl_lemmas.hpp"
 #include "proofs/index/induction/word_lemmas.hpp"
 
@@ -166,28 +166,6 @@ Statement side_lemma() {
   return script.denying({equal(Binary32(N).term, Binary32::of_bits(level.side_bits).term)});
 }
 
-/// un and vn as whole parts in [0, N] and rests below 1, all in units of 2^-149.
-struct Scaled {
-  Term N, iu, iv, uf, vf, un, vn;
-};
-template <unsigned bits>
-Scaled declare_scaled(Script& script, std::uint64_t most) {
-  using Wide = Word<bits>;
-  const Term N = script.declare("N", Wide::sort()), iu = script.declare("iu", Wide::sort()),
-             iv = script.declare("iv", Wide::sort()), uf = script.declare("uf", Exact::sort()),
-             vf = script.declare("vf", Exact::sort());
-  script.require(at_most(N, Wide(most).term));
-  for (const Term& word : {iu, iv}) script.require(at_most(word, N));
-  for (const Term& part : {uf, vf}) script.require(below(part, Exact(1).term));
-  return {N,
-          iu,
-          iv,
-          uf,
-          vf,
-          script.define("un", (Exact(Wide(iu)) + Exact(uf)).term),
-          script.define("vn", (Exact(Wide(iv)) + Exact(vf)).term)};
-}
-
 template <unsigned bits>
 Statement reference_lemma(std::uint64_t most) {
   using Wide = Word<bits>;
@@ -282,9 +260,19 @@ Statement named(Statement s, const char* name) {
 
 }  // namespace
 
+std::vector<Statement> first_statements_about(const Steps& steps) {
+  return {scale_lemma(steps), parts_lemma(steps), carry_lemma(steps), flush_lemma(steps)};
+}
+
 std::vector<Statement> statements_about(const Steps& steps) {
-  return {scale_lemma(steps), parts_lemma(steps),  carry_lemma(steps),
-          flush_lemma(steps), square_lemma(steps), curve_lemma(steps)};
+  std::vector<Statement> all = first_statements_about(steps);
+  all.push_back(square_lemma(steps));
+  all.push_back(curve_lemma(steps));
+  return all;
+}
+
+std::vector<Statement> first_common_statements() {
+  return {side_lemma(), scale_witness(), parts_witness(), carry_witness()};
 }
 
 std::vector<Statement> common_statements() {

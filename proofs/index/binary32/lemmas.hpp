@@ -8,11 +8,16 @@ namespace mmverify::proofs::index::binary32 {
 
 using proofs::induction::Statement;
 
-/// The statements of a code's steps, each for every input: `scale`, `parts`, `carry`, `flush`, `square`, `curve`.
+/// The statements of a code's first steps, each for every input: `scale`, `parts`, `carry`, `flush`.
+std::vector<Statement> first_statements_about(const Steps& steps);
+/// And those of the others up to the index on the curve: `square`, `curve`.
 std::vector<Statement> statements_about(const Steps& steps);
 
 /// The side as a float, the reference's whole parts, and for each hypothesis an input that fulfils it.
 std::vector<Statement> common_statements();
+
+/// Of these, the side as a float, and an input for the hypotheses of the first steps.
+std::vector<Statement> first_common_statements();
 
 /// All that index.floats rests on where one value goes by `scalar` and vectors by `lanes`; 64-bit words included.
 std::vector<Statement> statements_of(const Steps& scalar, const Steps& lanes);

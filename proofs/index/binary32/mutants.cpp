@@ -4,13 +4,10 @@
 
 #include "proofs/index/binary32/law.hpp"
 #include "proofs/index/binary32/lemmas.hpp"
-#include "proofs/induction/discharge.hpp"
+#include "proofs/index/binary32/with_statements.hpp"
 
 namespace mmverify::proofs::index::binary32 {
 namespace {
-
-using proofs::induction::Provable;
-using proofs::induction::Statement;
 
 struct PlainSum : Implemented {
   template <class F>
@@ -71,22 +68,11 @@ std::uint32_t index_by(float u, float v, Level n) {
       Code::reach_one(pu.part, pv.part), std::uint32_t{1} << n));
 }
 
-class Wrong : public IndexSubject, public Provable {
- public:
-  using Statements = std::vector<Statement> (*)();
-  Wrong(const char* name, Functions functions, Statements statements)
-      : IndexSubject(name, "broken on purpose", std::move(functions)), statements_(statements) {}
-  std::vector<Statement> statements() const override { return statements_(); }
-
- private:
-  Statements statements_;
-};
-
 template <class Code>
-Mutant wrong(const char* name, Wrong::Statements statements) {
+Mutant wrong(const char* name, WithStatements::Statements statements) {
   Functions functions = built_in("impl")->functions;
   on_floats([](Level n, float u, float v, std::uint32_t) { return index_by<Code>(u, v, n); })(functions);
-  return {name, std::make_shared<Wrong>(name, std::move(functions), statements), {0, 16}};
+  return {name, std::make_shared<WithStatements>(name, std::move(functions), statements), {0, 16}};
 }
 
 template <class Code>

@@ -7,6 +7,7 @@
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/index/binary32/law.hpp"
 #include "proofs/index/binary32/published_lemmas.hpp"
+#include "proofs/index/binary32/with_statements.hpp"
 #include "proofs/index/floats/hard_floats.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/laws/parts.hpp"
@@ -94,17 +95,6 @@ struct NeverRounded : Printed {
   }
 };
 
-class WrongText : public IndexSubject, public Provable {
- public:
-  using Statements = std::vector<Statement> (*)();
-  WrongText(const char* name, Functions functions, Statements statements)
-      : IndexSubject(name, "broken on purpose", std::move(functions)), statements_(statements) {}
-  std::vector<Statement> statements() const override { return statements_(); }
-
- private:
-  Statements statements_;
-};
-
 template <class Code>
 Mutant wrong_text(const char* name) {
   Functions functions = built_in("reference-f32")->functions;
@@ -116,7 +106,7 @@ Mutant wrong_text(const char* name) {
                               words - 1);
   })(functions);
   return {name,
-          std::make_shared<WrongText>(name, std::move(functions), published_statements<Code>),
+          std::make_shared<WithStatements>(name, std::move(functions), published_statements<Code>),
           {0, highest_level}};
 }
 

@@ -22,6 +22,11 @@ struct SquareTerms {
   Term iu, iv, row;
 };
 
+/// A row and how far along it, words of 32 bits.
+struct RowTerms {
+  Term row, along;
+};
+
 /// One code's steps.  x, N, y, uf, vf are binary32 numbers; iu, iv and N of a square are words of 32 bits.
 struct Steps {
   std::string name;               ///< begins the names of its statements
@@ -29,8 +34,13 @@ struct Steps {
   std::function<Term(const Term& x, const Term& N)> scaled;
   std::function<CutTerms(const Term& y)> cut;
   std::function<Term(const Term& uf, const Term& vf)> reach_one;  ///< the word 1 or 0
+  std::function<Term(const Term& uf)> is_more_than_none;          ///< the word 1 or 0
   std::function<SquareTerms(const Term& iu, const Term& iv, const Term& carry, const Term& N)> square;
   std::function<Term(const SquareTerms&)> curve;
+  /// In row order; carry and beyond are Booleans.
+  std::function<RowTerms(const Term& iu, const Term& iv, const Term& carry, const Term& beyond,
+                         const Term& N)>
+      row_place;
 };
 
 /// impl's steps for one value, so that a mutant can have one of them wrong.
@@ -50,6 +60,15 @@ struct Implemented {
   template <class Word>
   static impl::index::detail::Square<Word> square(const Word& iu, const Word& iv, bool carry, const Word& N) {
     return impl::index::detail::square<Word>(iu, iv, carry, N);
+  }
+  template <class F>
+  static bool is_more_than_none(const F& uf) {
+    return impl::index::detail::is_more_than_none<F>(uf);
+  }
+  template <class Word>
+  static impl::index::detail::RowPlace<Word> row_place(const Word& iu, const Word& iv, bool carry,
+                                                       bool beyond, const Word& N) {
+    return impl::index::detail::row_place<Word>(iu, iv, carry, beyond, N);
   }
 };
 
@@ -77,6 +96,11 @@ Steps scalar_steps() {
                 return as_formula(every_path([&] { return Code::reach_one(Binary32(uf), Binary32(vf)); }),
                                   [=](bool yes) { return (yes ? one : none).term; });
               },
+          .is_more_than_none =
+              [=](const Term& uf) {
+                return as_formula(every_path([&] { return Code::is_more_than_none(Binary32(uf)); }),
+                                  [=](bool yes) { return (yes ? one : none).term; });
+              },
           .square = [](const Term& iu, const Term& iv, const Term& carry, const Term& N) -> SquareTerms {
             const auto paths =
                 every_path([&] { return Code::template square<W>(W(iu), W(iv), decided(carry), W(N)); });
@@ -89,7 +113,15 @@ Steps scalar_steps() {
                 return impl::index::detail::curve<Word<64>>(
                            impl::index::detail::Square<W>{W(q.iu), W(q.iv), W(q.row)})
                     .term;
-              }};
+              },
+          .row_place = [](const Term& iu, const Term& iv, const Term& carry, const Term& beyond,
+                          const Term& N) -> RowTerms {
+            const auto paths = every_path([&] {
+              return Code::template row_place<W>(W(iu), W(iv), decided(carry), decided(beyond), W(N));
+            });
+            return {as_formula(paths, [](const auto& p) { return p.row.term; }),
+                    as_formula(paths, [](const auto& p) { return p.along.term; })};
+          }};
 }
 
 /// The same of impl's code for vectors: what one lane computes.

@@ -26,11 +26,14 @@ double nudged(double x, Random& random, std::int64_t most = 3) {
 /// Uniform in [0, 1), all of a double's bits.
 double fraction(Random& random) { return std::ldexp(static_cast<double>(random.next() >> 11), -53); }
 
-/// k / 2^m with 0 <= k/2^m <= limit; m is the level, half of the time, or any other.
+/// k / 2^m with 0 <= k/2^m <= limit; m is the level, half of the time, or any other.  Half of the time k is below a
+/// random power of two: near the w-corner numbers have their last bits farthest below the grid.
 double line(Level n, double limit, Random& random) {
   const Level m = random.below(2) == 0 ? n : static_cast<Level>(random.below(finest + 1));
   const double N = std::ldexp(1.0, static_cast<int>(m));
-  return static_cast<double>(random.below(static_cast<std::uint64_t>(std::max(limit, 0.0) * N) + 1)) / N;
+  std::uint64_t count = static_cast<std::uint64_t>(std::max(limit, 0.0) * N) + 1;
+  if (random.below(2) == 0) count = std::min(count, (std::uint64_t{1} << random.below(m + 1)) + 1);
+  return static_cast<double>(random.below(count)) / N;
 }
 
 DoublePair near_lines(Level n, Random& random) {

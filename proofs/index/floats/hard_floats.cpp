@@ -1,5 +1,6 @@
 #include "proofs/index/floats/hard_floats.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -24,10 +25,13 @@ Level some_level(Level n, Random& random) {
   return random.below(2) == 0 ? n : static_cast<Level>(random.below(finest + 1));
 }
 
-/// k / 2^level with 0 <= k <= limit.
+/// k / 2^level in [0, limit]: half of the time k is below a random power of two, so that the w-corner's lines come as
+/// often as others, where numbers have their last bits farthest below the grid.
 double line(Level level, double limit, Random& random) {
   const double N = std::ldexp(1.0, static_cast<int>(level));
-  return static_cast<double>(random.below(static_cast<std::uint64_t>(limit * N) + 1)) / N;
+  std::uint64_t count = static_cast<std::uint64_t>(limit * N) + 1;
+  if (random.below(2) == 0) count = std::min(count, (std::uint64_t{1} << random.below(level + 1)) + 1);
+  return static_cast<double>(random.below(count)) / N;
 }
 
 FloatPair near_lines(Level n, Random& random) {
