@@ -139,7 +139,8 @@ int render_views(const ViewArguments& arguments) {
                              .shading = shading,
                              .camera = arguments.camera,
                              .seed = arguments.seed,
-                             .threads = arguments.threads};
+                             .threads = arguments.threads,
+                             .rows = {}};
   for (const std::uint8_t pixel : views.textured()) figures.textured_pixels += pixel;
   const render::Picture textures = views.picture(render::ShownFrom::textures);
   if (!arguments.pictures.empty()) written(arguments.pictures, "textures", textures);
