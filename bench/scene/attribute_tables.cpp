@@ -265,6 +265,14 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
   const auto beyond = [](MapKind kind) {
     return [kind](const F& f) { return std::uint64_t{f.level_beyond_textures(kind)}; };
   };
+  // Beyond the last level that was measured, nobody has counted the maps.
+  const auto found = [](MapKind kind) {
+    return [kind](const F& f) {
+      const bool measured =
+          !f.sets.empty() && f.level_beyond_textures(kind) <= f.sets.front().levels.back().level;
+      return std::string(measured ? "measured" : "reckoned");
+    };
+  };
   const Fields<F> whole{
       {{"file"}, [](const F& f) { return f.file; }},
       {{"triangles", "triangles"}, [](const F& f) { return f.triangles; }},
@@ -274,7 +282,10 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
       {{"far", "maps left out, of triangles over 2^24 texels"}, [](const F& f) { return f.far; }},
       {{"beyond_textures.faces", "level from which on faces take more than the textures"},
        beyond(MapKind::faces)},
+      {{"beyond_textures.faces_found", "  measured, or reckoned with as many maps as at the last level"},
+       found(MapKind::faces)},
       {{"beyond_textures.vertices", "the same of vertices"}, beyond(MapKind::vertices)},
+      {{"beyond_textures.vertices_found", "  measured or reckoned"}, found(MapKind::vertices)},
   };
   const Fields<S> sets{
       {{.key = "set", .heading = "attributes", .leads = true}, [](const S& s) { return scene::name(s.set); }},

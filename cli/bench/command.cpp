@@ -195,6 +195,10 @@ int run_bench(const BenchOptions& options) {
     return topics.size() == 1 && topics.front()->name == std::string(name);
   };
   const std::string for_textures = "--textures: for " + names_of_topics(true, " and ");
+  const bool other_bench = options.sweep || !(options.subject + options.scene).empty();
+  if (options.maps != 0 && (other_bench || std::none_of(topics.begin(), topics.end(),
+                                                        [](const BenchTopic* t) { return t->makes_maps; })))
+    throw UsageError("--maps: for bench vq and bench bake, of generated maps and textures; leave it out");
   const proofs::InterruptGuard guard;
   if (!options.subject.empty() && only("bake")) return run_baker_bench(options);
   if (!options.scene.empty()) {

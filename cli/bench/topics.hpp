@@ -29,6 +29,7 @@ struct BenchTopic {
   std::optional<proofs::Levels> levels = {};  ///< where none are asked for; none: it has no levels
   proofs::Level highest = 0;
   bool reads_textures = false;
+  bool makes_maps = false;  ///< as many as --maps says
   std::uint64_t most_samples = ~std::uint64_t{0};
   /// std::runtime_error is of the environment.
   bench::Result (*measure)(const BenchOptions& options, const proofs::Levels& levels) = nullptr;

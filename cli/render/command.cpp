@@ -16,6 +16,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
 #include "cli/render/path.hpp"
+#include "cli/render/views.hpp"
 #include "cli/scene/loaded.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
@@ -40,6 +41,8 @@ struct RenderOptions {
   unsigned colour_level = 3;
   std::string size = "640x480";
   std::uint64_t camera = 0, cameras = 0, seed = 1, memory = std::uint64_t{1} << 30;
+  std::string attributes, shading, pictures;
+  unsigned rays = 1;
   unsigned threads = 0, repeats = 1;
   bool no_shadows = false, quiet = false;
 };
@@ -115,14 +118,29 @@ void check_files(const RenderOptions& options) {
 
 /// Options that would do nothing, or not what they seem to.
 void check_given(const CLI::App& command, const RenderOptions& options) {
-  const std::array<std::pair<const char*, const std::string*>, 5> texts{{{"--blend", &options.blend},
-                                                                         {"--colours", &options.colours},
-                                                                         {"--output", &options.picture},
-                                                                         {"--heat", &options.heat},
-                                                                         {"--json", &options.json}}};
+  const std::array<std::pair<const char*, const std::string*>, 8> texts{
+      {{"--blend", &options.blend},
+       {"--colours", &options.colours},
+       {"--output", &options.picture},
+       {"--heat", &options.heat},
+       {"--json", &options.json},
+       {"--attributes", &options.attributes},
+       {"--shading", &options.shading},
+       {"--pictures", &options.pictures}}};
   for (const auto& [name, text] : texts)
     if (command.count(name) != 0 && text->empty())
       throw UsageError(fmt::format("{}: empty; give it a value, or leave it out", name));
+  const bool views = !options.attributes.empty();
+  for (const char* name : {"--shading", "--rays", "--pictures"})
+    if (command.count(name) != 0 && !views)
+      throw UsageError(fmt::format("{}: of the views of --attributes A..B; give that, too", name));
+  for (const char* name : {"--level", "--method", "--blend", "--colours", "--colour-level", "--output",
+                           "--heat", "--repeat", "--memory"})
+    if (command.count(name) != 0 && views)
+      throw UsageError(
+          fmt::format("--attributes, {}: views of attributes have the texture's opacity, and no such option; "
+                      "leave it out",
+                      name));
   if (command.count("--colour-level") != 0 && options.colours.empty() && options.blend.empty())
     throw UsageError("--colour-level: of the maps that --colours or --blend draws from; name one of them");
   if (command.count("--cameras") != 0)
@@ -360,6 +378,18 @@ Action add_render(CLI::App& program) {
       ->type_name("faces|vertices");
   command->add_option("--colour-level", options->colour_level, "of these maps; 3 where not given")
       ->check(whole_within(0, 8));
+  command
+      ->add_option("--attributes", options->attributes,
+                   "views shaded by attribute micromaps of these levels, held against the textures' by FLIP")
+      ->type_name("N|A..B");
+  command->add_option("--shading", options->shading, "of these views: lit, or base colours as they are")
+      ->type_name("lit|unlit");
+  command->add_option("--rays", options->rays, "along each side of a pixel of these views; 1 where not given")
+      ->check(whole_within(1, 8));
+  command
+      ->add_option("--pictures", options->pictures,
+                   "write each of these views beside its textured one and FLIP's map, a PNG a level")
+      ->type_name("FOLDER");
   command->add_option("-o,--output", options->picture, "write the picture, of the last method")
       ->type_name("FILE.png");
   command
@@ -398,6 +428,22 @@ Action add_render(CLI::App& program) {
   command->add_flag("--quiet", options->quiet, "no progress");
   return [options, command] {
     check_given(*command, *options);
+    if (!options->attributes.empty()) {
+      const Sides sides = sides_of(options->size);
+      return render_views({.file = options->file,
+                           .levels = options->attributes,
+                           .pictures = options->pictures,
+                           .json = options->json,
+                           .shading = options->shading,
+                           .width = sides.width,
+                           .height = sides.height,
+                           .rays = options->rays,
+                           .camera = options->camera,
+                           .seed = options->seed,
+                           .threads = options->threads,
+                           .shadows = !options->no_shadows,
+                           .quiet = options->quiet});
+    }
     return render_scene(*options);
   };
 }

@@ -287,6 +287,9 @@ int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& 
   return exit_code(report);
 }
 
+/// Each is a plan of all triangles, kept until all are printed.
+constexpr std::size_t most_plans = 16;
+
 /// Attributes in the place of opacity.
 int attributes(const SceneOptions& options) {
   check_options(options);
@@ -294,6 +297,9 @@ int attributes(const SceneOptions& options) {
       options.states != 4 || options.margin != 0 || options.exhaustive)
     throw UsageError(
         "--attributes: it measures and writes --json, --plot, --files and --pictures; leave the others out");
+  if (options.plan.size() > most_plans)
+    throw UsageError(fmt::format("--plan: {} errors, and each is a plan of every triangle; {} at most",
+                                 grouped(options.plan.size()), most_plans));
   if (options.astc && options.bc7)
     throw UsageError("--astc, --bc7: textures are compressed in one of them at a time");
   if ((options.astc || options.bc7) && options.packed_error != 0)

@@ -195,7 +195,7 @@ test("attribute maps: counts, packed bytes, the level beyond the textures", () =
   const run: SceneAttributes = {
     schema: "mmverify.bench/1", topic: "scene_attributes",
     tool: { version: "0", compiler: "c", flags: "", cpu: "", averaging: "light and directions", spec_hash: "0" },
-    file: "a.glb", triangles: 2000, images: 2, texture_bytes: 64, far: 0, beyond_textures: { faces: 2, vertices: 17 },
+    file: "a.glb", triangles: 2000, images: 2, texture_bytes: 64, far: 0, beyond_textures: { faces: 2, faces_found: "reckoned", vertices: 17, vertices_found: "reckoned" },
     sets: ["baseColor", "normal"].map((set) => ({ set, triangles: 2000, images: 1, texture_bytes: 32, shown: 1 })),
     rows: [maps(0, "baseColor", 10, 5), maps(1, "baseColor", 1999, 6), maps(0, "normal", 7, 8), maps(1, "normal", 2000)],
     totals: [total(0), total(1)],

@@ -21,4 +21,8 @@ std::size_t face_index(unsigned level, double u, double v);
 MapValue vertex_value(std::span<const MapValue> map, unsigned level, double u, double v, MapReading reading,
                       const CodeMeaning& meaning);
 
+/// The same interpolated, before it is made a code.
+CodeMeaning::Mean vertex_mean(std::span<const MapValue> map, unsigned level, double u, double v,
+                              const CodeMeaning& meaning);
+
 }  // namespace mmverify::scene

@@ -17,6 +17,7 @@
 #include "bench/scene/path_tables.hpp"
 #include "bench/scene/render_tables.hpp"
 #include "bench/scene/tables.hpp"
+#include "bench/scene/view_tables.hpp"
 #include "bench/shaders/tables.hpp"
 #include "bench/subject/tables.hpp"
 #include "bench/sweep/tables.hpp"
@@ -101,6 +102,7 @@ std::vector<Result> all_results() {
           baker_tables({"b", "f", {{}}}),
           render_tables(rendered),
           path_tables(walked),
+          view_tables({.rows = {{.file = "faces_level0.png"}}}),
           with_pictures(scene_attribute_tables(
               attributes, read,
               {.packed = true, .texture_coder = {.name = "coder", .compress = [](auto&&...) {}}}))};

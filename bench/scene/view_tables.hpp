@@ -1,0 +1,50 @@
+// Views of a scene shaded by attribute micromaps, held against the view that its textures give.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/result.hpp"
+#include "render/scene/views.hpp"
+
+namespace mmverify::bench {
+
+/// The difference of a view and the textures' view.
+struct ViewError {
+  double flip = 0;           ///< mean FLIP over all pixels, as the paper's figure 11
+  double textured_flip = 0;  ///< the same over the pixels that show a texture; 0 where none does
+  double textured_rmse = 0;  ///< of these, in codes of 8 bits, over the three channels
+  std::vector<float> map;    ///< FLIP by pixel
+};
+
+/// Domain: pictures of one size, a byte of `textured` a pixel.
+ViewError view_error(const render::Picture& textures, const render::Picture& maps,
+                     const std::vector<std::uint8_t>& textured, unsigned threads);
+
+/// Textures, maps and FLIP's map beside each other, a gap of white between them, each made smaller by the least whole
+/// number that leaves no side above `longest`, as means of codes.  Domain: as of view_error(); longest > 0.
+render::Picture beside(const render::Picture& textures, const render::Picture& maps, const ViewError& error,
+                       std::uint32_t longest);
+
+struct ViewRow {
+  render::ShownFrom from = render::ShownFrom::faces;
+  unsigned level = 0;
+  ViewError error = {};
+  std::string file = {};  ///< its picture; empty where none was written
+};
+
+struct ViewFigures {
+  std::string file, embree;
+  std::uint64_t triangles = 0;           ///< of the scene
+  std::uint64_t textured_triangles = 0;  ///< with a texture, that rays met
+  std::uint64_t textured_pixels = 0;
+  std::uint32_t width = 0, height = 0, rays = 1;  ///< rays along each side of a pixel
+  render::Shading shading = render::Shading::lit;
+  std::uint64_t camera = 0, seed = 0, threads = 0;
+  std::vector<ViewRow> rows;
+};
+
+/// Source: Color and Attribute Micromaps, figures 1 and 11, table 3.  Domain: a row at least.
+Result view_tables(const ViewFigures& figures);
+
+}  // namespace mmverify::bench

@@ -1,0 +1,167 @@
+#include "cli/render/views.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "bench/scene/view_tables.hpp"
+#include "cli/arguments.hpp"
+#include "cli/bench/tables.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output_file.hpp"
+#include "cli/scene/loaded.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "scene/attribute/footprint.hpp"
+#include "scene/read/load.hpp"
+#include "scene/sample/scene.hpp"
+#include "scene/write/png.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+namespace file_of = mmverify::scene;
+
+/// A view in a picture of three is no wider.
+constexpr std::uint32_t longest_view = 1024;
+
+/// A frame takes about 64 bytes a ray.
+constexpr std::uint64_t most_rays = std::uint64_t{1} << 26;
+
+/// Everything of a file that is shaded.
+struct Loaded {
+  file_of::Scene scene;
+  std::vector<file_of::MeshUse> uses;
+  file_of::AttributeScene attributes;
+  std::vector<file_of::PrimitiveShading> shading;
+};
+
+Loaded loaded(const std::string& file) {
+  if (!file.empty())
+    return {loaded_scene(file), file_of::load_uses(file), file_of::load_attributes(file),
+            file_of::load_shading(file)};
+  const file_of::Bytes bytes = file_of::sample_scene();
+  return {loaded_scene(file), file_of::load_uses(sample_name, bytes),
+          file_of::load_attributes(sample_name, bytes), file_of::load_shading(sample_name, bytes)};
+}
+
+/// Writes FOLDER/NAME.png, and returns its path.
+std::string written(const std::string& folder, const std::string& name, const render::Picture& picture) {
+  const auto path = std::filesystem::path(folder) / (name + ".png");
+  OutputFile file(path.string());
+  const std::vector<unsigned char> bytes = file_of::png(picture.width, picture.height, picture.rgb);
+  file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return path.generic_string();
+}
+
+void need_folder(const std::string& folder) {
+  if (folder.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder, error))
+    throw EnvironmentError(fmt::format("--pictures {}: no folder, and none can be made", folder));
+}
+
+render::Shading shading_of(const std::string& name) {
+  if (name.empty() || name == "lit") return render::Shading::lit;
+  if (name == "unlit") return render::Shading::unlit;
+  throw UsageError(fmt::format("--shading {:.40}: it is one of lit and unlit", name));
+}
+
+void check_size(const ViewArguments& arguments) {
+  const std::uint64_t rays = arguments.rays;
+  if (rays * arguments.width > 16384 || rays * arguments.height > 16384 ||
+      rays * rays * arguments.width * arguments.height > most_rays)
+    throw UsageError(fmt::format("--size {}x{}, --rays {}: a side has up to 16384 rays, and a view 2^26",
+                                 arguments.width, arguments.height, rays));
+}
+
+}  // namespace
+
+int render_views(const ViewArguments& arguments) {
+  const proofs::Levels levels = parse_levels(arguments.levels, "--attributes");
+  if (levels.last > file_of::finest_attribute_level)
+    throw UsageError(fmt::format("--attributes {}: maps of attributes go up to level {}", arguments.levels,
+                                 file_of::finest_attribute_level));
+  const render::Shading shading = shading_of(arguments.shading);
+  check_size(arguments);
+  if (std::error_code none; std::filesystem::is_directory(arguments.file, none))
+    throw UsageError(
+        fmt::format("render {}: a folder of textures has no triangles; name a glTF file", arguments.file));
+  if (!render::has_embree()) throw EnvironmentError("render: " + render::embree_text());
+  need_folder(arguments.pictures);
+  std::optional<OutputFile> json;
+  if (!arguments.json.empty() && arguments.json != "-") json.emplace(arguments.json);
+  const proofs::InterruptGuard guard;
+  const auto stop = [] {
+    if (proofs::interrupted()) throw proofs::Interrupted();
+  };
+  const auto tell = [&](const std::string& what) {
+    if (!arguments.quiet) fmt::print(stderr, "views: {}\n", what);
+  };
+
+  const Loaded read = loaded(arguments.file);
+  const render::SceneWorld world = render::world_of(read.scene, read.uses, file_of::plan(read.scene));
+  if (world.world.instances.empty())
+    throw EnvironmentError(fmt::format("{}: no triangle to render", read.scene.file));
+  const render::Tracer tracer(world.world);
+  const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
+  const render::Box box = render::box_of(world.world, false);
+  const render::Camera camera = arguments.camera == 0
+                                    ? render::overview(box, aspect)
+                                    : render::on_path(box, arguments.seed, arguments.camera, aspect);
+  tell("rays");
+  const render::TraceOptions trace{.width = arguments.rays * arguments.width,
+                                   .height = arguments.rays * arguments.height,
+                                   .threads = arguments.threads,
+                                   .shadows = arguments.shadows,
+                                   .done = [&](std::uint64_t) { stop(); }};
+  const render::Frame frame = tracer.frame(camera, nullptr, trace);
+  const render::Views views(read.scene, world, read.attributes, read.shading, frame, camera,
+                            {.rays = arguments.rays,
+                             .shading = shading,
+                             .sun = trace.light,
+                             .threads = arguments.threads,
+                             .stop = stop});
+  if (views.triangles() == 0)
+    throw UsageError(fmt::format(
+        "{}: no ray met a triangle with a texture, so nothing was compared; another --camera or --size would "
+        "do",
+        read.scene.file));
+
+  bench::ViewFigures figures{.file = read.scene.file,
+                             .embree = render::embree_text(),
+                             .triangles = file_of::count_triangles(read.scene).unique,
+                             .textured_triangles = views.triangles(),
+                             .width = arguments.width,
+                             .height = arguments.height,
+                             .rays = arguments.rays,
+                             .shading = shading,
+                             .camera = arguments.camera,
+                             .seed = arguments.seed,
+                             .threads = arguments.threads,
+                             .rows = {}};
+  for (const std::uint8_t pixel : views.textured()) figures.textured_pixels += pixel;
+  const render::Picture textures = views.picture(render::ShownFrom::textures);
+  if (!arguments.pictures.empty()) written(arguments.pictures, "textures", textures);
+  for (unsigned level = levels.first; level <= levels.last; ++level)
+    for (const render::ShownFrom from : {render::ShownFrom::faces, render::ShownFrom::vertices}) {
+      const std::string name =
+          fmt::format("{}_level{}", from == render::ShownFrom::faces ? "faces" : "vertices", level);
+      tell(name);
+      const render::Picture maps = views.picture(from, level);
+      bench::ViewRow row{
+          from, level, bench::view_error(textures, maps, views.textured(), arguments.threads), {}};
+      if (!arguments.pictures.empty())
+        row.file = written(arguments.pictures, name, bench::beside(textures, maps, row.error, longest_view));
+      row.error.map.clear();
+      figures.rows.push_back(std::move(row));
+    }
+  const bench::Result result = bench::view_tables(figures);
+  print_result(arguments.json == "-" ? stderr : stdout, result);
+  if (json) json->commit(result_json(result));
+  if (arguments.json == "-") fmt::print("{}", result_json(result));
+  return complete;
+}
+
+}  // namespace mmverify::cli

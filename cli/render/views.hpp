@@ -1,0 +1,23 @@
+// mmverify render --attributes: one view by textures and by micromaps.
+#pragma once
+
+#include <string>
+
+#include "proofs/engine/law.hpp"
+#include "render/scene/views.hpp"
+#include "render/tracer.hpp"
+
+namespace mmverify::cli {
+
+struct ViewArguments {
+  std::string file, levels, pictures, json, shading;
+  std::uint32_t width = 640, height = 480, rays = 1;
+  std::uint64_t camera = 0, seed = 1;
+  unsigned threads = 0;
+  bool shadows = true, quiet = false;
+};
+
+/// The exit code.  Errors: UsageError, EnvironmentError, BadScene.
+int render_views(const ViewArguments& arguments);
+
+}  // namespace mmverify::cli
