@@ -46,8 +46,8 @@ TEST(Shading, IsReciprocal) {
     const Look look{.colour = {share(random), share(random), share(random)},
                     .metallic = share(random),
                     .roughness = share(random)};
-    const Vector l = render::unit({any(random), any(random), 0.05 + share(random)}),
-                 v = render::unit({any(random), any(random), 0.05 + share(random)});
+    const Vector l = render::unit(Vector{any(random), any(random), 0.05 + share(random)}),
+                 v = render::unit(Vector{any(random), any(random), 0.05 + share(random)});
     const Vector a = render::reflected(look, v, l), b = render::reflected(look, l, v);
     for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(a[c] / l[2], b[c] / v[2], 1e-9 * (1 + a[c] / l[2])) << k;
   }
