@@ -103,11 +103,14 @@ void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
 /// The one law that is proved of a source, on it.
 Job job_of_source(const ProveOptions& options) {
   if (options.laws != std::vector<std::string>{"index.floats"})
-    throw UsageError("--source: index.floats is proved of a source, and nothing else; write mmverify prove index.floats");
-  if (!options.subjects.empty()) throw UsageError("--source and --subject: one of them; a source is a subject");
+    throw UsageError(
+        "--source: index.floats is proved of a source, and nothing else; write mmverify prove index.floats");
+  if (!options.subjects.empty())
+    throw UsageError("--source and --subject: one of them; a source is a subject");
   SourceOptions of{*options.source, "index_of", options.flags};
   if (options.function) of.function = *options.function;
-  const std::optional<Levels> levels = options.levels ? std::optional(parse_levels(*options.levels)) : std::nullopt;
+  const std::optional<Levels> levels =
+      options.levels ? std::optional(parse_levels(*options.levels)) : std::nullopt;
   return source_job(of, levels, options.tier == "long" ? Tier::long_run : Tier::fast,
                     timeout_of("", options.timeout));
 }
@@ -115,13 +118,14 @@ Job job_of_source(const ProveOptions& options) {
 /// A counterexample again: LEVEL@CASE.
 int replay_of_source(const Job& job, const std::string& text) {
   const Groups parts = groups_of(text, "([0-9]{1,2})@(.+)");
-  if (!parts) throw UsageError(fmt::format("--case {}: write LEVEL@CASE, as a counterexample's line does", text));
+  if (!parts)
+    throw UsageError(fmt::format("--case {}: write LEVEL@CASE, as a counterexample's line does", text));
   if (!job.unfit.empty()) throw UsageError(job.unfit);
   const Level level = parse_level((*parts)[1]);
   try {
     const Replayed r = job.law->replay(*job.subject, level, (*parts)[2]);
-    fmt::print("{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id,
-               level, (*parts)[2], job.subject->name(), r.expected, r.got);
+    fmt::print("{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
+               job.law->id, level, (*parts)[2], job.subject->name(), r.expected, r.got);
     return r.holds ? ExitCode::complete : ExitCode::failed;
   } catch (const BadCase& error) {
     throw UsageError(fmt::format("--case {}", error.what()));
@@ -256,12 +260,14 @@ Action add_prove(CLI::App& program) {
                    "keep finished work in this file as it comes; the same run started again goes on from it")
       ->type_name("FILE");
   command
-      ->add_option("--source", options->source,
-                   "a function in C, C++ or LLVM's bitcode: prove index.floats of it, for every pair of floats")
+      ->add_option(
+          "--source", options->source,
+          "a function in C, C++ or LLVM's bitcode: prove index.floats of it, for every pair of floats")
       ->type_name("FILE.c|.cpp|.bc|.ll");
   command->add_option("--function", options->function, "its name in the source; index_of where not given")
       ->type_name("NAME");
-  command->add_option("--flag", options->flags, "one more flag of clang, as --flag=-DFAST; may be given again")
+  command
+      ->add_option("--flag", options->flags, "one more flag of clang, as --flag=-DFAST; may be given again")
       ->type_name("FLAG")
       ->allow_extra_args(false);
   command->add_option("--case", options->one_case, "run the source's function on one counterexample again")

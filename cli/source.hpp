@@ -20,7 +20,7 @@ std::string to_text(const SourceOptions& options);
 
 /// The law and the function, compiled, at those levels.  UsageError where it does not compile or has no such function;
 /// where this machine or this build has no means, or an instruction is not known, the law is not_applicable.
-proofs::Job source_job(const SourceOptions& options, const std::optional<proofs::Levels>& levels, proofs::Tier tier,
-                       double timeout_seconds);
+proofs::Job source_job(const SourceOptions& options, const std::optional<proofs::Levels>& levels,
+                       proofs::Tier tier, double timeout_seconds);
 
 }  // namespace mmverify::cli

@@ -60,7 +60,8 @@ fs::path program_folder() {
 std::string header_folder() {
   std::error_code error;
   const fs::path installed = program_folder() / "../include";
-  return fs::exists(installed / "mmverify_subject.h", error) ? installed.lexically_normal().string() : MMVERIFY_SDK;
+  return fs::exists(installed / "mmverify_subject.h", error) ? installed.lexically_normal().string()
+                                                             : MMVERIFY_SDK;
 }
 
 std::string clang() {
@@ -76,7 +77,8 @@ std::string reader() {
   for (const fs::path& place : {here / "mmverify-source", here / "../libexec/mmverify/mmverify-source",
                                 here / "../cli/mmverify-source"})
     if (fs::exists(place, error)) return place.string();
-  throw NotAvailable("this build reads no LLVM bitcode: install llvm-14-dev and build again (./run build does both)");
+  throw NotAvailable(
+      "this build reads no LLVM bitcode: install llvm-14-dev and build again (./run build does both)");
 }
 
 ProgramEnd ended(const std::vector<std::string>& words) {
@@ -89,7 +91,8 @@ ProgramEnd of_clang(std::vector<std::string> words) {
   try {
     return ended(words);
   } catch (const program::NoProgram&) {
-    throw NotAvailable(clang() + ": there is no such compiler; install the Debian package clang, or set MMVERIFY_CLANG");
+    throw NotAvailable(
+        clang() + ": there is no such compiler; install the Debian package clang, or set MMVERIFY_CLANG");
   }
 }
 
@@ -105,24 +108,34 @@ std::string without_line_end(std::string text) {
 
 }  // namespace
 
-Compiled::Compiled(const std::string& file, const std::string& function, const std::vector<std::string>& flags)
+Compiled::Compiled(const std::string& file, const std::string& function,
+                   const std::vector<std::string>& flags)
     : file_(file), function_(function), bitcode_(file), folder_(std::make_shared<const Folder>()) {
   reader();
   std::error_code error;
   if (!fs::is_regular_file(file, error)) throw BadSource(file + ": no such file");
   const std::string version = of_clang({"--version"}).out;
   const std::size_t from = version.find("clang version");
-  compiler_ = from == std::string::npos ? "clang" : version.substr(from, version.find_first_of(" \n(", from + 14) - from);
+  compiler_ = from == std::string::npos
+                  ? "clang"
+                  : version.substr(from, version.find_first_of(" \n(", from + 14) - from);
   const std::string extension = fs::path(file).extension().string();
   if (extension != ".bc" && extension != ".ll") {
     bitcode_ = folder_->file("module.bc");
     // LLVM's passes are the reader's business; a function that nobody calls is to be there, too.
-    std::vector<std::string> words{"-O1", "-g", "-Xclang", "-disable-llvm-passes", "-Xclang", "-femit-all-decls",
+    std::vector<std::string> words{"-O1",
+                                   "-g",
+                                   "-Xclang",
+                                   "-disable-llvm-passes",
+                                   "-Xclang",
+                                   "-femit-all-decls",
                                    "-I" + header_folder()};
     words.insert(words.end(), flags.begin(), flags.end());
-    words.insert(words.end(), {"-ffp-contract=off", "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, file});
+    words.insert(words.end(),
+                 {"-ffp-contract=off", "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, file});
     if (const ProgramEnd end = of_clang(words); !end.succeeded)
-      throw BadSource(file + ": clang does not compile it (" + end.how + "):\n" + without_line_end(end.errors));
+      throw BadSource(file + ": clang does not compile it (" + end.how + "):\n" +
+                      without_line_end(end.errors));
   }
   const std::string alone = folder_->file("index.bc"), wrapper = folder_->file("subject.c");
   const ProgramEnd read = ended({reader(), bitcode_, function_, "export", alone});
@@ -130,10 +143,12 @@ Compiled::Compiled(const std::string& file, const std::string& function, const s
   exported_ = bytes_of(alone);
   std::ofstream(wrapper) << behind_the_header;
   library_ = folder_->file("index.so");
-  const ProgramEnd linked = of_clang({"-O1", "-ffp-contract=off", "-fno-math-errno", "-Wno-override-module", "-shared",
-                                      "-fPIC", "-I" + header_folder(), wrapper, alone, "-lm", "-o", library_});
+  const ProgramEnd linked =
+      of_clang({"-O1", "-ffp-contract=off", "-fno-math-errno", "-Wno-override-module", "-shared", "-fPIC",
+                "-I" + header_folder(), wrapper, alone, "-lm", "-o", library_});
   if (!linked.succeeded)
-    throw BadSource(file + ": clang makes no shared library of it:\n" + without_line_end(linked.errors));
+    throw BadSource(file + ": clang makes no shared library of it (" + linked.how + "):\n" +
+                    without_line_end(linked.errors));
 }
 
 Program Compiled::at_level(unsigned level, const std::string& fault) const {

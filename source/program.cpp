@@ -17,30 +17,30 @@ struct Form {
 
 // In the order of Op.
 constexpr std::array forms{
-    Form{"input_u", "", 'f'},      Form{"input_v", "", 'f'},      Form{"constant", "", '*'},
-    Form{"poison", "", '*'},       Form{"add", "ww", '='},        Form{"sub", "ww", '='},
-    Form{"mul", "ww", '='},        Form{"udiv", "ww", '='},       Form{"urem", "ww", '='},
-    Form{"sdiv", "ww", '='},       Form{"srem", "ww", '='},       Form{"shl", "ww", '='},
-    Form{"lshr", "ww", '='},       Form{"ashr", "ww", '='},       Form{"and", "ww", '='},
-    Form{"or", "ww", '='},         Form{"xor", "ww", '='},        Form{"eq", "ww", 'b'},
-    Form{"ne", "ww", 'b'},         Form{"ult", "ww", 'b'},        Form{"ule", "ww", 'b'},
-    Form{"slt", "ww", 'b'},        Form{"sle", "ww", 'b'},        Form{"select", "b**", '2'},
-    Form{"zext", "w", 'w'},        Form{"sext", "w", 'w'},        Form{"trunc", "w", 'w'},
-    Form{"ctpop", "w", '='},       Form{"ctlz", "w", '='},        Form{"cttz", "w", '='},
-    Form{"bswap", "w", '='},       Form{"bitreverse", "w", '='},  Form{"fshl", "www", '='},
-    Form{"fshr", "www", '='},      Form{"abs", "w", '='},         Form{"umin", "ww", '='},
-    Form{"umax", "ww", '='},       Form{"smin", "ww", '='},       Form{"smax", "ww", '='},
-    Form{"uadd_sat", "ww", '='},   Form{"usub_sat", "ww", '='},   Form{"sadd_sat", "ww", '='},
-    Form{"ssub_sat", "ww", '='},   Form{"freeze", "*", '='},      Form{"poisoned", "*", 'b'},
-    Form{"table", "o", '*'},       Form{"bits_of", "f", 'w'},     Form{"float_of", "w", 'f'},
-    Form{"fadd", "ff", '='},       Form{"fsub", "ff", '='},       Form{"fmul", "ff", '='},
-    Form{"fdiv", "ff", '='},       Form{"fma", "fff", '='},       Form{"fneg", "f", '='},
-    Form{"fabs", "f", '='},        Form{"copysign", "ff", '='},   Form{"fcmp", "ff", 'b'},
-    Form{"fmin", "ff", '='},       Form{"fmax", "ff", '='},       Form{"floor", "f", '='},
-    Form{"ceil", "f", '='},        Form{"ftrunc", "f", '='},      Form{"round", "f", '='},
-    Form{"roundeven", "f", '='},   Form{"fptoui", "f", 'w'},      Form{"fptosi", "f", 'w'},
-    Form{"fptoui_sat", "f", 'w'},  Form{"fptosi_sat", "f", 'w'},  Form{"uitofp", "w", 'f'},
-    Form{"sitofp", "w", 'f'},      Form{"fpext", "f", 'f'},       Form{"fptrunc", "f", 'f'},
+    Form{"input_u", "", 'f'},     Form{"input_v", "", 'f'},     Form{"constant", "", '*'},
+    Form{"poison", "", '*'},      Form{"add", "ww", '='},       Form{"sub", "ww", '='},
+    Form{"mul", "ww", '='},       Form{"udiv", "ww", '='},      Form{"urem", "ww", '='},
+    Form{"sdiv", "ww", '='},      Form{"srem", "ww", '='},      Form{"shl", "ww", '='},
+    Form{"lshr", "ww", '='},      Form{"ashr", "ww", '='},      Form{"and", "ww", '='},
+    Form{"or", "ww", '='},        Form{"xor", "ww", '='},       Form{"eq", "ww", 'b'},
+    Form{"ne", "ww", 'b'},        Form{"ult", "ww", 'b'},       Form{"ule", "ww", 'b'},
+    Form{"slt", "ww", 'b'},       Form{"sle", "ww", 'b'},       Form{"select", "b**", '2'},
+    Form{"zext", "w", 'w'},       Form{"sext", "w", 'w'},       Form{"trunc", "w", 'w'},
+    Form{"ctpop", "w", '='},      Form{"ctlz", "w", '='},       Form{"cttz", "w", '='},
+    Form{"bswap", "w", '='},      Form{"bitreverse", "w", '='}, Form{"fshl", "www", '='},
+    Form{"fshr", "www", '='},     Form{"abs", "w", '='},        Form{"umin", "ww", '='},
+    Form{"umax", "ww", '='},      Form{"smin", "ww", '='},      Form{"smax", "ww", '='},
+    Form{"uadd_sat", "ww", '='},  Form{"usub_sat", "ww", '='},  Form{"sadd_sat", "ww", '='},
+    Form{"ssub_sat", "ww", '='},  Form{"freeze", "*", '='},     Form{"poisoned", "*", 'b'},
+    Form{"table", "o", '*'},      Form{"bits_of", "f", 'w'},    Form{"float_of", "w", 'f'},
+    Form{"fadd", "ff", '='},      Form{"fsub", "ff", '='},      Form{"fmul", "ff", '='},
+    Form{"fdiv", "ff", '='},      Form{"fma", "fff", '='},      Form{"fneg", "f", '='},
+    Form{"fabs", "f", '='},       Form{"copysign", "ff", '='},  Form{"fcmp", "ff", 'b'},
+    Form{"fmin", "ff", '='},      Form{"fmax", "ff", '='},      Form{"floor", "f", '='},
+    Form{"ceil", "f", '='},       Form{"ftrunc", "f", '='},     Form{"round", "f", '='},
+    Form{"roundeven", "f", '='},  Form{"fptoui", "f", 'w'},     Form{"fptosi", "f", 'w'},
+    Form{"fptoui_sat", "f", 'w'}, Form{"fptosi_sat", "f", 'w'}, Form{"uitofp", "w", 'f'},
+    Form{"sitofp", "w", 'f'},     Form{"fpext", "f", 'f'},      Form{"fptrunc", "f", 'f'},
 };
 static_assert(forms.size() == static_cast<std::size_t>(Op::fptrunc) + 1);
 
@@ -82,7 +82,8 @@ std::string fault(const Program& program, const Node& node) {
   if ((node.op == Op::zext || node.op == Op::sext || node.op == Op::fpext) && bits <= from)
     return "its result is no wider";
   if ((node.op == Op::trunc || node.op == Op::fptrunc) && bits >= from) return "its result is no narrower";
-  if ((node.op == Op::bits_of || node.op == Op::float_of) && bits != from) return "its result is of another size";
+  if ((node.op == Op::bits_of || node.op == Op::float_of) && bits != from)
+    return "its result is of another size";
   if (node.op == Op::bswap && bits % 16 != 0) return "takes an even number of bytes";
   if ((node.op == Op::input_u || node.op == Op::input_v) && bits != 32) return "is of 32 bits";
   const std::size_t numbers = node.numbers.size();
@@ -94,9 +95,10 @@ std::string fault(const Program& program, const Node& node) {
 }
 
 Type read_type(const std::string& text) {
-  const unsigned long bits = text.size() > 1 && text.size() < 4 && text.find_first_not_of("0123456789", 1) == text.npos
-                                 ? std::stoul(text.substr(1))
-                                 : 0;
+  const unsigned long bits =
+      text.size() > 1 && text.size() < 4 && text.find_first_not_of("0123456789", 1) == text.npos
+          ? std::stoul(text.substr(1))
+          : 0;
   const Type type{text[0] == 'f', static_cast<unsigned>(bits)};
   const bool good = type.floating ? bits == 32 || bits == 64 : text[0] == 'i' && bits >= 1 && bits <= 64;
   if (!good) throw BadProgram("no type: " + text);
@@ -121,7 +123,8 @@ Node read_node(const std::string& name, std::istringstream& words) {
       part = word[0];
       continue;
     }
-    if (word.size() > 20 || word.find_first_not_of("0123456789") != word.npos) throw BadProgram("no number: " + word);
+    if (word.size() > 20 || word.find_first_not_of("0123456789") != word.npos)
+      throw BadProgram("no number: " + word);
     const std::uint64_t k = std::stoull(word);
     if (part == ' ')
       node.of.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(k, 0xffffffff)));

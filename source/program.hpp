@@ -18,16 +18,78 @@ namespace mmverify::source {
 ///   poisoned    whether of[0] is poison
 ///   bits_of, float_of   a float's bits as a word, and back
 enum class Op : std::uint8_t {
-  input_u, input_v, constant, poison,
-  add, sub, mul, udiv, urem, sdiv, srem, shl, lshr, ashr, bit_and, bit_or, bit_xor,
-  eq, ne, ult, ule, slt, sle,
-  select, zext, sext, trunc,
-  ctpop, ctlz, cttz, bswap, bitreverse, fshl, fshr, abs, umin, umax, smin, smax,
-  uadd_sat, usub_sat, sadd_sat, ssub_sat,
-  freeze, poisoned, table, bits_of, float_of,
-  fadd, fsub, fmul, fdiv, fma, fneg, fabs, copysign, fcmp, fmin, fmax,
-  floor, ceil, ftrunc, round, roundeven,
-  fptoui, fptosi, fptoui_sat, fptosi_sat, uitofp, sitofp, fpext, fptrunc,
+  input_u,
+  input_v,
+  constant,
+  poison,
+  add,
+  sub,
+  mul,
+  udiv,
+  urem,
+  sdiv,
+  srem,
+  shl,
+  lshr,
+  ashr,
+  bit_and,
+  bit_or,
+  bit_xor,
+  eq,
+  ne,
+  ult,
+  ule,
+  slt,
+  sle,
+  select,
+  zext,
+  sext,
+  trunc,
+  ctpop,
+  ctlz,
+  cttz,
+  bswap,
+  bitreverse,
+  fshl,
+  fshr,
+  abs,
+  umin,
+  umax,
+  smin,
+  smax,
+  uadd_sat,
+  usub_sat,
+  sadd_sat,
+  ssub_sat,
+  freeze,
+  poisoned,
+  table,
+  bits_of,
+  float_of,
+  fadd,
+  fsub,
+  fmul,
+  fdiv,
+  fma,
+  fneg,
+  fabs,
+  copysign,
+  fcmp,
+  fmin,
+  fmax,
+  floor,
+  ceil,
+  ftrunc,
+  round,
+  roundeven,
+  fptoui,
+  fptosi,
+  fptoui_sat,
+  fptosi_sat,
+  uitofp,
+  sitofp,
+  fpext,
+  fptrunc,
 };
 
 /// Its name in a program's text.
@@ -50,10 +112,10 @@ struct Type {
 struct Node {
   Op op = Op::poison;
   Type type;
-  std::vector<std::uint32_t> of = {};       ///< numbers of earlier nodes
+  std::vector<std::uint32_t> of = {};  ///< numbers of earlier nodes
   std::vector<std::uint64_t> numbers = {};
   unsigned flags = 0;
-  std::string where = {};                   ///< "mine.c:12"; empty: not known
+  std::string where = {};  ///< "mine.c:12"; empty: not known
 };
 
 /// What must not be: a node of one bit.

@@ -23,9 +23,10 @@ struct Cause {
 
 struct Formula {
   std::string declarations;  ///< commands
-  std::vector<std::pair<std::string, std::string>> definitions;  ///< names and formulas, each of names before it
-  std::string index;         ///< a word of 32 bits
-  std::string undefined;     ///< a condition: the index is undefined, or what must not be comes to be
+  std::vector<std::pair<std::string, std::string>>
+      definitions;        ///< names and formulas, each of names before it
+  std::string index;      ///< a word of 32 bits
+  std::string undefined;  ///< a condition: the index is undefined, or what must not be comes to be
   std::vector<Cause> causes;
 };
 

@@ -5,7 +5,9 @@
 
 namespace mmverify::source {
 
-Format format_of(unsigned bits) { return bits == 32 ? Format{32, 24, -149, 128} : Format{64, 53, -1074, 1024}; }
+Format format_of(unsigned bits) {
+  return bits == 32 ? Format{32, 24, -149, 128} : Format{64, 53, -1074, 1024};
+}
 
 Number Numbers::of_constant(std::uint64_t bits, unsigned width) {
   const Format f = format_of(width);
@@ -64,7 +66,8 @@ Number Numbers::of_bits(const Bits& word, bool negative, unsigned first, unsigne
   const unsigned shift_width = std::max(width, field.width);
   const Bits by = d.choose_word(subnormal, zeros(field.width),
                                 d.binary("bvsub", field, constant(std::max(first, 1u), field.width)));
-  x.size = d.lowest(d.binary("bvshl", d.widened(significand, shift_width), d.widened(by, shift_width)), width);
+  x.size =
+      d.lowest(d.binary("bvshl", d.widened(significand, shift_width), d.widened(by, shift_width)), width);
   return x;
 }
 
@@ -84,20 +87,20 @@ Bits Numbers::to_bits(const Number& x) {
   }
   // Of the leading 1: 2^exponent, and field = exponent + bias.
   const int bias = f.beyond - 1, highest = unit + static_cast<int>(width) - 1 + bias;
-  const Bits field =
-      d.binary("bvsub", constant(static_cast<std::uint64_t>(static_cast<std::int64_t>(highest)), count_bits), moved);
+  const Bits field = d.binary(
+      "bvsub", constant(static_cast<std::uint64_t>(static_cast<std::int64_t>(highest)), count_bits), moved);
   const Condition normal = d.asked("bvsgt", field, zeros(count_bits));
   const Bits fraction = d.extract(top, width - 2, width - f.precision);
   // Below that, the size in units of the least number.
-  const Bits size = x.unit >= f.least
-                        ? d.concat(x.size, zeros(static_cast<unsigned>(x.unit - f.least)))
-                        : d.shifted_down(x.size, static_cast<unsigned>(f.least - x.unit));
+  const Bits size = x.unit >= f.least ? d.concat(x.size, zeros(static_cast<unsigned>(x.unit - f.least)))
+                                      : d.shifted_down(x.size, static_cast<unsigned>(f.least - x.unit));
   const Bits small = d.lowest(size, f.fraction_bits());
-  const Bits finite = d.concat(
-      d.choose_word(normal, d.lowest(field, f.exponent_bits()), zeros(f.exponent_bits())),
-      d.choose_word(normal, fraction, small));
+  const Bits finite =
+      d.concat(d.choose_word(normal, d.lowest(field, f.exponent_bits()), zeros(f.exponent_bits())),
+               d.choose_word(normal, fraction, small));
   const Bits beyond = d.concat(ones(f.exponent_bits()), zeros(f.fraction_bits()));
-  Bits size_bits = d.choose_word(x.infinite, beyond, d.choose_word(d.is_zero(x.size), zeros(f.bits - 1), finite));
+  Bits size_bits =
+      d.choose_word(x.infinite, beyond, d.choose_word(d.is_zero(x.size), zeros(f.bits - 1), finite));
   Condition sign = x.negative;
   if (x.nan != "false") {
     // Which NaN it is, IEEE 754 leaves open.
@@ -138,7 +141,8 @@ Number Numbers::exact_sum(const Number& a, const Number& b) {
   s.size = apart == "true" ? gap : d.choose_word(apart, gap, d.binary("bvadd", x, y));
   // Of an exact 0 the sign is +, and of infinity that of the infinite one.
   const Condition of_gap = choose(less, b.negative, choose(d.equal(x, y), "false", a.negative));
-  s.negative = choose(a.infinite, a.negative, choose(b.infinite, b.negative, choose(apart, of_gap, a.negative)));
+  s.negative =
+      choose(a.infinite, a.negative, choose(b.infinite, b.negative, choose(apart, of_gap, a.negative)));
   s.negative = d.name(s.negative);
   return s;
 }
@@ -146,7 +150,9 @@ Number Numbers::exact_sum(const Number& a, const Number& b) {
 Number Numbers::exact_product(const Number& a, const Number& b) {
   Number p{a.format};
   p.negative = d.name(differ(a.negative, b.negative));
-  const auto zero = [&](const Number& x) { return both(negated(either(x.infinite, x.nan)), d.is_zero(x.size)); };
+  const auto zero = [&](const Number& x) {
+    return both(negated(either(x.infinite, x.nan)), d.is_zero(x.size));
+  };
   p.nan = d.name(either(either(a.nan, b.nan), either(both(a.infinite, zero(b)), both(b.infinite, zero(a)))));
   p.infinite = d.name(either(a.infinite, b.infinite));
   p.unit = a.unit + b.unit;
@@ -164,7 +170,8 @@ Number Numbers::exact_product(const Number& a, const Number& b) {
 Number Numbers::rounded(Number x) {
   const Format& f = x.format;
   x.bits.clear();
-  const unsigned least = x.unit < f.least ? static_cast<unsigned>(f.least - x.unit) : 0;  // bits below the format's
+  const unsigned least =
+      x.unit < f.least ? static_cast<unsigned>(f.least - x.unit) : 0;  // bits below the format's
   if (x.size.width > f.precision || least > 0) {
     const unsigned width = std::max(x.size.width, least + 1);
     const Bits size = d.widened(x.size, width);
@@ -176,12 +183,14 @@ Number Numbers::rounded(Number x) {
     if (least > 0) kept = d.binary("bvand", kept, d.concat(ones(width - least), zeros(least)));
     // Half of the last place, less a unit; and a unit where the last place is odd.
     const Bits half = d.shifted_down(d.unary("bvnot", kept), 1);
-    const Bits last = width == 1 ? zeros(1)
-                                 : d.binary("bvand", kept,
-                                            d.unary("bvnot", d.concat(d.lowest(kept, width - 1), constant(1, 1))));
+    const Bits last =
+        width == 1
+            ? zeros(1)
+            : d.binary("bvand", kept, d.unary("bvnot", d.concat(d.lowest(kept, width - 1), constant(1, 1))));
     const Condition odd = negated(d.is_zero(d.binary("bvand", size, last)));
-    const Bits sum = d.binary("bvadd", d.binary("bvadd", d.widened(size, width + 1), d.widened(half, width + 1)),
-                              d.of_condition(mistake_ == Mistake::ties_away ? "true" : odd, width + 1));
+    const Bits sum =
+        d.binary("bvadd", d.binary("bvadd", d.widened(size, width + 1), d.widened(half, width + 1)),
+                 d.of_condition(mistake_ == Mistake::ties_away ? "true" : odd, width + 1));
     const Bits all = d.binary("bvand", sum, d.concat(constant(1, 1), kept));
     x.size = least > 0 ? d.extract(all, width, least) : all;
     x.unit += static_cast<int>(least);
@@ -205,7 +214,8 @@ Number Numbers::sum(const Number& a, const Number& b) {
       Number s = *x;
       if (s.negative == "false" || zero->negative == "true") return s;
       s.bits.clear();
-      s.negative = d.name(both(s.negative, either(either(s.infinite, negated(d.is_zero(s.size))), zero->negative)));
+      s.negative =
+          d.name(both(s.negative, either(either(s.infinite, negated(d.is_zero(s.size))), zero->negative)));
       return s;
     }
   return rounded(exact_sum(a, b));
@@ -300,12 +310,14 @@ Number Numbers::whole(Op how, const Number& x) {
   const Condition half = d.bit(rest, cut - 1);
   const Condition above_half = cut == 1 ? "false" : negated(d.is_zero(d.extract(rest, cut - 2, 0)));
   Condition up = "false";
-  if (how == Op::floor && mistake_ != Mistake::floor_towards_zero) up = both(x.negative, negated(d.is_zero(rest)));
+  if (how == Op::floor && mistake_ != Mistake::floor_towards_zero)
+    up = both(x.negative, negated(d.is_zero(rest)));
   if (how == Op::ceil) up = both(negated(x.negative), negated(d.is_zero(rest)));
   if (how == Op::round) up = half;
   if (how == Op::roundeven) up = both(half, either(above_half, d.bit(whole, 0)));
-  w.size = up == "false" ? whole
-                         : d.binary("bvadd", d.widened(whole, whole.width + 1), d.of_condition(up, whole.width + 1));
+  w.size = up == "false"
+               ? whole
+               : d.binary("bvadd", d.widened(whole, whole.width + 1), d.of_condition(up, whole.width + 1));
   return w;
 }
 
@@ -334,7 +346,8 @@ Numbers::Word Numbers::to_word(const Number& x, unsigned bits, bool is_signed) {
   const Condition small = [&]() -> Condition {
     // At most 2^bits - 1 and none below 0; signed: at most 2^(bits-1) - 1, or 2^(bits-1) below 0.
     const unsigned room = is_signed ? bits - 1 : bits;
-    const Condition over = whole.width <= room ? "false" : negated(d.is_zero(d.extract(whole, whole.width - 1, room)));
+    const Condition over =
+        whole.width <= room ? "false" : negated(d.is_zero(d.extract(whole, whole.width - 1, room)));
     if (!is_signed) return both(negated(over), either(negated(x.negative), d.is_zero(whole)));
     const Bits wide = d.widened(whole, std::max(whole.width, bits + 1));
     const Condition least = d.equal(wide, d.widened(d.concat(constant(1, 1), zeros(bits - 1)), wide.width));
@@ -344,8 +357,9 @@ Numbers::Word Numbers::to_word(const Number& x, unsigned bits, bool is_signed) {
   const Bits word = is_signed ? d.choose_word(x.negative, d.unary("bvneg", cut), cut) : cut;
   const unsigned known = std::min(whole.width, bits);
   const bool may_be_negative = is_signed && x.negative != "false";
-  const std::uint64_t most =
-      known >= 64 || (may_be_negative && bits == 64) ? ~std::uint64_t{0} : (std::uint64_t{1} << (may_be_negative ? bits : known)) - 1;
+  const std::uint64_t most = known >= 64 || (may_be_negative && bits == 64)
+                                 ? ~std::uint64_t{0}
+                                 : (std::uint64_t{1} << (may_be_negative ? bits : known)) - 1;
   return {word, d.name(both(number, small)), most};
 }
 

@@ -34,7 +34,8 @@ enum class Mistake { none, ties_away, floor_towards_zero };
 /// ties to even.
 class Numbers {
  public:
-  explicit Numbers(Definitions& definitions, Mistake mistake = Mistake::none) : d(definitions), mistake_(mistake) {}
+  explicit Numbers(Definitions& definitions, Mistake mistake = Mistake::none)
+      : d(definitions), mistake_(mistake) {}
 
   Number of_constant(std::uint64_t bits, unsigned width);
   /// Of a word of 32 or 64 bits.

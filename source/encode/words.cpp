@@ -77,7 +77,9 @@ Condition Definitions::free_condition() {
   return name;
 }
 
-Bits Definitions::unary(const char* head, const Bits& a) { return name(Bits{applied(head, a.text), a.width}); }
+Bits Definitions::unary(const char* head, const Bits& a) {
+  return name(Bits{applied(head, a.text), a.width});
+}
 Bits Definitions::binary(const char* head, const Bits& a, const Bits& b) {
   if (a.width == 0) return a;
   return name(Bits{applied(head, a.text, b.text), a.width});
@@ -93,7 +95,8 @@ Bits Definitions::extract(const Bits& a, unsigned high, unsigned low) {
   const unsigned width = high - low + 1;
   if (width == a.width) return a;
   if (a.value) return constant(low < 64 ? *a.value >> low : 0, width);
-  return name(Bits{applied("(_ extract " + std::to_string(high) + " " + std::to_string(low) + ")", a.text), width});
+  return name(
+      Bits{applied("(_ extract " + std::to_string(high) + " " + std::to_string(low) + ")", a.text), width});
 }
 Bits Definitions::widened(const Bits& a, unsigned width) {
   if (a.width == 0) return zeros(width);

@@ -20,8 +20,8 @@ namespace {
 
 using namespace mmverify::source;
 
-constexpr std::array faults{"none", "swapped-edges", "signed-compare", "shift-by-one-less", "widened-with-sign",
-                            "lost-wrap"};
+constexpr std::array faults{
+    "none", "swapped-edges", "signed-compare", "shift-by-one-less", "widened-with-sign", "lost-wrap"};
 
 void say(const std::exception& why) { std::fprintf(stderr, "%s\n", why.what()); }
 

@@ -47,7 +47,8 @@ int place_of_level(const llvm::Function& f) {
 }
 
 /// A call of it in a new function; `level` null: the new function's first parameter.
-llvm::Function& calling(llvm::Module& module, llvm::Function& index, const char* name, llvm::Constant* level) {
+llvm::Function& calling(llvm::Module& module, llvm::Function& index, const char* name,
+                        llvm::Constant* level) {
   llvm::LLVMContext& context = module.getContext();
   llvm::Type *word = llvm::Type::getInt32Ty(context), *number = llvm::Type::getFloatTy(context);
   std::vector<llvm::Type*> takes{number, number};
@@ -61,7 +62,8 @@ llvm::Function& calling(llvm::Module& module, llvm::Function& index, const char*
   given.insert(given.begin() + place_of_level(index), of_level);
   for (unsigned k = 0; k < 3; ++k) {
     llvm::Type* wanted = index.getArg(k)->getType();
-    given[k] = wanted->isIntegerTy() ? build.CreateZExtOrTrunc(given[k], wanted) : build.CreateFPCast(given[k], wanted);
+    given[k] = wanted->isIntegerTy() ? build.CreateZExtOrTrunc(given[k], wanted)
+                                     : build.CreateFPCast(given[k], wanted);
   }
   llvm::CallInst* call = build.CreateCall(&index, given);
   call->setCallingConv(index.getCallingConv());
@@ -124,7 +126,12 @@ llvm::Function& index_function(llvm::Module& module, const std::string& name) {
     }
   if (found.empty()) {
     std::string names;
-    const std::vector<std::string> all = functions_of(module);
+    // Headers may bring hundreds: those that would do come alone, where there are some.
+    std::vector<std::string> all;
+    for (const llvm::Function& f : module)
+      if (!f.isDeclaration() && place_of_level(f) >= 0) all.push_back(full_name(f));
+    if (all.empty()) all = functions_of(module);
+    std::sort(all.begin(), all.end());
     for (std::size_t k = 0; k < all.size() && k < 20; ++k) names += (k == 0 ? "" : ", ") + all[k];
     if (all.size() > 20) names += ", and " + std::to_string(all.size() - 20) + " more";
     throw CannotRead("no function is called '" + name + "'; there " +
@@ -133,7 +140,8 @@ llvm::Function& index_function(llvm::Module& module, const std::string& name) {
   if (fit.empty())
     throw CannotRead("'" + name + "' is " + text_of(found.front()->getFunctionType()) +
                      "; due is uint32_t (uint32_t level, float u, float v), or the level last");
-  if (fit.size() > 1) throw CannotRead("'" + name + "' is " + full_name(*fit[0]) + " and " + full_name(*fit[1]));
+  if (fit.size() > 1)
+    throw CannotRead("'" + name + "' is " + full_name(*fit[0]) + " and " + full_name(*fit[1]));
   return *fit.front();
 }
 
@@ -144,8 +152,8 @@ void export_index(llvm::Module& module, llvm::Function& index) {
 
 llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned level) {
   if (llvm::GlobalValue* other = module.getNamedValue(asked)) other->setName("other");
-  llvm::Function& f =
-      calling(module, index, asked, llvm::ConstantInt::get(llvm::Type::getInt32Ty(module.getContext()), level));
+  llvm::Function& f = calling(module, index, asked,
+                              llvm::ConstantInt::get(llvm::Type::getInt32Ty(module.getContext()), level));
   hide_all_but(module, f);
   for (llvm::Function& g : module) {
     if (g.isDeclaration() || &g == &f) continue;
@@ -154,11 +162,13 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
     g.addFnAttr(llvm::Attribute::AlwaysInline);
     // At -O1 clang asks that no loop be unrolled.
     for (llvm::BasicBlock& block : g)
-      if (llvm::Instruction* end = block.getTerminator()) end->setMetadata(llvm::LLVMContext::MD_loop, nullptr);
+      if (llvm::Instruction* end = block.getTerminator())
+        end->setMetadata(llvm::LLVMContext::MD_loop, nullptr);
   }
   // No more than it takes: whatever simplifies may take undefined behaviour for what never happens.
   const std::string once =
-      "function(sroa,early-cse,simplifycfg,sccp,loop-simplify,lcssa,loop-mssa(loop-rotate),loop(indvars,loop-unroll-full),"
+      "function(sroa,early-cse,simplifycfg,sccp,loop-simplify,lcssa,loop-mssa(loop-rotate),loop(indvars,loop-"
+      "unroll-full),"
       "sroa,early-cse,sccp,simplifycfg,adce)";
   run_passes(module, "always-inline,globaldce," + once + "," + once + "," + once);
   return *module.getFunction(asked);

@@ -74,7 +74,8 @@ class Translation {
 
   void forbid(const llvm::Instruction& at, Number condition, const std::string& what) {
     const std::string where = place(at);
-    program_.forbidden.push_back({both(reached_.at(at.getParent()), condition), what + (where.empty() ? "" : ", " + where)});
+    program_.forbidden.push_back(
+        {both(reached_.at(at.getParent()), condition), what + (where.empty() ? "" : ", " + where)});
   }
 
   static std::optional<Type> type_of(const llvm::Type* t) {
@@ -152,7 +153,8 @@ class Translation {
         continue;
       }
       if (at.getType()->isPointerTy()) {
-        if (!llvm::isa<llvm::GetElementPtrInst>(at) && !llvm::isa<llvm::BitCastInst>(at)) not_known(at, "a pointer");
+        if (!llvm::isa<llvm::GetElementPtrInst>(at) && !llvm::isa<llvm::BitCastInst>(at))
+          not_known(at, "a pointer");
         continue;  // a load follows it
       }
       const std::optional<Number> made = instruction(at);
@@ -168,7 +170,8 @@ class Translation {
       result_ = result_ ? add({Op::select, type_of(one), {reached_.at(at.getParent()), one, *result_}}) : one;
       return;
     }
-    if (llvm::isa<llvm::UnreachableInst>(at)) return forbid(at, yes_or_no(true), "a place that must not be reached");
+    if (llvm::isa<llvm::UnreachableInst>(at))
+      return forbid(at, yes_or_no(true), "a place that must not be reached");
     const llvm::Value* condition = nullptr;
     if (const auto* branch = llvm::dyn_cast<llvm::BranchInst>(&at)) {
       if (branch->isUnconditional()) return;
@@ -178,11 +181,13 @@ class Translation {
     } else {
       not_known(at);
     }
-    forbid(at, add({Op::poisoned, {false, 1}, {value(at, condition)}}), "a branch on a value that is undefined");
+    forbid(at, add({Op::poisoned, {false, 1}, {value(at, condition)}}),
+           "a branch on a value that is undefined");
   }
 
   std::optional<Number> instruction(const llvm::Instruction& at) {
-    if (const auto* math = llvm::dyn_cast<llvm::FPMathOperator>(&at); math != nullptr && math->getFastMathFlags().any())
+    if (const auto* math = llvm::dyn_cast<llvm::FPMathOperator>(&at);
+        math != nullptr && math->getFastMathFlags().any())
       not_known(at, "fast-math flags, which leave its value open");
     if (const auto* phi = llvm::dyn_cast<llvm::PHINode>(&at)) return choice_of(*phi);
     if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) return table(*load);
@@ -277,7 +282,8 @@ class Translation {
     return made;
   }
 
-  Number moved(const llvm::Instruction& at, const llvm::GEPOperator& step, const llvm::DataLayout& layout, Number offset) {
+  Number moved(const llvm::Instruction& at, const llvm::GEPOperator& step, const llvm::DataLayout& layout,
+               Number offset) {
     const auto plus = [&](Number bytes) { offset = add({Op::add, {false, 64}, {offset, bytes}}); };
     for (auto part = llvm::gep_type_begin(step); part != llvm::gep_type_end(step); ++part) {
       if (llvm::StructType* record = part.getStructTypeOrNull()) {
@@ -307,22 +313,36 @@ class Translation {
       return made;
     };
     static const std::map<ID, std::pair<Op, unsigned>> known{
-        {llvm::Intrinsic::fabs, {Op::fabs, 1}}, {llvm::Intrinsic::floor, {Op::floor, 1}},
-        {llvm::Intrinsic::ceil, {Op::ceil, 1}}, {llvm::Intrinsic::trunc, {Op::ftrunc, 1}},
-        {llvm::Intrinsic::round, {Op::round, 1}}, {llvm::Intrinsic::roundeven, {Op::roundeven, 1}},
-        {llvm::Intrinsic::rint, {Op::roundeven, 1}}, {llvm::Intrinsic::nearbyint, {Op::roundeven, 1}},
-        {llvm::Intrinsic::fma, {Op::fma, 3}}, {llvm::Intrinsic::copysign, {Op::copysign, 2}},
-        {llvm::Intrinsic::minnum, {Op::fmin, 2}}, {llvm::Intrinsic::maxnum, {Op::fmax, 2}},
-        {llvm::Intrinsic::ctpop, {Op::ctpop, 1}}, {llvm::Intrinsic::bswap, {Op::bswap, 1}},
-        {llvm::Intrinsic::bitreverse, {Op::bitreverse, 1}}, {llvm::Intrinsic::fshl, {Op::fshl, 3}},
-        {llvm::Intrinsic::fshr, {Op::fshr, 3}}, {llvm::Intrinsic::umin, {Op::umin, 2}},
-        {llvm::Intrinsic::umax, {Op::umax, 2}}, {llvm::Intrinsic::smin, {Op::smin, 2}},
-        {llvm::Intrinsic::smax, {Op::smax, 2}}, {llvm::Intrinsic::uadd_sat, {Op::uadd_sat, 2}},
-        {llvm::Intrinsic::usub_sat, {Op::usub_sat, 2}}, {llvm::Intrinsic::sadd_sat, {Op::sadd_sat, 2}},
-        {llvm::Intrinsic::ssub_sat, {Op::ssub_sat, 2}}, {llvm::Intrinsic::fptoui_sat, {Op::fptoui_sat, 1}},
+        {llvm::Intrinsic::fabs, {Op::fabs, 1}},
+        {llvm::Intrinsic::floor, {Op::floor, 1}},
+        {llvm::Intrinsic::ceil, {Op::ceil, 1}},
+        {llvm::Intrinsic::trunc, {Op::ftrunc, 1}},
+        {llvm::Intrinsic::round, {Op::round, 1}},
+        {llvm::Intrinsic::roundeven, {Op::roundeven, 1}},
+        {llvm::Intrinsic::rint, {Op::roundeven, 1}},
+        {llvm::Intrinsic::nearbyint, {Op::roundeven, 1}},
+        {llvm::Intrinsic::fma, {Op::fma, 3}},
+        {llvm::Intrinsic::copysign, {Op::copysign, 2}},
+        {llvm::Intrinsic::minnum, {Op::fmin, 2}},
+        {llvm::Intrinsic::maxnum, {Op::fmax, 2}},
+        {llvm::Intrinsic::ctpop, {Op::ctpop, 1}},
+        {llvm::Intrinsic::bswap, {Op::bswap, 1}},
+        {llvm::Intrinsic::bitreverse, {Op::bitreverse, 1}},
+        {llvm::Intrinsic::fshl, {Op::fshl, 3}},
+        {llvm::Intrinsic::fshr, {Op::fshr, 3}},
+        {llvm::Intrinsic::umin, {Op::umin, 2}},
+        {llvm::Intrinsic::umax, {Op::umax, 2}},
+        {llvm::Intrinsic::smin, {Op::smin, 2}},
+        {llvm::Intrinsic::smax, {Op::smax, 2}},
+        {llvm::Intrinsic::uadd_sat, {Op::uadd_sat, 2}},
+        {llvm::Intrinsic::usub_sat, {Op::usub_sat, 2}},
+        {llvm::Intrinsic::sadd_sat, {Op::sadd_sat, 2}},
+        {llvm::Intrinsic::ssub_sat, {Op::ssub_sat, 2}},
+        {llvm::Intrinsic::fptoui_sat, {Op::fptoui_sat, 1}},
         {llvm::Intrinsic::fptosi_sat, {Op::fptosi_sat, 1}}};
     const ID id = call.getIntrinsicID();
-    if (const auto found = known.find(id); found != known.end()) return make(found->second.first, found->second.second);
+    if (const auto found = known.find(id); found != known.end())
+      return make(found->second.first, found->second.second);
     switch (id) {
       case llvm::Intrinsic::ctlz:
         return flagged(Op::ctlz);
@@ -335,7 +355,8 @@ class Translation {
       case llvm::Intrinsic::assume: {
         const Number held = of(0);
         forbid(call, add({Op::poisoned, {false, 1}, {held}}), "an assumption on a value that is undefined");
-        forbid(call, add({Op::bit_xor, {false, 1}, {held, yes_or_no(true)}}), "an assumption that does not hold");
+        forbid(call, add({Op::bit_xor, {false, 1}, {held, yes_or_no(true)}}),
+               "an assumption that does not hold");
         return std::nullopt;
       }
       case llvm::Intrinsic::lifetime_start:
@@ -353,7 +374,8 @@ class Translation {
       if (wraps->hasNoUnsignedWrap()) flags |= no_unsigned_wrap;
       if (wraps->hasNoSignedWrap()) flags |= no_signed_wrap;
     }
-    if (const auto* whole = llvm::dyn_cast<llvm::PossiblyExactOperator>(&at); whole != nullptr && whole->isExact())
+    if (const auto* whole = llvm::dyn_cast<llvm::PossiblyExactOperator>(&at);
+        whole != nullptr && whole->isExact())
       flags |= exact;
     return flags;
   }
@@ -385,40 +407,67 @@ class Translation {
           return add({Op::bit_and, type, {made, word(0x7fffffff, 32)}});
         return made;
       }
-      case I::Sub: return binary(Op::sub);
-      case I::Mul: return binary(Op::mul);
-      case I::UDiv: return division(at, Op::udiv, of(0), of(1), false);
-      case I::URem: return division(at, Op::urem, of(0), of(1), false);
-      case I::SDiv: return division(at, Op::sdiv, of(0), of(1), true);
-      case I::SRem: return division(at, Op::srem, of(0), of(1), true);
-      case I::Shl: return binary(Op::shl);
+      case I::Sub:
+        return binary(Op::sub);
+      case I::Mul:
+        return binary(Op::mul);
+      case I::UDiv:
+        return division(at, Op::udiv, of(0), of(1), false);
+      case I::URem:
+        return division(at, Op::urem, of(0), of(1), false);
+      case I::SDiv:
+        return division(at, Op::sdiv, of(0), of(1), true);
+      case I::SRem:
+        return division(at, Op::srem, of(0), of(1), true);
+      case I::Shl:
+        return binary(Op::shl);
       case I::LShr: {
         if (planted_ != Planted::shift_by_one_less) return binary(Op::lshr);
         const Number by = add({Op::usub_sat, type, {of(1), word(1, type.bits)}});
         return add({Op::lshr, type, {of(0), by}});
       }
-      case I::AShr: return binary(Op::ashr);
-      case I::And: return binary(Op::bit_and);
-      case I::Or: return binary(Op::bit_or);
-      case I::Xor: return binary(Op::bit_xor);
-      case I::Select: return add({Op::select, type, {of(0), of(1), of(2)}});
-      case I::ZExt: return unary(planted_ == Planted::widened_with_sign ? Op::sext : Op::zext);
-      case I::SExt: return unary(Op::sext);
-      case I::Trunc: return unary(Op::trunc);
-      case I::Freeze: return unary(Op::freeze);
-      case I::FAdd: return binary(Op::fadd);
-      case I::FSub: return binary(Op::fsub);
-      case I::FMul: return binary(Op::fmul);
-      case I::FDiv: return binary(Op::fdiv);
-      case I::FNeg: return unary(Op::fneg);
+      case I::AShr:
+        return binary(Op::ashr);
+      case I::And:
+        return binary(Op::bit_and);
+      case I::Or:
+        return binary(Op::bit_or);
+      case I::Xor:
+        return binary(Op::bit_xor);
+      case I::Select:
+        return add({Op::select, type, {of(0), of(1), of(2)}});
+      case I::ZExt:
+        return unary(planted_ == Planted::widened_with_sign ? Op::sext : Op::zext);
+      case I::SExt:
+        return unary(Op::sext);
+      case I::Trunc:
+        return unary(Op::trunc);
+      case I::Freeze:
+        return unary(Op::freeze);
+      case I::FAdd:
+        return binary(Op::fadd);
+      case I::FSub:
+        return binary(Op::fsub);
+      case I::FMul:
+        return binary(Op::fmul);
+      case I::FDiv:
+        return binary(Op::fdiv);
+      case I::FNeg:
+        return unary(Op::fneg);
       case I::FCmp:
         return add({Op::fcmp, type, {of(0), of(1)}, {llvm::cast<llvm::FCmpInst>(at).getPredicate()}});
-      case I::FPToUI: return unary(Op::fptoui);
-      case I::FPToSI: return unary(Op::fptosi);
-      case I::UIToFP: return unary(Op::uitofp);
-      case I::SIToFP: return unary(Op::sitofp);
-      case I::FPExt: return unary(Op::fpext);
-      case I::FPTrunc: return unary(Op::fptrunc);
+      case I::FPToUI:
+        return unary(Op::fptoui);
+      case I::FPToSI:
+        return unary(Op::fptosi);
+      case I::UIToFP:
+        return unary(Op::uitofp);
+      case I::SIToFP:
+        return unary(Op::sitofp);
+      case I::FPExt:
+        return unary(Op::fpext);
+      case I::FPTrunc:
+        return unary(Op::fptrunc);
       case I::BitCast: {
         const Number from = of(0);
         if (type_of(from) == type) return from;
@@ -440,6 +489,8 @@ class Translation {
 
 }  // namespace
 
-Program translate(const llvm::Function& function, Planted planted) { return Translation(function, planted).run(); }
+Program translate(const llvm::Function& function, Planted planted) {
+  return Translation(function, planted).run();
+}
 
 }  // namespace mmverify::source

@@ -41,62 +41,119 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
 
   std::string condition() {
     switch (random_.below(6)) {
-      case 0: return fmt::format("{} {} {}", x(), one_of({"<", "<=", ">", ">=", "==", "!="}), x());
-      case 1: return fmt::format("{} < {}", x(), one_of({"0.5f", "0.25f", "0x1p-20f", "0.0f", "-1.0f"}));
-      case 2: return fmt::format("{} {} {}", a(), one_of({"<", "<=", ">", "==", "!="}), a());
-      case 3: return fmt::format("(int32_t){} {} (int32_t){}", a(), one_of({"<", "<=", ">", ">="}), a());
-      case 4: return fmt::format("({} & 1)", a());
-      default: return fmt::format("!({} >= {})", x(), x());
+      case 0:
+        return fmt::format("{} {} {}", x(), one_of({"<", "<=", ">", ">=", "==", "!="}), x());
+      case 1:
+        return fmt::format("{} < {}", x(), one_of({"0.5f", "0.25f", "0x1p-20f", "0.0f", "-1.0f"}));
+      case 2:
+        return fmt::format("{} {} {}", a(), one_of({"<", "<=", ">", "==", "!="}), a());
+      case 3:
+        return fmt::format("(int32_t){} {} (int32_t){}", a(), one_of({"<", "<=", ">", ">="}), a());
+      case 4:
+        return fmt::format("({} & 1)", a());
+      default:
+        return fmt::format("!({} >= {})", x(), x());
     }
   }
 
   std::string number() {
     switch (random_.below(18)) {
-      case 0: return fmt::format("{} + {}", x(), x());
-      case 1: return fmt::format("{} - {}", x(), x());
-      case 2: return fmt::format("{} * {}", x(), x());
-      case 3: return fmt::format("{} * {}", x(), one_of({"512.0f", "3.0f", "0.1f", "-0x1.fffffep3f", "0x1p-130f", "1e30f"}));
-      case 4: return fmt::format("1.0f - {}", x());
-      case 5: return fmt::format("{}({})", one_of({"fabsf", "floorf", "ceilf", "truncf", "rintf", "roundf"}), x());
-      case 6: return fmt::format("-{}", x());
-      case 7: return fmt::format("{} ? {} : {}", condition(), x(), x());
-      case 8: return fmt::format("(float){}", a());
-      case 9: return fmt::format("(float)(int32_t){}", a());
-      case 10: return fmt::format("fmaf({}, {}, {})", x(), x(), x());
-      case 11: return fmt::format("(float)((double){} * (double){} + (double){})", x(), x(), x());
-      case 12: return fmt::format("{} / {}", x(), one_of({"8.0f", "0x1p-3f", "-2.0f"}));
-      case 13: return fmt::format("of_bits({} & 0xbfffffffu)", a());
-      case 14: return fmt::format("copysignf({}, {})", x(), x());
-      case 15: return fmt::format("floats[{} % 5]", a());
-      case 16: return fmt::format("{}({}, {})", one_of({"fminf", "fmaxf"}), x(), x());
-      default: return fmt::format("{} - (float)(int32_t)({} * 4.0f)", x(), one_of({"u", "v"}));
+      case 0:
+        return fmt::format("{} + {}", x(), x());
+      case 1:
+        return fmt::format("{} - {}", x(), x());
+      case 2:
+        return fmt::format("{} * {}", x(), x());
+      case 3:
+        return fmt::format("{} * {}", x(),
+                           one_of({"512.0f", "3.0f", "0.1f", "-0x1.fffffep3f", "0x1p-130f", "1e30f"}));
+      case 4:
+        return fmt::format("1.0f - {}", x());
+      case 5:
+        return fmt::format("{}({})", one_of({"fabsf", "floorf", "ceilf", "truncf", "rintf", "roundf"}), x());
+      case 6:
+        return fmt::format("-{}", x());
+      case 7:
+        return fmt::format("{} ? {} : {}", condition(), x(), x());
+      case 8:
+        return fmt::format("(float){}", a());
+      case 9:
+        return fmt::format("(float)(int32_t){}", a());
+      case 10:
+        return fmt::format("fmaf({}, {}, {})", x(), x(), x());
+      case 11:
+        return fmt::format("(float)((double){} * (double){} + (double){})", x(), x(), x());
+      case 12:
+        return fmt::format("{} / {}", x(), one_of({"8.0f", "0x1p-3f", "-2.0f"}));
+      case 13:
+        return fmt::format("of_bits({} & 0xbfffffffu)", a());
+      case 14:
+        return fmt::format("copysignf({}, {})", x(), x());
+      case 15:
+        return fmt::format("floats[{} % 5]", a());
+      case 16:
+        return fmt::format("{}({}, {})", one_of({"fminf", "fmaxf"}), x(), x());
+      default:
+        return fmt::format("{} - (float)(int32_t)({} * 4.0f)", x(), one_of({"u", "v"}));
     }
   }
 
   std::string word() {
     switch (random_.below(22)) {
-      case 0: return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
-      case 1: return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), one_of({"1u", "0x55555555u", "77u", "0x80000000u"}));
-      case 2: return fmt::format("{} {} ({} & 31)", a(), one_of({"<<", ">>"}), a());
-      case 3: return fmt::format("{} {} {}", a(), one_of({"<<", ">>"}), one_of({"1", "4", "8", "17", "31"}));
-      case 4: return fmt::format("(uint32_t)((int32_t){} >> ({} & 31))", a(), a());
-      case 5: return fmt::format("{} ? {} : {}", condition(), a(), a());
-      case 6: { const std::string y = x(); return fmt::format("{0} >= 0 && {0} < 4294967040.0f ? (uint32_t){0} : 7", y); }
-      case 7: { const std::string y = x(); return fmt::format("fabsf({0}) < 2147483000.0f ? (uint32_t)(int32_t){0} : 9", y); }
-      case 8: return fmt::format("(uint32_t)({} * 100.0f)", one_of({"u", "v"}));
-      case 9: return fmt::format("words[{} % 11]", a());
-      case 10: return fmt::format("(uint32_t)bytes[{} & 1][{} & 3]", a(), a());
-      case 11: return fmt::format("(uint32_t)__builtin_clz({} | 1)", a());
-      case 12: return fmt::format("(uint32_t)__builtin_ctz({} | 0x80000000u)", a());
-      case 13: return fmt::format("{}({})", one_of({"__builtin_bswap32", "__builtin_bitreverse32", "(uint32_t)__builtin_popcount"}), a());
-      case 14: { const std::string b = a(), k = a(); return fmt::format("({0} << ({1} & 31)) | ({0} >> (-{1} & 31))", b, k); }
-      case 15: return fmt::format("(uint32_t)(((uint64_t){} * {}) >> 32)", a(), a());
-      case 16: return fmt::format("(uint32_t)({})(uint8_t){}", one_of({"int8_t", "uint8_t"}), a());
-      case 17: return fmt::format("(uint32_t)(int32_t)(int16_t){}", a());
-      case 18: return fmt::format("{} {} ({} | 1)", a(), one_of({"/", "%"}), a());
-      case 19: return fmt::format("(uint32_t)((int32_t){} {} (int32_t)(({} & 0xffff) | 1))", a(), one_of({"/", "%"}), a());
-      case 20: return fmt::format("bits({})", x());
-      default: return fmt::format("({}) + ({}) * 2u", condition(), condition());
+      case 0:
+        return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
+      case 1:
+        return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}),
+                           one_of({"1u", "0x55555555u", "77u", "0x80000000u"}));
+      case 2:
+        return fmt::format("{} {} ({} & 31)", a(), one_of({"<<", ">>"}), a());
+      case 3:
+        return fmt::format("{} {} {}", a(), one_of({"<<", ">>"}), one_of({"1", "4", "8", "17", "31"}));
+      case 4:
+        return fmt::format("(uint32_t)((int32_t){} >> ({} & 31))", a(), a());
+      case 5:
+        return fmt::format("{} ? {} : {}", condition(), a(), a());
+      case 6: {
+        const std::string y = x();
+        return fmt::format("{0} >= 0 && {0} < 4294967040.0f ? (uint32_t){0} : 7", y);
+      }
+      case 7: {
+        const std::string y = x();
+        return fmt::format("fabsf({0}) < 2147483000.0f ? (uint32_t)(int32_t){0} : 9", y);
+      }
+      case 8:
+        return fmt::format("(uint32_t)({} * 100.0f)", one_of({"u", "v"}));
+      case 9:
+        return fmt::format("words[{} % 11]", a());
+      case 10:
+        return fmt::format("(uint32_t)bytes[{} & 1][{} & 3]", a(), a());
+      case 11:
+        return fmt::format("(uint32_t)__builtin_clz({} | 1)", a());
+      case 12:
+        return fmt::format("(uint32_t)__builtin_ctz({} | 0x80000000u)", a());
+      case 13:
+        return fmt::format(
+            "{}({})", one_of({"__builtin_bswap32", "__builtin_bitreverse32", "(uint32_t)__builtin_popcount"}),
+            a());
+      case 14: {
+        const std::string b = a(), k = a();
+        return fmt::format("({0} << ({1} & 31)) | ({0} >> (-{1} & 31))", b, k);
+      }
+      case 15:
+        return fmt::format("(uint32_t)(((uint64_t){} * {}) >> 32)", a(), a());
+      case 16:
+        return fmt::format("(uint32_t)({})(uint8_t){}", one_of({"int8_t", "uint8_t"}), a());
+      case 17:
+        return fmt::format("(uint32_t)(int32_t)(int16_t){}", a());
+      case 18:
+        return fmt::format("{} {} ({} | 1)", a(), one_of({"/", "%"}), a());
+      case 19:
+        return fmt::format("(uint32_t)((int32_t){} {} (int32_t)(({} & 0xffff) | 1))", a(), one_of({"/", "%"}),
+                           a());
+      case 20:
+        return fmt::format("bits({})", x());
+      default:
+        return fmt::format("({}) + ({}) * 2u", condition(), condition());
     }
   }
 
@@ -112,8 +169,10 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
       else if (kind == 7)
         block(fmt::format("for (int k = 0; k < {}; ++k)", random_.between(1, 3)), depth, indent, false);
       else
-        text_ += fmt::format("{0}switch ({1} & 3) {{\n{0}  case 0: {2} = {3}; break;\n{0}  case 2: {4} = {5};\n{0}  default: {6} ^= 5;\n{0}}}\n",
-                             indent, a(), a(), word(), x(), number(), a());
+        text_ += fmt::format(
+            "{0}switch ({1} & 3) {{\n{0}  case 0: {2} = {3}; break;\n{0}  case 2: {4} = {5};\n{0}  default: "
+            "{6} ^= 5;\n{0}}}\n",
+            indent, a(), a(), word(), x(), number(), a());
     }
   }
   void block(const std::string& opening, unsigned depth, const std::string& indent, bool other) {
@@ -129,10 +188,12 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
   void function(unsigned number) {
     text_ += fmt::format("static uint32_t f{}(float u, float v) {{\n", number);
     text_ += "  float x0 = u, x1 = v, x2 = u - v, x3 = 0.3f;\n";
-    text_ += fmt::format("  uint32_t a0 = {}u, a1 = (uint32_t)(u * 1000.0f), a2 = bits(v), a3 = {}u;\n", random_.below(1u << 30),
-                         random_.below(10));
+    text_ += fmt::format("  uint32_t a0 = {}u, a1 = (uint32_t)(u * 1000.0f), a2 = bits(v), a3 = {}u;\n",
+                         random_.below(1u << 30), random_.below(10));
     statements(7, 0, "  ");
-    text_ += "  return a0 ^ a1 * 3u ^ a2 * 5u ^ a3 * 7u ^ bits(x0) ^ bits(x1) * 9u ^ bits(x2) * 11u ^ bits(x3) * 13u;\n}\n";
+    text_ +=
+        "  return a0 ^ a1 * 3u ^ a2 * 5u ^ a3 * 7u ^ bits(x0) ^ bits(x1) * 9u ^ bits(x2) * 11u ^ bits(x3) * "
+        "13u;\n}\n";
   }
 
   proofs::Random random_;

@@ -46,12 +46,18 @@ class Opened {
 
 float some_float(proofs::Random& random) {
   switch (random.below(6)) {
-    case 0: return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(0x3f800001)));
-    case 1: return static_cast<float>(random.below(1025)) / 1024;
-    case 2: return std::bit_cast<float>(static_cast<std::uint32_t>(0x3f800000 - random.below(4)));
-    case 3: return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(1 << 24)));
-    case 4: return random.below(2) == 0 ? 0.0f : -0.0f;
-    default: return static_cast<float>(random.below(1 << 24)) / (1 << 24);
+    case 0:
+      return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(0x3f800001)));
+    case 1:
+      return static_cast<float>(random.below(1025)) / 1024;
+    case 2:
+      return std::bit_cast<float>(static_cast<std::uint32_t>(0x3f800000 - random.below(4)));
+    case 3:
+      return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(1 << 24)));
+    case 4:
+      return random.below(2) == 0 ? 0.0f : -0.0f;
+    default:
+      return static_cast<float>(random.below(1 << 24)) / (1 << 24);
   }
 }
 
@@ -70,20 +76,24 @@ enum class Outcome { same, differs, undefined };
 /// Whether the formula can have the value that the function gave on these bits, and no other.
 Outcome compared(const source::Formula& formula, float u, float v, std::uint32_t got) {
   const auto script = [&](const char* relation) {
-    std::string text = fmt::format("(define-fun u () (_ BitVec 32) (_ bv{} 32))\n(define-fun v () (_ BitVec 32) (_ bv{} 32))\n{}",
-                                   std::bit_cast<std::uint32_t>(u), std::bit_cast<std::uint32_t>(v), formula.declarations);
+    std::string text = fmt::format(
+        "(define-fun u () (_ BitVec 32) (_ bv{} 32))\n(define-fun v () (_ BitVec 32) (_ bv{} 32))\n{}",
+        std::bit_cast<std::uint32_t>(u), std::bit_cast<std::uint32_t>(v), formula.declarations);
     text += "(declare-const wrong (_ BitVec 1))\n(assert\n";
-    for (const auto& [name, meaning] : formula.definitions) text += fmt::format("(let (({} {}))\n", name, meaning);
-    text += fmt::format("(and (= wrong (ite {} #b1 #b0)) (or {} ({} {} (_ bv{} 32))))", formula.undefined, formula.undefined,
-                        relation, formula.index, got);
-    return proofs::induction::Statement{"fuzz", Answer::sat, text + std::string(formula.definitions.size() + 1, ')')};
+    for (const auto& [name, meaning] : formula.definitions)
+      text += fmt::format("(let (({} {}))\n", name, meaning);
+    text += fmt::format("(and (= wrong (ite {} #b1 #b0)) (or {} ({} {} (_ bv{} 32))))", formula.undefined,
+                        formula.undefined, relation, formula.index, got);
+    return proofs::induction::Statement{"fuzz", Answer::sat,
+                                        text + std::string(formula.definitions.size() + 1, ')')};
   };
   const auto found = ask_words(script("="));
   if (found.answer != Answer::sat) return Outcome::differs;
   if (const auto wrong = found.values.find("wrong"); wrong != found.values.end() && wrong->second == 1)
     return Outcome::undefined;
   // What IEEE 754 and LLVM leave open (a NaN's bits, which of 0 and -0 is less) may have others.
-  if (formula.declarations.empty() && ask_words(script("distinct")).answer != Answer::unsat) return Outcome::differs;
+  if (formula.declarations.empty() && ask_words(script("distinct")).answer != Answer::unsat)
+    return Outcome::differs;
   return Outcome::same;
 }
 
@@ -102,7 +112,8 @@ class Fuzzed {
   }
 
   /// `pairs` of each function; with a mistake until one differs.
-  Tried tried(unsigned pairs, const std::string& fault = {}, source::Mistake mistake = source::Mistake::none) const {
+  Tried tried(unsigned pairs, const std::string& fault = {},
+              source::Mistake mistake = source::Mistake::none) const {
     Tried all;
     const bool planted = !fault.empty() || mistake != source::Mistake::none;
     for (unsigned k = 0; k < functions_; ++k) {
@@ -113,8 +124,12 @@ class Fuzzed {
         const Exponents of_u = around(u, random), of_v = around(v, random);
         const std::uint32_t got = (*run_)(k, u, v);
         switch (compared(source::encode(program, of_u, of_v, "u", "v", mistake), u, v, got)) {
-          case Outcome::same: ++all.same; break;
-          case Outcome::undefined: ++all.undefined; break;
+          case Outcome::same:
+            ++all.same;
+            break;
+          case Outcome::undefined:
+            ++all.undefined;
+            break;
           case Outcome::differs:
             ++all.differs;
             if (all.first.empty())
@@ -172,13 +187,23 @@ void expect_caught(const std::string& fault, source::Mistake mistake) {
   FAIL() << "not caught on 8 seeds";
 }
 
-TEST_F(Translator, MistakesAreCaughtSwappedEdgesOfAPhi) { expect_caught("swapped-edges", source::Mistake::none); }
-TEST_F(Translator, MistakesAreCaughtSignedForUnsigned) { expect_caught("signed-compare", source::Mistake::none); }
-TEST_F(Translator, MistakesAreCaughtShiftByOneLess) { expect_caught("shift-by-one-less", source::Mistake::none); }
-TEST_F(Translator, MistakesAreCaughtWidenedWithSign) { expect_caught("widened-with-sign", source::Mistake::none); }
+TEST_F(Translator, MistakesAreCaughtSwappedEdgesOfAPhi) {
+  expect_caught("swapped-edges", source::Mistake::none);
+}
+TEST_F(Translator, MistakesAreCaughtSignedForUnsigned) {
+  expect_caught("signed-compare", source::Mistake::none);
+}
+TEST_F(Translator, MistakesAreCaughtShiftByOneLess) {
+  expect_caught("shift-by-one-less", source::Mistake::none);
+}
+TEST_F(Translator, MistakesAreCaughtWidenedWithSign) {
+  expect_caught("widened-with-sign", source::Mistake::none);
+}
 TEST_F(Translator, MistakesAreCaughtLostWrap) { expect_caught("lost-wrap", source::Mistake::none); }
 TEST_F(Translator, MistakesAreCaughtTiesAway) { expect_caught("", source::Mistake::ties_away); }
-TEST_F(Translator, MistakesAreCaughtFloorTowardsZero) { expect_caught("", source::Mistake::floor_towards_zero); }
+TEST_F(Translator, MistakesAreCaughtFloorTowardsZero) {
+  expect_caught("", source::Mistake::floor_towards_zero);
+}
 
 }  // namespace
 }  // namespace mmverify

@@ -56,7 +56,8 @@ std::uint32_t bits_from(const Solved& found, const char* name, const Range& rang
   if (const auto whole = found.values.find(n); whole != found.values.end())
     return static_cast<std::uint32_t>(whole->second);
   const auto fraction = found.values.find(n + "_fraction");
-  return range.first << 23 | (fraction == found.values.end() ? 0 : static_cast<std::uint32_t>(fraction->second));
+  return range.first << 23 |
+         (fraction == found.values.end() ? 0 : static_cast<std::uint32_t>(fraction->second));
 }
 
 Claimed claimed_by(const Solved& found, const Pair& pair, const Formula& formula) {
@@ -64,8 +65,11 @@ Claimed claimed_by(const Solved& found, const Pair& pair, const Formula& formula
     const auto one = found.values.find(name);
     return one == found.values.end() ? 0 : one->second;
   };
-  Claimed c{std::bit_cast<float>(bits_from(found, "u", pair.u)), std::bit_cast<float>(bits_from(found, "v", pair.v)),
-            static_cast<std::uint32_t>(value(claimed_index)), value(claimed_undefined) != 0, {}};
+  Claimed c{std::bit_cast<float>(bits_from(found, "u", pair.u)),
+            std::bit_cast<float>(bits_from(found, "v", pair.v)),
+            static_cast<std::uint32_t>(value(claimed_index)),
+            value(claimed_undefined) != 0,
+            {}};
   for (std::size_t k = 0; k < formula.causes.size() && c.cause.empty(); ++k)
     if (value(claimed_cause(k)) != 0) c.cause = formula.causes[k].what;
   return c;
@@ -74,7 +78,8 @@ Claimed claimed_by(const Solved& found, const Pair& pair, const Formula& formula
 /// The statements of one level, each asked once.
 class OfLevel {
  public:
-  OfLevel(const SourceSubject& subject, Level n) : subject_(subject), level_(n), pairs_(pairs_of(n)) {}
+  OfLevel(const SourceSubject& subject, Level n)
+      : subject_(subject), level_(n), pairs_(pairs_of(n, subject.code.fields(n))) {}
 
   std::uint64_t count() const { return pairs_.size(); }
 
@@ -116,15 +121,18 @@ class OfLevel {
     const std::string at = pair_text(c.u, c.v);
     // The compiled function has the last word; what is undefined may come out right by chance.
     if (got == want && !c.undefined)
-      return undecided(fmt::format("level {} case {}: by the formula the index is {}, the compiled function gives {}, which is "
-                                   "right: the translator or the prover is wrong, and nothing is proved",
-                                   level_, at, c.index, got),
-                       tally);
+      return undecided(
+          fmt::format(
+              "level {} case {}: by the formula the index is {}, the compiled function gives {}, which is "
+              "right: the translator or the prover is wrong, and nothing is proved",
+              level_, at, c.index, got),
+          tally);
     refuted_ = true;
     tally.break_off();
     tally.count(Kind::interior, 1);
     const RationalPoint p{rational(c.u), rational(c.v)};
-    const std::string what = c.undefined ? fmt::format("{}, undefined: {}", got, c.cause) : fmt::format("{}", got);
+    const std::string what =
+        c.undefined ? fmt::format("{}, undefined: {}", got, c.cause) : fmt::format("{}", got);
     tally.mismatch(Kind::interior, simplicity(p), [&] {
       return Counterexample{simplicity(p), level_, at, {}, fmt::format("{}", want), what};
     });
@@ -164,33 +172,40 @@ Tally judge(const Subject& any, Level n, const Run& run) {
 
 }  // namespace
 
-SourceSubject::SourceSubject(std::string name, std::string about, Functions f, std::string fingerprint, Code c)
-    : IndexSubject(std::move(name), std::move(about), std::move(f), std::move(fingerprint)), code(std::move(c)) {}
+SourceSubject::SourceSubject(std::string name, std::string about, Functions f, std::string fingerprint,
+                             Code c)
+    : IndexSubject(std::move(name), std::move(about), std::move(f), std::move(fingerprint)),
+      code(std::move(c)) {}
 
 Law law(std::string replayed_by) {
-  Law l{.id = "index.floats",
-        .topic = "index",
-        .says = "for every pair of binary32 numbers the function's index is defined and that of the exact reference",
-        .source = vulkan,
-        .method = Method::bit_vectors,
-        .fast = {9, 9},
-        .long_run = {0, highest},
-        .cases = [](Level n, const Run&) { return count_of_pairs(n); },
-        .domain =
-            [](const Subject&, Level) {
-              return "every pair of binary32 numbers u and v in [-0, 1] with u + v <= 1 + 2^-23, by pairs of exponents";
-            },
-        .how =
-            [](const Subject& s, Level) {
-              return fmt::format("bit vectors, {}; LLVM bitcode of {}", induction::prover_name(), of_source(s).code.compiler);
-            },
-        .unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
-          if (n > highest) return fmt::format("levels 0..{}", highest);
-          return of_source(s).code.not_known(n);
-        },
-        .divisible = true,
-        .judge = judge,
-        .replay = [](const Subject& s, Level n, const std::string& at) { return replay(of_index(s), n, at); }};
+  Law l{
+      .id = "index.floats",
+      .topic = "index",
+      .says =
+          "for every pair of binary32 numbers the function's index is defined and that of the exact "
+          "reference",
+      .source = vulkan,
+      .method = Method::bit_vectors,
+      .fast = {9, 9},
+      .long_run = {0, highest},
+      .cases = [](Level n, const Run&) { return count_of_pairs(n); },
+      .domain =
+          [](const Subject&, Level) {
+            return "every pair of binary32 numbers u and v in [-0, 1] with u + v <= 1 + 2^-23, by pairs of "
+                   "exponents";
+          },
+      .how =
+          [](const Subject& s, Level) {
+            return fmt::format("bit vectors, {}; LLVM bitcode of {}", induction::prover_name(),
+                               of_source(s).code.compiler);
+          },
+      .unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
+        if (n > highest) return fmt::format("levels 0..{}", highest);
+        return of_source(s).code.not_known(n);
+      },
+      .divisible = true,
+      .judge = judge,
+      .replay = [](const Subject& s, Level n, const std::string& at) { return replay(of_index(s), n, at); }};
   l.replayed_by = std::move(replayed_by);
   return l;
 }

@@ -13,6 +13,8 @@ class SourceSubject : public IndexSubject {
     Formulas formulas;
     /// Why there are none at a level: an instruction that is not known, with its file and line.
     std::function<std::optional<std::string>(Level)> not_known;
+    /// Exponent fields of constants in the code: what it does there and nowhere else is found soonest.
+    std::function<std::vector<unsigned>(Level)> fields;
     std::string compiler;  ///< who made the formulas' code, for messages
   };
   SourceSubject(std::string name, std::string about, Functions functions, std::string fingerprint, Code code);

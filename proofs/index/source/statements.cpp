@@ -37,7 +37,9 @@ std::vector<Range> ranges_of(Level n) {
 
 /// Whether some u and v of the ranges have u + v <= 1 + 2^-23: the least numbers of both.
 bool meets_the_domain(const Range& u, const Range& v) {
-  const auto least = [](const Range& r) { return r.first == 0 ? 0.0 : std::ldexp(1.0, static_cast<int>(r.first) - 127); };
+  const auto least = [](const Range& r) {
+    return r.first == 0 ? 0.0 : std::ldexp(1.0, static_cast<int>(r.first) - 127);
+  };
   return least(u) + least(v) <= 1 + 0x1p-23;
 }
 
@@ -45,10 +47,13 @@ bool meets_the_domain(const Range& u, const Range& v) {
 /// the first one's part misses of 1; then where both reach over lines; the rest is one half of the first square.
 unsigned ease(Level n, const Pair& p) {
   const int grid = static_cast<int>(of_one - n);
-  const int greater = static_cast<int>(std::max(p.u.last, p.v.last)), lesser = static_cast<int>(std::min(p.u.last, p.v.last));
+  const int greater = static_cast<int>(std::max(p.u.last, p.v.last)),
+            lesser = static_cast<int>(std::min(p.u.last, p.v.last));
   // The unit in the last place of the greater part.
   const int missed = greater - 24;
-  if (greater >= grid - 1) return static_cast<unsigned>(std::abs(lesser - missed)) + static_cast<unsigned>(of_one - static_cast<unsigned>(greater)) / 4;
+  if (greater >= grid - 1)
+    return static_cast<unsigned>(std::abs(lesser - missed)) +
+           static_cast<unsigned>(of_one - static_cast<unsigned>(greater)) / 4;
   return 64 + static_cast<unsigned>(of_one) - static_cast<unsigned>(greater);
 }
 
@@ -58,7 +63,9 @@ Term size_of(const Term& bits) { return (W(bits) & W(0x7fffffff)).term; }
 
 std::string words_for(const char* name, const Range& r) {
   if (r.negative) return fmt::format("{} = -0", name);
-  if (r.first != 0) return fmt::format("2^{} <= {} < 2^{}", static_cast<int>(r.first) - 127, name, static_cast<int>(r.last) - 126);
+  if (r.first != 0)
+    return fmt::format("2^{} <= {} < 2^{}", static_cast<int>(r.first) - 127, name,
+                       static_cast<int>(r.last) - 126);
   return fmt::format("0 <= {} < 2^{}", name, static_cast<int>(r.last) - 126);
 }
 
@@ -88,7 +95,8 @@ Coordinates declare_coordinates(Script& script, const Pair& pair) {
     script.require(range.negative ? equal(bits, constant(0x80000000)) : at_most(bits, constant(0x3f800000)));
   // An ulp is 2^-23.
   const Exact sum = Exact(exactly(size_of(c.u))) + Exact(exactly(size_of(c.v)));
-  const Exact ulp(apply("bvshl", {Word<Exact::bits>(1).term, Word<Exact::bits>(Exact::fraction_bits - 23).term},
+  const Exact ulp(apply("bvshl",
+                        {Word<Exact::bits>(1).term, Word<Exact::bits>(Exact::fraction_bits - 23).term},
                         Exact::sort()));
   script.require(at_most(sum.term, (Exact(1) + ulp).term));
   return c;
@@ -98,7 +106,8 @@ Term index_of(Script& script, Level n, const Coordinates& c) {
   const auto scaled = [&](const char* name, const Term& bits) {
     const Q x(script.define(std::string("exact_") + name, exactly(size_of(bits))));
     const auto clamped = every_path([&] { return spec::index::within_unit(x); });
-    const Q inside(script.define(std::string("inside_") + name, as_formula(clamped, [](const Q& q) { return q.term; })));
+    const Q inside(
+        script.define(std::string("inside_") + name, as_formula(clamped, [](const Q& q) { return q.term; })));
     return Q(script.define(std::string("scaled_") + name, times(spec::side(n), inside).term));
   };
   const Q un = scaled("u", c.u), vn = scaled("v", c.v);
@@ -113,13 +122,17 @@ Term index_of(Script& script, Level n, const Coordinates& c) {
 
 }  // namespace
 
-std::vector<Pair> pairs_of(Level n) {
+std::vector<Pair> pairs_of(Level n, const std::vector<unsigned>& fields) {
   std::vector<Pair> all;
   const std::vector<Range> ranges = ranges_of(n);
   for (const Range& u : ranges)
     for (const Range& v : ranges)
       if (meets_the_domain(u, v)) all.push_back({u, v});
-  std::stable_sort(all.begin(), all.end(), [n](const Pair& a, const Pair& b) { return ease(n, a) < ease(n, b); });
+  const auto named = [&](const Range& r) {
+    return std::any_of(fields.begin(), fields.end(), [&](unsigned f) { return r.first <= f && f <= r.last; });
+  };
+  const auto key = [&](const Pair& p) { return std::pair(-named(p.u) - named(p.v), ease(n, p)); };
+  std::stable_sort(all.begin(), all.end(), [&](const Pair& a, const Pair& b) { return key(a) < key(b); });
   return all;
 }
 
@@ -130,11 +143,12 @@ std::uint64_t count_of_pairs(Level n) {
 }
 
 Statement statement_of(Level n, const Pair& pair, const Formula& formula) {
-  Script script(fmt::format("level_{}_u_{}_{}_v_{}_{}", n, pair.u.negative ? "minus" : "from", pair.u.first,
-                            pair.v.negative ? "minus" : "from", pair.v.first),
-                Answer::unsat,
-                fmt::format("Level {}, {}, {}: the function's index is defined and that of the exact reference.", n,
-                            words_for("u", pair.u), words_for("v", pair.v)));
+  Script script(
+      fmt::format("level_{}_u_{}_{}_v_{}_{}", n, pair.u.negative ? "minus" : "from", pair.u.first,
+                  pair.v.negative ? "minus" : "from", pair.v.first),
+      Answer::unsat,
+      fmt::format("Level {}, {}, {}: the function's index is defined and that of the exact reference.", n,
+                  words_for("u", pair.u), words_for("v", pair.v)));
   const Coordinates c = declare_coordinates(script, pair);
   script.comment("The specification.");
   const Term wanted = index_of(script, n, c);
@@ -147,20 +161,23 @@ Statement statement_of(Level n, const Pair& pair, const Formula& formula) {
     claim += fmt::format(" (= {} (ite {} #b1 #b0))", name, condition);
   };
   reveal(claimed_undefined, formula.undefined);
-  for (std::size_t k = 0; k < formula.causes.size(); ++k) reveal(claimed_cause(k), formula.causes[k].condition);
+  for (std::size_t k = 0; k < formula.causes.size(); ++k)
+    reveal(claimed_cause(k), formula.causes[k].condition);
   // Not `define-fun`: z3 takes ten times as long to read those.
   script.raw("(assert\n");
-  for (const auto& [name, meaning] : formula.definitions) script.raw(fmt::format("(let (({} {}))\n", name, meaning));
-  script.raw(fmt::format("(and {} (or {} (not (= {} {})))){}\n", claim, formula.undefined, wanted.head(), formula.index,
-                         std::string(formula.definitions.size() + 1, ')')));
+  for (const auto& [name, meaning] : formula.definitions)
+    script.raw(fmt::format("(let (({} {}))\n", name, meaning));
+  script.raw(fmt::format("(and {} (or {} (not (= {} {})))){}\n", claim, formula.undefined, wanted.head(),
+                         formula.index, std::string(formula.definitions.size() + 1, ')')));
   return script.finish();
 }
 
 std::string claimed_cause(std::size_t k) { return fmt::format("code_cause_{}", k); }
 
 Statement witness_of(Level n, const Pair& pair) {
-  Script script(fmt::format("witness_level_{}", n), Answer::sat,
-                fmt::format("Not vacuous: some numbers have {}, {}.", words_for("u", pair.u), words_for("v", pair.v)));
+  Script script(
+      fmt::format("witness_level_{}", n), Answer::sat,
+      fmt::format("Not vacuous: some numbers have {}, {}.", words_for("u", pair.u), words_for("v", pair.v)));
   declare_coordinates(script, pair);
   return script.finish();
 }

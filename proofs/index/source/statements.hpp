@@ -28,9 +28,10 @@ struct Cause {
 /// What a function gives on the numbers with the bits `u` and `v`, of two ranges.
 struct Formula {
   std::string declarations;  ///< commands of SMT-LIB 2
-  std::vector<std::pair<std::string, std::string>> definitions;  ///< names and formulas, each of names before it
-  std::string index;         ///< a word of 32 bits
-  std::string undefined;     ///< a condition: there is no index, as the code leaves it undefined
+  std::vector<std::pair<std::string, std::string>>
+      definitions;        ///< names and formulas, each of names before it
+  std::string index;      ///< a word of 32 bits
+  std::string undefined;  ///< a condition: there is no index, as the code leaves it undefined
   std::vector<Cause> causes;
 };
 using Formulas = std::function<Formula(Level, const Range& u, const Range& v)>;
@@ -41,9 +42,9 @@ struct Pair {
 };
 
 /// All pairs of ranges of a level that hold two numbers of the domain, those that index functions tend to be wrong on
-/// first.  The domain: u and v in [-0, 1], u + v <= 1 + 2^-23.  Together the ranges hold each of its numbers once: -0;
+/// first, and before them those with one of these exponent fields.  The domain: u and v in [-0, 1], u + v <= 1 + 2^-23.  Together the ranges hold each of its numbers once: -0;
 /// all below 2^-(n+26), subnormal ones included; each other exponent by itself.
-std::vector<Pair> pairs_of(Level n);
+std::vector<Pair> pairs_of(Level n, const std::vector<unsigned>& fields = {});
 
 /// That many: (n+29)^2 - 45.  Domain: n <= 16.
 std::uint64_t count_of_pairs(Level n);
