@@ -96,6 +96,15 @@ ProgramEnd of_clang(std::vector<std::string> words) {
   }
 }
 
+ProgramEnd of_reader(std::vector<std::string> words) {
+  words.insert(words.begin(), reader());
+  try {
+    return ended(words);
+  } catch (const program::NoProgram& why) {
+    throw NotAvailable(why.what());
+  }
+}
+
 std::string bytes_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -138,7 +147,7 @@ Compiled::Compiled(const std::string& file, const std::string& function,
                       without_line_end(end.errors));
   }
   const std::string alone = folder_->file("index.bc"), wrapper = folder_->file("subject.c");
-  const ProgramEnd read = ended({reader(), bitcode_, function_, "export", alone});
+  const ProgramEnd read = of_reader({bitcode_, function_, "export", alone});
   if (!read.succeeded) throw BadSource(file + ": " + without_line_end(read.errors));
   exported_ = bytes_of(alone);
   std::ofstream(wrapper) << behind_the_header;
@@ -153,7 +162,7 @@ Compiled::Compiled(const std::string& file, const std::string& function,
 
 Program Compiled::at_level(unsigned level, const std::string& fault) const {
   const ProgramEnd read =
-      ended({reader(), bitcode_, function_, std::to_string(level), fault.empty() ? "none" : fault});
+      of_reader({bitcode_, function_, std::to_string(level), fault.empty() ? "none" : fault});
   if (read.how == "exit code 3") throw UnknownInstruction(without_line_end(read.errors));
   if (!read.succeeded)
     throw BadSource(file_ + ": mmverify-source: " + read.how + ": " + without_line_end(read.errors));

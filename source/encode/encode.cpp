@@ -88,7 +88,7 @@ class Encoder {
     if (word.width == 1) return is(d.bit(word, 0));
     Value v;
     v.word = word;
-    v.most = std::min(most, mask(word.width));
+    v.most = word.value ? *word.value : std::min(most, mask(word.width));
     return v;
   }
   static Value is(Number x) {

@@ -336,6 +336,12 @@ Number Numbers::of_word(const Bits& word, std::uint64_t most, bool is_signed, Fo
     x.size = d.choose_word(x.negative, d.unary("bvneg", word), word);
   } else {
     x.size = d.lowest(word, static_cast<unsigned>(std::bit_width(most)));
+    // Of a power of two the product is a matter of the unit.
+    if (x.size.value && *x.size.value != 0) {
+      x.unit = std::countr_zero(*x.size.value);
+      const std::uint64_t odd = *x.size.value >> x.unit;
+      x.size = constant(odd, static_cast<unsigned>(std::bit_width(odd)));
+    }
   }
   return rounded(x);
 }

@@ -1,6 +1,7 @@
 #include "source/encode/words.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace mmverify::source {
 namespace {
@@ -10,6 +11,19 @@ std::string applied(const std::string& head, const std::string& a, const std::st
 }
 std::string sort_of(unsigned width) { return "(_ BitVec " + std::to_string(width) + ")"; }
 bool is_atom(const std::string& text) { return text.front() != '(' || text.starts_with("(_ bv"); }
+
+/// Of two constants: a level makes some.
+std::optional<std::uint64_t> folded(std::string_view head, std::uint64_t a, std::uint64_t b, unsigned width) {
+  if (head == "bvadd") return a + b;
+  if (head == "bvsub") return a - b;
+  if (head == "bvmul") return a * b;
+  if (head == "bvand") return a & b;
+  if (head == "bvor") return a | b;
+  if (head == "bvxor") return a ^ b;
+  if (head == "bvshl") return b >= width ? 0 : a << b;
+  if (head == "bvlshr") return b >= width ? 0 : a >> b;
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -82,6 +96,8 @@ Bits Definitions::unary(const char* head, const Bits& a) {
 }
 Bits Definitions::binary(const char* head, const Bits& a, const Bits& b) {
   if (a.width == 0) return a;
+  if (a.value && b.value && a.width <= 64)
+    if (const auto value = folded(head, *a.value, *b.value, a.width)) return constant(*value, a.width);
   return name(Bits{applied(head, a.text, b.text), a.width});
 }
 Bits Definitions::concat(const Bits& high, const Bits& low) {

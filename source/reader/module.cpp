@@ -1,5 +1,7 @@
 #include "source/reader/module.hpp"
 
+#include <llvm/ADT/SmallVector.h>
+#include <llvm/Analysis/CFG.h>
 #include <llvm/Analysis/CGSCCPassManager.h>
 #include <llvm/Analysis/LoopAnalysisManager.h>
 #include <llvm/Demangle/Demangle.h>
@@ -11,6 +13,7 @@
 #include <llvm/Passes/PassBuilder.h>
 #include <llvm/Support/SourceMgr.h>
 #include <llvm/Support/raw_ostream.h>
+#include <llvm/Transforms/Utils/Local.h>
 
 #include <algorithm>
 
@@ -165,12 +168,21 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
       if (llvm::Instruction* end = block.getTerminator())
         end->setMetadata(llvm::LLVMContext::MD_loop, nullptr);
   }
-  // No more than it takes: whatever simplifies may take undefined behaviour for what never happens.
-  const std::string once =
-      "function(sroa,early-cse,simplifycfg,sccp,loop-simplify,lcssa,loop-mssa(loop-rotate),loop(indvars,loop-"
-      "unroll-full),"
-      "sroa,early-cse,sccp,simplifycfg,adce)";
-  run_passes(module, "always-inline,globaldce," + once + "," + once + "," + once);
+  // What simplifies may take undefined behaviour for what never happens, and then nobody sees it: no more is done than the
+  // function needs.  Variables become values in any case, and loops are unrolled where there are some.
+  run_passes(module, "always-inline,globaldce,function(sroa)");
+  llvm::Function& alone = *module.getFunction(asked);
+  // Ways that the level closes.
+  for (llvm::BasicBlock& block : alone) llvm::ConstantFoldTerminator(&block);
+  llvm::removeUnreachableBlocks(alone);
+  llvm::SmallVector<std::pair<const llvm::BasicBlock*, const llvm::BasicBlock*>, 4> loops;
+  llvm::FindFunctionBackedges(alone, loops);
+  if (!loops.empty()) {
+    const std::string once =
+        "function(sroa,early-cse,simplifycfg,sccp,loop-simplify,lcssa,loop-mssa(loop-rotate),"
+        "loop(indvars,loop-unroll-full),sroa,early-cse,sccp,simplifycfg,adce)";
+    run_passes(module, once + "," + once + "," + once);
+  }
   return *module.getFunction(asked);
 }
 

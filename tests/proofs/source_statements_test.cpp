@@ -53,9 +53,10 @@ TEST(SourceStatements, NamedExponentsComeFirstAndNoneIsLost) {
 TEST(SourceStatements, EachHasAPair) {
   for (const Level n : {0u, 9u, 16u})
     for (const Pair& pair : pairs_of(n))
-      if (pair.u.first % 7 == 0 || pair.u.last == 127 || pair.u.negative)
+      if (pair.u.first % 7 == 0 || pair.u.last == 127 || pair.u.negative) {
         ASSERT_EQ(ask_words(witness_of(n, pair)).answer, Answer::sat)
             << "level " << n << ": " << pair.u.first << ", " << pair.v.first;
+      }
 }
 
 /// Whether the statement of that level holds where each function is this.

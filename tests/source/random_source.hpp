@@ -191,9 +191,10 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
     text_ += fmt::format("  uint32_t a0 = {}u, a1 = (uint32_t)(u * 1000.0f), a2 = bits(v), a3 = {}u;\n",
                          random_.below(1u << 30), random_.below(10));
     statements(7, 0, "  ");
+    // What is rare by chance is in each: a sum that wraps, an order of words, a floor below 0.
     text_ +=
-        "  return a0 ^ a1 * 3u ^ a2 * 5u ^ a3 * 7u ^ bits(x0) ^ bits(x1) * 9u ^ bits(x2) * 11u ^ bits(x3) * "
-        "13u;\n}\n";
+        "  a0 += a1 * 3u + (a2 < a3 ? 17u : 0u) + (uint32_t)(int32_t)floorf((u - v) * 8.3f) * 19u;\n"
+        "  return a0 ^ a2 * 5u ^ a3 * 7u ^ bits(x0) ^ bits(x1) * 9u ^ bits(x2) * 11u ^ bits(x3) * 13u;\n}\n";
   }
 
   proofs::Random random_;
