@@ -59,6 +59,10 @@ void print_law(const Law& law) {
   fmt::print("  method: {}; fast tier: {}; long tier: {}{}\n", to_string(law.method), fast, levels,
              levels_text(law, law.long_run));
   if (!law.companion.empty()) fmt::print("  beside it, on subjects of floats: {}\n", law.companion);
+  if (law.id == "index.floats")
+    fmt::print(
+        "  of a function in C, C++ or LLVM's bitcode, levels 0..16: prove index.floats --source FILE "
+        "--function NAME\n");
   fmt::print("  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }
 

@@ -16,6 +16,7 @@
 #include "cli/output_file.hpp"
 #include "cli/run_identity.hpp"
 #include "cli/shader.hpp"
+#include "cli/source.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/options.hpp"
@@ -39,6 +40,8 @@ struct ProveOptions {
   std::optional<std::string> entry;
   bool quiet = false, no_mutants = false, no_companions = false;
   std::string shard, journal;
+  std::optional<std::string> source, function, one_case;
+  std::vector<std::string> flags;
 };
 
 Request request(const ProveOptions& options, std::vector<RunsOn>& runs_on) {
@@ -97,7 +100,41 @@ void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
   for (const std::string& line : said) text.note(line);
 }
 
+/// The one law that is proved of a source, on it.
+Job job_of_source(const ProveOptions& options) {
+  if (options.laws != std::vector<std::string>{"index.floats"})
+    throw UsageError(
+        "--source: index.floats is proved of a source, and nothing else; write mmverify prove index.floats");
+  if (!options.subjects.empty())
+    throw UsageError("--source and --subject: one of them; a source is a subject");
+  SourceOptions of{*options.source, "index_of", options.flags};
+  if (options.function) of.function = *options.function;
+  const std::optional<Levels> levels =
+      options.levels ? std::optional(parse_levels(*options.levels)) : std::nullopt;
+  return source_job(of, levels, options.tier == "long" ? Tier::long_run : Tier::fast,
+                    timeout_of("", options.timeout));
+}
+
+/// A counterexample again: LEVEL@CASE.
+int replay_of_source(const Job& job, const std::string& text) {
+  const Groups parts = groups_of(text, "([0-9]{1,2})@(.+)");
+  if (!parts)
+    throw UsageError(fmt::format("--case {}: write LEVEL@CASE, as a counterexample's line does", text));
+  if (!job.unfit.empty()) throw UsageError(job.unfit);
+  const Level level = parse_level((*parts)[1]);
+  try {
+    const Replayed r = job.law->replay(*job.subject, level, (*parts)[2]);
+    fmt::print("{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
+               job.law->id, level, (*parts)[2], job.subject->name(), r.expected, r.got);
+    return r.holds ? ExitCode::complete : ExitCode::failed;
+  } catch (const BadCase& error) {
+    throw UsageError(fmt::format("--case {}", error.what()));
+  }
+}
+
 int prove(const ProveOptions& options) {
+  if (!options.source && (options.function || options.one_case || !options.flags.empty()))
+    throw UsageError("--function, --flag, --case: of a --source; name one, or leave them out");
   if (options.junit == "-") throw UsageError("--junit -: standard output is for --json; name a file");
   if (!options.json.empty() && same_file(options.json, options.junit))
     throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
@@ -108,7 +145,9 @@ int prove(const ProveOptions& options) {
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
     throw UsageError("--device, --entry: no --subject is a shader; leave them out");
   std::vector<RunsOn> runs_on;
-  const std::vector<Job> jobs = plan(request(options, runs_on));
+  const std::vector<Job> jobs =
+      options.source ? std::vector<Job>{job_of_source(options)} : plan(request(options, runs_on));
+  if (options.one_case) return replay_of_source(jobs.front(), *options.one_case);
   if (options.cells == "interior" && std::none_of(jobs.begin(), jobs.end(), [](const Job& job) {
         return has(job.law->heeds, index::interiors_only);
       }))
@@ -146,7 +185,7 @@ int prove(const ProveOptions& options) {
   }
   announce_companions(jobs, text);
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
-  text.finish(report, !options.subjects.empty());
+  text.finish(report, !options.subjects.empty() || options.source);
   if (report.interrupted && journal)
     fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
   const auto as_json = [&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); };
@@ -221,6 +260,19 @@ Action add_prove(CLI::App& program) {
       ->add_option("--journal", options->journal,
                    "keep finished work in this file as it comes; the same run started again goes on from it")
       ->type_name("FILE");
+  command
+      ->add_option(
+          "--source", options->source,
+          "a function in C, C++ or LLVM's bitcode: prove index.floats of it, for every pair of floats")
+      ->type_name("FILE.c|.cpp|.bc|.ll");
+  command->add_option("--function", options->function, "its name in the source; index_of where not given")
+      ->type_name("NAME");
+  command
+      ->add_option("--flag", options->flags, "one more flag of clang, as --flag=-DFAST; may be given again")
+      ->type_name("FLAG")
+      ->allow_extra_args(false);
+  command->add_option("--case", options->one_case, "run the source's function on one counterexample again")
+      ->type_name("LEVEL@CASE");
   command->add_flag("--no-mutants", options->no_mutants,
                     "leave out the wrong subjects by which each law shows that it can fail");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");

@@ -6,6 +6,9 @@ install(TARGETS mmverify-worker RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/
 if(TARGET mmverify-shaders)
   install(TARGETS mmverify-shaders LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/mmverify)
 endif()
+if(TARGET mmverify-source)
+  install(TARGETS mmverify-source RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/mmverify)
+endif()
 install(DIRECTORY shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/mmverify FILES_MATCHING PATTERN *.glsl PATTERN *.rchit
   PATTERN compile EXCLUDE PATTERN device EXCLUDE PATTERN speed EXCLUDE)
 install(TARGETS mmverify_impl EXPORT mmverify ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -3,6 +3,7 @@
 #include <z3++.h>
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -77,6 +78,39 @@ Found ask_z3(const Statement& statement, const Effort& effort) {
   const Found found = ask_anew(statement, effort);
   if (found.answer != Answer::unknown) settled.keep(statement.text, found);
   return found;
+}
+
+Solved ask_words(const Statement& statement, const Effort& effort) {
+  // What a context has learnt of names stays with it; after some statements it is more than a new one costs.
+  constexpr int statements_a_context = 64;
+  thread_local std::unique_ptr<z3::context> context;
+  thread_local int asked = 0;
+  if (asked++ % statements_a_context == 0) context = std::make_unique<z3::context>();
+  try {
+    z3::solver solver(*context, "QF_BV");
+    z3::params limits(*context);
+    limits.set("timeout", effort.milliseconds);
+    limits.set("ctrl_c", false);
+    if (effort.steps != 0) limits.set("rlimit", effort.steps);
+    solver.set(limits);
+    const z3::expr_vector assertions = context->parse_string(statement.text.c_str());
+    if (assertions.empty()) return {Answer::unknown, "the statement asserts nothing"};
+    solver.add(assertions);
+    const z3::check_result result = solver.check();
+    if (result == z3::unsat) return {Answer::unsat};
+    if (result == z3::unknown) return {Answer::unknown, solver.reason_unknown()};
+    Solved found{Answer::sat};
+    const z3::model model = solver.get_model();
+    for (unsigned k = 0; k < model.num_consts(); ++k) {
+      const z3::func_decl constant = model.get_const_decl(k);
+      const z3::expr value = model.get_const_interp(constant);
+      if (std::uint64_t word = 0; value.is_bv() && value.is_numeral_u64(word))
+        found.values[constant.name().str()] = word;
+    }
+    return found;
+  } catch (const z3::exception& error) {
+    return {Answer::unknown, error.msg()};
+  }
 }
 
 std::string prover_name() {

@@ -1,6 +1,10 @@
 // Asks z3.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <string>
+
 #include "proofs/induction/statement.hpp"
 
 namespace mmverify::proofs::induction {
@@ -18,6 +22,17 @@ struct Found {
 
 /// z3's answer to the file's assertions. What z3 rejects, gives up or does not understand is `unknown`.
 Found ask_z3(const Statement& statement, const Effort& effort = {});
+
+/// An answer, and where it is sat the model's words of up to 64 bits by their names.
+struct Solved {
+  Answer answer = Answer::unknown;
+  std::string reason = {};  ///< unknown: the prover's
+  std::map<std::string, std::uint64_t> values = {};
+};
+
+/// The same of a statement of words alone, for runs of thousands of them: z3's solver for such words, and less is made
+/// anew for each.
+Solved ask_words(const Statement& statement, const Effort& effort = {});
 
 /// "z3 4.8.12".
 std::string prover_name();

@@ -32,6 +32,12 @@ if(NOT MMVERIFY_SANITIZE)
   set_tests_properties(report_page PROPERTIES SKIP_RETURN_CODE 77 LABELS report RUN_SERIAL ON TIMEOUT 600)
 endif()
 
+# Functions in sources; without clang or llvm-14-dev skipped, and so said.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME source_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR})
+  set_tests_properties(source_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+endif()
+
 # Every harness on its corpus.
 if(MMVERIFY_FUZZ)
   foreach(name ${MMVERIFY_HARNESSES})

@@ -1,0 +1,231 @@
+#include "proofs/index/source/law.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <bit>
+#include <charconv>
+#include <mutex>
+
+#include "proofs/engine/bytes.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/shape.hpp"
+#include "proofs/index/judges/judges.hpp"
+#include "proofs/index/laws/parts.hpp"
+#include "proofs/index/picture.hpp"
+#include "proofs/induction/prover.hpp"
+#include "proofs/kinds.hpp"
+
+namespace mmverify::proofs::index::source {
+namespace {
+
+using induction::Answer;
+using induction::Solved;
+using induction::Statement;
+
+constexpr Level highest = 16;
+/// Hard pairs that are run before any prover is asked: most that is wrong is wrong on one of them.
+constexpr std::uint64_t pairs_run = 1 << 15;
+/// Of one statement; a tenth of a second is usual.
+constexpr unsigned most_milliseconds = 900'000;
+
+const SourceSubject& of_source(const Subject& s) { return dynamic_cast<const SourceSubject&>(s); }
+
+std::string number_text(float x) { return fmt::format("{:a}", x); }
+std::string pair_text(float u, float v) { return fmt::format("u={},v={}", number_text(u), number_text(v)); }
+
+std::uint32_t asked(const IndexSubject& s, Level n, float u, float v) {
+  std::uint32_t got = 0;
+  s.functions.index_floats(n, FloatBatch{{&u, 1}, {&v, 1}}, {&got, 1});
+  return got;
+}
+std::uint32_t due(Level n, float u, float v) {
+  return spec::index::reference(RationalPoint{rational(u), rational(v)}, n);
+}
+
+/// What a prover found against a statement.
+struct Claimed {
+  float u, v;
+  std::uint32_t index;
+  bool undefined;
+  std::string cause;
+};
+
+std::uint32_t bits_from(const Solved& found, const char* name, const Range& range) {
+  const std::string n = name;
+  if (const auto whole = found.values.find(n); whole != found.values.end())
+    return static_cast<std::uint32_t>(whole->second);
+  const auto fraction = found.values.find(n + "_fraction");
+  return range.first << 23 |
+         (fraction == found.values.end() ? 0 : static_cast<std::uint32_t>(fraction->second));
+}
+
+Claimed claimed_by(const Solved& found, const Pair& pair, const Formula& formula) {
+  const auto value = [&](const std::string& name) {
+    const auto one = found.values.find(name);
+    return one == found.values.end() ? 0 : one->second;
+  };
+  Claimed c{std::bit_cast<float>(bits_from(found, "u", pair.u)),
+            std::bit_cast<float>(bits_from(found, "v", pair.v)),
+            static_cast<std::uint32_t>(value(claimed_index)),
+            value(claimed_undefined) != 0,
+            {}};
+  for (std::size_t k = 0; k < formula.causes.size() && c.cause.empty(); ++k)
+    if (value(claimed_cause(k)) != 0) c.cause = formula.causes[k].what;
+  return c;
+}
+
+/// The statements of one level, each asked once.
+class OfLevel {
+ public:
+  OfLevel(const SourceSubject& subject, Level n)
+      : subject_(subject), level_(n), pairs_(pairs_of(n, subject.code.fields(n))) {}
+
+  std::uint64_t count() const { return pairs_.size(); }
+
+  void judge(std::uint64_t k, Tally& tally) {
+    // One counterexample is enough; what is left is not asked, and not kept as done.
+    if (refuted_) return tally.break_off();
+    const Pair& pair = pairs_[k];
+    const Formula formula = subject_.code.formulas(level_, pair.u, pair.v);
+    const induction::Effort effort{most_milliseconds, 0};
+    const Statement witness = witness_of(level_, pair), statement = statement_of(level_, pair, formula);
+    if (const Solved found = induction::ask_words(witness, effort); found.answer != Answer::sat)
+      return undecided(witness.name + ": its hypotheses: " + said(found), tally);
+    const Solved found = induction::ask_words(statement, effort);
+    if (found.answer == Answer::unknown) return undecided(statement.name + ": " + said(found), tally);
+    if (found.answer == Answer::sat) return refute(claimed_by(found, pair, formula), tally);
+    tally.count(Kind::interior, 1);
+    tally.digest(k, hash_of(statement.text));
+  }
+
+  /// Throws where something is neither proved nor refuted.
+  void settled(const Tally& tally) const {
+    if (tally.mismatches() == 0 && !failed_.empty()) throw NotProved(failed_);
+  }
+
+ private:
+  static std::string said(const Solved& found) {
+    return fmt::format("{} says {}{}", induction::prover_name(), to_string(found.answer),
+                       found.reason.empty() ? "" : " (" + found.reason + ")");
+  }
+
+  void undecided(const std::string& why, Tally& tally) {
+    const std::lock_guard hold(lock_);
+    if (failed_.empty()) failed_ = why;
+    tally.break_off();
+  }
+
+  void refute(const Claimed& c, Tally& tally) {
+    const std::uint32_t want = due(level_, c.u, c.v), got = asked(subject_, level_, c.u, c.v);
+    const std::string at = pair_text(c.u, c.v);
+    // The compiled function has the last word; what is undefined may come out right by chance.
+    if (got == want && !c.undefined)
+      return undecided(
+          fmt::format(
+              "level {} case {}: by the formula the index is {}, the compiled function gives {}, which is "
+              "right: the translator or the prover is wrong, and nothing is proved",
+              level_, at, c.index, got),
+          tally);
+    refuted_ = true;
+    tally.break_off();
+    tally.count(Kind::interior, 1);
+    const RationalPoint p{rational(c.u), rational(c.v)};
+    const std::string what =
+        c.undefined ? fmt::format("{}, undefined: {}", got, c.cause) : fmt::format("{}", got);
+    tally.mismatch(Kind::interior, simplicity(p), [&] {
+      return Counterexample{simplicity(p), level_, at, {}, fmt::format("{}", want), what};
+    });
+  }
+
+  const SourceSubject& subject_;
+  Level level_;
+  std::vector<Pair> pairs_;
+  std::atomic<bool> refuted_ = false;
+  std::mutex lock_;
+  std::string failed_;
+};
+
+Tally judge(const Subject& any, Level n, const Run& run) {
+  const SourceSubject& subject = of_source(any);
+  Run quick = run;
+  quick.options = {};
+  quick.near = 0;
+  quick.progress = nullptr;
+  quick.division = nullptr;
+  if (const Tally sample = exact_on_floats(subject, n, quick, pairs_run); sample.mismatches() != 0) {
+    Tally tally(run.errors);
+    for (Counterexample c : sample.found()) {
+      tally.count(Kind::interior, 1);
+      tally.mismatch(Kind::interior, c.simplicity, [&] { return c; });
+    }
+    return tally;
+  }
+  OfLevel level(subject, n);
+  const Tally tally = sweep(run, level.count(), 1, [&](Chunk chunk, Tally& part) {
+    for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) level.judge(k, part);
+  });
+  if (interrupted()) return tally;
+  level.settled(tally);
+  return tally;
+}
+
+}  // namespace
+
+SourceSubject::SourceSubject(std::string name, std::string about, Functions f, std::string fingerprint,
+                             Code c)
+    : IndexSubject(std::move(name), std::move(about), std::move(f), std::move(fingerprint)),
+      code(std::move(c)) {}
+
+Law law(std::string replayed_by) {
+  Law l{
+      .id = "index.floats",
+      .topic = "index",
+      .says =
+          "for every pair of binary32 numbers the function's index is defined and that of the exact "
+          "reference",
+      .source = vulkan,
+      .method = Method::bit_vectors,
+      .fast = {9, 9},
+      .long_run = {0, highest},
+      .cases = [](Level n, const Run&) { return count_of_pairs(n); },
+      .domain =
+          [](const Subject&, Level) {
+            return "every pair of binary32 numbers u and v in [-0, 1] with u + v <= 1 + 2^-23, by pairs of "
+                   "exponents";
+          },
+      .how =
+          [](const Subject& s, Level) {
+            return fmt::format("bit vectors, {}; LLVM bitcode of {}", induction::prover_name(),
+                               of_source(s).code.compiler);
+          },
+      .unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
+        if (n > highest) return fmt::format("levels 0..{}", highest);
+        return of_source(s).code.not_known(n);
+      },
+      .divisible = true,
+      .judge = judge,
+      .replay = [](const Subject& s, Level n, const std::string& at) { return replay(of_index(s), n, at); }};
+  l.replayed_by = std::move(replayed_by);
+  return l;
+}
+
+Replayed replay(const IndexSubject& subject, Level n, const std::string& at) {
+  const Groups parts = groups_of(at, "(?:[a-z]:)?u=([^,=]+),v=([^,=]+)");
+  if (!parts) throw BadCase(fmt::format("{}: write u=...,v=..., for example u=0x1.8p-2,v=0.25", at));
+  const auto number = [&](const std::string& text) {
+    char* end = nullptr;
+    const float x = std::strtof(text.c_str(), &end);
+    if (*end == 0 && x >= 0 && x <= 1) return x;
+    // A sample's case has fractions.
+    const RationalPoint p = parse_point("u=" + text + ",v=0");
+    const auto y = static_cast<float>(nearest(p.u));
+    if (rational(y) != p.u) throw BadCase(fmt::format("{}: no binary32 number in [-0, 1]", text));
+    return y;
+  };
+  const float u = number((*parts)[1]), v = number((*parts)[2]);
+  const std::uint32_t want = due(n, u, v), got = asked(subject, n, u, v);
+  return {want == got, fmt::format("{}", want), fmt::format("{}", got), {}};
+}
+
+}  // namespace mmverify::proofs::index::source

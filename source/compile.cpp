@@ -1,0 +1,172 @@
+#include "source/compile.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "program/program.hpp"
+
+namespace mmverify::source {
+
+namespace fs = std::filesystem;
+
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "mmverify-source-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": " + std::strerror(errno));
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string file(const std::string& name) const { return (fs::path(path_) / name).string(); }
+
+ private:
+  std::string path_;
+};
+
+namespace {
+
+using program::ProgramEnd;
+
+constexpr const char* behind_the_header = R"(#include <mmverify_subject.h>
+uint32_t mmverify_source_index(uint32_t level, float u, float v);
+static void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count) {
+  for (size_t k = 0; k < count; ++k) index[k] = mmverify_source_index(level, u[k], v[k]);
+}
+const mmverify_subject_t* mmverify_subject_v1(void) {
+  static const mmverify_subject_t subject = {
+      .abi = MMVERIFY_SUBJECT_ABI, .size = sizeof subject, .max_level = 16, .index_f32 = index_f32};
+  return &subject;
+}
+)";
+
+fs::path program_folder() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+/// Where mmverify_subject.h is.
+std::string header_folder() {
+  std::error_code error;
+  const fs::path installed = program_folder() / "../include";
+  return fs::exists(installed / "mmverify_subject.h", error) ? installed.lexically_normal().string()
+                                                             : MMVERIFY_SDK;
+}
+
+std::string clang() {
+  const char* named = std::getenv("MMVERIFY_CLANG");
+  return named != nullptr ? named : "clang";
+}
+
+/// Beside the program, where it is installed, or beside the program's folder, as tests are.
+std::string reader() {
+  if (const char* named = std::getenv("MMVERIFY_SOURCE_READER")) return named;
+  std::error_code error;
+  const fs::path here = program_folder();
+  for (const fs::path& place : {here / "mmverify-source", here / "../libexec/mmverify/mmverify-source",
+                                here / "../cli/mmverify-source"})
+    if (fs::exists(place, error)) return place.string();
+  throw NotAvailable(
+      "this build reads no LLVM bitcode: install llvm-14-dev and build again (./run build does both)");
+}
+
+ProgramEnd ended(const std::vector<std::string>& words) {
+  using std::chrono_literals::operator""s;
+  return program::run_program(words, {}, {}, {300s, std::uint64_t{8} << 30, std::uint64_t{256} << 20});
+}
+
+ProgramEnd of_clang(std::vector<std::string> words) {
+  words.insert(words.begin(), clang());
+  try {
+    return ended(words);
+  } catch (const program::NoProgram&) {
+    throw NotAvailable(
+        clang() + ": there is no such compiler; install the Debian package clang, or set MMVERIFY_CLANG");
+  }
+}
+
+ProgramEnd of_reader(std::vector<std::string> words) {
+  words.insert(words.begin(), reader());
+  try {
+    return ended(words);
+  } catch (const program::NoProgram& why) {
+    throw NotAvailable(why.what());
+  }
+}
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string without_line_end(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Compiled::Compiled(const std::string& file, const std::string& function,
+                   const std::vector<std::string>& flags)
+    : file_(file), function_(function), bitcode_(file), folder_(std::make_shared<const Folder>()) {
+  reader();
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) throw BadSource(file + ": no such file");
+  const std::string version = of_clang({"--version"}).out;
+  const std::size_t from = version.find("clang version");
+  compiler_ = from == std::string::npos
+                  ? "clang"
+                  : version.substr(from, version.find_first_of(" \n(", from + 14) - from);
+  const std::string extension = fs::path(file).extension().string();
+  if (extension != ".bc" && extension != ".ll") {
+    bitcode_ = folder_->file("module.bc");
+    // LLVM's passes are the reader's business; a function that nobody calls is to be there, too.
+    std::vector<std::string> words{"-O1",
+                                   "-g",
+                                   "-Xclang",
+                                   "-disable-llvm-passes",
+                                   "-Xclang",
+                                   "-femit-all-decls",
+                                   "-I" + header_folder()};
+    words.insert(words.end(), flags.begin(), flags.end());
+    words.insert(words.end(),
+                 {"-ffp-contract=off", "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, file});
+    if (const ProgramEnd end = of_clang(words); !end.succeeded)
+      throw BadSource(file + ": clang does not compile it (" + end.how + "):\n" +
+                      without_line_end(end.errors));
+  }
+  const std::string alone = folder_->file("index.bc"), wrapper = folder_->file("subject.c");
+  const ProgramEnd read = of_reader({bitcode_, function_, "export", alone});
+  if (!read.succeeded) throw BadSource(file + ": " + without_line_end(read.errors));
+  exported_ = bytes_of(alone);
+  std::ofstream(wrapper) << behind_the_header;
+  library_ = folder_->file("index.so");
+  const ProgramEnd linked =
+      of_clang({"-O1", "-ffp-contract=off", "-fno-math-errno", "-Wno-override-module", "-shared", "-fPIC",
+                "-I" + header_folder(), wrapper, alone, "-lm", "-o", library_});
+  if (!linked.succeeded)
+    throw BadSource(file + ": clang makes no shared library of it (" + linked.how + "):\n" +
+                    without_line_end(linked.errors));
+}
+
+Program Compiled::at_level(unsigned level, const std::string& fault) const {
+  const ProgramEnd read =
+      of_reader({bitcode_, function_, std::to_string(level), fault.empty() ? "none" : fault});
+  if (read.how == "exit code 3") throw UnknownInstruction(without_line_end(read.errors));
+  if (!read.succeeded)
+    throw BadSource(file_ + ": mmverify-source: " + read.how + ": " + without_line_end(read.errors));
+  return read_program(read.out);
+}
+
+}  // namespace mmverify::source

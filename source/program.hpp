@@ -1,0 +1,146 @@
+// A function of two floats at one level, without loops, calls or memory: numbered operations, each on earlier ones.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mmverify::source {
+
+/// What an operation does.  Words are unsigned and wrap; signed ones say so.  Semantics: LLVM's Language Reference, of the
+/// instruction or intrinsic of that name; floats are IEEE 754's, rounded to nearest, ties to even.
+///   constant    numbers[0]: the value, or a float's bits
+///   poison      a value that nobody may use
+///   table       numbers: bytes of an element, then the elements; of[0]: a byte offset of 64 bits
+///   fcmp        numbers[0]: 1 equal + 2 greater + 4 less + 8 unordered
+///   poisoned    whether of[0] is poison
+///   bits_of, float_of   a float's bits as a word, and back
+enum class Op : std::uint8_t {
+  input_u,
+  input_v,
+  constant,
+  poison,
+  add,
+  sub,
+  mul,
+  udiv,
+  urem,
+  sdiv,
+  srem,
+  shl,
+  lshr,
+  ashr,
+  bit_and,
+  bit_or,
+  bit_xor,
+  eq,
+  ne,
+  ult,
+  ule,
+  slt,
+  sle,
+  select,
+  zext,
+  sext,
+  trunc,
+  ctpop,
+  ctlz,
+  cttz,
+  bswap,
+  bitreverse,
+  fshl,
+  fshr,
+  abs,
+  umin,
+  umax,
+  smin,
+  smax,
+  uadd_sat,
+  usub_sat,
+  sadd_sat,
+  ssub_sat,
+  freeze,
+  poisoned,
+  table,
+  bits_of,
+  float_of,
+  fadd,
+  fsub,
+  fmul,
+  fdiv,
+  fma,
+  fneg,
+  fabs,
+  copysign,
+  fcmp,
+  fmin,
+  fmax,
+  floor,
+  ceil,
+  ftrunc,
+  round,
+  roundeven,
+  fptoui,
+  fptosi,
+  fptoui_sat,
+  fptosi_sat,
+  uitofp,
+  sitofp,
+  fpext,
+  fptrunc,
+};
+
+/// Its name in a program's text.
+std::string_view to_string(Op op);
+
+/// Flags of an operation: where it does what they forbid, its value is poison.
+enum Flag : unsigned {
+  no_unsigned_wrap = 1,
+  no_signed_wrap = 2,
+  exact = 4,
+  defined_at_all_but_zero = 8,  ///< ctlz, cttz; of abs: at all but the least number
+};
+
+struct Type {
+  bool floating = false;
+  unsigned bits = 0;  ///< a word's 1..64; a float's 32 or 64
+  friend bool operator==(const Type&, const Type&) = default;
+};
+
+struct Node {
+  Op op = Op::poison;
+  Type type;
+  std::vector<std::uint32_t> of = {};  ///< numbers of earlier nodes
+  std::vector<std::uint64_t> numbers = {};
+  unsigned flags = 0;
+  std::string where = {};  ///< "mine.c:12"; empty: not known
+};
+
+/// What must not be: a node of one bit.
+struct Forbidden {
+  std::uint32_t node;
+  std::string what;  ///< "division by zero, mine.c:12"
+};
+
+struct Program {
+  std::vector<Node> nodes;
+  std::vector<Forbidden> forbidden;
+  std::uint32_t result = 0;  ///< a node of 32 bits
+};
+
+/// A program's text that is none; what() says what and in which line.
+struct BadProgram : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A line a node, `OP TYPE of... : numbers... ! flags @ where`, the last three where there are some; then
+/// `forbidden NODE WHAT` and at the end `result NODE`.
+std::string to_text(const Program& program);
+
+/// Its inverse.  Every operand is an earlier node of the sort that the operation takes.
+/// Throws BadProgram.
+Program read_program(const std::string& text);
+
+}  // namespace mmverify::source

@@ -1,0 +1,82 @@
+// mmverify-source: LLVM's bitcode in, a program of source/program.hpp out.  A process of its own, so that LLVM is in no
+// other, and so that bitcode that LLVM cannot bear ends nothing else.
+//
+//   mmverify-source FILE FUNCTION LEVEL [FAULT]   the program, to standard output
+//   mmverify-source FILE FUNCTION export OUT.bc   the bitcode with that function for others to call
+// Exit codes: 0; 2 no such function, or another form; 3 an instruction that is not known; 4 a bad file.
+#include <llvm/Bitcode/BitcodeWriter.h>
+#include <llvm/IR/DiagnosticInfo.h>
+#include <llvm/Support/CommandLine.h>
+#include <llvm/Support/FileSystem.h>
+#include <llvm/Support/raw_ostream.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "source/reader/module.hpp"
+
+namespace {
+
+using namespace mmverify::source;
+
+constexpr std::array faults{
+    "none", "swapped-edges", "signed-compare", "shift-by-one-less", "widened-with-sign", "lost-wrap"};
+
+void say(const std::exception& why) { std::fprintf(stderr, "%s\n", why.what()); }
+
+int run(int count, char** words) {
+  if (count < 4) {
+    std::fputs("usage: mmverify-source FILE FUNCTION LEVEL|export [FAULT|OUT.bc]\n", stderr);
+    return 2;
+  }
+  const std::string file = words[1], name = words[2], what = words[3];
+  llvm::LLVMContext context;
+  const auto module = [&] {
+    try {
+      return read_module(file, context);
+    } catch (const CannotRead& why) {
+      say(why);
+      return std::unique_ptr<llvm::Module>();
+    }
+  }();
+  if (!module) return 4;
+  llvm::Function& index = index_function(*module, name);
+  if (what == "export") {
+    export_index(*module, index);
+    std::error_code error;
+    llvm::raw_fd_ostream out(count > 4 ? words[4] : "-", error);
+    if (error) throw CannotRead(error.message());
+    llvm::WriteBitcodeToFile(*module, out);
+    return 0;
+  }
+  Planted planted = Planted::none;
+  for (std::size_t k = 0; count > 4 && k < faults.size(); ++k)
+    if (words[4] == std::string(faults[k])) planted = static_cast<Planted>(k);
+  // Loops are unrolled whatever that takes.
+  const char* options[] = {"mmverify-source", "-unroll-threshold=1000000", "-unroll-full-max-count=4096",
+                           "-unroll-max-iteration-count-to-analyze=4096"};
+  llvm::cl::ParseCommandLineOptions(std::size(options), options);
+  const llvm::Function& f = at_level(*module, index, static_cast<unsigned>(std::stoul(what)));
+  if (std::getenv("MMVERIFY_SOURCE_IR") != nullptr) f.print(llvm::errs());
+  const std::string text = to_text(translate(f, planted));
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  try {
+    return run(count, words);
+  } catch (const NotKnown& why) {
+    say(why);
+    return 3;
+  } catch (const CannotRead& why) {
+    say(why);
+    return 2;
+  } catch (const std::exception& why) {
+    say(why);
+    return 4;
+  }
+}

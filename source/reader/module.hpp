@@ -1,0 +1,46 @@
+// LLVM's bitcode: found functions, and the one that is asked for, alone, at one level, without calls and loops.
+#pragma once
+
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/IR/Module.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/program.hpp"
+
+namespace mmverify::source {
+
+/// What the reader cannot do, in words for whoever asked.
+struct CannotRead : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// An instruction that has no operation here; what() begins with file and line.
+struct NotKnown : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Bitcode or its text.  Throws CannotRead.
+std::unique_ptr<llvm::Module> read_module(const std::string& file, llvm::LLVMContext& context);
+
+/// The functions that the module has bodies of, as their source calls them.
+std::vector<std::string> functions_of(const llvm::Module& module);
+
+/// The function of that name, which takes a level, u and v: a word and two floats, u before v, the level first or last.
+/// Throws CannotRead: there is none, several, or of another form.
+llvm::Function& index_function(llvm::Module& module, const std::string& name);
+
+/// Leaves the one function mmverify_source_index(level, u, v) for others to call.
+void export_index(llvm::Module& module, llvm::Function& index);
+
+/// Leaves one function of u and v, with the level a constant, its calls inlined, its loops unrolled.
+llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned level);
+
+/// Mistakes on purpose, for the tests that must find them.
+enum class Planted { none, swapped_edges, signed_compare, shift_by_one_less, widened_with_sign, lost_wrap };
+
+/// The program of a function of two floats.  Throws NotKnown.
+Program translate(const llvm::Function& function, Planted planted);
+
+}  // namespace mmverify::source

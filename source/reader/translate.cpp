@@ -1,0 +1,496 @@
+// LLVM's instructions as operations.  Branches become conditions: a block is reached where one of its edges is taken, a phi
+// is a choice by its edges.
+#include <llvm/ADT/PostOrderIterator.h>
+#include <llvm/Analysis/CFG.h>
+#include <llvm/IR/CFG.h>
+#include <llvm/IR/Constants.h>
+#include <llvm/IR/DebugInfoMetadata.h>
+#include <llvm/IR/GetElementPtrTypeIterator.h>
+#include <llvm/IR/InstrTypes.h>
+#include <llvm/IR/Instructions.h>
+#include <llvm/IR/IntrinsicInst.h>
+#include <llvm/IR/Operator.h>
+#include <llvm/Support/raw_ostream.h>
+
+#include <map>
+#include <optional>
+
+#include "source/reader/module.hpp"
+
+namespace mmverify::source {
+namespace {
+
+using Number = std::uint32_t;
+
+std::string place(const llvm::Instruction& at) {
+  const llvm::DILocation* line = at.getDebugLoc();
+  if (line == nullptr || line->getLine() == 0) return {};
+  return line->getFilename().str() + ":" + std::to_string(line->getLine());
+}
+
+std::string name_of(const llvm::Instruction& at) {
+  std::string name = at.getOpcodeName();
+  if (const auto* call = llvm::dyn_cast<llvm::CallBase>(&at)) {
+    const llvm::Function* to = call->getCalledFunction();
+    name += to != nullptr ? " of " + to->getName().str() : " of what is not known before it runs";
+  }
+  return name;
+}
+
+[[noreturn]] void not_known(const llvm::Instruction& at, const std::string& why = {}) {
+  const std::string where = place(at), file = at.getFunction()->getParent()->getSourceFileName();
+  throw NotKnown((where.empty() ? file : where) + ": " + name_of(at) + (why.empty() ? "" : ": " + why));
+}
+
+class Translation {
+ public:
+  Translation(const llvm::Function& f, Planted planted) : function_(f), planted_(planted) {}
+
+  Program run() {
+    llvm::SmallVector<std::pair<const llvm::BasicBlock*, const llvm::BasicBlock*>, 4> loops;
+    llvm::FindFunctionBackedges(function_, loops);
+    if (!loops.empty()) not_known(*loops.front().first->getTerminator(), "a loop that no constant ends");
+    values_[function_.getArg(0)] = add({Op::input_u, {true, 32}});
+    values_[function_.getArg(1)] = add({Op::input_v, {true, 32}});
+    const llvm::ReversePostOrderTraversal<const llvm::Function*> in_order(&function_);
+    for (const llvm::BasicBlock* block : in_order) translate(*block);
+    if (!result_) throw NotKnown(function_.getParent()->getSourceFileName() + ": it never returns");
+    program_.result = *result_;
+    return std::move(program_);
+  }
+
+ private:
+  using Block = const llvm::BasicBlock*;
+
+  Number add(Node node) {
+    program_.nodes.push_back(std::move(node));
+    return static_cast<Number>(program_.nodes.size() - 1);
+  }
+  Number word(std::uint64_t value, unsigned bits) { return add({Op::constant, {false, bits}, {}, {value}}); }
+  Number yes_or_no(bool yes) { return word(yes ? 1 : 0, 1); }
+  const Type& type_of(Number k) const { return program_.nodes[k].type; }
+  /// Without poison of b where a is 0.
+  Number both(Number a, Number b) { return add({Op::select, {false, 1}, {a, b, yes_or_no(false)}}); }
+
+  void forbid(const llvm::Instruction& at, Number condition, const std::string& what) {
+    const std::string where = place(at);
+    program_.forbidden.push_back(
+        {both(reached_.at(at.getParent()), condition), what + (where.empty() ? "" : ", " + where)});
+  }
+
+  static std::optional<Type> type_of(const llvm::Type* t) {
+    if (t->isFloatTy()) return Type{true, 32};
+    if (t->isDoubleTy()) return Type{true, 64};
+    if (t->isIntegerTy() && t->getIntegerBitWidth() <= 64) return Type{false, t->getIntegerBitWidth()};
+    return std::nullopt;
+  }
+  static Type type_at(const llvm::Instruction& at, const llvm::Type* t) {
+    const auto type = type_of(t);
+    if (!type) {
+      std::string text;
+      llvm::raw_string_ostream(text) << *t;
+      not_known(at, "a value of type " + text);
+    }
+    return *type;
+  }
+
+  Number value(const llvm::Instruction& at, const llvm::Value* v) {
+    if (const auto known = values_.find(v); known != values_.end()) return known->second;
+    const Type type = type_at(at, v->getType());
+    if (const auto* k = llvm::dyn_cast<llvm::ConstantInt>(v)) return word(k->getZExtValue(), type.bits);
+    if (const auto* x = llvm::dyn_cast<llvm::ConstantFP>(v))
+      return add({Op::constant, type, {}, {x->getValueAPF().bitcastToAPInt().getZExtValue()}});
+    // What is undef may be anything, each time anew: nobody may lean on it.
+    if (llvm::isa<llvm::UndefValue>(v)) return add({Op::poison, type});
+    not_known(at, "an operand of a kind that is not known");
+  }
+
+  /// The condition of one edge: that its block is reached and goes there.
+  Number edge(Block from, Block to) {
+    const llvm::Instruction& end = *from->getTerminator();
+    const Number here = reached_.at(from);
+    if (const auto* branch = llvm::dyn_cast<llvm::BranchInst>(&end)) {
+      if (branch->isUnconditional() || branch->getSuccessor(0) == branch->getSuccessor(1)) return here;
+      Number taken = value(end, branch->getCondition());
+      if (branch->getSuccessor(1) == to) taken = add({Op::bit_xor, {false, 1}, {taken, yes_or_no(true)}});
+      return both(here, taken);
+    }
+    if (const auto* choice = llvm::dyn_cast<llvm::SwitchInst>(&end)) {
+      const Number of = value(end, choice->getCondition());
+      Number any = yes_or_no(false);
+      const bool is_default = choice->getDefaultDest() == to;
+      for (const auto& one : choice->cases())
+        if ((one.getCaseSuccessor() == to) != is_default) {
+          const Number hit = add({Op::eq, {false, 1}, {of, value(end, one.getCaseValue())}});
+          any = add({Op::bit_or, {false, 1}, {any, hit}});
+        }
+      return both(here, is_default ? add({Op::bit_xor, {false, 1}, {any, yes_or_no(true)}}) : any);
+    }
+    not_known(end);
+  }
+
+  void reach(Block block) {
+    if (block == &function_.getEntryBlock()) {
+      reached_[block] = yes_or_no(true);
+      return;
+    }
+    std::optional<Number> any;
+    std::map<Block, bool> done;
+    for (const Block from : llvm::predecessors(block)) {
+      if (reached_.count(from) == 0 || std::exchange(done[from], true)) continue;
+      const Number taken = edges_[{from, block}] = edge(from, block);
+      any = any ? add({Op::bit_or, {false, 1}, {*any, taken}}) : taken;
+    }
+    reached_[block] = any.value();
+  }
+
+  void translate(const llvm::BasicBlock& block) {
+    reach(&block);
+    for (const llvm::Instruction& at : block) {
+      if (llvm::isa<llvm::DbgInfoIntrinsic>(at)) continue;
+      if (at.isTerminator()) {
+        end(at);
+        continue;
+      }
+      if (at.getType()->isPointerTy()) {
+        if (!llvm::isa<llvm::GetElementPtrInst>(at) && !llvm::isa<llvm::BitCastInst>(at))
+          not_known(at, "a pointer");
+        continue;  // a load follows it
+      }
+      const std::optional<Number> made = instruction(at);
+      if (!made) continue;
+      values_[&at] = *made;
+      if (program_.nodes[*made].where.empty()) program_.nodes[*made].where = place(at);
+    }
+  }
+
+  void end(const llvm::Instruction& at) {
+    if (const auto* back = llvm::dyn_cast<llvm::ReturnInst>(&at)) {
+      const Number one = value(at, back->getReturnValue());
+      result_ = result_ ? add({Op::select, type_of(one), {reached_.at(at.getParent()), one, *result_}}) : one;
+      return;
+    }
+    if (llvm::isa<llvm::UnreachableInst>(at))
+      return forbid(at, yes_or_no(true), "a place that must not be reached");
+    const llvm::Value* condition = nullptr;
+    if (const auto* branch = llvm::dyn_cast<llvm::BranchInst>(&at)) {
+      if (branch->isUnconditional()) return;
+      condition = branch->getCondition();
+    } else if (const auto* choice = llvm::dyn_cast<llvm::SwitchInst>(&at)) {
+      condition = choice->getCondition();
+    } else {
+      not_known(at);
+    }
+    forbid(at, add({Op::poisoned, {false, 1}, {value(at, condition)}}),
+           "a branch on a value that is undefined");
+  }
+
+  std::optional<Number> instruction(const llvm::Instruction& at) {
+    if (const auto* math = llvm::dyn_cast<llvm::FPMathOperator>(&at);
+        math != nullptr && math->getFastMathFlags().any())
+      not_known(at, "fast-math flags, which leave its value open");
+    if (const auto* phi = llvm::dyn_cast<llvm::PHINode>(&at)) return choice_of(*phi);
+    if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) return table(*load);
+    if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) return intrinsic(*call);
+    if (const auto* compare = llvm::dyn_cast<llvm::ICmpInst>(&at)) return comparison(*compare);
+    return plain(at);
+  }
+
+  Number choice_of(const llvm::PHINode& phi) {
+    std::vector<std::pair<Number, Number>> ways;  // edge, value
+    std::map<Block, bool> done;
+    for (unsigned k = 0; k < phi.getNumIncomingValues(); ++k) {
+      const Block from = phi.getIncomingBlock(k);
+      if (reached_.count(from) == 0 || std::exchange(done[from], true)) continue;
+      ways.emplace_back(edges_.at({from, phi.getParent()}), value(phi, phi.getIncomingValue(k)));
+    }
+    if (planted_ == Planted::swapped_edges && ways.size() == 2) std::swap(ways[0].second, ways[1].second);
+    Number all = ways.back().second;
+    for (std::size_t k = ways.size() - 1; k-- > 0;)
+      all = add({Op::select, type_of(all), {ways[k].first, ways[k].second, all}});
+    return all;
+  }
+
+  Number comparison(const llvm::ICmpInst& at) {
+    using P = llvm::CmpInst::Predicate;
+    Number a = value(at, at.getOperand(0)), b = value(at, at.getOperand(1));
+    P p = at.getPredicate();
+    if (p == P::ICMP_UGT || p == P::ICMP_UGE || p == P::ICMP_SGT || p == P::ICMP_SGE) {
+      std::swap(a, b);
+      p = llvm::CmpInst::getSwappedPredicate(p);
+    }
+    Op op = p == P::ICMP_EQ    ? Op::eq
+            : p == P::ICMP_NE  ? Op::ne
+            : p == P::ICMP_ULT ? Op::ult
+            : p == P::ICMP_ULE ? Op::ule
+            : p == P::ICMP_SLT ? Op::slt
+                               : Op::sle;
+    if (planted_ == Planted::signed_compare && op == Op::ult) op = Op::slt;
+    return add({op, {false, 1}, {a, b}});
+  }
+
+  /// Elements of `bits` bits that follow each other in a constant; false: it has others.
+  bool elements(const llvm::Constant* of, Type type, std::vector<std::uint64_t>& into) const {
+    if (const auto* k = llvm::dyn_cast<llvm::ConstantInt>(of)) {
+      if (type.floating || k->getType()->getIntegerBitWidth() != type.bits) return false;
+      into.push_back(k->getZExtValue());
+      return true;
+    }
+    if (const auto* x = llvm::dyn_cast<llvm::ConstantFP>(of)) {
+      if (!type.floating || x->getType()->getPrimitiveSizeInBits() != type.bits) return false;
+      into.push_back(x->getValueAPF().bitcastToAPInt().getZExtValue());
+      return true;
+    }
+    const llvm::Type* t = of->getType();
+    const std::uint64_t count = t->isArrayTy()    ? t->getArrayNumElements()
+                                : t->isStructTy() ? t->getStructNumElements()
+                                                  : 0;
+    if (count == 0 || count > 1 << 16) return false;
+    for (unsigned k = 0; k < count; ++k) {
+      const llvm::Constant* one = of->getAggregateElement(k);
+      if (one == nullptr || !elements(one, type, into)) return false;
+    }
+    return true;
+  }
+
+  Number table(const llvm::LoadInst& load) {
+    if (!load.isSimple()) not_known(load, "volatile or atomic");
+    const Type type = type_at(load, load.getType());
+    const llvm::DataLayout& layout = function_.getParent()->getDataLayout();
+    Number offset = word(0, 64);
+    const llvm::Value* pointer = load.getPointerOperand();
+    while (!llvm::isa<llvm::GlobalVariable>(pointer)) {
+      const auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer);
+      if (step == nullptr) {
+        const auto* cast = llvm::dyn_cast<llvm::BitCastOperator>(pointer);
+        if (cast == nullptr) not_known(load, "memory that is no constant table");
+        pointer = cast->getOperand(0);
+        continue;
+      }
+      offset = moved(load, *step, layout, offset);
+      pointer = step->getPointerOperand();
+    }
+    const auto* global = llvm::cast<llvm::GlobalVariable>(pointer);
+    if (!global->isConstant() || !global->hasDefinitiveInitializer())
+      not_known(load, global->getName().str() + " is no constant");
+    Node node{Op::table, type, {offset}, {layout.getTypeStoreSize(load.getType())}};
+    if (!elements(global->getInitializer(), type, node.numbers) || node.numbers.size() < 2 ||
+        (node.numbers.size() - 1) * node.numbers[0] != layout.getTypeAllocSize(global->getValueType()))
+      not_known(load, global->getName().str() + " is no table of elements of one type");
+    const Number made = add(std::move(node));
+    forbid(load, add({Op::poisoned, {false, 1}, {made}}), "a read outside of a table");
+    return made;
+  }
+
+  Number moved(const llvm::Instruction& at, const llvm::GEPOperator& step, const llvm::DataLayout& layout,
+               Number offset) {
+    const auto plus = [&](Number bytes) { offset = add({Op::add, {false, 64}, {offset, bytes}}); };
+    for (auto part = llvm::gep_type_begin(step); part != llvm::gep_type_end(step); ++part) {
+      if (llvm::StructType* record = part.getStructTypeOrNull()) {
+        const auto field = llvm::cast<llvm::ConstantInt>(part.getOperand())->getZExtValue();
+        plus(word(layout.getStructLayout(record)->getElementOffset(static_cast<unsigned>(field)), 64));
+        continue;
+      }
+      Number index = value(at, part.getOperand());
+      if (type_of(index).bits < 64) index = add({Op::sext, {false, 64}, {index}});
+      plus(add({Op::mul, {false, 64}, {index, word(layout.getTypeAllocSize(part.getIndexedType()), 64)}}));
+    }
+    return offset;
+  }
+
+  std::optional<Number> intrinsic(const llvm::CallInst& call) {
+    using namespace llvm::Intrinsic;
+    const auto of = [&](unsigned k) { return value(call, call.getArgOperand(k)); };
+    const auto make = [&](Op op, unsigned count) {
+      Node node{op, type_at(call, call.getType())};
+      for (unsigned k = 0; k < count; ++k) node.of.push_back(of(k));
+      return add(std::move(node));
+    };
+    const auto flagged = [&](Op op) {
+      const Number made = make(op, 1);
+      if (llvm::cast<llvm::ConstantInt>(call.getArgOperand(1))->isOne())
+        program_.nodes[made].flags = defined_at_all_but_zero;
+      return made;
+    };
+    static const std::map<ID, std::pair<Op, unsigned>> known{
+        {llvm::Intrinsic::fabs, {Op::fabs, 1}},
+        {llvm::Intrinsic::floor, {Op::floor, 1}},
+        {llvm::Intrinsic::ceil, {Op::ceil, 1}},
+        {llvm::Intrinsic::trunc, {Op::ftrunc, 1}},
+        {llvm::Intrinsic::round, {Op::round, 1}},
+        {llvm::Intrinsic::roundeven, {Op::roundeven, 1}},
+        {llvm::Intrinsic::rint, {Op::roundeven, 1}},
+        {llvm::Intrinsic::nearbyint, {Op::roundeven, 1}},
+        {llvm::Intrinsic::fma, {Op::fma, 3}},
+        {llvm::Intrinsic::copysign, {Op::copysign, 2}},
+        {llvm::Intrinsic::minnum, {Op::fmin, 2}},
+        {llvm::Intrinsic::maxnum, {Op::fmax, 2}},
+        {llvm::Intrinsic::ctpop, {Op::ctpop, 1}},
+        {llvm::Intrinsic::bswap, {Op::bswap, 1}},
+        {llvm::Intrinsic::bitreverse, {Op::bitreverse, 1}},
+        {llvm::Intrinsic::fshl, {Op::fshl, 3}},
+        {llvm::Intrinsic::fshr, {Op::fshr, 3}},
+        {llvm::Intrinsic::umin, {Op::umin, 2}},
+        {llvm::Intrinsic::umax, {Op::umax, 2}},
+        {llvm::Intrinsic::smin, {Op::smin, 2}},
+        {llvm::Intrinsic::smax, {Op::smax, 2}},
+        {llvm::Intrinsic::uadd_sat, {Op::uadd_sat, 2}},
+        {llvm::Intrinsic::usub_sat, {Op::usub_sat, 2}},
+        {llvm::Intrinsic::sadd_sat, {Op::sadd_sat, 2}},
+        {llvm::Intrinsic::ssub_sat, {Op::ssub_sat, 2}},
+        {llvm::Intrinsic::fptoui_sat, {Op::fptoui_sat, 1}},
+        {llvm::Intrinsic::fptosi_sat, {Op::fptosi_sat, 1}}};
+    const ID id = call.getIntrinsicID();
+    if (const auto found = known.find(id); found != known.end())
+      return make(found->second.first, found->second.second);
+    switch (id) {
+      case llvm::Intrinsic::ctlz:
+        return flagged(Op::ctlz);
+      case llvm::Intrinsic::cttz:
+        return flagged(Op::cttz);
+      case llvm::Intrinsic::abs:
+        return flagged(Op::abs);
+      case llvm::Intrinsic::expect:
+        return of(0);
+      case llvm::Intrinsic::assume: {
+        const Number held = of(0);
+        forbid(call, add({Op::poisoned, {false, 1}, {held}}), "an assumption on a value that is undefined");
+        forbid(call, add({Op::bit_xor, {false, 1}, {held, yes_or_no(true)}}),
+               "an assumption that does not hold");
+        return std::nullopt;
+      }
+      case llvm::Intrinsic::lifetime_start:
+      case llvm::Intrinsic::lifetime_end:
+      case llvm::Intrinsic::experimental_noalias_scope_decl:
+        return std::nullopt;
+      default:
+        not_known(call);
+    }
+  }
+
+  static unsigned flags_of(const llvm::Instruction& at) {
+    unsigned flags = 0;
+    if (const auto* wraps = llvm::dyn_cast<llvm::OverflowingBinaryOperator>(&at)) {
+      if (wraps->hasNoUnsignedWrap()) flags |= no_unsigned_wrap;
+      if (wraps->hasNoSignedWrap()) flags |= no_signed_wrap;
+    }
+    if (const auto* whole = llvm::dyn_cast<llvm::PossiblyExactOperator>(&at);
+        whole != nullptr && whole->isExact())
+      flags |= exact;
+    return flags;
+  }
+
+  Number division(const llvm::Instruction& at, Op op, Number a, Number b, bool is_signed) {
+    const unsigned bits = type_of(b).bits;
+    // A branch on it, as it were: it must not be poison either.
+    forbid(at, add({Op::poisoned, {false, 1}, {b}}), "division by a value that is undefined");
+    forbid(at, add({Op::eq, {false, 1}, {b, word(0, bits)}}), "division by zero");
+    if (is_signed) {
+      const std::uint64_t least = std::uint64_t{1} << (bits - 1);
+      const Number by_minus_one = add({Op::eq, {false, 1}, {b, word(least | (least - 1), bits)}});
+      const Number of_least = add({Op::eq, {false, 1}, {a, word(least, bits)}});
+      forbid(at, both(by_minus_one, of_least), "division that overflows");
+    }
+    return add({op, type_of(a), {a, b}, {}, flags_of(at)});
+  }
+
+  Number plain(const llvm::Instruction& at) {
+    using I = llvm::Instruction;
+    const Type type = type_at(at, at.getType());
+    const auto of = [&](unsigned k) { return value(at, at.getOperand(k)); };
+    const auto binary = [&](Op op) { return add({op, type, {of(0), of(1)}, {}, flags_of(at)}); };
+    const auto unary = [&](Op op) { return add({op, type, {of(0)}}); };
+    switch (at.getOpcode()) {
+      case I::Add: {
+        const Number made = binary(Op::add);
+        if (planted_ == Planted::lost_wrap && type.bits == 32)
+          return add({Op::bit_and, type, {made, word(0x7fffffff, 32)}});
+        return made;
+      }
+      case I::Sub:
+        return binary(Op::sub);
+      case I::Mul:
+        return binary(Op::mul);
+      case I::UDiv:
+        return division(at, Op::udiv, of(0), of(1), false);
+      case I::URem:
+        return division(at, Op::urem, of(0), of(1), false);
+      case I::SDiv:
+        return division(at, Op::sdiv, of(0), of(1), true);
+      case I::SRem:
+        return division(at, Op::srem, of(0), of(1), true);
+      case I::Shl:
+        return binary(Op::shl);
+      case I::LShr: {
+        if (planted_ != Planted::shift_by_one_less) return binary(Op::lshr);
+        const Number by = add({Op::usub_sat, type, {of(1), word(1, type.bits)}});
+        return add({Op::lshr, type, {of(0), by}});
+      }
+      case I::AShr:
+        return binary(Op::ashr);
+      case I::And:
+        return binary(Op::bit_and);
+      case I::Or:
+        return binary(Op::bit_or);
+      case I::Xor:
+        return binary(Op::bit_xor);
+      case I::Select:
+        return add({Op::select, type, {of(0), of(1), of(2)}});
+      case I::ZExt:
+        return unary(planted_ == Planted::widened_with_sign ? Op::sext : Op::zext);
+      case I::SExt:
+        return unary(Op::sext);
+      case I::Trunc:
+        return unary(Op::trunc);
+      case I::Freeze:
+        return unary(Op::freeze);
+      case I::FAdd:
+        return binary(Op::fadd);
+      case I::FSub:
+        return binary(Op::fsub);
+      case I::FMul:
+        return binary(Op::fmul);
+      case I::FDiv:
+        return binary(Op::fdiv);
+      case I::FNeg:
+        return unary(Op::fneg);
+      case I::FCmp:
+        return add({Op::fcmp, type, {of(0), of(1)}, {llvm::cast<llvm::FCmpInst>(at).getPredicate()}});
+      case I::FPToUI:
+        return unary(Op::fptoui);
+      case I::FPToSI:
+        return unary(Op::fptosi);
+      case I::UIToFP:
+        return unary(Op::uitofp);
+      case I::SIToFP:
+        return unary(Op::sitofp);
+      case I::FPExt:
+        return unary(Op::fpext);
+      case I::FPTrunc:
+        return unary(Op::fptrunc);
+      case I::BitCast: {
+        const Number from = of(0);
+        if (type_of(from) == type) return from;
+        return add({type.floating ? Op::float_of : Op::bits_of, type, {from}});
+      }
+      default:
+        not_known(at);
+    }
+  }
+
+  const llvm::Function& function_;
+  Planted planted_;
+  Program program_;
+  std::map<const llvm::Value*, Number> values_;
+  std::map<Block, Number> reached_;
+  std::map<std::pair<Block, Block>, Number> edges_;
+  std::optional<Number> result_;
+};
+
+}  // namespace
+
+Program translate(const llvm::Function& function, Planted planted) {
+  return Translation(function, planted).run();
+}
+
+}  // namespace mmverify::source

@@ -1,0 +1,92 @@
+// The statements about somebody's function: their ranges hold every number of the domain, and they are about it.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+#include "proofs/index/source/statements.hpp"
+#include "proofs/induction/prover.hpp"
+
+namespace mmverify::proofs::index::source {
+namespace {
+
+using induction::Answer;
+using induction::ask_words;
+
+bool holds(const Range& r, float x) {
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const unsigned field = bits >> 23 & 255;
+  return r.negative == (bits >> 31 != 0) && r.first <= field && field <= r.last;
+}
+
+TEST(SourceStatements, AreAsManyAsTheClosedFormSays) {
+  for (Level n = 0; n <= 16; ++n) EXPECT_EQ(pairs_of(n).size(), count_of_pairs(n)) << "level " << n;
+}
+
+TEST(SourceStatements, EveryPairOfTheDomainIsInOne) {
+  // All powers of two, their neighbours, subnormal numbers and -0.
+  std::vector<float> numbers{-0.0f, 0.0f, 0x1p-149f, 0x1p-148f, 1.0f};
+  for (int e = -127; e < 0; ++e)
+    for (const float next : {0.0f, 1.0f}) {
+      numbers.push_back(std::ldexp(1.0f, e));
+      numbers.push_back(std::nextafter(std::ldexp(1.0f, e), next));
+    }
+  for (const Level n : {0u, 5u, 16u}) {
+    const std::vector<Pair> pairs = pairs_of(n);
+    for (const float u : numbers)
+      for (const float v : numbers) {
+        if (static_cast<double>(u) + static_cast<double>(v) > 1 + 0x1p-23) continue;
+        unsigned in = 0;
+        for (const Pair& p : pairs) in += holds(p.u, u) && holds(p.v, v) ? 1 : 0;
+        ASSERT_EQ(in, 1u) << "level " << n << ", u = " << u << ", v = " << v;
+      }
+  }
+}
+
+TEST(SourceStatements, NamedExponentsComeFirstAndNoneIsLost) {
+  const std::vector<Pair> pairs = pairs_of(3, {110});
+  EXPECT_EQ(pairs.size(), count_of_pairs(3));
+  EXPECT_EQ(pairs.front().u, (Range{false, 110, 110}));
+  EXPECT_EQ(pairs.front().v, (Range{false, 110, 110}));
+}
+
+TEST(SourceStatements, EachHasAPair) {
+  for (const Level n : {0u, 9u, 16u})
+    for (const Pair& pair : pairs_of(n))
+      if (pair.u.first % 7 == 0 || pair.u.last == 127 || pair.u.negative) {
+        ASSERT_EQ(ask_words(witness_of(n, pair)).answer, Answer::sat)
+            << "level " << n << ": " << pair.u.first << ", " << pair.v.first;
+      }
+}
+
+/// Whether the statement of that level holds where each function is this.
+Answer said_of(const Formula& formula, Level n, const Pair& pair) {
+  return ask_words(statement_of(n, pair, formula)).answer;
+}
+
+TEST(SourceStatements, AreProvedOfWhatIsRightAndNotOfWhatIsWrong) {
+  const Pair small{{false, 0, 91}, {false, 0, 91}}, large{{false, 125, 125}, {false, 125, 125}};
+  const Formula zero{"", {}, "(_ bv0 32)", "false", {}};
+  EXPECT_EQ(said_of(zero, 9, small), Answer::unsat);
+  EXPECT_EQ(said_of(zero, 9, large), Answer::sat);
+  // Level 0 has one micro-triangle; one wrong pair is enough, and so is one that is undefined.
+  EXPECT_EQ(said_of(zero, 0, large), Answer::unsat);
+  const Formula once{"",
+                     {{"hit", "(and (= u #x3e9a3c5e) (= v #x3e92468a))"}},
+                     "(ite hit (_ bv1 32) (_ bv0 32))",
+                     "false",
+                     {}};
+  const auto found = ask_words(statement_of(0, large, once));
+  ASSERT_EQ(found.answer, Answer::sat);
+  EXPECT_EQ(found.values.at("u_fraction"), 0x3e9a3c5eu & 0x7fffff);
+  EXPECT_EQ(found.values.at("v_fraction"), 0x3e92468au & 0x7fffff);
+  EXPECT_EQ(found.values.at(claimed_index), 1u);
+  const Formula never{"", {{"hit", "(= u #x3e9a3c5e)"}}, "(_ bv0 32)", "hit", {{"hit", "a shift too far"}}};
+  const auto undefined = ask_words(statement_of(0, large, never));
+  ASSERT_EQ(undefined.answer, Answer::sat);
+  EXPECT_EQ(undefined.values.at(claimed_undefined), 1u);
+  EXPECT_EQ(undefined.values.at(claimed_cause(0)), 1u);
+}
+
+}  // namespace
+}  // namespace mmverify::proofs::index::source

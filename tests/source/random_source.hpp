@@ -1,0 +1,204 @@
+// C programs at random, of all that a function in a source may have.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "proofs/engine/random.hpp"
+
+namespace mmverify::tests {
+
+/// Functions f0, f1, ... of two floats, and `all`, which takes the number of one of them for a level.
+class RandomSource {
+ public:
+  RandomSource(std::uint64_t seed, unsigned functions) : random_(seed, 0, 0) {
+    for (unsigned k = 0; k < functions; ++k) function(k);
+    text_ += "uint32_t all(uint32_t level, float u, float v) {\n  switch (level) {\n";
+    for (unsigned k = 0; k < functions; ++k) text_ += fmt::format("    case {0}: return f{0}(u, v);\n", k);
+    text_ += "  }\n  return 0;\n}\n";
+  }
+  std::string text() const { return head + text_; }
+
+ private:
+  static constexpr unsigned variables = 4;
+  static constexpr const char* head = R"(#include <math.h>
+#include <stdint.h>
+#include <string.h>
+static const uint32_t words[11] = {3, 1u << 31, 77, 0xffffffffu, 0, 5, 1234567, 0x80000001u, 9, 10, 11};
+static const int8_t bytes[2][4] = {{1, -1, 127, -128}, {0, 5, -7, 64}};
+static const float floats[5] = {0.5f, -3.25f, 0x1p-30f, 1e20f, 0x1.fffffep-1f};
+static uint32_t bits(float x) { uint32_t b; memcpy(&b, &x, 4); return b; }
+static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
+)";
+
+  template <std::size_t n>
+  const char* one_of(const char* const (&all)[n]) {
+    return all[random_.below(n)];
+  }
+  std::string x() { return fmt::format("x{}", random_.below(variables)); }
+  std::string a() { return fmt::format("a{}", random_.below(variables)); }
+
+  std::string condition() {
+    switch (random_.below(6)) {
+      case 0:
+        return fmt::format("{} {} {}", x(), one_of({"<", "<=", ">", ">=", "==", "!="}), x());
+      case 1:
+        return fmt::format("{} < {}", x(), one_of({"0.5f", "0.25f", "0x1p-20f", "0.0f", "-1.0f"}));
+      case 2:
+        return fmt::format("{} {} {}", a(), one_of({"<", "<=", ">", "==", "!="}), a());
+      case 3:
+        return fmt::format("(int32_t){} {} (int32_t){}", a(), one_of({"<", "<=", ">", ">="}), a());
+      case 4:
+        return fmt::format("({} & 1)", a());
+      default:
+        return fmt::format("!({} >= {})", x(), x());
+    }
+  }
+
+  std::string number() {
+    switch (random_.below(18)) {
+      case 0:
+        return fmt::format("{} + {}", x(), x());
+      case 1:
+        return fmt::format("{} - {}", x(), x());
+      case 2:
+        return fmt::format("{} * {}", x(), x());
+      case 3:
+        return fmt::format("{} * {}", x(),
+                           one_of({"512.0f", "3.0f", "0.1f", "-0x1.fffffep3f", "0x1p-130f", "1e30f"}));
+      case 4:
+        return fmt::format("1.0f - {}", x());
+      case 5:
+        return fmt::format("{}({})", one_of({"fabsf", "floorf", "ceilf", "truncf", "rintf", "roundf"}), x());
+      case 6:
+        return fmt::format("-{}", x());
+      case 7:
+        return fmt::format("{} ? {} : {}", condition(), x(), x());
+      case 8:
+        return fmt::format("(float){}", a());
+      case 9:
+        return fmt::format("(float)(int32_t){}", a());
+      case 10:
+        return fmt::format("fmaf({}, {}, {})", x(), x(), x());
+      case 11:
+        return fmt::format("(float)((double){} * (double){} + (double){})", x(), x(), x());
+      case 12:
+        return fmt::format("{} / {}", x(), one_of({"8.0f", "0x1p-3f", "-2.0f"}));
+      case 13:
+        return fmt::format("of_bits({} & 0xbfffffffu)", a());
+      case 14:
+        return fmt::format("copysignf({}, {})", x(), x());
+      case 15:
+        return fmt::format("floats[{} % 5]", a());
+      case 16:
+        return fmt::format("{}({}, {})", one_of({"fminf", "fmaxf"}), x(), x());
+      default:
+        return fmt::format("{} - (float)(int32_t)({} * 4.0f)", x(), one_of({"u", "v"}));
+    }
+  }
+
+  std::string word() {
+    switch (random_.below(22)) {
+      case 0:
+        return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
+      case 1:
+        return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}),
+                           one_of({"1u", "0x55555555u", "77u", "0x80000000u"}));
+      case 2:
+        return fmt::format("{} {} ({} & 31)", a(), one_of({"<<", ">>"}), a());
+      case 3:
+        return fmt::format("{} {} {}", a(), one_of({"<<", ">>"}), one_of({"1", "4", "8", "17", "31"}));
+      case 4:
+        return fmt::format("(uint32_t)((int32_t){} >> ({} & 31))", a(), a());
+      case 5:
+        return fmt::format("{} ? {} : {}", condition(), a(), a());
+      case 6: {
+        const std::string y = x();
+        return fmt::format("{0} >= 0 && {0} < 4294967040.0f ? (uint32_t){0} : 7", y);
+      }
+      case 7: {
+        const std::string y = x();
+        return fmt::format("fabsf({0}) < 2147483000.0f ? (uint32_t)(int32_t){0} : 9", y);
+      }
+      case 8:
+        return fmt::format("(uint32_t)({} * 100.0f)", one_of({"u", "v"}));
+      case 9:
+        return fmt::format("words[{} % 11]", a());
+      case 10:
+        return fmt::format("(uint32_t)bytes[{} & 1][{} & 3]", a(), a());
+      case 11:
+        return fmt::format("(uint32_t)__builtin_clz({} | 1)", a());
+      case 12:
+        return fmt::format("(uint32_t)__builtin_ctz({} | 0x80000000u)", a());
+      case 13:
+        return fmt::format(
+            "{}({})", one_of({"__builtin_bswap32", "__builtin_bitreverse32", "(uint32_t)__builtin_popcount"}),
+            a());
+      case 14: {
+        const std::string b = a(), k = a();
+        return fmt::format("({0} << ({1} & 31)) | ({0} >> (-{1} & 31))", b, k);
+      }
+      case 15:
+        return fmt::format("(uint32_t)(((uint64_t){} * {}) >> 32)", a(), a());
+      case 16:
+        return fmt::format("(uint32_t)({})(uint8_t){}", one_of({"int8_t", "uint8_t"}), a());
+      case 17:
+        return fmt::format("(uint32_t)(int32_t)(int16_t){}", a());
+      case 18:
+        return fmt::format("{} {} ({} | 1)", a(), one_of({"/", "%"}), a());
+      case 19:
+        return fmt::format("(uint32_t)((int32_t){} {} (int32_t)(({} & 0xffff) | 1))", a(), one_of({"/", "%"}),
+                           a());
+      case 20:
+        return fmt::format("bits({})", x());
+      default:
+        return fmt::format("({}) + ({}) * 2u", condition(), condition());
+    }
+  }
+
+  void statements(unsigned count, unsigned depth, const std::string& indent) {
+    for (unsigned k = 0; k < count; ++k) {
+      const std::uint64_t kind = random_.below(depth < 2 ? 9 : 6);
+      if (kind < 3)
+        text_ += fmt::format("{}{} = {};\n", indent, x(), number());
+      else if (kind < 6)
+        text_ += fmt::format("{}{} = {};\n", indent, a(), word());
+      else if (kind == 6)
+        block(fmt::format("if ({})", condition()), depth, indent, true);
+      else if (kind == 7)
+        block(fmt::format("for (int k = 0; k < {}; ++k)", random_.between(1, 3)), depth, indent, false);
+      else
+        text_ += fmt::format(
+            "{0}switch ({1} & 3) {{\n{0}  case 0: {2} = {3}; break;\n{0}  case 2: {4} = {5};\n{0}  default: "
+            "{6} ^= 5;\n{0}}}\n",
+            indent, a(), a(), word(), x(), number(), a());
+    }
+  }
+  void block(const std::string& opening, unsigned depth, const std::string& indent, bool other) {
+    text_ += fmt::format("{}{} {{\n", indent, opening);
+    statements(2, depth + 1, indent + "  ");
+    if (other && random_.below(2) == 0) {
+      text_ += indent + "} else {\n";
+      statements(2, depth + 1, indent + "  ");
+    }
+    text_ += indent + "}\n";
+  }
+
+  void function(unsigned number) {
+    text_ += fmt::format("static uint32_t f{}(float u, float v) {{\n", number);
+    text_ += "  float x0 = u, x1 = v, x2 = u - v, x3 = 0.3f;\n";
+    text_ += fmt::format("  uint32_t a0 = {}u, a1 = (uint32_t)(u * 1000.0f), a2 = bits(v), a3 = {}u;\n",
+                         random_.below(1u << 30), random_.below(10));
+    statements(7, 0, "  ");
+    // What is rare by chance is in each: a sum that wraps, an order of words, a floor below 0.
+    text_ +=
+        "  a0 += a1 * 3u + (a2 < a3 ? 17u : 0u) + (uint32_t)(int32_t)floorf((u - v) * 8.3f) * 19u;\n"
+        "  return a0 ^ a2 * 5u ^ a3 * 7u ^ bits(x0) ^ bits(x1) * 9u ^ bits(x2) * 11u ^ bits(x3) * 13u;\n}\n";
+  }
+
+  proofs::Random random_;
+  std::string text_;
+};
+
+}  // namespace mmverify::tests

@@ -1,0 +1,62 @@
+/* The example's index function, wrong on fewer than a hundred pairs of floats a level, or undefined on some, each in a way
+ * of its own; and functions that prove --source cannot judge.  tests/outside/source_test.sh has each refuted. */
+#include <string.h>
+
+#include "examples/subject/subject.c"
+
+static uint32_t bits(float x) {
+  uint32_t b;
+  memcpy(&b, &x, sizeof b);
+  return b;
+}
+
+/* Right, for comparison. */
+uint32_t right(uint32_t level, float u, float v) { return index_of(level, u, v); }
+
+/* One pair. */
+uint32_t one_pair(uint32_t level, float u, float v) {
+  return index_of(level, u, v) ^ (u == 0x1.9a3c5ep-3f && v == 0x1.2468acp-2f);
+}
+
+/* 63 neighbours, by their bits. */
+uint32_t by_bits(uint32_t level, float u, float v) {
+  return index_of(level, u, v) ^ (bits(v) == 0x3e6a09e6u && bits(u) - 0x3d3504f3u < 63u);
+}
+
+/* 15 of the 1905 pairs of a small window: those whose rounded product is one number. */
+uint32_t by_product(uint32_t level, float u, float v) {
+  const int near = u > 0x1.62e4p-4f && u < 0x1.62e5p-4f && v > 0x1.5bf0ap-3f && v < 0x1.5bf0cp-3f;
+  return index_of(level, u, v) + (near && u * v == 0x1.e25964p-7f);
+}
+
+/* Subnormal numbers beside the u-corner: those below 2^-146 count as a step. */
+uint32_t flushed(uint32_t level, float u, float v) {
+  const int lost = bits(u) - 1 < 7 && v == 0x1.3333p-2f;
+  return index_of(level, lost ? 1.0f : u, v);
+}
+
+/* An ulp over the hypotenuse, at one place of it. */
+uint32_t over(uint32_t level, float u, float v) {
+  const float sum = u + v;
+  return index_of(level, u, v) ^ (sum > 1 && u == 0x1.3c6ef4p-1f);
+}
+
+/* Right wherever it is defined, which a shift by 32 is not: x86 shifts by 0. */
+uint32_t undefined(uint32_t level, float u, float v) {
+  const uint32_t by = bits(u) == 0x3e9e3779u ? 32 : 0;
+  return index_of(level, u, v) >> by;
+}
+
+/* A loop that the pair alone ends. */
+uint32_t endless(uint32_t level, float u, float v) {
+  uint32_t k = index_of(level, u, v);
+  for (float x = u; x < v; x += 0.001f) k ^= 1;
+  return k;
+}
+
+/* Memory that others may write. */
+uint32_t memory;
+uint32_t remembers(uint32_t level, float u, float v) { return index_of(level, u, v) + memory; }
+
+/* Another form. */
+float no_index(float u, float v) { return u + v; }
