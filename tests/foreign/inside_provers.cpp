@@ -79,7 +79,7 @@ proofs::index::Functions functions_of_the_curve() {
 
 /// Figure 4's row order by counting: of the lines u+v = k/N, v = k/N and 1-u = k/N, those that lie below a point.
 std::uint32_t row_order_by_lines(Level n, const proofs::index::RationalPoint& p) {
-  using proofs::Rational;
+  using spec::Rational;
   const std::uint32_t N = std::uint32_t{1} << n;
   const auto lines = [N](const Rational& q, std::uint32_t most) {
     std::uint32_t low = 0;  // 0/N is no more than q
@@ -99,8 +99,8 @@ proofs::index::Functions functions_of_rows() {
   f.row_index_at = row_order_by_lines;
   f.row_index_floats = [](Level n, proofs::index::FloatBatch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t)
-      out[t] = row_order_by_lines(
-          n, {proofs::index::rational(batch.u[t]), proofs::index::rational(batch.v[t])});
+      out[t] =
+          row_order_by_lines(n, {proofs::index::rational(batch.u[t]), proofs::index::rational(batch.v[t])});
   };
   return f;
 }
@@ -284,10 +284,11 @@ std::vector<InsideFault> inside_faults_of_provers() {
       "(assert (bvult uf_bits (_ bv1065353216 32)))", "(assert (bvult uf_bits (_ bv0 32)))");
 
   law = "index.row_floats", folder = "index/row_floats";
-  add("none_is_more", "0 counts as more than 0", "scalar_more", "(fp.lt", "(fp.leq");
-  add("u_beyond_n", "uN may be above N", "lanes_rows", "(assert (not (bvslt (bvshl ((_ zero_extend 152) N) (_ bv149 184)) un)))\n", "");
-  add("floor_of_u_up", "the specification's (1-u)N is cut to a multiple of 2^-148", "scalar_rows", "XX", "YY");
-  add("not_vacuous_of_nothing", "the witness of the rows is sought where there is none", "witness_rows",
+  add("none_is_more", "0 counts as more than 0", "scalar_more", "(fp.gt", "(fp.geq");
+  add("u_beyond_1", "u may be a hair above 1", "lanes_rows", "(assert (not (and (= iu N) beyond)))\n", "");
+  add("rest_of_u_without_bound", "what is left of uN may be any number", "floors",
+      "(assert (bvult uf (bvshl ((_ zero_extend 152) (_ bv1 32)) (_ bv149 184))))\n", "");
+  add("not_vacuous_of_nothing", "the witness of the floors is sought where there is none", "witness_floors",
       "(assert (bvule iu N))", "(assert (bvult N iu))");
 
   folder = "index/published_differs_where";

@@ -203,7 +203,7 @@ TEST(Mutants, FailInTheStatementsThatTheirMistakeIsIn) {
       {"the rounded sum in vectors alone", {"lanes_carry", "lanes_flush"}},
       {"N - 1 - floor(uN) in the place of floor((1-u)N)", {"scalar_rows"}},
       {"the hypotenuse in a row of its own", {"scalar_rows"}},
-      {"uf below 2^-64 taken for 0", {"scalar_more"}},
+      {"uf up to 2^-21 taken for 0", {"scalar_more"}},
       {"uf+vf > 1 of the rounded sum", {"square"}},
       {"1 - uf - vf <= 0 in binary32", {"square"}},
       {"the comparison that does not round", {"square"}},

@@ -13,6 +13,24 @@ using namespace proofs::induction;
 namespace {
 
 using W = Word<32>;
+using induction::at_most;
+
+/// A coordinate of which the floor alone is known: `floors` says what it is.
+struct ByFloor {
+  W floor;
+  explicit ByFloor(std::uint32_t k) : floor(k) {}
+  explicit ByFloor(W w) : floor(std::move(w)) {}
+  friend ByFloor operator+(const ByFloor& a, const ByFloor& b) { return ByFloor(a.floor + b.floor); }
+  friend ByFloor operator-(const ByFloor& a, const ByFloor& b) { return ByFloor(a.floor - b.floor); }
+  friend ByFloor times(std::uint32_t k, const ByFloor& a) {
+    return ByFloor(W(apply("bvmul", {W(k).term, a.floor.term}, W::sort())));
+  }
+  friend bool operator<(const ByFloor& a, const ByFloor& b) { return a.floor < b.floor; }
+  friend bool operator==(const ByFloor& a, const ByFloor& b) {
+    return decided(equal(a.floor.term, b.floor.term));
+  }
+  friend W whole(const ByFloor& a) { return a.floor; }
+};
 
 Term is_below(const W& word, const W& bound) { return apply("bvult", {word.term, bound.term}, boolean); }
 
@@ -35,36 +53,55 @@ Scaled declare_scaled_in_square(Script& script) {
   return s;
 }
 
+Term carry_of(const Scaled& s) { return no(is_less(Exact(s.uf) + Exact(s.vf), Exact(1))); }
+Term beyond_of(const Scaled& s) { return is_less(Exact(0), Exact(s.uf)); }
+Term one_where(const Term& condition) { return choose(condition, W(1).term, W(0).term); }
+
+/// (1-w)N, vN and (1-u)N as the specification has them: the first and the last have floors of their own.
+Statement floors_lemma() {
+  Script script(
+      "floors", Answer::unsat,
+      "For every N in 1..2^16, and all uN = iu + uf and vN = iv + vf in [0, N], uf and vf any multiples of "
+      "2^-149 in [0, 1): floor(uN + vN) is iu + iv, one more where uf + vf >= 1; floor(vN) is iv; and "
+      "floor(N - uN) is N - iu, one less where uf > 0.");
+  const Scaled s = declare_scaled_in_square(script);
+  const ExactIn<32> un(s.un), vn(s.vn), N{W(s.N)};
+  return script.denying({equal(whole(un + vn).term, (W(s.iu) + W(s.iv) + W(one_where(carry_of(s)))).term),
+                         equal(whole(vn).term, s.iv),
+                         equal(whole(N - un).term, (W(s.N) - (W(s.iu) + W(one_where(beyond_of(s))))).term)});
+}
+
 Statement rows_lemma(const Steps& steps) {
   Script script(
       steps.name + "_rows", Answer::unsat,
-      "For every N in 1..2^16, and all uN = iu + uf and vN = iv + vf in [0, N], uf and vf any multiples of "
-      "2^-149 in [0, 1): from iu, iv, uf + vf >= 1 and uf > 0 on, the row and how far along it are the "
-      "specification's, and the row is below N.\nspec::index::w_minor_place, which takes floors of (1-w)N, "
-      "vN "
-      "and (1-u)N.");
-  const Scaled s = declare_scaled_in_square(script);
+      "For every N in 1..2^16, all iu = floor(uN) and iv = floor(vN) in [0, N], whether uf + vf >= 1, and "
+      "whether uf > 0, which no u = 1 has: with the floors of `floors`, the row and how far along it are the "
+      "specification's, and the row is below N.\nspec::index::w_minor_place and along_row.");
+  const Term N = script.declare("N", W::sort()), iu = script.declare("iu", W::sort()),
+             iv = script.declare("iv", W::sort()), carry = script.declare("carry", boolean),
+             beyond = script.declare("beyond", boolean);
+  script.require(at_most(N, W(std::uint64_t{1} << 16).term));
+  script.require(is_below(W(0), W(N)));
+  for (const Term& word : {iu, iv}) script.require(at_most(word, N));
+  script.require(no(both({equal(iu, N), beyond})));
   script.comment("The specification.");
   const auto places = every_path([&] {
-    const ExactIn<32> un(s.un), vn(s.vn), N{W(s.N)};
-    return spec::index::w_minor_place<W>(un + vn, vn, N - un, W(s.N));
+    return spec::index::w_minor_place<W>(ByFloor(W(iu) + W(iv) + W(one_where(carry))), ByFloor(W(iv)),
+                                         ByFloor(W(N) - (W(iu) + W(one_where(beyond)))), W(N));
   });
   const Term row = script.define("spec_row", as_formula(places, [](const auto& p) { return p.row.term; }));
-  const Term along = script.define("spec_along", as_formula(places, [&](const auto& p) {
-                                     return spec::index::along_row(p, W(s.N)).term;
-                                   }));
+  const Term along = script.define(
+      "spec_along", as_formula(places, [&](const auto& p) { return spec::index::along_row(p, W(N)).term; }));
   script.comment("impl.");
-  const Term carry = script.define("carry", no(is_less(Exact(s.uf) + Exact(s.vf), Exact(1)))),
-             beyond = script.define("beyond", is_less(Exact(0), Exact(s.uf)));
-  const RowTerms place = steps.row_place(s.iu, s.iv, carry, beyond, s.N);
+  const RowTerms place = steps.row_place(iu, iv, carry, beyond, N);
   return script.denying({equal(row, script.define("impl_row", place.row)),
-                         equal(along, script.define("impl_along", place.along)), is_below(W(row), W(s.N))});
+                         equal(along, script.define("impl_along", place.along)), is_below(W(row), W(N))});
 }
 
-Statement rows_witness() {
+Statement floors_witness() {
   Script script(
-      "witness_rows", Answer::sat,
-      "Not vacuous: some uN and vN fulfil what `rows` supposes, at the highest level, not on the grid.");
+      "witness_floors", Answer::sat,
+      "Not vacuous: some uN and vN fulfil what `floors` supposes, at the highest level, not on the grid.");
   const Scaled s = declare_scaled_in_square(script);
   script.require(equal(s.N, W(std::uint64_t{1} << 16).term));
   for (const Term& part : {s.uf, s.vf}) script.require(is_less(Exact(0), Exact(part)));
@@ -74,7 +111,8 @@ Statement rows_witness() {
 }  // namespace
 
 std::vector<Statement> own_row_statements(const Steps& scalar, const Steps& lanes) {
-  return {more_lemma(scalar), rows_lemma(scalar), more_lemma(lanes), rows_lemma(lanes), rows_witness()};
+  return {floors_lemma(),    more_lemma(scalar), rows_lemma(scalar),
+          more_lemma(lanes), rows_lemma(lanes),  floors_witness()};
 }
 
 std::vector<Statement> row_statements_of(const Steps& scalar, const Steps& lanes) {

@@ -20,7 +20,8 @@ Scaled declare_scaled(proofs::induction::Script& script, std::uint64_t most) {
              vf = script.declare("vf", Exact::sort());
   script.require(at_most(N, Wide(most).term));
   for (const Term& word : {iu, iv}) script.require(at_most(word, N));
-  for (const Term& part : {uf, vf}) script.require(is_less(Exact(part), Exact(1)));
+  for (const Term& part : {uf, vf})
+    script.require(proofs::induction::apply("bvult", {part, Exact(1).term}, proofs::induction::boolean));
   return {N,
           iu,
           iv,
