@@ -32,9 +32,11 @@ struct WMinor {
   WordVec operator()(FloatVec u, FloatVec v) const {
     const Words dw;
     const Found p = find(u, v, n);
-    const RowPlace place = row_place(p.iu, p.iv, p.carry, p.beyond, hn::Set(Ints(), std::int32_t{1} << n));
+    const auto N = hn::Set(Ints(), std::int32_t{1} << n), last = hn::Set(Ints(), (std::int32_t{1} << n) - 1);
+    const RowPlace place = row_place(p.iu, p.iv, p.carry, p.beyond, N);
+    const auto along = hn::Add(place.col, hn::Add(place.row, hn::Sub(place.dia, last)));
     const auto row = hn::BitCast(dw, place.row);
-    return hn::Add(hn::Mul(row, row), hn::BitCast(dw, place.along));
+    return hn::Add(hn::Mul(row, row), hn::BitCast(dw, along));
   }
 };
 

@@ -115,22 +115,20 @@ constexpr Square<Word> square(Word iu, Word iv, bool carry, Word N) noexcept {
   return {iu, iv, row};
 }
 
-/// A row, and how far along it.
+/// A row, and how far along it by v (col) and by u (dia).
 template <class Word>
 struct RowPlace {
-  Word row, along;
+  Word row, col, dia;
 };
 
-/// From iu = floor(uN), iv = floor(vN), both up to N, whether uf+vf >= 1 and whether uf > 0: the row, and in it
-/// col + (dia - (N-1-row)), col = min(row, iv), dia = min(N-1, N - ceil(uN)).
+/// From iu = floor(uN), iv = floor(vN), both up to N, whether uf+vf >= 1 and whether uf > 0: the row, col = min(row, iv)
+/// and dia = min(N-1, N - ceil(uN)).
 template <class Word>
 constexpr RowPlace<Word> row_place(Word iu, Word iv, bool carry, bool beyond, Word N) noexcept {
   const Word last = N - Word{1};
   const Word row = row_of(iu, iv, carry, N);
-  const Word col = iv < row ? iv : row;
   const Word from_u = N - (iu + (beyond ? Word{1} : Word{0}));
-  const Word dia = from_u < last ? from_u : last;
-  return {row, col + (dia - (last - row))};
+  return {row, iv < row ? iv : row, from_u < last ? from_u : last};
 }
 
 /// XOR of a 16-bit word's bits at and above each bit.
@@ -242,8 +240,9 @@ void corners(std::span<const std::uint32_t> index, Level level, const CornerSpan
 inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const detail::Found p = detail::find(u, v, n);
-  const auto place = detail::row_place(p.iu, p.iv, p.carry, p.beyond, std::uint32_t{1} << n);
-  return place.row * place.row + place.along;
+  const std::uint32_t N = std::uint32_t{1} << n;
+  const auto place = detail::row_place(p.iu, p.iv, p.carry, p.beyond, N);
+  return place.row * place.row + place.col + (place.dia - (N - 1 - place.row));
 }
 
 /// The same for out.size() points: out[k] = w_minor(u[k], v[k], level), bit for bit.

@@ -56,13 +56,12 @@ HWY_INLINE Square square(IntVec iu, IntVec iv, IntVec carry, IntVec N) {
 }
 
 struct RowPlace {
-  IntVec row, along;
+  IntVec row, col, dia;
 };
 HWY_INLINE RowPlace row_place(IntVec iu, IntVec iv, IntVec carry, IntVec beyond, IntVec N) {
   const auto last = hn::Sub(N, hn::Set(Ints(), 1));
   const auto row = row_of(iu, iv, carry, N);
-  const auto col = hn::Min(row, iv), dia = hn::Min(last, hn::Sub(N, hn::Add(iu, beyond)));
-  return {row, hn::Add(col, hn::Add(row, hn::Sub(dia, last)))};
+  return {row, hn::Min(row, iv), hn::Min(last, hn::Sub(N, hn::Add(iu, beyond)))};
 }
 
 HWY_INLINE WordVec xor_from_above(WordVec x) {

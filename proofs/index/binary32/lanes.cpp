@@ -139,7 +139,7 @@ Steps lane_steps() {
           .row_place = [](const Term& iu, const Term& iv, const Term& carry, const Term& beyond,
                           const Term& N) -> RowTerms {
             const RowPlace p = row_place(IntVec{iu}, IntVec{iv}, as_word(carry), as_word(beyond), IntVec{N});
-            return {p.row.term, p.along.term};
+            return {p.row.term, p.col.term, p.dia.term};
           }};
 }
 

@@ -27,7 +27,6 @@ struct RowWithoutEnd : Implemented {
                                                        bool beyond, const Word& N) {
     auto place = Implemented::row_place<Word>(iu, iv, carry, beyond, N);
     const Word diagonal = iu + iv + (carry ? Word{1} : Word{0});
-    place.along = place.along + (diagonal - place.row);
     place.row = diagonal;
     return place;
   }
@@ -52,7 +51,7 @@ std::uint32_t row_index_by(float u, float v, Level n) {
   const auto place = Code::template row_place<std::uint32_t>(
       static_cast<std::uint32_t>(pu.whole), static_cast<std::uint32_t>(pv.whole),
       Code::reach_one(pu.part, pv.part), Code::is_more_than_none(pu.part), std::uint32_t{1} << n);
-  return place.row * place.row + place.along;
+  return place.row * place.row + place.col + (place.dia - ((std::uint32_t{1} << n) - 1 - place.row));
 }
 
 template <class Code>

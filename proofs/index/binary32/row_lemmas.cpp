@@ -54,10 +54,6 @@ Scaled declare_scaled_in_square(Script& script) {
   return s;
 }
 
-Term carry_of(const Scaled& s) { return no(is_less(Exact(s.uf) + Exact(s.vf), Exact(1))); }
-Term beyond_of(const Scaled& s) { return is_less(Exact(0), Exact(s.uf)); }
-Term one_where(const Term& condition) { return choose(condition, W(1).term, W(0).term); }
-
 // (1-w)N, vN and (1-u)N as the specification has them.  Two statements: in one, a prover takes a hundred times as long.
 
 Statement floors_of_sum_lemma() {
@@ -102,13 +98,14 @@ Statement rows_lemma(const Steps& steps) {
     return spec::index::w_minor_place<W>(ByFloor(W(iu) + W(iv) + W(one_where(carry))), ByFloor(W(iv)),
                                          ByFloor(W(N) - (W(iu) + W(one_where(beyond)))), W(N));
   });
-  const Term row = script.define("spec_row", as_formula(places, [](const auto& p) { return p.row.term; }));
-  const Term along = script.define(
-      "spec_along", as_formula(places, [&](const auto& p) { return spec::index::along_row(p, W(N)).term; }));
+  const auto field = [&](const char* name, auto of) { return script.define(name, as_formula(places, of)); };
+  const Term row = field("spec_row", [](const auto&p) { return p.row.term; }),
+             col = field("spec_col", [](const auto&p) { return p.col.term; }),
+             dia = field("spec_dia", [](const auto&p) { return p.dia.term; });
   script.comment("impl.");
   const RowTerms place = steps.row_place(iu, iv, carry, beyond, N);
-  return script.denying({equal(row, script.define("impl_row", place.row)),
-                         equal(along, script.define("impl_along", place.along)), is_below(W(row), W(N))});
+  return script.denying(
+      {equal(row, place.row), equal(col, place.col), equal(dia, place.dia), is_below(W(row), W(N))});
 }
 
 Statement floors_witness() {

@@ -22,9 +22,9 @@ struct SquareTerms {
   Term iu, iv, row;
 };
 
-/// A row and how far along it, words of 32 bits.
+/// A row and how far along it by v and by u, words of 32 bits.
 struct RowTerms {
-  Term row, along;
+  Term row, col, dia;
 };
 
 /// One code's steps.  x, N, y, uf, vf are binary32 numbers; iu, iv and N of a square are words of 32 bits.
@@ -120,7 +120,8 @@ Steps scalar_steps() {
               return Code::template row_place<W>(W(iu), W(iv), decided(carry), decided(beyond), W(N));
             });
             return {as_formula(paths, [](const auto& p) { return p.row.term; }),
-                    as_formula(paths, [](const auto& p) { return p.along.term; })};
+                    as_formula(paths, [](const auto& p) { return p.col.term; }),
+                    as_formula(paths, [](const auto& p) { return p.dia.term; })};
           }};
 }
 

@@ -1,4 +1,5 @@
-; Not vacuous: some uN and vN fulfil what `floors` supposes, at the highest level, not on the grid.
+; Not vacuous: some uN and vN fulfil what `floors_of_sum` supposes, at the highest level, not on the
+; grid.
 ; Written by the program itself from the specification's templates (./run statements); a test compares.
 (set-logic ALL)
 (set-info :status sat)
