@@ -83,9 +83,8 @@ Statement rows_lemma(const Steps& steps) {
   Script script(
       steps.name + "_rows", Answer::unsat,
       "For every N in 1..2^16, all iu = floor(uN) and iv = floor(vN) in [0, N], whether uf + vf >= 1, and "
-      "whether uf > 0, which no u = 1 has: with the floors of `floors_of_sum` and `floor_of_rest`, the row "
-      "and how far along it are the "
-      "specification's, and the row is below N.\nspec::index::w_minor_place and along_row.");
+      "whether uf > 0, which no u = 1 has: with the floors of `floors_of_sum` and `floor_of_rest`, row, col "
+      "and dia are the specification's, and the row is below N.\nspec::index::w_minor_place.");
   const Term N = script.declare("N", W::sort()), iu = script.declare("iu", W::sort()),
              iv = script.declare("iv", W::sort()), carry = script.declare("carry", boolean),
              beyond = script.declare("beyond", boolean);
