@@ -16,25 +16,6 @@ namespace mmverify::source {
 
 namespace fs = std::filesystem;
 
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "mmverify-source-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": " + std::strerror(errno));
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string file(const std::string& name) const { return (fs::path(path_) / name).string(); }
-
- private:
-  std::string path_;
-};
-
 namespace {
 
 using program::ProgramEnd;
@@ -119,7 +100,10 @@ std::string without_line_end(std::string text) {
 
 Compiled::Compiled(const std::string& file, const std::string& function,
                    const std::vector<std::string>& flags)
-    : file_(file), function_(function), bitcode_(file), folder_(std::make_shared<const Folder>()) {
+    : file_(file),
+      function_(function),
+      bitcode_(file),
+      folder_(std::make_shared<const program::Folder>("source")) {
   reader();
   std::error_code error;
   if (!fs::is_regular_file(file, error)) throw BadSource(file + ": no such file");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "program/folder.hpp"
 #include "source/program.hpp"
 
 namespace mmverify::source {
@@ -22,8 +23,6 @@ struct NotAvailable : std::runtime_error {
 struct UnknownInstruction : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-class Folder;
 
 /// A function of a file in C or C++, or of LLVM's bitcode or its text.
 class Compiled {
@@ -42,11 +41,11 @@ class Compiled {
   /// "clang version 14.0.6".
   const std::string& compiler() const { return compiler_; }
   /// Keeps the files of both as long as it is there.
-  std::shared_ptr<const Folder> files() const { return folder_; }
+  std::shared_ptr<const program::Folder> files() const { return folder_; }
 
  private:
   std::string file_, function_, bitcode_, exported_, library_, compiler_;
-  std::shared_ptr<const Folder> folder_;
+  std::shared_ptr<const program::Folder> folder_;
 };
 
 }  // namespace mmverify::source

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "bench/scene/coder_files.hpp"
+#include "program/folder.hpp"
 #include "program/program.hpp"
 #include "scene/write/png.hpp"
 
@@ -42,7 +43,7 @@ class Astcenc {
 
   void compress(const scene::TexturePixels& pixels, std::span<const scene::BlockSize> sizes,
                 const std::function<void(const scene::DecodedTexture&)>& made) const {
-    const PrivateFolder folder("astcenc");
+    const program::Folder folder("textures");
     const std::string original = folder.file("original.png"), blocks = folder.file("blocks.astc"),
                       decoded = folder.file("decoded.png");
     write_file(original, scene::png(pixels.width, pixels.height, pixels.rgb));

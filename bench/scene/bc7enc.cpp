@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "bench/scene/coder_files.hpp"
+#include "program/folder.hpp"
 #include "program/program.hpp"
 #include "scene/write/png.hpp"
 
@@ -47,7 +48,7 @@ class Bc7enc {
       if (options_.progress)
         options_.progress("BC7, " + std::to_string(pixels.width) + " x " + std::to_string(pixels.height) +
                           " texels");
-      const PrivateFolder folder("bc7enc");
+      const program::Folder folder("textures");
       const std::string original = folder.file("original.png"), blocks = folder.file("blocks.dds"),
                         decoded = folder.file("decoded.png");
       write_file(original, scene::png(pixels.width, pixels.height, pixels.rgb));

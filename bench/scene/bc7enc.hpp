@@ -21,7 +21,7 @@ struct Bc7encOptions {
 /// The program bc7enc (of bc7enc_rdo; npm's package @gpu-tex-enc/bc has it) as a coder: all three channels, of normals, too;
 /// errors are of codes, not of perceived colours; bytes are 16 a block of 4x4.  Found on the PATH as bc7enc or, as that
 /// package calls it, bc7enc-linux; its name is what it says of itself and the quality: "bc7enc v1.08, -u6".
-/// Its files lie in a PrivateFolder.
+/// Its files lie in a program::Folder.
 /// Domain of what it compresses: sides up to 16384, rgb.size() = 3 width height.
 /// Errors: NoProgram, here, where there is none.  std::runtime_error, when it compresses, with the program's words where
 /// it fails or what it leaves is not as it must be.

@@ -1,10 +1,6 @@
 #include "bench/scene/coder_files.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -14,18 +10,6 @@
 namespace mmverify::bench {
 
 namespace fs = std::filesystem;
-
-PrivateFolder::PrivateFolder(const std::string& program) {
-  std::string name = (fs::temp_directory_path() / "mmverify-textures-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr)
-    throw std::runtime_error(program + ": no temporary folder " + name + ": " + std::strerror(errno));
-  path_ = name;
-}
-
-PrivateFolder::~PrivateFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
 
 void write_file(const std::string& path, const std::vector<unsigned char>& bytes) {
   std::ofstream file(path, std::ios::binary);

@@ -2,28 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "scene/attribute/texture_coder.hpp"
 
 namespace mmverify::bench {
-
-/// A folder of temporary files that nobody else may enter, and that is gone with what is in it.
-/// Errors: std::runtime_error where there can be none, naming the program.
-class PrivateFolder {
- public:
-  explicit PrivateFolder(const std::string& program);
-  ~PrivateFolder();
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-
-  std::string file(const char* name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Errors: std::runtime_error where the disk is full.
 void write_file(const std::string& path, const std::vector<unsigned char>& bytes);

@@ -39,17 +39,10 @@ int render_path(const PathRun& run, const render::CompareOptions& options) {
         fmt::format("{}: no triangle gets a micromap, so there is nothing to compare", run.scene.file));
   std::optional<OutputFile> json;
   if (!run.json.empty() && run.json != "-") json.emplace(run.json);
-  const render::FormsOptions forms{.first = options.first,
-                                   .last = options.last,
-                                   .wanted = options.wanted,
-                                   .memory = options.memory,
-                                   .threads = options.trace.threads,
-                                   .begins = options.begins,
-                                   .done = options.done};
   render::Path path;
   try {
-    path = render::along_path(run.scene, run.plan, run.world, run.tracer, forms, options.trace, run.seed,
-                              run.cameras);
+    path = render::along_path(run.scene, run.plan, run.world, run.tracer, options.forms(), options.trace,
+                              run.seed, run.cameras);
   } catch (const std::invalid_argument& error) {
     throw EnvironmentError(fmt::format("{}: {}", run.scene.file, error.what()));
   }

@@ -37,15 +37,8 @@ class Comparison {
 
   Compared all() {
     texture_alone();
-    const FormsOptions forms{.first = options_.first,
-                             .last = options_.last,
-                             .wanted = options_.wanted,
-                             .memory = options_.memory,
-                             .threads = options_.trace.threads,
-                             .begins = options_.begins,
-                             .done = options_.done};
-    const LeftOut left_out =
-        each_forms(scene_, plan_, world_, forms, [this](const FormsOfMaps& maps) { held_against(maps); });
+    const LeftOut left_out = each_forms(scene_, plan_, world_, options_.forms(),
+                                        [this](const FormsOfMaps& maps) { held_against(maps); });
     compared_.first_left_out = left_out.first;
     compared_.wanted_bytes = left_out.bytes;
     return std::move(compared_);

@@ -56,6 +56,17 @@ struct CompareOptions {
   /// Frames of hits that blend as well; of whom blends, the rows say.
   std::optional<Blending> blending = {};
   std::function<void(const BlendFigures&, const BlendFrame&)> blend_frame = {};
+
+  /// Of these, what forms of maps go by.
+  FormsOptions forms() const {
+    return {.first = first,
+            .last = last,
+            .wanted = wanted,
+            .memory = memory,
+            .threads = trace.threads,
+            .begins = begins,
+            .done = done};
+  }
 };
 
 struct Compared {

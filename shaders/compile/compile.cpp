@@ -48,7 +48,7 @@ std::string message(const std::string& printed, const std::string& ours, const s
 /// A compiler and a language.
 class Compiler {
  public:
-  Compiler(const ShaderName& name, const Folder& folder)
+  Compiler(const ShaderName& name, const program::Folder& folder)
       : file_(name.file), folder_(folder), language_(language_of(name.file)) {}
 
   Language language() const { return language_; }
@@ -113,7 +113,7 @@ class Compiler {
   }
 
   std::string file_;
-  const Folder& folder_;
+  const program::Folder& folder_;
   Language language_;
 };
 
@@ -151,7 +151,8 @@ void check_entry_point(const std::string& file, const ModuleFacts& facts) {
 }
 
 /// What it wants to be given.  A driver takes what it is not given from anywhere.
-void check_interface(const std::string& file, const Module& m, const Folder& folder, Compiled& made) {
+void check_interface(const std::string& file, const Module& m, const program::Folder& folder,
+                     Compiled& made) {
   std::optional<Interface> found;
   try {
     found = read_interface(m.file, folder);
@@ -225,7 +226,7 @@ std::string known_entry(const ShaderName& name) {
 }
 
 void compile_source(const ShaderName& name, Compiled& made) {
-  const Folder& folder = *made.files;
+  const program::Folder& folder = *made.files;
   const Compiler compiler(name, folder);
   const std::string text = contents_of(name.file);
   const std::string plain =
@@ -281,7 +282,7 @@ std::string to_text(const ShaderName& name) {
 
 Compiled compile(const ShaderName& name) {
   Compiled made;
-  const auto folder = std::make_shared<Folder>();
+  const auto folder = std::make_shared<const program::Folder>("shader");
   made.files = folder;
   made.manifest.device = name.device.value_or(0);
   if (name.file.ends_with(".spv")) {

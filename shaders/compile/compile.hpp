@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "program/folder.hpp"
 #include "shaders/compile/module.hpp"
 #include "shaders/device/manifest.hpp"
 
@@ -37,16 +38,13 @@ struct NotAvailable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Files in a folder of their own, which goes with the last copy of this.
-class Folder;
-
 struct Compiled {
   Manifest manifest;
   std::string manifest_file;
   std::string fingerprint;                                 ///< of all modules and the device's number
   std::vector<std::pair<std::string, std::string>> about;  ///< the modules, in words: key and value
   std::vector<std::string> warnings;
-  std::shared_ptr<const Folder> files;
+  std::shared_ptr<const program::Folder> files;  ///< goes with the last copy of this
 };
 
 /// Compiles, validates with spirv-val, and reads what came of it, with spirv-cross what it wants to be given.  Throws BadShader, NotAvailable, and std::runtime_error

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "shaders/compile/tools.hpp"
 #include "shaders/device/manifest.hpp"
 
 namespace mmverify::shaders {
@@ -124,7 +125,7 @@ Interface interface_of(const std::string& reflected) {
   }
 }
 
-std::optional<Interface> read_interface(const std::string& spirv, const Folder& folder) {
+std::optional<Interface> read_interface(const std::string& spirv, const program::Folder& folder) {
   // A module may declare more than its entry point uses, and only the latter has to be bound.
   const std::string used = folder.file("used.spv");
   const auto cut =

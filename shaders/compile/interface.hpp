@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "shaders/compile/tools.hpp"
+#include "program/folder.hpp"
 
 namespace mmverify::shaders {
 
@@ -17,7 +17,7 @@ struct Interface {
 /// By spirv-cross's reflection, of what the entry point uses: spirv-opt leaves out the rest before.  None where there is
 /// no spirv-cross.
 /// Domain: a valid module.  Errors: std::runtime_error where spirv-cross does not bear it.
-std::optional<Interface> read_interface(const std::string& spirv, const Folder& folder);
+std::optional<Interface> read_interface(const std::string& spirv, const program::Folder& folder);
 
 /// The same of spirv-cross's own words.  Errors: std::runtime_error where they are no such.
 Interface interface_of(const std::string& reflected);

@@ -1,8 +1,5 @@
 // Shaders as subjects, up to the device: names, what a file defines, what is wrong with it, and places without a device.
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -281,42 +278,6 @@ TEST_F(ShaderFile, is_asked_only_what_it_answers) {
   const auto chosen = shaders::compile({both, "row_index_f32"}).manifest.modules;
   ASSERT_EQ(chosen.size(), 1u);
   EXPECT_EQ(chosen[0].entry_point, "row_index_f32");
-}
-
-TEST(ShaderFolder, of_a_process_that_was_killed_is_swept) {
-  const Folder place;
-  const std::string before = fs::temp_directory_path().string();
-  ASSERT_EQ(setenv("TMPDIR", place.path().string().c_str(), 1), 0);
-  fs::create_directory(place / "mmverify-shader-killed");
-  std::ofstream(place / "mmverify-shader-killed/whole.spv") << "SPIR-V";
-  fs::create_directory(place / "somebody-else");
-  {
-    const shaders::Folder living;
-    std::ofstream(living.file("whole.spv")) << "SPIR-V";
-    EXPECT_FALSE(fs::exists(place / "mmverify-shader-killed"));
-    EXPECT_TRUE(fs::exists(place / "somebody-else"));
-    const shaders::Folder another;
-    EXPECT_TRUE(fs::exists(living.file("whole.spv")));
-    // A process that ends by a signal, and leaves its folder.
-    const pid_t child = fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      const shaders::Folder its;
-      std::ofstream(its.file("whole.spv")) << "SPIR-V";
-      kill(getpid(), SIGKILL);
-    }
-    int status = 0;
-    ASSERT_EQ(waitpid(child, &status, 0), child);
-    const auto folders = [&] {
-      return std::distance(fs::directory_iterator(place.path()), fs::directory_iterator());
-    };
-    EXPECT_EQ(folders(), 4);
-    const shaders::Folder next;
-    EXPECT_EQ(folders(), 4);
-    EXPECT_TRUE(fs::exists(living.file("whole.spv")));
-  }
-  EXPECT_EQ(std::distance(fs::directory_iterator(place.path()), fs::directory_iterator()), 1);
-  setenv("TMPDIR", before.c_str(), 1);
 }
 
 TEST_F(ShaderFile, that_includes_itself_is_given_up) {
