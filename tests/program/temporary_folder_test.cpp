@@ -1,6 +1,4 @@
 // Folders of temporary files: whose they are, and who removes them.
-#include "program/folder.hpp"
-
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -11,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "program/folder.hpp"
 #include "tests/folder.hpp"
 
 namespace {
