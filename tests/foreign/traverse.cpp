@@ -137,14 +137,18 @@ unsigned one_code(std::uint32_t operation, unsigned p, unsigned v, unsigned alph
   switch (operation) {
     case MMVERIFY_BLEND_MAX:
       if (has(max_leaves_black) && p == 0 && v < 4) return p;
+      if (has(max_of_equals_is_more) && p == v && p < 255) return p + 1;
       return v > p ? v : p;
     case MMVERIFY_BLEND_MIN:
+      if (has(min_ignores_a_step) && v + 1 == p) return p;
+      if (has(min_of_equals_is_half) && p == v) return p / 2;
       return v < p ? v : p;
     case MMVERIFY_BLEND_ADD:
       if (has(sums_stop_at_254) && p + v > 254) return 254;
       if (has(sums_from_the_payload) && p > 127 && v > 127) return p;
       return most_255(p + v);
     case MMVERIFY_BLEND_MULTIPLY:
+      if (has(product_of_equals_is_one_of_them) && p == v) return p;
       return of_255(p, v);
     default:
       if (has(over_of_plain_values)) v = of_255(v, alpha);
