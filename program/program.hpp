@@ -36,4 +36,7 @@ struct ProgramEnd {
 ProgramEnd run_program(const std::vector<std::string>& arguments, const std::string& input = {},
                        const std::function<void()>& stop = {}, const Bounds& bounds = {});
 
+/// A program's complaints in one line, for a message.
+std::string one_line(std::string text);
+
 }  // namespace mmverify::program

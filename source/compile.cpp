@@ -91,11 +91,6 @@ std::string bytes_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string without_line_end(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
-
 }  // namespace
 
 Compiled::Compiled(const std::string& file, const std::string& function,
@@ -124,15 +119,15 @@ Compiled::Compiled(const std::string& file, const std::string& function,
                                    "-femit-all-decls",
                                    "-I" + header_folder()};
     words.insert(words.end(), flags.begin(), flags.end());
-    words.insert(words.end(),
-                 {"-ffp-contract=off", "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, file});
+    words.insert(words.end(), {"-fno-caret-diagnostics", "-ffp-contract=off", "-fno-math-errno", "-emit-llvm",
+                               "-c", "-o", bitcode_, file});
     if (const ProgramEnd end = of_clang(words); !end.succeeded)
-      throw BadSource(file + ": clang does not compile it (" + end.how + "):\n" +
-                      without_line_end(end.errors));
+      throw BadSource(file + ": clang does not compile it (" + end.how +
+                      "): " + program::one_line(end.errors));
   }
   const std::string alone = folder_->file("index.bc"), wrapper = folder_->file("subject.c");
   const ProgramEnd read = of_reader({bitcode_, function_, "export", alone});
-  if (!read.succeeded) throw BadSource(file + ": " + without_line_end(read.errors));
+  if (!read.succeeded) throw BadSource(file + ": " + program::one_line(read.errors));
   exported_ = bytes_of(alone);
   std::ofstream(wrapper) << behind_the_header;
   library_ = folder_->file("index.so");
@@ -141,15 +136,15 @@ Compiled::Compiled(const std::string& file, const std::string& function,
                 "-I" + header_folder(), wrapper, alone, "-lm", "-o", library_});
   if (!linked.succeeded)
     throw BadSource(file + ": clang makes no shared library of it (" + linked.how + "):\n" +
-                    without_line_end(linked.errors));
+                    program::one_line(linked.errors));
 }
 
 Program Compiled::at_level(unsigned level, const std::string& fault) const {
   const ProgramEnd read =
       of_reader({bitcode_, function_, std::to_string(level), fault.empty() ? "none" : fault});
-  if (read.how == "exit code 3") throw UnknownInstruction(without_line_end(read.errors));
+  if (read.how == "exit code 3") throw UnknownInstruction(program::one_line(read.errors));
   if (!read.succeeded)
-    throw BadSource(file_ + ": mmverify-source: " + read.how + ": " + without_line_end(read.errors));
+    throw BadSource(file_ + ": mmverify-source: " + read.how + ": " + program::one_line(read.errors));
   return read_program(read.out);
 }
 

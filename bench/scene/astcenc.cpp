@@ -78,7 +78,7 @@ class Astcenc {
     const ProgramEnd end = run_program(arguments, {}, options_.stop);
     if (!end.succeeded)
       throw std::runtime_error(program_ + " " + arguments[1] + " failed, " + end.how + ": " +
-                               one_line(end.errors.empty() ? end.out : end.errors));
+                               program::one_line(end.errors.empty() ? end.out : end.errors));
   }
 
   AstcencOptions options_;

@@ -69,7 +69,7 @@ class Bc7enc {
     const ProgramEnd end = run_program(arguments, {}, options_.stop);
     if (!end.succeeded)
       throw std::runtime_error(program_ + " " + quality() + " failed, " + end.how + ": " +
-                               one_line(end.errors.empty() ? end.out : end.errors));
+                               program::one_line(end.errors.empty() ? end.out : end.errors));
   }
 
   Bc7encOptions options_;

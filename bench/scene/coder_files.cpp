@@ -43,10 +43,4 @@ void expect_size(const std::string& file, std::uint64_t bytes, const std::string
                            (none ? "none is there" : "one of " + std::to_string(written) + " came"));
 }
 
-std::string one_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) text.replace(at, 1, "; ");
-  return text.empty() ? "it said nothing" : text;
-}
-
 }  // namespace mmverify::bench

@@ -20,7 +20,4 @@ std::vector<std::uint8_t> rgb_of_png(const std::string& path, const scene::Textu
 /// Errors: std::runtime_error where the file has another size, or is not there.
 void expect_size(const std::string& file, std::uint64_t bytes, const std::string& program);
 
-/// A program's complaints in one line.
-std::string one_line(std::string text);
-
 }  // namespace mmverify::bench

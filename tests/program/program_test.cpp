@@ -32,6 +32,11 @@ TEST(Program, ReadsItsInputAndSaysHowItEnds) {
   EXPECT_THROW(run_program({"mmverify-has-no-such-program"}), NoProgram);
 }
 
+TEST(Program, ComplaintsComeInOneLine) {
+  EXPECT_EQ(one_line("a.c:1: error\n1 error generated.\n\n"), "a.c:1: error; 1 error generated.");
+  EXPECT_EQ(one_line("\n"), "it said nothing");
+}
+
 TEST(Program, IsEndedWhereItIsStopped) {
   struct Stopped {};
   const auto start = std::chrono::steady_clock::now();
