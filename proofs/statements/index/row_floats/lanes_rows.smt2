@@ -1,7 +1,7 @@
 ; For every N in 1..2^16, all iu = floor(uN) and iv = floor(vN) in [0, N], whether uf + vf >= 1, and
-; whether uf > 0, which no u = 1 has: with the floors of `floors_of_sum` and `floor_of_rest`, the
-; row and how far along it are the specification's, and the row is below N.
-; spec::index::w_minor_place and along_row.
+; whether uf > 0, which no u = 1 has: with the floors of `floors_of_sum` and `floor_of_rest`, row,
+; col and dia are the specification's, and the row is below N.
+; spec::index::w_minor_place.
 ; Written by the program itself from the specification's templates (./run statements); a test compares.
 (set-logic ALL)
 (set-info :status unsat)
