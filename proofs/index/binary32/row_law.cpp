@@ -57,9 +57,7 @@ std::uint32_t row_index_by(float u, float v, Level n) {
 template <class Code>
 Mutant wrong_rows(const char* name) {
   Functions functions = built_in("impl")->functions;
-  functions.row_index_floats = [](Level n, FloatBatch batch, std::span<std::uint32_t> out) {
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] = row_index_by<Code>(batch.u[k], batch.v[k], n);
-  };
+  on_floats([](Level n, float u, float v, std::uint32_t) { return row_index_by<Code>(u, v, n); })(functions);
   return {
       name,
       std::make_shared<WithStatements>(name, std::move(functions),

@@ -135,7 +135,8 @@ RationalPoint parse_point(const std::string& text) {
     throw BadCase(fmt::format(
         "'{}' is not a point: write u=3/8,v=1/4 (a kind letter v:, e: or i: may stand before)", text));
   const RationalPoint p{parse_coordinate((*parts)[1]), parse_coordinate((*parts)[2])};
-  const Rational zero(Integer(0)), most = Rational(Integer(1)) + scaled(1, -20);
+  // Rounding both coordinates, to binary16 at the coarsest, carries a pair that far beyond the hypotenuse.
+  const Rational zero(Integer(0)), most = Rational(Integer(1)) + scaled(1, -11);
   if (p.u < zero || p.v < zero || p.u + p.v > most)
     throw BadCase(fmt::format("'{}' lies outside the triangle: u, v >= 0 and u+v <= 1", text));
   return p;
