@@ -1,4 +1,4 @@
-// mmverify-source: LLVM's bitcode in, a program of source/program.hpp out.  A process of its own, so that LLVM is in no
+// mmverify-source: LLVM's bitcode or SPIR-V in, a program of source/program.hpp out.  A process of its own, so that LLVM is in no
 // other, and so that bitcode that LLVM cannot bear ends nothing else.
 //
 //   mmverify-source FILE FUNCTION LEVEL [FAULT]   the program, to standard output
@@ -34,7 +34,7 @@ int run(int count, char** words) {
   llvm::LLVMContext context;
   const auto module = [&] {
     try {
-      return read_module(file, context);
+      return read_module(file, name, context);
     } catch (const CannotRead& why) {
       say(why);
       return std::unique_ptr<llvm::Module>();

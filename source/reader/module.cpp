@@ -16,6 +16,11 @@
 #include <llvm/Transforms/Utils/Local.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "source/reader/spirv/module.hpp"
+#include "source/reader/spirv/spirv.hpp"
 
 namespace mmverify::source {
 namespace {
@@ -102,7 +107,11 @@ void run_passes(llvm::Module& module, const std::string& pipeline) {
 
 }  // namespace
 
-std::unique_ptr<llvm::Module> read_module(const std::string& file, llvm::LLVMContext& context) {
+std::unique_ptr<llvm::Module> read_module(const std::string& file, const std::string& function,
+                                          llvm::LLVMContext& context) {
+  std::ifstream in(file, std::ios::binary);
+  if (const std::string bytes{std::istreambuf_iterator<char>(in), {}}; is_spirv(bytes))
+    return read_spirv(bytes, file, function, context);
   llvm::SMDiagnostic error;
   std::unique_ptr<llvm::Module> module = llvm::parseIRFile(file, error, context);
   if (!module) throw CannotRead(file + ": " + error.getMessage().str());

@@ -21,8 +21,9 @@ struct NotKnown : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Bitcode or its text.  Throws CannotRead.
-std::unique_ptr<llvm::Module> read_module(const std::string& file, llvm::LLVMContext& context);
+/// Bitcode or its text; of SPIR-V the function of that name alone.  Throws CannotRead, NotKnown.
+std::unique_ptr<llvm::Module> read_module(const std::string& file, const std::string& function,
+                                          llvm::LLVMContext& context);
 
 /// The functions that the module has bodies of, as their source calls them.
 std::vector<std::string> functions_of(const llvm::Module& module);

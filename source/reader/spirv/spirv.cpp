@@ -1,0 +1,484 @@
+#include "source/reader/spirv/spirv.hpp"
+
+#include <llvm/IR/DIBuilder.h>
+#include <llvm/IR/DebugInfoMetadata.h>
+#include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/Verifier.h>
+#include <llvm/Support/raw_ostream.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "source/reader/module.hpp"
+#include "source/reader/spirv/module.hpp"
+#include "source/reader/spirv/types.hpp"
+#include "source/reader/spirv/values.hpp"
+
+namespace mmverify::source {
+namespace {
+
+/// "index" of glslang's "index(u1;f1;f1;".
+std::string plain_name(const std::string& name) { return name.substr(0, name.find('(')); }
+
+/// Where files and lines go.
+class Lines {
+ public:
+  Lines(llvm::Module& into, const SpirvModule& module, const std::string& file)
+      : module_(module), build_(into), file_(file) {
+    into.addModuleFlag(llvm::Module::Warning, "Debug Info Version", llvm::DEBUG_METADATA_VERSION);
+    unit_ = build_.createCompileUnit(llvm::dwarf::DW_LANG_C99, build_.createFile(file, ""), "SPIR-V", true,
+                                     "", 0);
+  }
+  void begin(llvm::Function& f) {
+    llvm::DIFile* file = build_.createFile(file_, "");
+    program_ = build_.createFunction(unit_, f.getName(), f.getName(), file, 0,
+                                     build_.createSubroutineType(build_.getOrCreateTypeArray({})), 0,
+                                     llvm::DINode::FlagZero, llvm::DISubprogram::SPFlagDefinition);
+    f.setSubprogram(program_);
+  }
+  llvm::DebugLoc at(const Instruction& i) {
+    llvm::DIScope* scope = program_;
+    if (const auto name = module_.strings.find(i.file); name != module_.strings.end())
+      scope = build_.createLexicalBlockFile(program_, build_.createFile(name->second, ""));
+    return llvm::DILocation::get(program_->getContext(), i.line, 0, scope);
+  }
+  std::string text(const Instruction& i) const {
+    const auto name = module_.strings.find(i.file);
+    if (i.line == 0) return file_;
+    return (name != module_.strings.end() ? name->second : file_) + ":" + std::to_string(i.line);
+  }
+  void finish() { build_.finalize(); }
+
+ private:
+  const SpirvModule& module_;
+  llvm::DIBuilder build_;
+  std::string file_;
+  llvm::DICompileUnit* unit_ = nullptr;
+  llvm::DISubprogram* program_ = nullptr;
+};
+
+/// The functions of a module, each made when it is first called.
+class Functions {
+ public:
+  Functions(const SpirvModule& module, const Types& types, llvm::Module& into)
+      : module_(module), types_(types), into_(into) {}
+
+  const SpirvFunction& of(Id id) const {
+    for (const SpirvFunction& f : module_.functions)
+      if (f.head.result == id) return f;
+    invalid("a call of no function");
+  }
+  std::size_t arguments(Id type) const { return types_.is_pointer(type) ? 1 : types_.scalars(type); }
+  /// A value of several numbers is returned by a last pointer.
+  bool by_pointer(Id returned) const { return !types_.is_void(returned) && types_.parts(returned) != 0; }
+
+  llvm::Function& declared(Id id) {
+    llvm::Function*& f = made_[id];
+    if (f != nullptr) return *f;
+    const SpirvFunction& from = of(id);
+    std::vector<llvm::Type*> takes;
+    for (const Instruction& p : from.parameters) {
+      if (types_.is_pointer(p.type))
+        takes.push_back(types_.llvm_type(p.type));
+      else
+        for (const llvm::Value* one : types_.filled(p.type, false)) takes.push_back(one->getType());
+    }
+    llvm::Type* returned = types_.llvm_type(from.head.type);
+    if (by_pointer(from.head.type)) {
+      takes.push_back(returned->getPointerTo());
+      returned = llvm::Type::getVoidTy(into_.getContext());
+    }
+    const auto name = module_.names.find(id);
+    f = llvm::Function::Create(
+        llvm::FunctionType::get(returned, takes, false), llvm::Function::InternalLinkage,
+        "spirv." + (name != module_.names.end() ? name->second : std::to_string(id)), into_);
+    wanted_.push_back(id);
+    return *f;
+  }
+
+  /// The next function that was called and has no body yet.
+  std::optional<Id> next() {
+    if (wanted_.empty()) return std::nullopt;
+    const Id id = wanted_.back();
+    wanted_.pop_back();
+    return id;
+  }
+
+ private:
+  const SpirvModule& module_;
+  const Types& types_;
+  llvm::Module& into_;
+  std::map<Id, llvm::Function*> made_;
+  std::vector<Id> wanted_;
+};
+
+/// The body of one function.
+class Body {
+ public:
+  Body(const SpirvModule& module, const Types& types, Functions& functions, Lines& lines,
+       const SpirvFunction& from, llvm::Function& into)
+      : module_(module),
+        types_(types),
+        functions_(functions),
+        lines_(lines),
+        from_(from),
+        into_(into),
+        values_(module, types, into.getContext()),
+        build_(values_.build()) {}
+
+  void make() {
+    lines_.begin(into_);
+    unsigned argument = 0;
+    for (const Instruction& p : from_.parameters) {
+      Scalars all;
+      for (std::size_t k = functions_.arguments(p.type); k > 0; --k) all.push_back(into_.getArg(argument++));
+      values_.set(p, std::move(all));
+    }
+    find_tables();
+    for (const Instruction& i : from_.body)
+      if (i.opcode == spv::Label)
+        blocks_[i.result] = llvm::BasicBlock::Create(into_.getContext(), "", &into_);
+    if (blocks_.empty()) invalid("a function without a body");
+    for (const Instruction& i : from_.body) {
+      build_.SetCurrentDebugLocation(lines_.at(i));
+      try {
+        instruction(i);
+      } catch (const NotKnown& why) {
+        throw NotKnown(lines_.text(i) + ": " + why.what());
+      }
+    }
+    for (const auto& [i, phis] : phis_) join(*i, phis);
+  }
+
+ private:
+  static std::uint32_t operand(const Instruction& i, std::size_t k) { return Types::operand(i, k); }
+
+  llvm::BasicBlock* block(Id id) const {
+    const auto found = blocks_.find(id);
+    if (found == blocks_.end()) invalid("there is no label " + std::to_string(id));
+    return found->second;
+  }
+  Id pointee_of(Id pointer) const { return types_.pointee(values_.type_of(pointer)); }
+
+  /// Variables that one constant is stored to, whole, and that are only read else: they are tables.
+  void find_tables() {
+    std::map<Id, Id> roots;  // of a pointer: its variable
+    std::map<Id, std::vector<Id>> stored;
+    std::set<Id> written;
+    for (const Instruction& i : from_.body) {
+      const auto root = [&](Id p) {
+        const auto known = roots.find(p);
+        return known != roots.end() ? known->second : 0;
+      };
+      if (i.opcode == spv::Variable) {
+        roots[i.result] = i.result;
+        if (i.operands.size() > 1) stored[i.result].push_back(i.operands[1]);
+      } else if (i.opcode == spv::AccessChain || i.opcode == spv::InBoundsAccessChain ||
+                 i.opcode == spv::CopyObject) {
+        roots[i.result] = root(operand(i, 0));
+        if (i.opcode == spv::CopyObject) written.insert(root(operand(i, 0)));
+      } else if (i.opcode == spv::Store) {
+        const Id p = operand(i, 0);
+        if (const Id of = root(p); of == p)
+          stored[of].push_back(operand(i, 1));
+        else
+          written.insert(of);
+      } else if (i.opcode != spv::Load) {
+        for (const Id p : i.operands) written.insert(root(p));
+      }
+    }
+    for (const auto& [variable, with] : stored)
+      if (with.size() == 1 && types_.is_constant(with[0]) && written.count(variable) == 0)
+        tables_[variable] = with[0];
+  }
+
+  void variable(const Instruction& i) {
+    const Id type = types_.pointee(i.type);
+    if (const auto table = tables_.find(i.result);
+        table != tables_.end() && types_.parts(type) != 0 && types_.global(table->second).type == type) {
+      std::size_t at = 0;
+      llvm::Constant* all = types_.joined(type, types_.constant(table->second), at);
+      const auto name = module_.names.find(i.result);
+      return values_.set(i, {new llvm::GlobalVariable(*into_.getParent(), all->getType(), true,
+                                                      llvm::GlobalValue::InternalLinkage, all,
+                                                      name != module_.names.end() ? name->second : "table")});
+    }
+    llvm::BasicBlock& entry = into_.getEntryBlock();
+    llvm::IRBuilder<> first(&entry, entry.begin());
+    llvm::Value* address = first.CreateAlloca(types_.llvm_type(type));
+    values_.set(i, {address});
+    tables_.erase(i.result);
+    if (i.operands.size() > 1) {
+      std::size_t at = 0;
+      const Scalars all = values_.value(i.operands[1]);
+      write(address, type, all, at);
+    }
+  }
+
+  llvm::Value* address_of(llvm::Value* pointer, Id type, std::uint32_t k) {
+    return build_.CreateInBoundsGEP(types_.llvm_type(type), pointer,
+                                    {build_.getInt32(0), build_.getInt32(k)});
+  }
+  void read(llvm::Value* pointer, Id type, Scalars& all) {
+    const std::uint32_t count = types_.parts(type);
+    if (count == 0) all.push_back(build_.CreateLoad(types_.llvm_type(type), pointer));
+    for (std::uint32_t k = 0; k < count; ++k) read(address_of(pointer, type, k), types_.part(type, k), all);
+  }
+  void write(llvm::Value* pointer, Id type, const Scalars& all, std::size_t& at) {
+    const std::uint32_t count = types_.parts(type);
+    if (count == 0) {
+      if (at >= all.size() || all[at]->getType() != types_.llvm_type(type))
+        invalid("a value is stored as another type");
+      build_.CreateStore(all[at++], pointer);
+    }
+    for (std::uint32_t k = 0; k < count; ++k)
+      write(address_of(pointer, type, k), types_.part(type, k), all, at);
+  }
+
+  void chain(const Instruction& i) {
+    llvm::Value* base = values_.one(operand(i, 0));
+    Id type = pointee_of(operand(i, 0));
+    std::vector<llvm::Value*> steps{build_.getInt32(0)};
+    llvm::Type* whole = types_.llvm_type(type);
+    for (std::size_t k = 1; k < i.operands.size(); ++k) {
+      llvm::Value* step = values_.word(i.operands[k]);
+      const auto* known = llvm::dyn_cast<llvm::ConstantInt>(step);
+      if (types_.global(type).opcode == spv::TypeStruct && known == nullptr)
+        invalid("a member by a number that is no constant");
+      // Structures want 32 bits.
+      if (known != nullptr) step = build_.getInt32(static_cast<std::uint32_t>(known->getZExtValue()));
+      steps.push_back(step);
+      type = types_.part(type, known != nullptr && known->getZExtValue() < types_.parts(type)
+                                   ? static_cast<std::uint32_t>(known->getZExtValue())
+                                   : 0);
+    }
+    values_.set(i, {build_.CreateInBoundsGEP(whole, base, steps)});
+  }
+
+  void call(const Instruction& i) {
+    const Id id = operand(i, 0);
+    llvm::Function& to = functions_.declared(id);
+    Scalars given;
+    for (std::size_t k = 1; k < i.operands.size(); ++k) {
+      const Scalars more = values_.value(i.operands[k]);
+      given.insert(given.end(), more.begin(), more.end());
+    }
+    llvm::Value* back = nullptr;
+    if (functions_.by_pointer(i.type)) {
+      llvm::BasicBlock& entry = into_.getEntryBlock();
+      back = llvm::IRBuilder<>(&entry, entry.begin()).CreateAlloca(types_.llvm_type(i.type));
+      given.push_back(back);
+    }
+    bool fits = given.size() == to.arg_size();
+    for (unsigned k = 0; fits && k < given.size(); ++k) fits = given[k]->getType() == to.getArg(k)->getType();
+    if (!fits) invalid("a call with other arguments than its function takes");
+    llvm::Value* answer = build_.CreateCall(&to, given);
+    if (back != nullptr) {
+      Scalars all;
+      read(back, i.type, all);
+      values_.set(i, std::move(all));
+    } else if (!types_.is_void(i.type)) {
+      values_.set(i, {answer});
+    }
+  }
+
+  void phi(const Instruction& i) {
+    Scalars all;
+    std::vector<llvm::PHINode*> phis;
+    for (llvm::Value* like : types_.filled(i.type, false)) {
+      phis.push_back(build_.CreatePHI(like->getType(), static_cast<unsigned>(i.operands.size() / 2)));
+      all.push_back(phis.back());
+    }
+    values_.set(i, std::move(all));
+    phis_.emplace_back(&i, std::move(phis));
+  }
+  void join(const Instruction& i, const std::vector<llvm::PHINode*>& phis) {
+    for (std::size_t k = 0; k + 1 < i.operands.size(); k += 2) {
+      const Scalars all = values_.value(i.operands[k]);
+      if (all.size() != phis.size()) invalid("a choice of values of different types");
+      for (std::size_t s = 0; s < phis.size(); ++s) {
+        if (all[s]->getType() != phis[s]->getType()) invalid("a choice of values of different types");
+        phis[s]->addIncoming(all[s], block(i.operands[k + 1]));
+      }
+    }
+  }
+
+  void control(const Instruction& i) {
+    switch (i.opcode) {
+      case spv::Branch:
+        build_.CreateBr(block(operand(i, 0)));
+        return;
+      case spv::BranchConditional: {
+        llvm::Value* condition = values_.one(operand(i, 0));
+        if (!condition->getType()->isIntegerTy(1)) invalid("a branch on no condition");
+        build_.CreateCondBr(condition, block(operand(i, 1)), block(operand(i, 2)));
+        return;
+      }
+      case spv::Switch: {
+        llvm::Value* of = values_.word(operand(i, 0));
+        if (of->getType()->getIntegerBitWidth() > 32) throw NotKnown("OpSwitch on more than 32 bits");
+        auto* choice = build_.CreateSwitch(of, block(operand(i, 1)));
+        for (std::size_t k = 2; k + 1 < i.operands.size(); k += 2)
+          choice->addCase(llvm::ConstantInt::get(llvm::cast<llvm::IntegerType>(of->getType()), i.operands[k]),
+                          block(i.operands[k + 1]));
+        return;
+      }
+      case spv::Return:
+        build_.CreateRetVoid();
+        return;
+      case spv::ReturnValue: {
+        const Scalars all = values_.value(operand(i, 0));
+        if (functions_.by_pointer(from_.head.type)) {
+          std::size_t at = 0;
+          write(into_.getArg(static_cast<unsigned>(into_.arg_size() - 1)), from_.head.type, all, at);
+          build_.CreateRetVoid();
+          return;
+        }
+        if (all.size() != 1 || all[0]->getType() != into_.getReturnType())
+          invalid("a return of another type");
+        build_.CreateRet(all[0]);
+        return;
+      }
+      default:
+        build_.CreateUnreachable();
+    }
+  }
+
+  void instruction(const Instruction& i) {
+    switch (i.opcode) {
+      case spv::Label:
+        build_.SetInsertPoint(block(i.result));
+        return;
+      case spv::LoopMerge:
+      case spv::SelectionMerge:
+      case spv::Line:
+      case spv::NoLine:
+      case 0:
+        return;
+      default:
+        break;
+    }
+    if (build_.GetInsertBlock() == nullptr || build_.GetInsertBlock()->getTerminator() != nullptr)
+      invalid("an instruction outside of a block");
+    switch (i.opcode) {
+      case spv::Variable:
+        return variable(i);
+      case spv::Load: {
+        Scalars all;
+        read(values_.one(operand(i, 0)), pointee_of(operand(i, 0)), all);
+        return values_.set(i, std::move(all));
+      }
+      case spv::Store: {
+        const Id pointer = operand(i, 0);
+        if (tables_.count(pointer) != 0) return;
+        std::size_t at = 0;
+        llvm::Value* address = values_.one(pointer);
+        return write(address, pointee_of(pointer), values_.value(operand(i, 1)), at);
+      }
+      case spv::AccessChain:
+      case spv::InBoundsAccessChain:
+        return chain(i);
+      case spv::FunctionCall:
+        return call(i);
+      case spv::Phi:
+        return phi(i);
+      case spv::CopyObject:
+        return values_.set(i, values_.value(operand(i, 0)));
+      case spv::Undef:
+        return values_.set(i, types_.filled(i.type, true));
+      case spv::ExtInst:
+        return values_.extended(i);
+      case spv::Branch:
+      case spv::BranchConditional:
+      case spv::Switch:
+      case spv::Return:
+      case spv::ReturnValue:
+      case spv::Unreachable:
+        return control(i);
+      default:
+        if (!values_.arithmetic(i) && !values_.conversion(i) && !values_.composite(i) && !values_.of_bits(i))
+          throw NotKnown(opcode_name(i.opcode));
+    }
+  }
+
+  const SpirvModule& module_;
+  const Types& types_;
+  Functions& functions_;
+  Lines& lines_;
+  const SpirvFunction& from_;
+  llvm::Function& into_;
+  Values values_;
+  llvm::IRBuilder<>& build_;
+  std::map<Id, llvm::BasicBlock*> blocks_;
+  std::map<Id, Id> tables_;  ///< variables that are tables: the constant
+  std::vector<std::pair<const Instruction*, std::vector<llvm::PHINode*>>> phis_;
+};
+
+/// What is handed over by a pointer is handed over by value in a function of its own.
+void by_value(llvm::Function& inner, const std::string& name) {
+  std::vector<llvm::Type*> takes;
+  for (const llvm::Argument& a : inner.args())
+    takes.push_back(a.getType()->isPointerTy() ? a.getType()->getPointerElementType() : a.getType());
+  llvm::Function* f = llvm::Function::Create(llvm::FunctionType::get(inner.getReturnType(), takes, false),
+                                             llvm::Function::ExternalLinkage, name, inner.getParent());
+  llvm::IRBuilder<> build(llvm::BasicBlock::Create(inner.getContext(), "", f));
+  Scalars given;
+  for (unsigned k = 0; k < takes.size(); ++k) {
+    given.push_back(f->getArg(k));
+    if (!inner.getArg(k)->getType()->isPointerTy()) continue;
+    given.back() = build.CreateAlloca(takes[k]);
+    build.CreateStore(f->getArg(k), given.back());
+  }
+  llvm::Value* answer = build.CreateCall(&inner, given);
+  if (answer->getType()->isVoidTy())
+    build.CreateRetVoid();
+  else
+    build.CreateRet(answer);
+}
+
+/// What would make the operations of binary32 others than they are here.
+void check_promises(const SpirvModule& module, const std::string& file) {
+  for (const std::string& promise : module.foreign_promises) throw NotKnown(file + ": " + promise);
+}
+
+}  // namespace
+
+std::unique_ptr<llvm::Module> read_spirv(const std::string& bytes, const std::string& file,
+                                         const std::string& name, llvm::LLVMContext& context) {
+  const SpirvModule from = read_spirv_module(bytes);
+  auto module = std::make_unique<llvm::Module>("spirv", context);
+  module->setSourceFileName(file);
+  const Types types(from, context);
+  Functions functions(from, types, *module);
+  Lines lines(*module, from, file);
+  std::vector<std::string> others;
+  bool any = false;
+  for (const SpirvFunction& f : from.functions) {
+    const auto named = from.names.find(f.head.result);
+    if (named == from.names.end()) continue;
+    if (plain_name(named->second) != name && named->second != name) {
+      others.push_back(plain_name(named->second));
+      continue;
+    }
+    by_value(functions.declared(f.head.result), name);
+    any = true;
+  }
+  if (!any) {
+    std::string names;
+    for (const std::string& one : others) names += (names.empty() ? "" : ", ") + one;
+    throw CannotRead("no function is called '" + name + "'; there " +
+                     (others.empty() ? "is none with a name" : "are: " + names));
+  }
+  check_promises(from, file);
+  while (const auto id = functions.next())
+    Body(from, types, functions, lines, functions.of(*id), functions.declared(*id)).make();
+  lines.finish();
+  std::string why;
+  llvm::raw_string_ostream out(why);
+  if (llvm::verifyModule(*module, &out)) invalid(out.str());
+  return module;
+}
+
+}  // namespace mmverify::source

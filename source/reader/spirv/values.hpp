@@ -1,0 +1,68 @@
+// The values of one function, and the instructions that make new ones of them: arithmetic, comparisons, conversions, parts of
+// vectors and structures.
+#pragma once
+
+#include <llvm/IR/IRBuilder.h>
+
+#include <functional>
+#include <map>
+
+#include "source/reader/spirv/types.hpp"
+
+namespace mmverify::source {
+
+class Values {
+ public:
+  Values(const SpirvModule& module, const Types& types, llvm::LLVMContext& context)
+      : module_(module), types_(types), build_(context) {}
+
+  llvm::IRBuilder<>& build() { return build_; }
+
+  /// Throws CannotRead: there is none; NotKnown: memory outside of functions.
+  Scalars value(Id id) const;
+  Id type_of(Id id) const;
+  llvm::Value* one(Id id) const;
+  llvm::Value* word(Id id) const;
+  llvm::Value* number(Id id) const;
+  void set(const Instruction& i, Scalars all);
+  void set(Id id, Id type, Scalars all);
+
+  /// Does what the instruction says, where it is one of these; false where it is not.
+  bool arithmetic(const Instruction& i);
+  bool conversion(const Instruction& i);
+  bool composite(const Instruction& i);
+  bool of_bits(const Instruction& i);
+  /// OpExtInst.
+  void extended(const Instruction& i);
+
+ private:
+  using Unary = std::function<llvm::Value*(llvm::Value*)>;
+  using Binary = std::function<llvm::Value*(llvm::Value*, llvm::Value*)>;
+  enum class Sort { words, floats };
+
+  static std::uint32_t operand(const Instruction& i, std::size_t k) { return Types::operand(i, k); }
+  Scalars checked(Id id, Sort sort) const;
+  void each(const Instruction& i, std::size_t at, Sort sort, const Unary& make);
+  void pairs(const Instruction& i, std::size_t at, Sort sort, const Binary& make);
+  void shifts(const Instruction& i, llvm::Instruction::BinaryOps how);
+  void clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, llvm::Intrinsic::ID least);
+  void first_bit(const Instruction& i, std::uint32_t which);
+  void field(const Instruction& i);
+  std::size_t place(Id& type, const Instruction& i, std::size_t from) const;
+  llvm::Type* scalar_type(Id type) const;
+  llvm::Value* of_one(llvm::Intrinsic::ID id, llvm::Value* a) { return build_.CreateUnaryIntrinsic(id, a); }
+  llvm::Value* of_two(llvm::Intrinsic::ID id, llvm::Value* a, llvm::Value* b) {
+    return build_.CreateBinaryIntrinsic(id, a, b);
+  }
+  static llvm::Value* whole(const llvm::Value* like, std::uint64_t k) {
+    return llvm::ConstantInt::get(like->getType(), k);
+  }
+
+  const SpirvModule& module_;
+  const Types& types_;
+  llvm::IRBuilder<> build_;
+  std::map<Id, Scalars> values_;
+  std::map<Id, Id> kinds_;  ///< their types
+};
+
+}  // namespace mmverify::source
