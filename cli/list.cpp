@@ -61,7 +61,8 @@ void print_law(const Law& law) {
   if (!law.companion.empty()) fmt::print("  beside it, on subjects of floats: {}\n", law.companion);
   if (law.id == "index.floats")
     fmt::print(
-        "  of a function in C, C++ or LLVM's bitcode, levels 0..16: prove index.floats --source FILE "
+        "  of a function in C, C++, GLSL, HLSL, LLVM's bitcode or SPIR-V, levels 0..16: prove index.floats "
+        "--source FILE "
         "--function NAME\n");
   fmt::print("  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }

@@ -261,10 +261,10 @@ Action add_prove(CLI::App& program) {
                    "keep finished work in this file as it comes; the same run started again goes on from it")
       ->type_name("FILE");
   command
-      ->add_option(
-          "--source", options->source,
-          "a function in C, C++ or LLVM's bitcode: prove index.floats of it, for every pair of floats")
-      ->type_name("FILE.c|.cpp|.bc|.ll");
+      ->add_option("--source", options->source,
+                   "a function in C, C++, GLSL, HLSL, LLVM's bitcode or SPIR-V: prove index.floats of it, "
+                   "for every pair of floats")
+      ->type_name("FILE.c|.cpp|.bc|.ll|.glsl|.comp|.hlsl|.spv");
   command->add_option("--function", options->function, "its name in the source; index_of where not given")
       ->type_name("NAME");
   command

@@ -12,6 +12,7 @@
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/index/source/law.hpp"
 #include "proofs/plugin.hpp"
+#include "shaders/compile/compile.hpp"
 #include "source/compile.hpp"
 #include "source/encode/encode.hpp"
 
@@ -78,9 +79,29 @@ class Programs {
   std::array<std::optional<source::Program>, 17> programs_;
 };
 
+/// What a shader's own compiler makes of it; empty: the file is none in a shading language.
+std::string compiled_shader(const SourceOptions& options, const program::Folder& folder) {
+  const std::string& file = options.file;
+  if (!shaders::shader_name(file) || file.ends_with(".spv")) return {};
+  try {
+    return shaders::compile_function(file, options.function, folder);
+  } catch (const shaders::BadShader& why) {
+    throw source::BadSource(why.what());
+  } catch (const shaders::NotAvailable& why) {
+    throw source::NotAvailable(why.what());
+  }
+}
+
+/// A shader's floats are what its device makes of them: of which device the proof speaks.
+std::string read_as(const source::Compiled& made) {
+  if (made.compiler() != "SPIR-V") return "LLVM bitcode of " + made.compiler();
+  return "SPIR-V of a device that rounds to nearest, keeps subnormal numbers and contracts nothing";
+}
+
 SubjectPtr subject_of(const SourceOptions& options, const std::string& name, double timeout_seconds) {
-  const auto programs =
-      std::make_shared<Programs>(source::Compiled(options.file, options.function, options.flags));
+  const program::Folder folder("source");
+  const auto programs = std::make_shared<Programs>(
+      source::Compiled(options.file, options.function, options.flags, compiled_shader(options, folder)));
   const source::Compiled& made = programs->made();
   dock::Options dock;
   dock.timeout_seconds = timeout_seconds;
@@ -92,7 +113,7 @@ SubjectPtr subject_of(const SourceOptions& options, const std::string& name, dou
   law::SourceSubject::Code code{
       [programs](Level n, const law::Range& u, const law::Range& v) { return programs->formula(n, u, v); },
       [programs](Level n) { return programs->not_known(n); },
-      [programs](Level n) { return programs->fields(n); }, made.compiler()};
+      [programs](Level n) { return programs->fields(n); }, read_as(made)};
   return std::make_shared<law::SourceSubject>(name, "a function in a source", run->functions,
                                               run->fingerprint(), std::move(code));
 }
@@ -121,6 +142,9 @@ Job source_job(const SourceOptions& options, const std::optional<Levels>& levels
   } catch (const source::BadSource& why) {
     throw UsageError(why.what());
   } catch (const source::NotAvailable& why) {
+    job.subject = absent_subjects(name, {}, why.what()).front();
+    job.unfit = why.what();
+  } catch (const source::UnknownInstruction& why) {
     job.subject = absent_subjects(name, {}, why.what()).front();
     job.unfit = why.what();
   } catch (const dock::CannotLoad& why) {

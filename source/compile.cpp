@@ -86,6 +86,15 @@ ProgramEnd of_reader(std::vector<std::string> words) {
   }
 }
 
+/// By spirv-val, where it is installed: the reader takes a module for a valid one.
+void check(const std::string& spirv, const std::string& file) {
+  try {
+    if (const ProgramEnd end = ended({"spirv-val", spirv}); !end.succeeded)
+      throw BadSource(file + ": spirv-val: " + program::one_line(end.out + end.errors));
+  } catch (const program::NoProgram&) {
+  }
+}
+
 std::string bytes_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -94,10 +103,10 @@ std::string bytes_of(const std::string& file) {
 }  // namespace
 
 Compiled::Compiled(const std::string& file, const std::string& function,
-                   const std::vector<std::string>& flags)
+                   const std::vector<std::string>& flags, const std::string& read, const std::string& fault)
     : file_(file),
       function_(function),
-      bitcode_(file),
+      bitcode_(read.empty() ? file : read),
       folder_(std::make_shared<const program::Folder>("source")) {
   reader();
   std::error_code error;
@@ -107,8 +116,15 @@ Compiled::Compiled(const std::string& file, const std::string& function,
   compiler_ = from == std::string::npos
                   ? "clang"
                   : version.substr(from, version.find_first_of(" \n(", from + 14) - from);
-  const std::string extension = fs::path(file).extension().string();
-  if (extension != ".bc" && extension != ".ll") {
+  const std::string extension = fs::path(bitcode_).extension().string();
+  if (extension == ".spv") {
+    check(bitcode_, file);
+    // What is judged stays what was read, whatever becomes of the file.
+    const std::string kept = folder_->file("module.spv");
+    fs::copy_file(bitcode_, kept, fs::copy_options::overwrite_existing);
+    bitcode_ = kept;
+    compiler_ = "SPIR-V";
+  } else if (extension != ".bc" && extension != ".ll") {
     bitcode_ = folder_->file("module.bc");
     // LLVM's passes are the reader's business; a function that nobody calls is to be there, too.
     std::vector<std::string> words{"-O1",
@@ -126,8 +142,9 @@ Compiled::Compiled(const std::string& file, const std::string& function,
                       "): " + program::one_line(end.errors));
   }
   const std::string alone = folder_->file("index.bc"), wrapper = folder_->file("subject.c");
-  const ProgramEnd read = of_reader({bitcode_, function_, "export", alone});
-  if (!read.succeeded) throw BadSource(file + ": " + program::one_line(read.errors));
+  const ProgramEnd end = of_reader({bitcode_, function_, "export", alone, fault.empty() ? "none" : fault});
+  if (end.how == "exit code 3") throw UnknownInstruction(said(end));
+  if (!end.succeeded) throw BadSource(file + ": " + said(end));
   exported_ = bytes_of(alone);
   std::ofstream(wrapper) << behind_the_header;
   library_ = folder_->file("index.so");
@@ -139,12 +156,18 @@ Compiled::Compiled(const std::string& file, const std::string& function,
                     program::one_line(linked.errors));
 }
 
+std::string Compiled::said(const program::ProgramEnd& end) const {
+  std::string text = program::one_line(end.errors);
+  if (const std::size_t at = text.find(bitcode_); at != std::string::npos)
+    text.replace(at, bitcode_.size(), file_);
+  return text;
+}
+
 Program Compiled::at_level(unsigned level, const std::string& fault) const {
   const ProgramEnd read =
       of_reader({bitcode_, function_, std::to_string(level), fault.empty() ? "none" : fault});
-  if (read.how == "exit code 3") throw UnknownInstruction(program::one_line(read.errors));
-  if (!read.succeeded)
-    throw BadSource(file_ + ": mmverify-source: " + read.how + ": " + program::one_line(read.errors));
+  if (read.how == "exit code 3") throw UnknownInstruction(said(read));
+  if (!read.succeeded) throw BadSource(file_ + ": mmverify-source: " + read.how + ": " + said(read));
   return read_program(read.out);
 }
 

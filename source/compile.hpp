@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "program/folder.hpp"
+#include "program/program.hpp"
 #include "source/program.hpp"
 
 namespace mmverify::source {
@@ -24,11 +25,13 @@ struct UnknownInstruction : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A function of a file in C or C++, or of LLVM's bitcode or its text.
+/// A function of a file in C or C++, or of LLVM's bitcode or its text, or of SPIR-V.
 class Compiled {
  public:
-  /// Compiles it: -O1, no contraction of products and sums, and `flags`.  Throws BadSource, NotAvailable.
-  Compiled(const std::string& file, const std::string& function, const std::vector<std::string>& flags = {});
+  /// Compiles it: -O1, no contraction of products and sums, and `flags`.  `read`: what is read in its place, where another
+  /// compiler has made it.  `fault`: as of at_level.  Throws BadSource, NotAvailable, UnknownInstruction.
+  Compiled(const std::string& file, const std::string& function, const std::vector<std::string>& flags = {},
+           const std::string& read = {}, const std::string& fault = {});
 
   /// What it is at that level, its calls inlined and its loops unrolled.  `fault`: a mistake of the reader on purpose,
   /// for a test.  Throws UnknownInstruction, BadSource.
@@ -38,12 +41,15 @@ class Compiled {
   const std::string& library() const { return library_; }
   /// The bytes of the bitcode with that function alone for others to call.
   const std::string& bitcode() const { return exported_; }
-  /// "clang version 14.0.6".
+  /// "clang version 14.0.6"; of SPIR-V "SPIR-V".
   const std::string& compiler() const { return compiler_; }
   /// Keeps the files of both as long as it is there.
   std::shared_ptr<const program::Folder> files() const { return folder_; }
 
  private:
+  /// The reader's complaint, about the file that was named.
+  std::string said(const program::ProgramEnd& end) const;
+
   std::string file_, function_, bitcode_, exported_, library_, compiler_;
   std::shared_ptr<const program::Folder> folder_;
 };

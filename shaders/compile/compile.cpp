@@ -64,7 +64,7 @@ class Compiler {
   }
 
   /// SPIR-V's bytes; `name` is that of the module's file.
-  void compile(const std::string& text, const std::string& spirv) const {
+  void compile(const std::string& text, const std::string& spirv, bool all_functions = false) const {
     const std::string source = spirv + suffix();
     write_file(source, text);
     if (language_ == Language::slang) {
@@ -75,6 +75,8 @@ class Compiler {
     }
     auto words = glslang(source);
     words.insert(words.end(), {"-V", "--target-env", "vulkan1.1", "-o", spirv});
+    // As written: HLSL is inlined else.
+    if (all_functions) words.insert(words.end(), {"-g", "--keep-uncalled", "-Od"});
     printed_by(words, source);
   }
 
@@ -297,6 +299,33 @@ Compiled compile(const ShaderName& name) {
   made.manifest_file = folder->file("manifest");
   write_file(made.manifest_file, to_text(made.manifest));
   return made;
+}
+
+std::string compile_function(const std::string& file, const std::string& function,
+                             const program::Folder& folder) {
+  const Compiler compiler({file}, folder);
+  if (compiler.language() == Language::slang)
+    throw NotAvailable(file +
+                       ": Slang's compiler keeps nothing but what an entry point calls; name its SPIR-V");
+  std::string text = contents_of(file);
+  // A file that is whole stays so.
+  const bool versioned = text.find("#version") != std::string::npos;
+  const std::string plain =
+      compiler.preprocess(versioned ? text : preamble_and(text, file, compiler.language()));
+  if (!defines_main(plain)) {
+    text = preamble_and(text, file, compiler.language());
+    if (compiler.language() == Language::glsl)
+      text += "void main() {}\n";
+    else  // it drops what nobody calls
+      text += fmt::format(
+          "RWStructuredBuffer<uint> mmverify_answer;\n[numthreads(1, 1, 1)] void main() {{ "
+          "mmverify_answer[0] = "
+          "{}(mmverify_word(0), asfloat(mmverify_word(1)), asfloat(mmverify_word(2))); }}\n",
+          function);
+  }
+  const std::string spirv = folder.file("functions.spv");
+  compiler.compile(text, spirv, true);
+  return spirv;
 }
 
 std::string device_library() {

@@ -51,6 +51,11 @@ struct Compiled {
 /// where the file cannot be read or a program not be run.
 Compiled compile(const ShaderName& name);
 
+/// SPIR-V of a file in GLSL or HLSL that has this function of a word and two floats, called or not, and its lines: for who
+/// reads functions and runs none.  Returns the module's file in that folder.  Throws BadShader, NotAvailable.
+std::string compile_function(const std::string& file, const std::string& function,
+                             const program::Folder& folder);
+
 /// The library that runs shaders: MMVERIFY_SHADER_LIBRARY, or beside this program, or where it is installed.  Throws
 /// NotAvailable where this build has none.
 std::string device_library();

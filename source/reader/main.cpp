@@ -2,7 +2,7 @@
 // other, and so that bitcode that LLVM cannot bear ends nothing else.
 //
 //   mmverify-source FILE FUNCTION LEVEL [FAULT]   the program, to standard output
-//   mmverify-source FILE FUNCTION export OUT.bc   the bitcode with that function for others to call
+//   mmverify-source FILE FUNCTION export OUT.bc [FAULT]   the bitcode with that function for others to call
 // Exit codes: 0; 2 no such function, or another form; 3 an instruction that is not known; 4 a bad file.
 #include <llvm/Bitcode/BitcodeWriter.h>
 #include <llvm/IR/DiagnosticInfo.h>
@@ -21,20 +21,34 @@ namespace {
 using namespace mmverify::source;
 
 constexpr std::array faults{
-    "none", "swapped-edges", "signed-compare", "shift-by-one-less", "widened-with-sign", "lost-wrap"};
+    "none",        "swapped-edges",      "signed-compare", "shift-by-one-less",  "widened-with-sign",
+    "lost-wrap",   "shuffled-otherwise", "signed-numbers", "lowest-for-highest", "clamped-above-alone",
+    "table-of-one"};
+
+Planted planted_by(const std::string& word) {
+  for (std::size_t k = 0; k < faults.size(); ++k)
+    if (word == faults[k]) return static_cast<Planted>(k);
+  throw CannotRead("no fault is called '" + word + "'");
+}
 
 void say(const std::exception& why) { std::fprintf(stderr, "%s\n", why.what()); }
 
 int run(int count, char** words) {
   if (count < 4) {
-    std::fputs("usage: mmverify-source FILE FUNCTION LEVEL|export [FAULT|OUT.bc]\n", stderr);
+    std::fputs(
+        "usage: mmverify-source FILE FUNCTION LEVEL [FAULT]\n       mmverify-source FILE FUNCTION export "
+        "OUT.bc [FAULT]\n",
+        stderr);
     return 2;
   }
   const std::string file = words[1], name = words[2], what = words[3];
+  const bool exports = what == "export";
+  const int last = exports ? 5 : 4;
+  const Planted planted = planted_by(count > last ? words[last] : "none");
   llvm::LLVMContext context;
   const auto module = [&] {
     try {
-      return read_module(file, name, context);
+      return read_module(file, name, context, planted);
     } catch (const CannotRead& why) {
       say(why);
       return std::unique_ptr<llvm::Module>();
@@ -42,7 +56,7 @@ int run(int count, char** words) {
   }();
   if (!module) return 4;
   llvm::Function& index = index_function(*module, name);
-  if (what == "export") {
+  if (exports) {
     export_index(*module, index);
     std::error_code error;
     llvm::raw_fd_ostream out(count > 4 ? words[4] : "-", error);
@@ -50,9 +64,6 @@ int run(int count, char** words) {
     llvm::WriteBitcodeToFile(*module, out);
     return 0;
   }
-  Planted planted = Planted::none;
-  for (std::size_t k = 0; count > 4 && k < faults.size(); ++k)
-    if (words[4] == std::string(faults[k])) planted = static_cast<Planted>(k);
   // Loops are unrolled whatever that takes.
   const char* options[] = {"mmverify-source", "-unroll-threshold=1000000", "-unroll-full-max-count=4096",
                            "-unroll-max-iteration-count-to-analyze=4096"};

@@ -108,10 +108,10 @@ void run_passes(llvm::Module& module, const std::string& pipeline) {
 }  // namespace
 
 std::unique_ptr<llvm::Module> read_module(const std::string& file, const std::string& function,
-                                          llvm::LLVMContext& context) {
+                                          llvm::LLVMContext& context, Planted planted) {
   std::ifstream in(file, std::ios::binary);
   if (const std::string bytes{std::istreambuf_iterator<char>(in), {}}; is_spirv(bytes))
-    return read_spirv(bytes, file, function, context);
+    return read_spirv(bytes, file, function, context, planted);
   llvm::SMDiagnostic error;
   std::unique_ptr<llvm::Module> module = llvm::parseIRFile(file, error, context);
   if (!module) throw CannotRead(file + ": " + error.getMessage().str());

@@ -21,9 +21,24 @@ struct NotKnown : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Mistakes on purpose, for the tests that must find them; the last ones are of SPIR-V.
+enum class Planted {
+  none,
+  swapped_edges,
+  signed_compare,
+  shift_by_one_less,
+  widened_with_sign,
+  lost_wrap,
+  shuffled_otherwise,
+  signed_numbers,
+  lowest_for_highest,
+  clamped_above_alone,
+  table_of_one
+};
+
 /// Bitcode or its text; of SPIR-V the function of that name alone.  Throws CannotRead, NotKnown.
 std::unique_ptr<llvm::Module> read_module(const std::string& file, const std::string& function,
-                                          llvm::LLVMContext& context);
+                                          llvm::LLVMContext& context, Planted planted);
 
 /// The functions that the module has bodies of, as their source calls them.
 std::vector<std::string> functions_of(const llvm::Module& module);
@@ -37,9 +52,6 @@ void export_index(llvm::Module& module, llvm::Function& index);
 
 /// Leaves one function of u and v, with the level a constant, its calls inlined, its loops unrolled.
 llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned level);
-
-/// Mistakes on purpose, for the tests that must find them.
-enum class Planted { none, swapped_edges, signed_compare, shift_by_one_less, widened_with_sign, lost_wrap };
 
 /// The program of a function of two floats.  Throws NotKnown.
 Program translate(const llvm::Function& function, Planted planted);

@@ -45,6 +45,31 @@ judged 2 'wrong_source.c:[0-9]+: load: memory is no constant' --source "$wrong" 
 judged 2 "no function is called 'index_off'; there are: .*right" --source "$wrong" --function index_off
 judged 2 "'no_index' is float \(float, float\); due is uint32_t \(uint32_t level, float u, float v\)" --source "$wrong" --function no_index
 judged 2 'index.floats is proved of a source, and nothing else' index.nested --source "$wrong"
+# Shaders, by their SPIR-V.
+if command -v glslangValidator >/dev/null; then
+  shader=$root/tests/subjects/wrong_source.glsl
+  for function in one_pair plain_sum; do
+    judged 1 "^refuted index.floats level 1 case .*u=.* expected [0-9]+ got [0-9]+" --source "$shader" --function "$function" --levels 1
+    printf 'GLSL, %s: %s\n' "$function" "$(grep -o 'case .*u=.*replay' said | head -1)"
+  done
+  judged 1 "undefined: fptoui|expected 0 got" --source "$shader" --function far --levels 0
+  judged 2 'wrong_source.glsl:16: OpFDiv' --source "$shader" --function third --levels 1
+  judged 2 'memory that is no constant table' --source "$shader" --function of_buffer --levels 1
+  judged 2 'wrong_source.glsl:(18|19): RelaxedPrecision \(mediump\): a device may compute in 16 bits' --source "$shader" --function in_16_bits --levels 1
+  judged 2 'wrong_source.glsl:20: OpExtInst, instruction 1 of GLSL.std.450' --source "$shader" --function rounds --levels 1
+  judged 2 'wrong_source.glsl:[0-9]+: br: a loop that no constant ends' --source "$shader" --function endless --levels 1
+  judged 2 "no function is called 'index_off'; there are: .*one_pair" --source "$shader" --function index_off
+  { cat "$root/examples/subject_published/index.hlsl"; echo 'uint index(uint level, float u, float v) { return micromapIndex(level, float2(u, v)); }'; } >published.hlsl
+  judged 1 '^refuted index.floats level 1 case' --source published.hlsl --function index --levels 1
+  printf 'uint index(uint level, float u, float v) { return uint(u) + level; }\n' >small.glsl
+  printf '#version 450\n%s\nvoid main() {}\n' "$(cat small.glsl)" >small.comp
+  glslangValidator -V --keep-uncalled -o small.spv small.comp >/dev/null
+  judged 1 '^refuted index.floats level 0 case' --source small.spv --function index --levels 0
+  head -c 200 small.spv >cut.spv
+  judged 2 'cut.spv: .*(spirv-val|no valid SPIR-V)' --source cut.spv --function index --levels 0
+else
+  echo 'shaders: left out, no glslangValidator'
+fi
 printf 'unsigned index_of(unsigned level, float u, float v) { return leve; }\n' >typo.c
 judged 2 "typo.c:1:[0-9]+: error: use of undeclared identifier 'leve'" --source typo.c
 MMVERIFY_CLANG=no-clang judged 2 'no-clang: there is no such compiler; install the Debian package clang' --source "$wrong" --function right

@@ -1,6 +1,5 @@
 // Random programs, compiled and run, beside the formulas that the translator makes of them: the same bits.
 // MMVERIFY_FUZZ_SEEDS=N runs so many seeds in the place of one.
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,10 +8,10 @@
 #include <fstream>
 
 #include "proofs/induction/prover.hpp"
-#include "sdk/mmverify_subject.h"
 #include "source/compile.hpp"
 #include "source/encode/encode.hpp"
 #include "tests/folder.hpp"
+#include "tests/source/opened.hpp"
 #include "tests/source/random_source.hpp"
 
 namespace mmverify {
@@ -22,44 +21,8 @@ using proofs::induction::Answer;
 using proofs::induction::ask_words;
 using source::Compiled;
 using source::Exponents;
-
-/// A function's library in this process.
-class Opened {
- public:
-  explicit Opened(const Compiled& made) : handle_(dlopen(made.library().c_str(), RTLD_NOW)) {
-    if (handle_ == nullptr) throw std::runtime_error(dlerror());
-    subject_ = reinterpret_cast<const mmverify_subject_t* (*)()>(dlsym(handle_, "mmverify_subject_v1"))();
-  }
-  ~Opened() { dlclose(handle_); }
-  Opened(const Opened&) = delete;
-  Opened& operator=(const Opened&) = delete;
-  std::uint32_t operator()(std::uint32_t level, float u, float v) const {
-    std::uint32_t index = 0;
-    subject_->index_f32(level, &u, &v, &index, 1);
-    return index;
-  }
-
- private:
-  void* handle_;
-  const mmverify_subject_t* subject_ = nullptr;
-};
-
-float some_float(proofs::Random& random) {
-  switch (random.below(6)) {
-    case 0:
-      return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(0x3f800001)));
-    case 1:
-      return static_cast<float>(random.below(1025)) / 1024;
-    case 2:
-      return std::bit_cast<float>(static_cast<std::uint32_t>(0x3f800000 - random.below(4)));
-    case 3:
-      return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(1 << 24)));
-    case 4:
-      return random.below(2) == 0 ? 0.0f : -0.0f;
-    default:
-      return static_cast<float>(random.below(1 << 24)) / (1 << 24);
-  }
-}
+using tests::Opened;
+using tests::some_float;
 
 /// Exponents that hold x: its own alone, or some more.
 Exponents around(float x, proofs::Random& random) {

@@ -196,8 +196,7 @@ Law law(std::string replayed_by) {
           },
       .how =
           [](const Subject& s, Level) {
-            return fmt::format("bit vectors, {}; LLVM bitcode of {}", induction::prover_name(),
-                               of_source(s).code.compiler);
+            return fmt::format("bit vectors, {}; {}", induction::prover_name(), of_source(s).code.read_as);
           },
       .unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
         if (n > highest) return fmt::format("levels 0..{}", highest);

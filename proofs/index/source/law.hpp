@@ -15,7 +15,7 @@ class SourceSubject : public IndexSubject {
     std::function<std::optional<std::string>(Level)> not_known;
     /// Exponent fields of constants in the code: what it does there and nowhere else is found soonest.
     std::function<std::vector<unsigned>(Level)> fields;
-    std::string compiler;  ///< who made the formulas' code, for messages
+    std::string read_as;  ///< what the formulas were made of, for messages
   };
   SourceSubject(std::string name, std::string about, Functions functions, std::string fingerprint, Code code);
   const Code code;

@@ -7,7 +7,8 @@ namespace mmverify::source {
 using I = llvm::Intrinsic::IndependentIntrinsics;
 
 void Values::clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, llvm::Intrinsic::ID least) {
-  pairs(i, 2, sort, [&](auto* a, auto* low) { return of_two(most, a, low); });
+  const bool both = planted_ != Planted::clamped_above_alone;
+  pairs(i, 2, sort, [&](auto* a, auto* low) { return both ? of_two(most, a, low) : a; });
   Scalars all = value(i.result);
   const Scalars high = checked(operand(i, 4), sort);
   if (high.size() != all.size()) invalid("operands of different sizes");
@@ -22,7 +23,7 @@ void Values::clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, ll
 void Values::first_bit(const Instruction& i, std::uint32_t which) {
   each(i, 2, Sort::words, [&](auto* a) {
     const auto top = a->getType()->getIntegerBitWidth() - 1;
-    if (which == spv::FindILsb)
+    if (which == spv::FindILsb || planted_ == Planted::lowest_for_highest)
       return build_.CreateSelect(build_.CreateICmpEQ(a, whole(a, 0)),
                                  llvm::Constant::getAllOnesValue(a->getType()),
                                  of_two(I::cttz, a, build_.getFalse()));

@@ -147,8 +147,7 @@ SpirvModule read_spirv_module(const std::string& bytes) {
       }
       case spv::Decorate:
         needs(2);
-        if (i.operands[1] == 0)
-          module.foreign_promises.push_back("RelaxedPrecision: a device may compute in 16 bits");
+        if (i.operands[1] == 0) module.relaxed.insert(i.operands[0]);
         break;
       case spv::Function:
         if (inside != nullptr) bad("a function in a function");

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -178,6 +179,7 @@ struct SpirvModule {
   std::map<std::uint32_t, std::string> names, strings, sets;  ///< sets: of extended instructions
   std::map<std::uint32_t, Instruction> globals;  ///< types, constants, variables outside of functions
   std::vector<SpirvFunction> functions;
+  std::set<std::uint32_t> relaxed;            ///< ids with RelaxedPrecision
   std::vector<std::string> foreign_promises;  ///< what makes floats other than IEEE 754's, rounded to nearest
 };
 

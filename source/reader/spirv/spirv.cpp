@@ -118,14 +118,15 @@ class Functions {
 class Body {
  public:
   Body(const SpirvModule& module, const Types& types, Functions& functions, Lines& lines,
-       const SpirvFunction& from, llvm::Function& into)
+       const SpirvFunction& from, llvm::Function& into, Planted planted)
       : module_(module),
         types_(types),
         functions_(functions),
         lines_(lines),
         from_(from),
         into_(into),
-        values_(module, types, into.getContext()),
+        planted_(planted),
+        values_(module, types, into.getContext(), planted),
         build_(values_.build()) {}
 
   void make() {
@@ -199,7 +200,9 @@ class Body {
     if (const auto table = tables_.find(i.result);
         table != tables_.end() && types_.parts(type) != 0 && types_.global(table->second).type == type) {
       std::size_t at = 0;
-      llvm::Constant* all = types_.joined(type, types_.constant(table->second), at);
+      Scalars numbers = types_.constant(table->second);
+      if (planted_ == Planted::table_of_one) std::fill(numbers.begin(), numbers.end(), numbers.front());
+      llvm::Constant* all = types_.joined(type, numbers, at);
       const auto name = module_.names.find(i.result);
       return values_.set(i, {new llvm::GlobalVariable(*into_.getParent(), all->getType(), true,
                                                       llvm::GlobalValue::InternalLinkage, all,
@@ -360,6 +363,8 @@ class Body {
       default:
         break;
     }
+    if (i.result != 0 && module_.relaxed.count(i.result) != 0)
+      throw NotKnown("RelaxedPrecision (mediump): a device may compute in 16 bits");
     if (build_.GetInsertBlock() == nullptr || build_.GetInsertBlock()->getTerminator() != nullptr)
       invalid("an instruction outside of a block");
     switch (i.opcode) {
@@ -409,6 +414,7 @@ class Body {
   Lines& lines_;
   const SpirvFunction& from_;
   llvm::Function& into_;
+  Planted planted_;
   Values values_;
   llvm::IRBuilder<>& build_;
   std::map<Id, llvm::BasicBlock*> blocks_;
@@ -446,7 +452,8 @@ void check_promises(const SpirvModule& module, const std::string& file) {
 }  // namespace
 
 std::unique_ptr<llvm::Module> read_spirv(const std::string& bytes, const std::string& file,
-                                         const std::string& name, llvm::LLVMContext& context) {
+                                         const std::string& name, llvm::LLVMContext& context,
+                                         Planted planted) {
   const SpirvModule from = read_spirv_module(bytes);
   auto module = std::make_unique<llvm::Module>("spirv", context);
   module->setSourceFileName(file);
@@ -473,7 +480,7 @@ std::unique_ptr<llvm::Module> read_spirv(const std::string& bytes, const std::st
   }
   check_promises(from, file);
   while (const auto id = functions.next())
-    Body(from, types, functions, lines, functions.of(*id), functions.declared(*id)).make();
+    Body(from, types, functions, lines, functions.of(*id), functions.declared(*id), planted).make();
   lines.finish();
   std::string why;
   llvm::raw_string_ostream out(why);

@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "source/reader/module.hpp"
+
 namespace mmverify::source {
 
 /// The function of that name and those that it calls.  Shaders' compilers hand coordinates over by pointers; the function
@@ -15,6 +17,7 @@ namespace mmverify::source {
 /// those of IEEE 754, rounded to nearest, each by itself, subnormal numbers kept.
 /// Throws CannotRead: no valid SPIR-V, no such function; NotKnown: an instruction without an operation here.
 std::unique_ptr<llvm::Module> read_spirv(const std::string& bytes, const std::string& file,
-                                         const std::string& name, llvm::LLVMContext& context);
+                                         const std::string& name, llvm::LLVMContext& context,
+                                         Planted planted);
 
 }  // namespace mmverify::source

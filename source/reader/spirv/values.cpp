@@ -156,7 +156,8 @@ bool Values::conversion(const Instruction& i) {
     return false;
   llvm::Type* to = scalar_type(i.type);
   if (is_cast) {
-    const auto [how, from] = casts.at(i.opcode);
+    auto [how, from] = casts.at(i.opcode);
+    if (planted_ == Planted::signed_numbers && how == C::UIToFP) how = C::SIToFP;
     if (from == Sort::floats ? !to->isIntegerTy() : !to->isFloatingPointTy())
       invalid("a conversion to another type");
     each(i, 0, from, [&, how = how](auto* a) { return build_.CreateCast(how, a, to); });
@@ -228,7 +229,8 @@ bool Values::composite(const Instruction& i) {
       both.insert(both.end(), second.begin(), second.end());
       Scalars all;
       for (std::size_t k = 2; k < i.operands.size(); ++k) {
-        const std::uint32_t from = i.operands[k];
+        std::uint32_t from = i.operands[k];
+        if (planted_ == Planted::shuffled_otherwise && from == 1) from = 0;
         if (from != 0xffffffff && from >= both.size()) invalid("there is no such component");
         all.push_back(from == 0xffffffff ? llvm::UndefValue::get(both.at(0)->getType()) : both[from]);
       }

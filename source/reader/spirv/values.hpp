@@ -7,14 +7,15 @@
 #include <functional>
 #include <map>
 
+#include "source/reader/module.hpp"
 #include "source/reader/spirv/types.hpp"
 
 namespace mmverify::source {
 
 class Values {
  public:
-  Values(const SpirvModule& module, const Types& types, llvm::LLVMContext& context)
-      : module_(module), types_(types), build_(context) {}
+  Values(const SpirvModule& module, const Types& types, llvm::LLVMContext& context, Planted planted)
+      : module_(module), types_(types), planted_(planted), build_(context) {}
 
   llvm::IRBuilder<>& build() { return build_; }
 
@@ -60,6 +61,7 @@ class Values {
 
   const SpirvModule& module_;
   const Types& types_;
+  Planted planted_;
   llvm::IRBuilder<> build_;
   std::map<Id, Scalars> values_;
   std::map<Id, Id> kinds_;  ///< their types
