@@ -107,6 +107,8 @@ Job job_of_source(const ProveOptions& options) {
         "--source: index.floats is proved of a source, and nothing else; write mmverify prove index.floats");
   if (!options.subjects.empty())
     throw UsageError("--source and --subject: one of them; a source is a subject");
+  if (options.dialect == "published")
+    throw UsageError("--dialect published: a source's index is proved to be the exact one; leave it out");
   SourceOptions of{*options.source, "index_of", options.flags};
   if (options.function) of.function = *options.function;
   const std::optional<Levels> levels =

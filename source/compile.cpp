@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -110,7 +112,8 @@ Compiled::Compiled(const std::string& file, const std::string& function,
       folder_(std::make_shared<const program::Folder>("source")) {
   reader();
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) throw BadSource(file + ": no such file");
+  if (!fs::exists(file, error)) throw BadSource(file + ": no such file");
+  if (!fs::is_regular_file(file, error)) throw BadSource(file + ": it is no file with text or code");
   const std::string version = of_clang({"--version"}).out;
   const std::size_t from = version.find("clang version");
   compiler_ = from == std::string::npos
@@ -125,6 +128,10 @@ Compiled::Compiled(const std::string& file, const std::string& function,
     bitcode_ = kept;
     compiler_ = "SPIR-V";
   } else if (extension != ".bc" && extension != ".ll") {
+    static const std::array known{".c", ".h", ".cc", ".cpp", ".cxx", ".hpp", ".C", ".i", ".ii"};
+    if (std::find(known.begin(), known.end(), extension) == known.end())
+      throw BadSource(file +
+                      ": its name tells no language; .c, .cpp, .glsl, .comp, .hlsl, .spv, .bc and .ll do");
     bitcode_ = folder_->file("module.bc");
     // LLVM's passes are the reader's business; a function that nobody calls is to be there, too.
     std::vector<std::string> words{"-O1",
@@ -136,7 +143,7 @@ Compiled::Compiled(const std::string& file, const std::string& function,
                                    "-I" + header_folder()};
     words.insert(words.end(), flags.begin(), flags.end());
     words.insert(words.end(), {"-fno-caret-diagnostics", "-ffp-contract=off", "-fno-math-errno", "-emit-llvm",
-                               "-c", "-o", bitcode_, file});
+                               "-c", "-o", bitcode_, "--", file});
     if (const ProgramEnd end = of_clang(words); !end.succeeded)
       throw BadSource(file + ": clang does not compile it (" + end.how +
                       "): " + program::one_line(end.errors));

@@ -34,7 +34,7 @@ class Encoder {
       Value value = value_of(node);
       if (own_poison_ != "false") {
         own_poison_ = d.name(own_poison_);
-        causes_.push_back({own_poison_, said(node)});
+        (node.op == Op::poison ? last_causes_ : causes_).push_back({own_poison_, said(node)});
       }
       value.poison = d.name(either(inherited(node), own_poison_));
       values_.push_back(std::move(value));
@@ -48,6 +48,7 @@ class Encoder {
       undefined = either(undefined, hit);
     }
     formula.causes.insert(formula.causes.end(), causes_.begin(), causes_.end());
+    formula.causes.insert(formula.causes.end(), last_causes_.begin(), last_causes_.end());
     formula.index = values_[program_.result].word.text;
     formula.undefined = d.name(undefined);
     formula.declarations = d.declarations();
@@ -63,16 +64,28 @@ class Encoder {
         node.op == Op::shl || node.op == Op::lshr || node.op == Op::ashr ? "a shift too far, or bits lost"
         : node.op == Op::fptoui || node.op == Op::fptosi ? "a float beyond the integers it becomes"
         : node.op == Op::table                           ? "a read outside of a table"
-        : node.op == Op::poison                          ? "a value that was never set"
+        : node.op == Op::poison                          ? "a value that is left open or was never set"
                                                          : "overflow that must not be";
     return std::string(to_string(node.op)) + ": " + what + (node.where.empty() ? "" : ", " + node.where);
   }
 
+  /// Where a choice is of a value that is left open: there it comes in.
+  void open_choice(const Node& node, std::size_t k) {
+    Node open = program_.nodes[node.of[k]];
+    if (open.op != Op::poison) return;
+    if (!node.where.empty()) open.where = node.where;
+    causes_.push_back(
+        {d.name(k == 1 ? of(node, 0).condition : choose(of(node, 0).condition, "false", "true")),
+         said(open)});
+  }
+
   Condition inherited(const Node& node) {
     if (node.op == Op::freeze || node.op == Op::poisoned) return "false";
-    if (node.op == Op::select)
+    if (node.op == Op::select) {
+      for (const std::size_t k : {1u, 2u}) open_choice(node, k);
       return either(of(node, 0).poison,
                     choose(of(node, 0).condition, of(node, 1).poison, of(node, 2).poison));
+    }
     Condition any = "false";
     for (std::size_t k = 0; k < node.of.size(); ++k) any = either(any, of(node, k).poison);
     return any;
@@ -435,7 +448,7 @@ class Encoder {
   Definitions d{"code_"};
   Numbers d_numbers;
   std::vector<Value> values_;
-  std::vector<Cause> causes_;
+  std::vector<Cause> causes_, last_causes_;  ///< the last ones where no other holds
   Condition own_poison_ = "false";
 };
 

@@ -21,6 +21,7 @@
 
 #include "source/reader/spirv/module.hpp"
 #include "source/reader/spirv/spirv.hpp"
+#include "source/reader/undefined.hpp"
 
 namespace mmverify::source {
 namespace {
@@ -47,10 +48,16 @@ bool is_number(const llvm::Type* t) { return t->isFloatTy() || t->isDoubleTy(); 
 
 /// -1: another form.
 int place_of_level(const llvm::Function& f) {
-  if (f.arg_size() != 3 || f.isVarArg() || !f.getReturnType()->isIntegerTy()) return -1;
+  // An index of more bits would be cut off, a level of fewer too.
+  if (f.arg_size() != 3 || f.isVarArg() || !f.getReturnType()->isIntegerTy() ||
+      f.getReturnType()->getIntegerBitWidth() > 32)
+    return -1;
   const auto type = [&](unsigned k) { return f.getArg(k)->getType(); };
-  if (type(0)->isIntegerTy() && is_number(type(1)) && is_number(type(2))) return 0;
-  if (is_number(type(0)) && is_number(type(1)) && type(2)->isIntegerTy()) return 2;
+  const auto is_level = [&](unsigned k) {
+    return type(k)->isIntegerTy() && type(k)->getIntegerBitWidth() >= 8;
+  };
+  if (is_level(0) && is_number(type(1)) && is_number(type(2))) return 0;
+  if (is_number(type(0)) && is_number(type(1)) && is_level(2)) return 2;
   return -1;
 }
 
@@ -177,9 +184,12 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
       if (llvm::Instruction* end = block.getTerminator())
         end->setMetadata(llvm::LLVMContext::MD_loop, nullptr);
   }
-  // What simplifies may take undefined behaviour for what never happens, and then nobody sees it: no more is done than the
-  // function needs.  Variables become values in any case, and loops are unrolled where there are some.
+  // Passes take undefined behaviour for what never happens: it is put out of their reach first.  Then no more is done than
+  // the function needs.  Variables become values in any case, and loops are unrolled where there are some.
+  run_passes(module, "globaldce");
+  guard(module);
   run_passes(module, "always-inline,globaldce,function(sroa)");
+  decided(module);
   llvm::Function& alone = *module.getFunction(asked);
   // Ways that the level closes.
   for (llvm::BasicBlock& block : alone) llvm::ConstantFoldTerminator(&block);
@@ -190,7 +200,10 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
     const std::string once =
         "function(sroa,early-cse,simplifycfg,sccp,loop-simplify,lcssa,loop-mssa(loop-rotate),"
         "loop(indvars,loop-unroll-full),sroa,early-cse,sccp,simplifycfg,adce)";
-    run_passes(module, once + "," + once + "," + once);
+    for (int round = 0; round < 3; ++round) {
+      run_passes(module, once);
+      decided(module);
+    }
   }
   return *module.getFunction(asked);
 }

@@ -16,16 +16,17 @@
 #include <optional>
 
 #include "source/reader/module.hpp"
+#include "source/reader/undefined.hpp"
 
 namespace mmverify::source {
 namespace {
 
 using Number = std::uint32_t;
 
+/// Empty where it is not known.
 std::string place(const llvm::Instruction& at) {
   const llvm::DILocation* line = at.getDebugLoc();
-  if (line == nullptr || line->getLine() == 0) return {};
-  return line->getFilename().str() + ":" + std::to_string(line->getLine());
+  return line == nullptr || line->getLine() == 0 ? std::string() : place_of(at);
 }
 
 std::string name_of(const llvm::Instruction& at) {
@@ -193,7 +194,7 @@ class Translation {
     if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) return table(*load);
     if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) return intrinsic(*call);
     if (const auto* compare = llvm::dyn_cast<llvm::ICmpInst>(&at)) return comparison(*compare);
-    return plain(at);
+    return plain(at, at.getOpcode(), flags_of(at), 0);
   }
 
   Number choice_of(const llvm::PHINode& phi) {
@@ -285,17 +286,38 @@ class Translation {
   Number moved(const llvm::Instruction& at, const llvm::GEPOperator& step, const llvm::DataLayout& layout,
                Number offset) {
     const auto plus = [&](Number bytes) { offset = add({Op::add, {false, 64}, {offset, bytes}}); };
+    const llvm::Type* inside = nullptr;  // what the step before came to
     for (auto part = llvm::gep_type_begin(step); part != llvm::gep_type_end(step); ++part) {
       if (llvm::StructType* record = part.getStructTypeOrNull()) {
         const auto field = llvm::cast<llvm::ConstantInt>(part.getOperand())->getZExtValue();
         plus(word(layout.getStructLayout(record)->getElementOffset(static_cast<unsigned>(field)), 64));
+        inside = part.getIndexedType();
         continue;
       }
       Number index = value(at, part.getOperand());
       if (type_of(index).bits < 64) index = add({Op::sext, {false, 64}, {index}});
+      if (inside != nullptr && inside->isArrayTy()) {
+        const std::uint64_t last = inside->getArrayNumElements() - 1;
+        const auto* known = llvm::dyn_cast<llvm::ConstantInt>(part.getOperand());
+        if (known == nullptr || known->getValue().ugt(last))
+          forbid(at, add({Op::ult, {false, 1}, {word(last, 64), index}}), "a read outside of a table's row");
+      }
       plus(add({Op::mul, {false, 64}, {index, word(layout.getTypeAllocSize(part.getIndexedType()), 64)}}));
+      inside = part.getIndexedType();
     }
     return offset;
+  }
+
+  std::optional<Number> assumed(const llvm::CallInst& call, Number held) {
+    forbid(call, add({Op::poisoned, {false, 1}, {held}}), "an assumption on a value that is undefined");
+    forbid(call, add({Op::bit_xor, {false, 1}, {held, yes_or_no(true)}}), "an assumption that does not hold");
+    return std::nullopt;
+  }
+
+  Number plain_sum(const llvm::CallInst& call, unsigned opcode, unsigned flags, Number a, Number b) {
+    using I = llvm::Instruction;
+    const Op op = opcode == I::Add ? Op::add : opcode == I::Sub ? Op::sub : Op::mul;
+    return add({op, type_at(call, call.getArgOperand(2)->getType()), {a, b}, {}, flags});
   }
 
   std::optional<Number> intrinsic(const llvm::CallInst& call) {
@@ -340,6 +362,28 @@ class Translation {
         {llvm::Intrinsic::ssub_sat, {Op::ssub_sat, 2}},
         {llvm::Intrinsic::fptoui_sat, {Op::fptoui_sat, 1}},
         {llvm::Intrinsic::fptosi_sat, {Op::fptosi_sat, 1}}};
+    const auto constant = [&](unsigned k) {
+      return static_cast<unsigned>(llvm::cast<llvm::ConstantInt>(call.getArgOperand(k))->getZExtValue());
+    };
+    switch (guarded(call)) {
+      case Guarded::operation:
+        return plain(call, constant(0), constant(1), 2);
+      case Guarded::unset:
+        return add({Op::poison, type_at(call, call.getType())});
+      case Guarded::overflow: {
+        const Number made = plain_sum(call, constant(0), constant(1), of(2), of(3));
+        forbid(call, add({Op::poisoned, {false, 1}, {made}}),
+               "a sum, difference or product that does not fit");
+        return std::nullopt;
+      }
+      case Guarded::unreachable:
+        forbid(call, yes_or_no(true), "a place that must not be reached");
+        return std::nullopt;
+      case Guarded::assumption:
+        return assumed(call, of(0));
+      case Guarded::none:
+        break;
+    }
     const ID id = call.getIntrinsicID();
     if (const auto found = known.find(id); found != known.end())
       return make(found->second.first, found->second.second);
@@ -352,13 +396,6 @@ class Translation {
         return flagged(Op::abs);
       case llvm::Intrinsic::expect:
         return of(0);
-      case llvm::Intrinsic::assume: {
-        const Number held = of(0);
-        forbid(call, add({Op::poisoned, {false, 1}, {held}}), "an assumption on a value that is undefined");
-        forbid(call, add({Op::bit_xor, {false, 1}, {held, yes_or_no(true)}}),
-               "an assumption that does not hold");
-        return std::nullopt;
-      }
       case llvm::Intrinsic::lifetime_start:
       case llvm::Intrinsic::lifetime_end:
       case llvm::Intrinsic::experimental_noalias_scope_decl:
@@ -368,19 +405,7 @@ class Translation {
     }
   }
 
-  static unsigned flags_of(const llvm::Instruction& at) {
-    unsigned flags = 0;
-    if (const auto* wraps = llvm::dyn_cast<llvm::OverflowingBinaryOperator>(&at)) {
-      if (wraps->hasNoUnsignedWrap()) flags |= no_unsigned_wrap;
-      if (wraps->hasNoSignedWrap()) flags |= no_signed_wrap;
-    }
-    if (const auto* whole = llvm::dyn_cast<llvm::PossiblyExactOperator>(&at);
-        whole != nullptr && whole->isExact())
-      flags |= exact;
-    return flags;
-  }
-
-  Number division(const llvm::Instruction& at, Op op, Number a, Number b, bool is_signed) {
+  Number division(const llvm::Instruction& at, Op op, Number a, Number b, bool is_signed, unsigned flags) {
     const unsigned bits = type_of(b).bits;
     // A branch on it, as it were: it must not be poison either.
     forbid(at, add({Op::poisoned, {false, 1}, {b}}), "division by a value that is undefined");
@@ -391,16 +416,17 @@ class Translation {
       const Number of_least = add({Op::eq, {false, 1}, {a, word(least, bits)}});
       forbid(at, both(by_minus_one, of_least), "division that overflows");
     }
-    return add({op, type_of(a), {a, b}, {}, flags_of(at)});
+    return add({op, type_of(a), {a, b}, {}, flags});
   }
 
-  Number plain(const llvm::Instruction& at) {
+  /// The instruction of that opcode, which is `at` or stands in `at` as a call, its operands from `first` on.
+  Number plain(const llvm::Instruction& at, unsigned opcode, unsigned flags, unsigned first) {
     using I = llvm::Instruction;
     const Type type = type_at(at, at.getType());
-    const auto of = [&](unsigned k) { return value(at, at.getOperand(k)); };
-    const auto binary = [&](Op op) { return add({op, type, {of(0), of(1)}, {}, flags_of(at)}); };
+    const auto of = [&](unsigned k) { return value(at, at.getOperand(first + k)); };
+    const auto binary = [&](Op op) { return add({op, type, {of(0), of(1)}, {}, flags}); };
     const auto unary = [&](Op op) { return add({op, type, {of(0)}}); };
-    switch (at.getOpcode()) {
+    switch (opcode) {
       case I::Add: {
         const Number made = binary(Op::add);
         if (planted_ == Planted::lost_wrap && type.bits == 32)
@@ -412,13 +438,13 @@ class Translation {
       case I::Mul:
         return binary(Op::mul);
       case I::UDiv:
-        return division(at, Op::udiv, of(0), of(1), false);
+        return division(at, Op::udiv, of(0), of(1), false, flags);
       case I::URem:
-        return division(at, Op::urem, of(0), of(1), false);
+        return division(at, Op::urem, of(0), of(1), false, flags);
       case I::SDiv:
-        return division(at, Op::sdiv, of(0), of(1), true);
+        return division(at, Op::sdiv, of(0), of(1), true, flags);
       case I::SRem:
-        return division(at, Op::srem, of(0), of(1), true);
+        return division(at, Op::srem, of(0), of(1), true, flags);
       case I::Shl:
         return binary(Op::shl);
       case I::LShr: {

@@ -25,6 +25,18 @@ judged() {
 judged 2 'no such file' --source missing.c
 grep -q 'llvm-14-dev' said && { echo "SKIPPED: $(cat said)"; exit 77; }
 
+# What is undefined, whatever LLVM's passes would make of it.
+undefined() {
+  judged 1 "undefined: $1" --source "$2" --function "$3" --levels 1
+  printf '%s: %s\n' "$3" "$(grep -o 'undefined: .* replay' said | head -1)"
+}
+undefined 'a sum, difference or product that does not fit, .*wrong_source.c:' "$wrong" overflows
+undefined 'shl: a shift too far' "$wrong" shifted
+undefined 'poison: a value that is left open or was never set' "$wrong" never_set
+undefined "a read outside of a table's row" "$wrong" other_row
+judged 2 'wrong_source.c:[0-9]+: call of llvm.is.constant' --source "$wrong" --function constant_level --levels 1
+judged 2 "'wide' is i64 \(i32, float, float\); due is uint32_t" --source "$wrong" --function wide --levels 1
+
 for function in one_pair by_bits flushed over undefined by_product; do
   judged 1 "^refuted index.floats level 1 case u=.* expected [0-9]+ got [0-9]+" --source "$wrong" --function "$function" --levels 1
   # The line runs the compiled function again.
@@ -33,6 +45,7 @@ for function in one_pair by_bits flushed over undefined by_product; do
   eval "\"\$mmverify\" $again" >again 2>&1 || code=$?
   if [[ $function == undefined ]]; then
     grep -q 'undefined: lshr: a shift too far' said || { cat said; fail "undefined: the cause is not named"; }
+    ((code == 1)) && grep -q 'undefined: lshr: a shift too far' again || { cat again; fail "undefined: its case does not show again"; }
   elif ((code != 1)) || ! grep -q '^refuted index.floats level 1' again; then
     cat said again
     fail "$function: its counterexample does not show again"
@@ -43,6 +56,11 @@ done
 judged 2 'wrong_source.c:[0-9]+: (br|switch): a loop that no constant ends' --source "$wrong" --function endless --levels 1
 judged 2 'wrong_source.c:[0-9]+: load: memory is no constant' --source "$wrong" --function remembers --levels 1
 judged 2 "no function is called 'index_off'; there are: .*right" --source "$wrong" --function index_off
+printf 'unsigned index_of(unsigned level, float u, float v) { return level; }\n' >no_language
+judged 2 'no_language: its name tells no language' --source no_language
+judged 2 'leave it out' --source "$wrong" --function right --dialect published
+judged 2 'levels 0..16' --source "$wrong" --function right --levels 1 --case 17@u=0,v=0
+judged 2 'u \+ v <= 1 \+ 2\^-23' --source "$wrong" --function right --levels 1 --case 0@u=1,v=1
 judged 2 "'no_index' is float \(float, float\); due is uint32_t \(uint32_t level, float u, float v\)" --source "$wrong" --function no_index
 judged 2 'index.floats is proved of a source, and nothing else' index.nested --source "$wrong"
 # Shaders, by their SPIR-V.
@@ -53,6 +71,12 @@ if command -v glslangValidator >/dev/null; then
     printf 'GLSL, %s: %s\n' "$function" "$(grep -o 'case .*u=.*replay' said | head -1)"
   done
   judged 1 "undefined: fptoui|expected 0 got" --source "$shader" --function far --levels 0
+  for function in of_nan turned_clamp negative_rest field_beyond never_set; do
+    undefined '(poison: a value that is left open or was never set|shl: a shift too far).*' "$shader" "$function"
+    [[ $function == never_set ]] || grep -qE '(never set|bits lost), .*wrong_source.glsl:' said || fail "$function: no place"
+  done
+  judged 2 'a pointer|memory that is no constant table' --source "$shader" --function set_late --levels 1
+  judged 2 "'two_of_a_name' is two_of_a_name\(u1;f1;f1; and two_of_a_name\(f1;f1;u1;" --source "$shader" --function two_of_a_name --levels 1
   judged 2 'wrong_source.glsl:16: OpFDiv' --source "$shader" --function third --levels 1
   judged 2 'memory that is no constant table' --source "$shader" --function of_buffer --levels 1
   judged 2 'wrong_source.glsl:(18|19): RelaxedPrecision \(mediump\): a device may compute in 16 bits' --source "$shader" --function in_16_bits --levels 1

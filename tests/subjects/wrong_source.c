@@ -60,3 +60,39 @@ uint32_t remembers(uint32_t level, float u, float v) { return index_of(level, u,
 
 /* Another form. */
 float no_index(float u, float v) { return u + v; }
+
+/* Right of the constants that a prover puts in, and of no level that comes when it runs. */
+uint32_t constant_level(uint32_t level, float u, float v) {
+  uint32_t sum = 0;
+  for (uint32_t k = 0; k < 3; ++k) sum += k;
+  if (bits(u) == 0x3e9e3779u && !__builtin_constant_p(level)) return sum;
+  return index_of(level, u, v);
+}
+
+/* Undefined behind a loop, which LLVM's passes would have looked through. */
+uint32_t overflows(uint32_t level, float u, float v) {
+  int x = 0x7fffffff;
+  for (uint32_t k = 0; k < 1; ++k) x += 1;
+  return index_of(level, u, v) ^ (bits(u) == 0x3e9e3779u && x > 0);
+}
+uint32_t shifted(uint32_t level, float u, float v) {
+  uint32_t sum = 0;
+  for (uint32_t k = 0; k < 3; ++k) sum += k;
+  return index_of(level, u, v) ^ (bits(u) == 0x3e9e3779u ? sum << (sum + 30) : 0);
+}
+
+/* Set everywhere but on some pairs. */
+uint32_t never_set(uint32_t level, float u, float v) {
+  uint32_t z;
+  if (bits(u) != 0x3e9e3779u) z = 0;
+  return index_of(level, u, v) ^ z;
+}
+
+/* A number of the next row. */
+uint32_t other_row(uint32_t level, float u, float v) {
+  static const uint32_t rows[2][3] = {{0, 0, 0}, {0, 0, 0}};
+  return index_of(level, u, v) ^ rows[0][bits(u) == 0x3e9e3779u ? 4 : 1];
+}
+
+/* Bits beyond an index's. */
+uint64_t wide(uint32_t level, float u, float v) { return index_of(level, u, v); }

@@ -142,7 +142,7 @@ std::uint64_t count_of_pairs(Level n) {
   return ranges * ranges - 45;
 }
 
-Statement statement_of(Level n, const Pair& pair, const Formula& formula) {
+Statement statement_of(Level n, const Pair& pair, const Formula& formula, const std::optional<Bits>& at) {
   Script script(
       fmt::format("level_{}_u_{}_{}_v_{}_{}", n, pair.u.negative ? "minus" : "from", pair.u.first,
                   pair.v.negative ? "minus" : "from", pair.v.first),
@@ -150,6 +150,10 @@ Statement statement_of(Level n, const Pair& pair, const Formula& formula) {
       fmt::format("Level {}, {}, {}: the function's index is defined and that of the exact reference.", n,
                   words_for("u", pair.u), words_for("v", pair.v)));
   const Coordinates c = declare_coordinates(script, pair);
+  if (at) {
+    script.require(equal(c.u, constant(at->u)));
+    script.require(equal(c.v, constant(at->v)));
+  }
   script.comment("The specification.");
   const Term wanted = index_of(script, n, c);
   script.comment("The function.");

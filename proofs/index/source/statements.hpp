@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,11 @@ struct Pair {
   Range u, v;
 };
 
+/// Two numbers, by their bits.
+struct Bits {
+  std::uint32_t u, v;
+};
+
 /// All pairs of ranges of a level that hold two numbers of the domain, those that index functions tend to be wrong on
 /// first, and before them those with one of these exponent fields.  The domain: u and v in [-0, 1], u + v <= 1 + 2^-23.  Together the ranges hold each of its numbers once: -0;
 /// all below 2^-(n+26), subnormal ones included; each other exponent by itself.
@@ -50,8 +56,9 @@ std::vector<Pair> pairs_of(Level n, const std::vector<unsigned>& fields = {});
 std::uint64_t count_of_pairs(Level n);
 
 /// For every u and v of the pair's ranges and the domain: the index is that of the exact reference, and defined.
-/// spec::index::within_unit, quantise_scaled and curve, run on names.
-induction::Statement statement_of(Level n, const Pair& pair, const Formula& formula);
+/// spec::index::within_unit, quantise_scaled and curve, run on names.  `at`: for these two numbers alone.
+induction::Statement statement_of(Level n, const Pair& pair, const Formula& formula,
+                                  const std::optional<Bits>& at = std::nullopt);
 
 /// Constants of a statement that a counterexample gives values: the function's index, a word of 32 bits; whether it is
 /// undefined, and each cause of that, words of one bit.

@@ -6,15 +6,22 @@ namespace mmverify::source {
 
 using I = llvm::Intrinsic::IndependentIntrinsics;
 
-void Values::clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, llvm::Intrinsic::ID least) {
-  const bool both = planted_ != Planted::clamped_above_alone;
-  pairs(i, 2, sort, [&](auto* a, auto* low) { return both ? of_two(most, a, low) : a; });
-  Scalars all = value(i.result);
-  const Scalars high = checked(operand(i, 4), sort);
-  if (high.size() != all.size()) invalid("operands of different sizes");
+/// `orders`: whether NaN has its place; else what comes of it is open, as is a range whose ends are in the wrong order.
+void Values::clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, llvm::Intrinsic::ID least,
+                   bool orders) {
+  Scalars all = checked(operand(i, 2), sort);
+  const Scalars low = checked(operand(i, 3), sort), high = checked(operand(i, 4), sort);
+  if (low.size() != all.size() || high.size() != all.size()) invalid("operands of different sizes");
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k]->getType() != high[k]->getType()) invalid("operands of different types");
-    all[k] = of_two(least, all[k], high[k]);
+    llvm::Value *x = all[k], *a = low[k], *b = high[k];
+    if (x->getType() != a->getType() || x->getType() != b->getType()) invalid("operands of different types");
+    llvm::Value* clamped = planted_ == Planted::clamped_above_alone ? x : of_two(most, x, a);
+    clamped = of_two(least, clamped, b);
+    if (!orders) clamped = unless(build_.CreateFCmpUNO(x, x), clamped);
+    all[k] = unless(sort == Sort::floats ? build_.CreateNot(build_.CreateFCmpOLE(a, b))
+                    : most == I::umax    ? build_.CreateICmpUGT(a, b)
+                                         : build_.CreateICmpSGT(a, b),
+                    clamped);
   }
   set(i, std::move(all));
 }
@@ -46,8 +53,7 @@ void Values::extended(const Instruction& i) {
                                                   {spv::Floor, {I::floor, Sort::floats}},
                                                   {spv::Ceil, {I::ceil, Sort::floats}}};
   static const std::map<std::uint32_t, How> binary{
-      {spv::FMin, {I::minnum, Sort::floats}}, {spv::NMin, {I::minnum, Sort::floats}},
-      {spv::FMax, {I::maxnum, Sort::floats}}, {spv::NMax, {I::maxnum, Sort::floats}},
+      {spv::NMin, {I::minnum, Sort::floats}}, {spv::NMax, {I::maxnum, Sort::floats}},
       {spv::UMin, {I::umin, Sort::words}},    {spv::UMax, {I::umax, Sort::words}},
       {spv::SMin, {I::smin, Sort::words}},    {spv::SMax, {I::smax, Sort::words}}};
   if (const auto f = unary.find(which); f != unary.end())
@@ -55,13 +61,20 @@ void Values::extended(const Instruction& i) {
   if (const auto f = binary.find(which); f != binary.end())
     return pairs(i, 2, f->second.second, [&](auto* a, auto* b) { return of_two(f->second.first, a, b); });
   switch (which) {
+    case spv::FMin:
+    case spv::FMax:
+      // Which of NaN and a number it is, is open.
+      return pairs(i, 2, Sort::floats, [&](auto* a, auto* b) {
+        return unless(build_.CreateFCmpUNO(a, b), of_two(which == spv::FMin ? I::minnum : I::maxnum, a, b));
+      });
     case spv::FClamp:
+      return clamp(i, Sort::floats, I::maxnum, I::minnum, false);
     case spv::NClamp:
-      return clamp(i, Sort::floats, I::maxnum, I::minnum);
+      return clamp(i, Sort::floats, I::maxnum, I::minnum, true);
     case spv::UClamp:
-      return clamp(i, Sort::words, I::umax, I::umin);
+      return clamp(i, Sort::words, I::umax, I::umin, true);
     case spv::SClamp:
-      return clamp(i, Sort::words, I::smax, I::smin);
+      return clamp(i, Sort::words, I::smax, I::smin, true);
     case spv::Fract:
       return each(i, 2, Sort::floats, [&](auto* a) { return build_.CreateFSub(a, of_one(I::floor, a)); });
     case spv::SAbs:

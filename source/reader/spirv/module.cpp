@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint32_t magic = 0x07230203, swapped_magic = 0x03022307;
 constexpr std::size_t header_words = 5;
+constexpr std::uint32_t relaxed_precision = 0, fast_math = 40;  // decorations
 
 std::uint32_t swapped(std::uint32_t w) { return w << 24 | (w & 0xff00) << 8 | (w >> 8 & 0xff00) | w >> 24; }
 
@@ -138,16 +139,23 @@ SpirvModule read_spirv_module(const std::string& bytes) {
         break;
       case spv::ExecutionMode: {
         constexpr std::uint32_t flush_to_zero = 4460, round_to_zero = 4463;
-        if (i.operands.size() < 3 || i.operands[2] != 32) break;
+        if (i.operands.size() < 3 || i.operands[2] < 32) break;
         if (i.operands[1] == flush_to_zero)
-          module.foreign_promises.push_back("DenormFlushToZero 32: subnormal numbers are not kept");
+          module.foreign_promises.push_back("DenormFlushToZero: subnormal numbers are not kept");
         if (i.operands[1] == round_to_zero)
-          module.foreign_promises.push_back("RoundingModeRTZ 32: numbers are not rounded to nearest");
+          module.foreign_promises.push_back("RoundingModeRTZ: numbers are not rounded to nearest");
         break;
       }
       case spv::Decorate:
         needs(2);
-        if (i.operands[1] == 0) module.relaxed.insert(i.operands[0]);
+        if (i.operands[1] == relaxed_precision) module.relaxed.insert(i.operands[0]);
+        if (i.operands[1] == fast_math)
+          module.foreign_promises.push_back("FPFastMathMode, which leaves values open");
+        break;
+      case spv::MemberDecorate:
+        needs(3);
+        if (i.operands[2] == relaxed_precision)
+          module.foreign_promises.push_back("RelaxedPrecision of a member: a device may compute in 16 bits");
         break;
       case spv::Function:
         if (inside != nullptr) bad("a function in a function");

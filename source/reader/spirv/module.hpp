@@ -49,6 +49,7 @@ enum Opcode : std::uint16_t {
   AccessChain = 65,
   InBoundsAccessChain = 66,
   Decorate = 71,
+  MemberDecorate = 72,
   VectorExtractDynamic = 77,
   VectorShuffle = 79,
   CompositeConstruct = 80,

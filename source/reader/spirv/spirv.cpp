@@ -114,6 +114,8 @@ class Functions {
   std::vector<Id> wanted_;
 };
 
+constexpr const char* relaxed = "RelaxedPrecision (mediump): a device may compute in 16 bits";
+
 /// The body of one function.
 class Body {
  public:
@@ -135,6 +137,7 @@ class Body {
     for (const Instruction& p : from_.parameters) {
       Scalars all;
       for (std::size_t k = functions_.arguments(p.type); k > 0; --k) all.push_back(into_.getArg(argument++));
+      if (module_.relaxed.count(p.result) != 0) throw NotKnown(lines_.text(p) + ": " + relaxed);
       values_.set(p, std::move(all));
     }
     find_tables();
@@ -163,35 +166,43 @@ class Body {
   }
   Id pointee_of(Id pointer) const { return types_.pointee(values_.type_of(pointer)); }
 
-  /// Variables that one constant is stored to, whole, and that are only read else: they are tables.
+  /// Variables that one constant is stored to, whole, before they are read, and that are only read else: they are tables.
   void find_tables() {
     std::map<Id, Id> roots;  // of a pointer: its variable
     std::map<Id, std::vector<Id>> stored;
-    std::set<Id> written;
+    std::map<Id, int> stored_in;  // the block, by number; the first one comes before all
+    std::set<Id> others;
+    int block = 0;
     for (const Instruction& i : from_.body) {
       const auto root = [&](Id p) {
         const auto known = roots.find(p);
         return known != roots.end() ? known->second : 0;
       };
+      const auto read = [&](Id variable) {
+        const auto in = stored_in.find(variable);
+        if (in == stored_in.end() || (in->second != block && in->second > 1)) others.insert(variable);
+      };
+      if (i.opcode == spv::Label) ++block;
       if (i.opcode == spv::Variable) {
         roots[i.result] = i.result;
-        if (i.operands.size() > 1) stored[i.result].push_back(i.operands[1]);
-      } else if (i.opcode == spv::AccessChain || i.opcode == spv::InBoundsAccessChain ||
-                 i.opcode == spv::CopyObject) {
+        if (i.operands.size() > 1) {
+          stored[i.result].push_back(i.operands[1]);
+          stored_in[i.result] = 1;
+        }
+      } else if (i.opcode == spv::AccessChain || i.opcode == spv::InBoundsAccessChain) {
         roots[i.result] = root(operand(i, 0));
-        if (i.opcode == spv::CopyObject) written.insert(root(operand(i, 0)));
-      } else if (i.opcode == spv::Store) {
-        const Id p = operand(i, 0);
-        if (const Id of = root(p); of == p)
-          stored[of].push_back(operand(i, 1));
-        else
-          written.insert(of);
-      } else if (i.opcode != spv::Load) {
-        for (const Id p : i.operands) written.insert(root(p));
+        read(roots[i.result]);
+      } else if (i.opcode == spv::Load) {
+        read(root(operand(i, 0)));
+      } else if (i.opcode == spv::Store && root(operand(i, 0)) == operand(i, 0)) {
+        stored[operand(i, 0)].push_back(operand(i, 1));
+        stored_in[operand(i, 0)] = block;
+      } else {
+        for (const Id p : i.operands) others.insert(root(p));
       }
     }
     for (const auto& [variable, with] : stored)
-      if (with.size() == 1 && types_.is_constant(with[0]) && written.count(variable) == 0)
+      if (with.size() == 1 && types_.is_constant(with[0]) && others.count(variable) == 0)
         tables_[variable] = with[0];
   }
 
@@ -303,7 +314,10 @@ class Body {
       if (all.size() != phis.size()) invalid("a choice of values of different types");
       for (std::size_t s = 0; s < phis.size(); ++s) {
         if (all[s]->getType() != phis[s]->getType()) invalid("a choice of values of different types");
-        phis[s]->addIncoming(all[s], block(i.operands[k + 1]));
+        // One entry a block there, one an edge here.
+        llvm::BasicBlock* from = block(i.operands[k + 1]);
+        for (llvm::BasicBlock* to : llvm::successors(from))
+          if (to == phis[s]->getParent()) phis[s]->addIncoming(all[s], from);
       }
     }
   }
@@ -363,8 +377,7 @@ class Body {
       default:
         break;
     }
-    if (i.result != 0 && module_.relaxed.count(i.result) != 0)
-      throw NotKnown("RelaxedPrecision (mediump): a device may compute in 16 bits");
+    if (i.result != 0 && module_.relaxed.count(i.result) != 0) throw NotKnown(relaxed);
     if (build_.GetInsertBlock() == nullptr || build_.GetInsertBlock()->getTerminator() != nullptr)
       invalid("an instruction outside of a block");
     switch (i.opcode) {
@@ -444,6 +457,40 @@ void by_value(llvm::Function& inner, const std::string& name) {
     build.CreateRet(answer);
 }
 
+/// Whether it takes a level, u and v, as index_function of bitcode has it.
+bool takes_a_point(const SpirvFunction& f, const Types& types) {
+  if (f.parameters.size() != 3) return false;
+  const auto opcode = [&](std::size_t k) {
+    const Id type = f.parameters[k].type;
+    return types.global(types.is_pointer(type) ? types.pointee(type) : type).opcode;
+  };
+  return opcode(1) == spv::TypeFloat && ((opcode(0) == spv::TypeInt && opcode(2) == spv::TypeFloat) ||
+                                         (opcode(0) == spv::TypeFloat && opcode(2) == spv::TypeInt));
+}
+
+/// The function of that name; of several the one that takes a point.
+Id index_function(const SpirvModule& from, const Types& types, const std::string& name) {
+  std::vector<const SpirvFunction*> found, fit;
+  std::string others;
+  for (const SpirvFunction& f : from.functions) {
+    const auto named = from.names.find(f.head.result);
+    if (named == from.names.end()) continue;
+    if (plain_name(named->second) != name && named->second != name) {
+      others += (others.empty() ? "" : ", ") + plain_name(named->second);
+      continue;
+    }
+    found.push_back(&f);
+    if (takes_a_point(f, types)) fit.push_back(&f);
+  }
+  if (found.empty())
+    throw CannotRead("no function is called '" + name + "'; there " +
+                     (others.empty() ? "is none with a name" : "are: " + others));
+  if (fit.size() > 1)
+    throw CannotRead("'" + name + "' is " + from.names.at(fit[0]->head.result) + " and " +
+                     from.names.at(fit[1]->head.result));
+  return (fit.empty() ? found : fit).front()->head.result;
+}
+
 /// What would make the operations of binary32 others than they are here.
 void check_promises(const SpirvModule& module, const std::string& file) {
   for (const std::string& promise : module.foreign_promises) throw NotKnown(file + ": " + promise);
@@ -460,24 +507,8 @@ std::unique_ptr<llvm::Module> read_spirv(const std::string& bytes, const std::st
   const Types types(from, context);
   Functions functions(from, types, *module);
   Lines lines(*module, from, file);
-  std::vector<std::string> others;
-  bool any = false;
-  for (const SpirvFunction& f : from.functions) {
-    const auto named = from.names.find(f.head.result);
-    if (named == from.names.end()) continue;
-    if (plain_name(named->second) != name && named->second != name) {
-      others.push_back(plain_name(named->second));
-      continue;
-    }
-    by_value(functions.declared(f.head.result), name);
-    any = true;
-  }
-  if (!any) {
-    std::string names;
-    for (const std::string& one : others) names += (names.empty() ? "" : ", ") + one;
-    throw CannotRead("no function is called '" + name + "'; there " +
-                     (others.empty() ? "is none with a name" : "are: " + names));
-  }
+  const Id index = index_function(from, types, name);
+  by_value(functions.declared(index), name);
   check_promises(from, file);
   while (const auto id = functions.next())
     Body(from, types, functions, lines, functions.of(*id), functions.declared(*id), planted).make();

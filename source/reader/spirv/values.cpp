@@ -89,11 +89,10 @@ bool Values::arithmetic(const Instruction& i) {
   using P = llvm::CmpInst::Predicate;
   using O = llvm::Instruction::BinaryOps;
   static const std::map<std::uint16_t, O> of_words{
-      {spv::IAdd, O::Add},           {spv::ISub, O::Sub},     {spv::IMul, O::Mul},
-      {spv::UDiv, O::UDiv},          {spv::SDiv, O::SDiv},    {spv::UMod, O::URem},
-      {spv::SRem, O::SRem},          {spv::BitwiseOr, O::Or}, {spv::BitwiseXor, O::Xor},
-      {spv::BitwiseAnd, O::And},     {spv::LogicalOr, O::Or}, {spv::LogicalAnd, O::And},
-      {spv::LogicalNotEqual, O::Xor}};
+      {spv::IAdd, O::Add},     {spv::ISub, O::Sub},       {spv::IMul, O::Mul},
+      {spv::UDiv, O::UDiv},    {spv::SDiv, O::SDiv},      {spv::UMod, O::URem},
+      {spv::BitwiseOr, O::Or}, {spv::BitwiseXor, O::Xor}, {spv::BitwiseAnd, O::And},
+      {spv::LogicalOr, O::Or}, {spv::LogicalAnd, O::And}, {spv::LogicalNotEqual, O::Xor}};
   static const std::map<std::uint16_t, O> shifted{{spv::ShiftRightLogical, O::LShr},
                                                   {spv::ShiftRightArithmetic, O::AShr},
                                                   {spv::ShiftLeftLogical, O::Shl}};
@@ -299,12 +298,12 @@ bool Values::of_bits(const Instruction& i) {
       return each(i, 0, Sort::words, [&](auto* a) { return of_one(I::bitreverse, a); }), true;
     case spv::BitCount:
       return each(i, 0, Sort::words, [&](auto* a) { return of_one(I::ctpop, a); }), true;
+    case spv::SRem:
     case spv::SMod:
+      // Vulkan leaves negative operands open; of others both are the same.
       pairs(i, 0, Sort::words, [&](auto* a, auto* b) {
-        llvm::Value* rest = build_.CreateSRem(a, b);
-        llvm::Value* other_sign = build_.CreateICmpSLT(build_.CreateXor(rest, b), whole(a, 0));
-        llvm::Value* moved = build_.CreateAnd(other_sign, build_.CreateICmpNE(rest, whole(a, 0)));
-        return build_.CreateSelect(moved, build_.CreateAdd(rest, b), rest);
+        llvm::Value* negative = build_.CreateICmpSLT(build_.CreateOr(a, b), whole(a, 0));
+        return unless(negative, build_.CreateSRem(a, b));
       });
       return true;
     case spv::BitFieldInsert:
@@ -328,6 +327,9 @@ void Values::field(const Instruction& i) {
     llvm::Type* type = all[k]->getType();
     if (offset->getType() != type || count->getType() != type) throw NotKnown("a bit field by other words");
     const auto width = type->getIntegerBitWidth();
+    llvm::Value* beyond =
+        build_.CreateOr(build_.CreateICmpUGT(count, whole(count, width)),
+                        build_.CreateICmpUGT(offset, build_.CreateSub(whole(count, width), count)));
     llvm::Value *none = build_.CreateICmpEQ(count, whole(count, 0)),
                 *rest = build_.CreateSub(whole(count, width), count);
     // A shift by the whole width is not looked at.
@@ -337,12 +339,12 @@ void Values::field(const Instruction& i) {
           build_.CreateShl(build_.CreateLShr(llvm::Constant::getAllOnesValue(type), safe), offset);
       llvm::Value* with = build_.CreateOr(build_.CreateAnd(all[k], build_.CreateNot(mask)),
                                           build_.CreateAnd(build_.CreateShl(put[k], offset), mask));
-      all[k] = build_.CreateSelect(none, all[k], with);
+      all[k] = unless(beyond, build_.CreateSelect(none, all[k], with));
     } else {
       llvm::Value* left = build_.CreateShl(all[k], build_.CreateSub(safe, offset));
       llvm::Value* found =
           i.opcode == spv::BitFieldSExtract ? build_.CreateAShr(left, safe) : build_.CreateLShr(left, safe);
-      all[k] = build_.CreateSelect(none, whole(all[k], 0), found);
+      all[k] = unless(beyond, build_.CreateSelect(none, whole(all[k], 0), found));
     }
   }
   set(i, std::move(all));

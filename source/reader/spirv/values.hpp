@@ -46,7 +46,8 @@ class Values {
   void each(const Instruction& i, std::size_t at, Sort sort, const Unary& make);
   void pairs(const Instruction& i, std::size_t at, Sort sort, const Binary& make);
   void shifts(const Instruction& i, llvm::Instruction::BinaryOps how);
-  void clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, llvm::Intrinsic::ID least);
+  void clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, llvm::Intrinsic::ID least,
+             bool orders);
   void first_bit(const Instruction& i, std::uint32_t which);
   void field(const Instruction& i);
   std::size_t place(Id& type, const Instruction& i, std::size_t from) const;
@@ -54,6 +55,12 @@ class Values {
   llvm::Value* of_one(llvm::Intrinsic::ID id, llvm::Value* a) { return build_.CreateUnaryIntrinsic(id, a); }
   llvm::Value* of_two(llvm::Intrinsic::ID id, llvm::Value* a, llvm::Value* b) {
     return build_.CreateBinaryIntrinsic(id, a, b);
+  }
+  /// x, but what may be anything where the condition holds.
+  llvm::Value* unless(llvm::Value* condition, llvm::Value* x) {
+    const auto* known = llvm::dyn_cast<llvm::ConstantInt>(condition);
+    if (known != nullptr && known->isZero()) return x;
+    return build_.CreateSelect(condition, llvm::UndefValue::get(x->getType()), x);
   }
   static llvm::Value* whole(const llvm::Value* like, std::uint64_t k) {
     return llvm::ConstantInt::get(like->getType(), k);
