@@ -53,6 +53,9 @@ std::vector<std::string> topics_with(std::vector<std::string> others) {
 
 /// The pipe's indices have 32 bits; corners are kept, 24 bytes each.
 Level one_level(const PipeOptions& options) {
+  if (options.level.empty() && !options.levels.empty())
+    throw UsageError(fmt::format("--levels {}: {} are of one level; write --level N", options.levels,
+                                 options.rays() ? "rays" : "cases of the index"));
   if (options.level.empty()) throw UsageError("--level is required; write --level N");
   if (!options.levels.empty() || !options.laws.empty() || options.cases != 0)
     throw UsageError(
@@ -214,10 +217,10 @@ Action add_gen(CLI::App& program) {
       ->check(CLI::IsMember(topics_with({"index", "corners", "rays"})));
   add_common(*command, *options);
   command
-      ->add_option("--distance", options->distance,
-                   "rays: only inside micro-triangles, and so far from their edges, a side being 1; 0: also "
-                   "on edges and "
-                   "vertices")
+      ->add_option(
+          "--distance", options->distance,
+          "rays: one inside each micro-triangle, whose N u, N v and N w are at least so far from whole "
+          "numbers; 0: on edges and vertices, too")
       ->check(finite_within(0, traverse::most_distance));
   return [options, command] {
     if (!options->rays() && options->distance != 0) throw UsageError("--distance: for gen rays");

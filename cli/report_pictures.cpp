@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "scene/attribute/picture.hpp"
 #include "scene/read/bad_scene.hpp"
@@ -42,23 +45,32 @@ std::string shown_picture(const std::string& result, const std::string& named) {
   return base64(scene::png(small.width, small.height, small.rgb));
 }
 
+/// The pictures that a result names, each with its number; those of views stand in their rows.
+std::vector<std::pair<std::size_t, std::string>> named_by(const Json& result) {
+  std::vector<std::pair<std::size_t, std::string>> files;
+  const bool views = result.value("topic", "") == "views";
+  const auto list = result.find(views ? "rows" : "pictures");
+  if (list == result.end()) return files;
+  const char* const key = views ? "picture" : "file";
+  for (std::size_t k = 0; k < list->size(); ++k)
+    if ((*list)[k].contains(key)) files.emplace_back(k, (*list)[k][key]);
+  return files;
+}
+
 }  // namespace
 
 Json pictures_of(const std::vector<ReportInput>& inputs) {
   Json pictures = Json::array();
-  for (std::size_t file = 0; file < inputs.size(); ++file) {
-    const auto named = inputs[file].content.find("pictures");
-    if (named == inputs[file].content.end()) continue;
-    for (std::size_t k = 0; k < named->size(); ++k) {
-      Json picture{{"file", file}, {"picture", k}};
+  for (std::size_t file = 0; file < inputs.size(); ++file)
+    for (const auto& [number, name] : named_by(inputs[file].content)) {
+      Json picture{{"file", file}, {"picture", number}};
       try {
-        picture["png"] = shown_picture(inputs[file].name, (*named)[k]["file"]);
+        picture["png"] = shown_picture(inputs[file].name, name);
       } catch (const scene::BadScene& bad) {
         picture["why"] = bad.what();
       }
       pictures.push_back(std::move(picture));
     }
-  }
   return {{"pictures", std::move(pictures)}};
 }
 

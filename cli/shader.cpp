@@ -50,7 +50,10 @@ std::vector<SubjectPtr> of_shader(const std::string& name, double timeout_second
   const auto [called, kind] = plugin_name(name);
   const shaders::ShaderName shader = *shaders::shader_name(called);
   if (std::error_code error; !std::filesystem::is_regular_file(shader.file, error))
-    throw EnvironmentError(fmt::format("{}: no such file", shader.file));
+    throw EnvironmentError(fmt::format("{}: {}", shader.file,
+                                       std::filesystem::exists(shader.file, error)
+                                           ? "a folder, pipe or device, and no file"
+                                           : "no such file"));
   std::vector<std::string> entry_points;
   try {
     const shaders::Compiled made = shaders::compile(shader);

@@ -158,10 +158,15 @@ Picture side_by_side(const std::vector<Picture>& pictures, const std::vector<std
     cell_width = std::max(cell_width, p.width + gap);
     cell_height = std::max(cell_height, p.height + text_height + 2 * gap);
   }
+  for (const std::string& title : titles) cell_width = std::max(cell_width, text_width(title) + gap);
   const auto count = static_cast<std::uint32_t>(pictures.size());
   const std::uint32_t columns = std::clamp(count, 1u, most_columns), rows = (count + columns - 1) / columns;
   const std::uint32_t below = rows * cell_height + gap;
-  Picture all = blank(std::max(gap + columns * cell_width, 400u), below + text_height + 3 * gap, 255);
+  const std::string left = "0", right = std::to_string(most) + " any-hit calls a pixel or more";
+  constexpr std::uint32_t bar = 160;
+  const std::uint32_t from = gap + text_width(left),
+                      legend_width = from + bar + gap + text_width(right) + gap;
+  Picture all = blank(std::max(gap + columns * cell_width, legend_width), below + text_height + 3 * gap, 255);
   for (std::uint32_t k = 0; k < count; ++k) {
     const Picture& p = pictures[k];
     const std::uint32_t x = gap + k % columns * cell_width, y = k / columns * cell_height;
@@ -171,9 +176,7 @@ Picture side_by_side(const std::vector<Picture>& pictures, const std::vector<std
                   all.rgb.begin() + static_cast<std::ptrdiff_t>(
                                         3 * (std::size_t{y + 2 * gap + text_height + row} * all.width + x)));
   }
-  const std::string left = "0", right = std::to_string(most) + " any-hit calls a pixel or more";
   write(all, gap, below + gap / 2, left);
-  const std::uint32_t from = gap + text_width(left), bar = 160;
   for (std::uint32_t k = 0; k < bar; ++k)
     for (std::uint32_t row = 0; row < text_height + gap; ++row)
       put(all, from + k, below + row, heat_colour(k * most * 16 / std::max(1u, bar - 1), most * 16));

@@ -31,7 +31,8 @@ std::array<std::uint8_t, 3> heat_colour(std::uint32_t calls, std::uint32_t most)
 /// The greatest number of calls that at least 1 pixel in 1000 has; at least 1: the end of a scale for heat().
 std::uint32_t scale_of(const Frame& frame);
 
-/// Pictures side by side, four to a row, each with a line of text above; below, a scale from 0 to `most`.
+/// Pictures side by side, four to a row, each with a line of text above; below, a scale from 0 to `most`. As wide as the
+/// texts need.
 /// Letters are of 3 x 5 dots, twice as large: A to Z, 0 to 9 and -.,:/%; others are blank.
 Picture side_by_side(const std::vector<Picture>& pictures, const std::vector<std::string>& titles,
                      std::uint32_t most);

@@ -159,7 +159,8 @@ void check_given(const CLI::App& command, const RenderOptions& options) {
 std::string vacuous(const render::Compared& compared, const mmverify::scene::Plan& plan,
                     const std::vector<render::Method>& wanted) {
   const auto asks = [](render::Method method) { return method != render::Method::texture; };
-  if (plan.triangles.empty() || std::none_of(wanted.begin(), wanted.end(), asks)) return {};
+  if (std::none_of(wanted.begin(), wanted.end(), asks)) return {};
+  if (plan.triangles.empty()) return "no triangle has opacity to test by micromaps, so nothing was compared";
   if (compared.methods.size() == 1) return "no method was compared; give more --memory or a lower --level";
   if (compared.methods.front().counts.planned == 0)
     return "no ray met a triangle with micromaps, so nothing was compared; another --camera or --size would "
@@ -353,9 +354,10 @@ int render_scene(const RenderOptions& options) {
 }  // namespace
 
 Action add_render(CLI::App& program) {
-  auto* command = program.add_subcommand("render",
-                                         "trace a glTF scene with Embree, any-hit shaders by texture and by "
-                                         "micromaps; exit 1 where a pixel differs");
+  auto* command =
+      program.add_subcommand("render",
+                             "trace a glTF scene with Embree, any-hit shaders by texture and by "
+                             "micromaps; exit 1 where a pixel differs, 2 where nothing was compared");
   auto options = std::make_shared<RenderOptions>();
   command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");

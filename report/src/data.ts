@@ -15,6 +15,9 @@ export type AttributeBench = bench.Attribute;
 export type SceneAttributes = bench.SceneAttributes;
 export type Rendered = bench.Render;
 export type RenderedRow = Rendered["rows"][number];
+export type RenderedBlend = NonNullable<Rendered["blends"]>[number];
+export type RenderPath = bench.RenderPath;
+export type Views = bench.Views;
 export type AttributeRow = SceneAttributes["rows"][number];
 export type { VqEncoded, VqRow } from "mmverify/bench";
 
@@ -52,9 +55,10 @@ export interface Again {
   states?: { level: number; expected: string; got: string };
 }
 
-/** A picture that a run of attributes or rays names, as it was found when the page was made. */
+/** A picture that a run of attributes, rays or views names, as it was found when the page was made. */
 export interface Pictured {
   file: number;
+  /** Its number among the run's pictures; of views, its row's. */
   picture: number;
   /** In base64. */
   png?: string;

@@ -1,18 +1,20 @@
 // The page: reads its data, puts the sections together.
 import { attributeSections } from "./attributes";
 import { costCharts } from "./cost";
-import { type Report, runs, type Tool } from "./data";
+import { type AnyBench, benches, type Report, runs, type Tool, type Verdict } from "./data";
 import { el, plainTable } from "./dom";
 import { footprintCharts } from "./footprint";
 import { grouped, plural, seconds } from "./format";
 import { planSections } from "./plan";
-import { raySections } from "./rays";
+import { differingPixels, raySections } from "./rays";
+import { pathVerdict } from "./render_path";
 import { savingsCharts } from "./savings";
 import { verdictMark, verdictTable } from "./table";
 import { themeButton } from "./theme";
 import { tradeCharts } from "./trade";
 import { triangleSection } from "./triangle";
 import { groups, verdicts } from "./verdicts";
+import { viewSections } from "./views";
 
 interface Section {
   id: string;
@@ -48,7 +50,8 @@ const sections: Section[] = [
   { id: "footprint", title: "Footprint against level", needs: "a result of mmverify scene --sizes A..B --json", make: footprintCharts },
   { id: "savings", charts: true, title: "VQ savings", needs: "a result of mmverify bench vq --json", make: savingsCharts },
   { id: "attributes", title: "Attribute micromaps", needs: "a result of mmverify scene FILE --attributes --json", make: attributeSections },
-  { id: "rays", title: "Rays", needs: "a result of mmverify render --level A..B --heat FILE.png --json", make: raySections },
+  { id: "rays", title: "Rays", needs: "a result of mmverify render --level A..B --heat FILE.png --json, or of render --cameras N --json", make: raySections },
+  { id: "views", title: "Views by attribute micromaps", needs: "a result of mmverify render --attributes A..B --pictures FOLDER --json", make: viewSections },
   { id: "plan", title: "The scene's plan", needs: "a result of mmverify scene --json", make: planSections },
 ];
 
@@ -62,15 +65,17 @@ function mutants(report: Report): HTMLElement[] {
   ];
 }
 
-/** How many of each verdict, in words and signs. */
+/** How many of each verdict, in words and signs: of laws, and of the law along a scene's path of cameras. */
 function summary(report: Report): HTMLElement {
-  const results = runs(report).flatMap((run) => run.content.results);
+  const found: Verdict[] = [...runs(report).flatMap((run) => run.content.results.map((r) => r.verdict)), ...benches(report, "render_path").map((b) => pathVerdict(b.content))];
   const items = verdicts.flatMap((v) => {
-    const n = results.filter((r) => r.verdict === v).length;
+    const n = found.filter((verdict) => verdict === v).length;
     return n > 0 ? [el("li", {}, el("strong", {}, grouped(n)), " ", verdictMark(v))] : [];
   });
-  if (items.length === 0) return el("p", { class: "summary" }, "No verdicts: figures only.");
-  return el("ul", { class: "summary", "aria-label": "Results by verdict" }, el("li", {}, `${plural(results.length, "result")}:`), ...items);
+  const wrong = benches(report, "render").reduce((sum, b) => sum + differingPixels(b.content), 0);
+  const pixels = wrong > 0 ? [el("li", {}, el("a", { class: "verdict refuted", href: "#rays" }, el("span", { class: "sign", "aria-hidden": "true" }, "✗"), `${plural(wrong, "rendered pixel")} ${wrong === 1 ? "differs" : "differ"} from the texture's`))] : [];
+  if (items.length + pixels.length === 0) return el("p", { class: "summary" }, "No verdicts: figures only.");
+  return el("ul", { class: "summary", "aria-label": "Results by verdict" }, found.length > 0 ? el("li", {}, `${plural(found.length, "result")}:`) : null, ...items, ...pixels);
 }
 
 function toolLine(tool: Tool): string {
@@ -79,9 +84,17 @@ function toolLine(tool: Tool): string {
   return parts.filter((p) => p).join(", ");
 }
 
+/** The command that makes a bench's figures. */
+const commands: Partial<Record<AnyBench["topic"], string>> = {
+  scene_attributes: "scene --attributes",
+  render: "render",
+  render_path: "render --cameras",
+  views: "render --attributes",
+};
+
 function sources(report: Report): HTMLElement {
   const rows = report.files.map(({ name, content }) => {
-    if (content.schema === "mmverify.bench/1") return [name, content.topic === "scene_attributes" ? "scene --attributes" : content.topic === "render" ? "render" : `bench ${content.topic}`, toolLine(content.tool)];
+    if (content.schema === "mmverify.bench/1") return [name, commands[content.topic] ?? `bench ${content.topic}`, toolLine(content.tool)];
     const time = content.results.reduce((sum, r) => sum + r.seconds, 0);
     const shard = content.shard ? `, shard ${content.shard.number} of ${content.shard.of}: a part of a run` : "";
     return [name, `${content.scene ? "scene" : "prove"}: ${plural(content.results.length, "result")}, ${seconds(time)}${shard}`, toolLine(content.tool)];

@@ -3,8 +3,27 @@ import { chart, type Series } from "./chart";
 import { benches, type Rendered, type RenderedRow, type Report } from "./data";
 import { el, plainTable } from "./dom";
 import { bytes, grouped, percent, plural, short } from "./format";
+import { pathSection } from "./render_path";
 
-const levelOf = (row: RenderedRow) => (row.level === undefined ? "" : String(row.level));
+const levelOf = (row: { level?: number }) => (row.level === undefined ? "" : String(row.level));
+
+const sum = (rows: readonly { differing: number }[]) => rows.reduce((all, r) => all + r.differing, 0);
+
+/** Pixels that differ from the texture's, of methods and of blends. */
+export const differingPixels = (run: Rendered): number => sum(run.rows) + sum(run.blends ?? []);
+
+/** What was held against the texture, and how many pixels differ. */
+export function differingWords(run: Rendered): string {
+  const blends = run.blends ?? [];
+  if (![...run.rows, ...blends].some((r) => r.method !== "texture")) return "Nothing was held against the texture.";
+  if (differingPixels(run) === 0) return `No pixel of any method${blends.length > 0 ? " or blend" : ""} differs from the texture's.`;
+  const n = differingPixels(run);
+  return `${plural(n, "pixel")} ${n === 1 ? "differs" : "differ"} from the texture's${sum(blends) > 0 ? `, ${grouped(sum(blends))} of them where hits blend` : ""}.`;
+}
+
+/** Rows whose last column counts what differs: a count other than 0 stands out. */
+export const standingOut = (rows: string[][]): (string | Node)[][] =>
+  rows.map((row) => (row.at(-1) === "0" ? row : [...row.slice(0, -1), el("strong", { class: "wrong" }, row.at(-1)!)]));
 
 /** The rows of maps of one method that has levels, where there are two levels or more; the others as level lines. */
 export function callsByLevel(run: Rendered): Series[] {
@@ -32,6 +51,22 @@ export const rayRows = (run: Rendered): string[][] =>
     r.predicted === undefined ? "" : percent(r.predicted), r.even === undefined ? "" : percent(r.even), bytes(r.bytes), short(r.times_texture), grouped(r.differing),
   ]);
 
+export const blendRows = (run: Rendered): string[][] =>
+  (run.blends ?? []).map((r) => [
+    r.method, levelOf(r), r.by === "fixed" ? "fixed function" : "shader", grouped(r.ignored), grouped(r.fixed), grouped(r.any_hit), percent(r.saved), grouped(r.spoiled), short(r.times_texture), grouped(r.differing),
+  ]);
+
+const columns =
+  "A ray: any-hit calls over all rays. Known: the share of candidates on triangles with micromaps that a map decides. Predicted: the share of these triangles' area where maps decide, reckoned without a ray. Even rays: the share that lines of all directions through all of the scene met.";
+
+function blends(run: Rendered): HTMLElement[] {
+  if (run.blends === undefined) return [];
+  return [
+    plainTable(`Hits that blend by ${run.tool.blend ?? "an operation not named"}`, ["Method", "Level", "O blended by", "Ignored", "Fixed", "Any-hit calls", "Saved", "As met", "Time, texture = 1", "Differing"], standingOut(blendRows(run))),
+    el("p", { class: "note" }, "O blended by: who blends what maps call opaque. Fixed: hits that the fixed function blends. Saved: the share of the texture's any-hit calls that are not made. As met: pixels whose payload would be another one, were hits blended in the order of traversal."),
+  ];
+}
+
 function picture(report: Report, file: number, run: Rendered): (HTMLElement | null)[] {
   return (run.pictures ?? []).map((p, k) => {
     const found = report.pictures.find((shown) => shown.file === file && shown.picture === k);
@@ -52,7 +87,7 @@ function picture(report: Report, file: number, run: Rendered): (HTMLElement | nu
 }
 
 function oneRun(report: Report, file: number, name: string, run: Rendered): HTMLElement {
-  const series = callsByLevel(run), differing = run.rows.reduce((sum, r) => sum + r.differing, 0);
+  const series = callsByLevel(run), words = differingWords(run);
   return el(
     "div",
     {},
@@ -60,15 +95,21 @@ function oneRun(report: Report, file: number, name: string, run: Rendered): HTML
     el(
       "p",
       {},
-      `${plural(run.rays, "primary ray")} and ${plural(run.shadow_rays, "shadow ray")} by ${run.tool.embree}; ${plural(run.tested_placed, "triangle")} placed with micromaps. ` +
-        (differing === 0 ? "No pixel of any method differs from the texture's." : `${plural(differing, "pixel")} differ from the texture's.`),
+      `${plural(run.rays, "primary ray")} and ${plural(run.shadow_rays, "shadow ray")} by ${run.tool.embree}; ${plural(run.tested_placed, "triangle")} placed with micromaps. `,
+      differingPixels(run) === 0 ? words : el("strong", { class: "wrong" }, words),
     ),
     series.length > 0
       ? el("div", { class: "charts" }, chart({ title: "Any-hit calls a ray by level", note: "Forms of one map call alike; square maps and the texture have no level.", x: { label: "level of every map", whole: true }, y: { label: "any-hit calls a ray" }, series }))
       : null,
-    plainTable("Rays", ["Method", "Level", "Any-hit calls", "A ray", "Known", "Predicted", "Even rays", "Bytes", "Time, texture = 1", "Differing"], rayRows(run)),
+    plainTable("Rays", ["Method", "Level", "Any-hit calls", "A ray", "Known", "Predicted", "Even rays", "Bytes", "Time, texture = 1", "Differing"], standingOut(rayRows(run))),
+    el("p", { class: "note" }, columns),
+    ...blends(run),
     ...picture(report, file, run),
   );
 }
 
-export const raySections = (report: Report): HTMLElement[] => benches(report, "render").map(({ file, name, content }) => oneRun(report, file, name, content));
+/** Verdicts first, then figures. */
+export const raySections = (report: Report): HTMLElement[] => [
+  ...benches(report, "render_path").map(({ name, content }) => pathSection(name, content, standingOut)),
+  ...benches(report, "render").map(({ file, name, content }) => oneRun(report, file, name, content)),
+];

@@ -7,13 +7,14 @@ import { test } from "node:test";
 import { answersOf } from "../src/answers";
 import { beyondWords, countRows, measures, packedBytes, timedSeries } from "../src/attributes";
 import { coordinate, differsAt, indexOfCase, mapOf, pointOf, squareOf } from "../src/cases";
-import type { Rendered, Result, Run, SceneAttributes, Verdict } from "../src/data";
+import type { Rendered, RenderPath, Result, Run, SceneAttributes, Verdict } from "../src/data";
 import { bytes, grouped, plural, powerOfTen, ranges, seconds, short } from "../src/format";
 import { front } from "../src/front";
 import { plotLook } from "../src/looks";
 import { line } from "../src/path";
 import { paint, toPixel, toPoint } from "../src/raster";
-import { callsByLevel, rayRows } from "../src/rays";
+import { blendRows, callsByLevel, differingPixels, differingWords, rayRows } from "../src/rays";
+import { pathRows, pathVerdict, pathWords } from "../src/render_path";
 import { linearTicks, logTicks } from "../src/ticks";
 import { below } from "../src/trade";
 import { groups, levelsText } from "../src/verdicts";
@@ -251,4 +252,30 @@ test("rays: a line a method, flat where it has no level; one level draws none", 
   assert.deepEqual(callsByLevel(run).map((s) => [s.name, s.dashed, s.marks.map((m) => [m.x, m.y])]), [["texture", true, [[1, 2], [2, 2]]], ["flat", false, [[1, 1], [2, 0.5]]]]);
   assert.deepEqual(rayRows(run)[1]!.slice(0, 3), ["flat", "1", "20"]);
   assert.deepEqual(callsByLevel({ ...run, rows: run.rows.slice(0, 2) }), []);
+  assert.equal(differingWords(run), "No pixel of any method differs from the texture's.");
+  assert.equal(differingWords({ ...run, rows: run.rows.slice(0, 1) }), "Nothing was held against the texture.");
+  const blend = { method: "flat", level: 2, by: "fixed", candidates: 40, ignored: 10, fixed: 20, any_hit: 10, saved: 0.75, texels: 40, differing: 5, spoiled: 3, cpu_ms: 1, times_texture: 1.5 } as const;
+  const blended: Rendered = { ...run, rows: [...run.rows, { ...run.rows[1]!, differing: 2 }], blends: [blend] };
+  assert.equal(differingPixels(blended), 7);
+  assert.equal(differingWords(blended), "7 pixels differ from the texture's, 5 of them where hits blend.");
+  assert.deepEqual(blendRows(blended), [["flat", "2", "fixed function", "10", "20", "10", "75 %", "3", "1.5", "5"]]);
+});
+
+test("a path of cameras is refuted where a pixel differs, and compares nothing where no ray met a map", () => {
+  const run: RenderPath = {
+    schema: "mmverify.bench/1", topic: "render_path",
+    tool: { version: "0", compiler: "c", flags: "", cpu: "", spec_hash: "0", embree: "Embree 3", width: 4, height: 4, cameras: 1, seed: 1, shadows: "no", threads: 0 },
+    file: "a.glb", law: "traverse.same_image", verdict: "checked", tested: 2, tested_placed: 2, frames: 1, pixels: 16, differing: 0,
+    cameras: [{ camera: 1, tries: 1, rays: 16, shadow_rays: 0, met: 3, any_hit: 3 }],
+    rows: [{ method: "flat", level: 1, frames: 1, pixels: 16, met: 3, ignored: 1, opaque: 1, any_hit: 1, differing: 0 }],
+  };
+  const row = run.rows[0]!;
+  assert.equal(pathVerdict(run), "checked");
+  assert.match(pathWords(run), /1 camera, 1 frame of 4 x 4, 16 pixels .* without shadow rays, .* No pixel differs\.$/);
+  assert.equal(pathVerdict({ ...run, rows: [{ ...row, met: 0 }] }), "not_applicable");
+  assert.equal(pathVerdict({ ...run, rows: [] }), "not_applicable");
+  const wrong: RenderPath = { ...run, verdict: "refuted", differing: 1, rows: [{ ...row, differing: 1 }] };
+  assert.equal(pathVerdict(wrong), "refuted");
+  assert.match(pathWords(wrong), / 1 pixel differs\.$/);
+  assert.deepEqual(pathRows(wrong), [["flat", "1", "1", "16", "3", "1", "1", "1", "1"]]);
 });

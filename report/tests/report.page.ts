@@ -6,5 +6,6 @@ import "./page/verdicts";
 import "./page/charts";
 import "./page/triangle";
 import "./page/attributes";
+import "./page/rays";
 import "./page/access";
 import "./page/hostile";

@@ -36,6 +36,8 @@ std::string message(const std::string& printed, const std::string& ours, const s
       continue;
     line = line.substr(begins.size());
     if (line.starts_with(ours)) line = file + line.substr(ours.size());
+    // Where a snippet leaves something open, the compiler sees it after the snippet's end.
+    if (line.starts_with(own_part)) line = fmt::format("{}: after its end, in {}", file, line);
     if (first.empty())
       first = line;
     else
@@ -43,6 +45,13 @@ std::string message(const std::string& printed, const std::string& ours, const s
   }
   if (first.empty()) return file + ": " + printed;
   return more == 0 ? first : fmt::format("{} (and {} more)", first, more);
+}
+
+/// A source's text, without the byte order mark that some editors begin UTF-8 with and no compiler takes.
+std::string source_of(const std::string& file) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  std::string text = contents_of(file);
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
 /// A compiler and a language.
@@ -230,7 +239,7 @@ std::string known_entry(const ShaderName& name) {
 void compile_source(const ShaderName& name, Compiled& made) {
   const program::Folder& folder = *made.files;
   const Compiler compiler(name, folder);
-  const std::string text = contents_of(name.file);
+  const std::string text = source_of(name.file);
   const std::string plain =
       compiler.preprocess(text.find("#version") != std::string::npos && defines_main(text)
                               ? text
@@ -307,7 +316,7 @@ std::string compile_function(const std::string& file, const std::string& functio
   if (compiler.language() == Language::slang)
     throw NotAvailable(file +
                        ": Slang's compiler keeps nothing but what an entry point calls; name its SPIR-V");
-  std::string text = contents_of(file);
+  std::string text = source_of(file);
   // A file that is whole stays so.
   const bool versioned = text.find("#version") != std::string::npos;
   const std::string plain =

@@ -61,7 +61,7 @@ uint mmverify_byte(uint at) {{ return mmverify_words[at >> 2] >> (8u * (at & 3u)
 {text}
 )";
 
-constexpr const char* glsl_main = R"(#line 1 "mmverify's own part"
+constexpr const char* glsl_main = R"(#line 1 "{own_part}"
 layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer mmverify_in0 {{ {type} mmverify_input0[]; }};
 layout(std430, set = 0, binding = 1) readonly buffer mmverify_in1 {{ {type} mmverify_input1[]; }};
@@ -72,7 +72,7 @@ void main() {{
   if (mmverify_k >= mmverify_asked.count) return;
 {body}}}
 )";
-constexpr const char* hlsl_main = R"(#line 1 "mmverify's own part"
+constexpr const char* hlsl_main = R"(#line 1 "{own_part}"
 [[vk::binding(0, 0)]] StructuredBuffer<{type}> mmverify_input0;
 [[vk::binding(1, 0)]] StructuredBuffer<{type}> mmverify_input1;
 [[vk::binding(2, 0)]] StructuredBuffer<{type}> mmverify_input2;
@@ -183,7 +183,8 @@ std::string shader_of(const std::string& text, const std::string& file, const Sn
                       Language language) {
   return preamble_and(text, file, language) +
          fmt::format(fmt::runtime(language == Language::glsl ? glsl_main : hlsl_main),
-                     fmt::arg("type", function.inputs), fmt::arg("body", body_of(function, language)));
+                     fmt::arg("own_part", own_part), fmt::arg("type", function.inputs),
+                     fmt::arg("body", body_of(function, language)));
 }
 
 }  // namespace mmverify::shaders

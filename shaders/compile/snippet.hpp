@@ -2,9 +2,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mmverify::shaders {
+
+/// What a compiler's messages about the lines after a snippet's end begin with.
+inline constexpr std::string_view own_part = "mmverify's own part";
 
 enum class Language { glsl, hlsl, slang };
 

@@ -106,7 +106,7 @@ using Cell = std::set<flow::Outcome>;
 /// What a decision reads before any flag that overrides it.
 std::string read_in(const flow::Combination& c) {
   if (!flow::consulted(c))
-    return c.candidate.geometry_opaque ? "no micromap, opaque geometry" : "no micromap, other geometry";
+    return c.candidate.geometry_opaque ? "no micromap, opaque geometry" : "no micromap, geometry not opaque";
   const bool two = flow::two_state_override(c) && mmverify::spec::micromap::unknown(c.candidate.state);
   return fmt::format("{}{}", mmverify::spec::micromap::name_of(c.candidate.state),
                      two ? ", force-2-state" : "");
@@ -135,7 +135,7 @@ std::string decisions() {
       "| what is read | instance | no ray flag | Opaque | NoOpaque | CullOpaque | CullNoOpaque | "
       "combinations |\n"
       "|---|---|---|---|---|---|---|---|\n";
-  for (const char* read : {"no micromap, other geometry", "no micromap, opaque geometry", "T", "O", "UT",
+  for (const char* read : {"no micromap, geometry not opaque", "no micromap, opaque geometry", "T", "O", "UT",
                            "UO", "UT, force-2-state", "UO, force-2-state"})
     for (const char* forced : {"-", "FORCE_OPAQUE", "FORCE_NO_OPAQUE"}) {
       text += fmt::format("| {} | {} |", read, forced);

@@ -15,6 +15,7 @@
 #include "gate/runs.hpp"
 #include "gate/seal.hpp"
 #include "proofs/engine/journal.hpp"
+#include "tests/folder.hpp"
 #include "tests/sanitized.hpp"
 
 namespace {
@@ -23,12 +24,6 @@ using namespace mmverify;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t mutants = sanitized ? 100 : 2'000;
-
-std::string folder() {
-  std::string name = testing::TempDir() + "mmverify-files-XXXXXX";
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for files");
-  return name;
-}
 
 std::string contents(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -145,7 +140,8 @@ class Files : public testing::Test {
     ASSERT_EQ(std::system((run + "shard.json --shard 1/2 >/dev/null").c_str()), 0);
   }
   static const std::string& home() {
-    static const std::string name = folder();
+    static const tests::Folder folder;
+    static const std::string name = folder.path().string();
     return name;
   }
 };
@@ -196,7 +192,8 @@ TEST_F(Files, AChangedShardHasAnotherSeal) {
 
 TEST(FilesOfARun, AChangedJournalHasFewerPiecesAndNoOther) {
   using namespace proofs;
-  const std::string path = folder() + "/journal";
+  const tests::Folder folder;
+  const std::string path = (folder / "journal").string();
   const Identity identity{{"program", "test"}, {"laws", "index.in_range"}};
   const auto tally = [](std::uint64_t k) {
     return Tally::restored({Count{k, 0}, Count{7 * k, k % 3}, Count{k, 0, 1}}, 0x9E3779B97F4A7C15u * k, {});

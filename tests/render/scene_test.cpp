@@ -373,6 +373,10 @@ TEST(Picture, HeatGoesFromBlueToRed) {
   EXPECT_EQ(map.rgb, (std::vector<std::uint8_t>{24, 24, 72, 208, 32, 32}));
   const Picture beside = side_by_side({map, map}, {"a", "b"}, 3);
   EXPECT_EQ(beside.rgb.size(), std::size_t{3} * beside.width * beside.height);
+  // The scale's text is whole, and titles longer than their picture stay apart: a letter is 8 pixels wide, a gap, too.
+  EXPECT_EQ(beside.width, 8u + 8 + 160 + 8 + 8 * std::string("3 any-hit calls a pixel or more").size() + 8);
+  const std::string title(20, 'A');
+  EXPECT_EQ(side_by_side({map, map, map}, {title, title, title}, 3).width, 8u + 3 * (20 * 8 + 8));
 }
 
 }  // namespace

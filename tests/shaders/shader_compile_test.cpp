@@ -1,5 +1,6 @@
 // Shaders as subjects, up to the device: names, what a file defines, what is wrong with it, and places without a device.
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -146,6 +147,25 @@ TEST_F(ShaderFile, that_does_not_compile_is_told_file_and_line) {
   expect_complaint(judge(hlsl), 2, "wrong.hlsl:2:");
   const std::string whole = write(folder_, "wrong.comp", "#version 450\nvoid main() {\n  oops;\n}\n");
   expect_complaint(judge(whole), 2, "wrong.comp:3:");
+}
+
+TEST_F(ShaderFile, that_leaves_a_brace_open_is_named) {
+  const std::string file =
+      write(folder_, "open.glsl",
+            "uint index(uint level, float u, float v) { if (u > 0.0) { return 1u; return 0u; }\n");
+  expect_complaint(judge(file), 2, "open.glsl: after its end, in mmverify's own part:");
+}
+
+TEST_F(ShaderFile, may_begin_with_a_byte_order_mark) {
+  const std::string file = write(
+      folder_, "marked.glsl", "\xef\xbb\xbfuint index(uint level, float u, float v) { return nothing; }\n");
+  expect_complaint(judge(file), 2, "marked.glsl:1: 'nothing' : undeclared identifier");
+}
+
+TEST_F(ShaderFile, that_is_a_folder_is_no_file) {
+  const std::string folder = (folder_ / "folder.glsl").string();
+  std::filesystem::create_directory(folder);
+  expect_complaint(judge(folder), 4, "folder.glsl: a folder, pipe or device, and no file");
 }
 
 TEST_F(ShaderFile, that_defines_nothing_to_ask_is_refused) {

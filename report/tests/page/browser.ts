@@ -34,7 +34,7 @@ export async function open(file: string, options: { width?: number; height?: num
   page.on("pageerror", (error) => assert.fail(`page: ${error.message}`));
   page.on("request", (r) => assert.ok(r.url() === url || r.url().startsWith("data:"), `request: ${r.url()}`));
   await page.goto(url);
-  await page.waitForSelector("#verdicts, #trade, #attributes");
+  await page.waitForSelector("#verdicts, #trade, #attributes, #rays, #views");
   await page.waitForTimeout(150);
   return page;
 }

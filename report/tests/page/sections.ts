@@ -8,8 +8,8 @@ test("every section is there, nothing is asked of a network, nothing complains",
   const page = await open("all.html");
   assert.deepEqual(await page.$$eval("section", (all) => all.map((s) => s.id)), ["verdicts", "refuted", "trade", "cost", "footprint", "savings", "attributes", "plan"]);
   assert.equal(await page.$$eval(".plot canvas", (all) => all.length), await page.$$eval(".plot", (all) => all.length));
-  // Rays need Embree, which not every machine has: they alone are not given.
-  assert.match((await page.textContent("footer p"))!, /^Not given: rays \([^;]*\)\.$/);
+  // Rays and views need Embree, which not every machine has: they alone are not given.
+  assert.match((await page.textContent("footer p"))!, /^Not given: rays \([^;]*\); views by attribute micromaps \([^;]*\)\.$/);
   await page.context().close();
 });
 
