@@ -7,7 +7,7 @@ set -euo pipefail
 (($# == 1 || $# == 2)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
 MMVERIFY=$(realpath -- "$1")
 export MMVERIFY
-level=${2:-14} shards=7
+level=${2:-15} shards=7
 tests=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 slurm=$tests/../../scripts/slurm
 # shellcheck source=tests/outside/slurm_cluster.sh
