@@ -3,7 +3,7 @@
 //
 //   mmverify-source FILE FUNCTION LEVEL [FAULT]   the program, to standard output
 //   mmverify-source FILE FUNCTION export OUT.bc [FAULT]   the bitcode with that function for others to call
-// Exit codes: 0; 2 no such function, or another form; 3 an instruction that is not known; 4 a bad file.
+// Exit codes: 0; 2 a bad file, no such function, or one of another form; 3 an instruction that is not known; 4 else.
 #include <llvm/Bitcode/BitcodeWriter.h>
 #include <llvm/IR/DiagnosticInfo.h>
 #include <llvm/Support/CommandLine.h>
@@ -46,15 +46,7 @@ int run(int count, char** words) {
   const int last = exports ? 5 : 4;
   const Planted planted = planted_by(count > last ? words[last] : "none");
   llvm::LLVMContext context;
-  const auto module = [&] {
-    try {
-      return read_module(file, name, context, planted);
-    } catch (const CannotRead& why) {
-      say(why);
-      return std::unique_ptr<llvm::Module>();
-    }
-  }();
-  if (!module) return 4;
+  const std::unique_ptr<llvm::Module> module = read_module(file, name, context, planted);
   llvm::Function& index = index_function(*module, name);
   if (exports) {
     export_index(*module, index);

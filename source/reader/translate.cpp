@@ -15,6 +15,7 @@
 #include <map>
 #include <optional>
 
+#include "source/reader/intrinsics.hpp"
 #include "source/reader/module.hpp"
 #include "source/reader/undefined.hpp"
 
@@ -334,34 +335,6 @@ class Translation {
         program_.nodes[made].flags = defined_at_all_but_zero;
       return made;
     };
-    static const std::map<ID, std::pair<Op, unsigned>> known{
-        {llvm::Intrinsic::fabs, {Op::fabs, 1}},
-        {llvm::Intrinsic::floor, {Op::floor, 1}},
-        {llvm::Intrinsic::ceil, {Op::ceil, 1}},
-        {llvm::Intrinsic::trunc, {Op::ftrunc, 1}},
-        {llvm::Intrinsic::round, {Op::round, 1}},
-        {llvm::Intrinsic::roundeven, {Op::roundeven, 1}},
-        {llvm::Intrinsic::rint, {Op::roundeven, 1}},
-        {llvm::Intrinsic::nearbyint, {Op::roundeven, 1}},
-        {llvm::Intrinsic::fma, {Op::fma, 3}},
-        {llvm::Intrinsic::copysign, {Op::copysign, 2}},
-        {llvm::Intrinsic::minnum, {Op::fmin, 2}},
-        {llvm::Intrinsic::maxnum, {Op::fmax, 2}},
-        {llvm::Intrinsic::ctpop, {Op::ctpop, 1}},
-        {llvm::Intrinsic::bswap, {Op::bswap, 1}},
-        {llvm::Intrinsic::bitreverse, {Op::bitreverse, 1}},
-        {llvm::Intrinsic::fshl, {Op::fshl, 3}},
-        {llvm::Intrinsic::fshr, {Op::fshr, 3}},
-        {llvm::Intrinsic::umin, {Op::umin, 2}},
-        {llvm::Intrinsic::umax, {Op::umax, 2}},
-        {llvm::Intrinsic::smin, {Op::smin, 2}},
-        {llvm::Intrinsic::smax, {Op::smax, 2}},
-        {llvm::Intrinsic::uadd_sat, {Op::uadd_sat, 2}},
-        {llvm::Intrinsic::usub_sat, {Op::usub_sat, 2}},
-        {llvm::Intrinsic::sadd_sat, {Op::sadd_sat, 2}},
-        {llvm::Intrinsic::ssub_sat, {Op::ssub_sat, 2}},
-        {llvm::Intrinsic::fptoui_sat, {Op::fptoui_sat, 1}},
-        {llvm::Intrinsic::fptosi_sat, {Op::fptosi_sat, 1}}};
     const auto constant = [&](unsigned k) {
       return static_cast<unsigned>(llvm::cast<llvm::ConstantInt>(call.getArgOperand(k))->getZExtValue());
     };
@@ -385,8 +358,7 @@ class Translation {
         break;
     }
     const ID id = call.getIntrinsicID();
-    if (const auto found = known.find(id); found != known.end())
-      return make(found->second.first, found->second.second);
+    if (const auto known = plain_intrinsic(id)) return make(known->first, known->second);
     switch (id) {
       case llvm::Intrinsic::ctlz:
         return flagged(Op::ctlz);

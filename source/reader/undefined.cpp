@@ -50,6 +50,11 @@ llvm::Function* opaque(llvm::Module& module, const std::string& name, llvm::Type
   return f;
 }
 
+llvm::Value* what_was_never_set(llvm::IRBuilder<>& build, llvm::Type* type) {
+  return build.CreateCall(
+      opaque(*build.GetInsertBlock()->getModule(), std::string(unset) + "." + name_of(type), type, {}, true));
+}
+
 bool divides(unsigned opcode) {
   return opcode == I::UDiv || opcode == I::SDiv || opcode == I::URem || opcode == I::SRem;
 }
@@ -101,9 +106,7 @@ constexpr unsigned most_numbers = 1 << 16;
 void guard_leaves(llvm::IRBuilder<>& build, llvm::Value* address, llvm::Type* type, unsigned& room) {
   if (is_number(type)) {
     if (room-- == 0) throw NotKnown("a variable of more than 65536 numbers");
-    llvm::Function* f = opaque(*build.GetInsertBlock()->getModule(), std::string(unset) + "." + name_of(type),
-                               type, {}, true);
-    build.CreateStore(build.CreateCall(f), address);
+    build.CreateStore(what_was_never_set(build, type), address);
     return;
   }
   const std::uint64_t parts = type->isStructTy()  ? type->getStructNumElements()
@@ -133,26 +136,10 @@ void guard_end(llvm::UnreachableInst& at) {
   if (gives->isVoidTy())
     build.CreateRetVoid();
   else if (is_number(gives))
-    build.CreateRet(build.CreateCall(
-        opaque(*at.getModule(), std::string(unset) + "." + name_of(gives), gives, {}, true)));
+    build.CreateRet(what_was_never_set(build, gives));
   else
     build.CreateRet(llvm::Constant::getNullValue(gives));
   at.eraseFromParent();
-}
-
-/// What is promised of arguments, results and ends may be broken; how they are passed stays.
-llvm::AttributeList without_promises(llvm::AttributeList list, llvm::LLVMContext& context,
-                                     std::size_t arguments) {
-  using A = llvm::Attribute;
-  llvm::AttributeMask promises;
-  for (const A::AttrKind kind :
-       {A::NoUndef, A::NonNull, A::Dereferenceable, A::DereferenceableOrNull, A::NoAlias, A::Returned,
-        A::ReadNone, A::ReadOnly, A::WriteOnly, A::NoCapture, A::MustProgress, A::WillReturn, A::NoReturn,
-        A::Speculatable, A::NoFree, A::NoRecurse, A::ArgMemOnly})
-    promises.addAttribute(kind);
-  list = list.removeFnAttributes(context, promises).removeRetAttributes(context, promises);
-  for (unsigned k = 0; k < arguments; ++k) list = list.removeParamAttributes(context, k, promises);
-  return list;
 }
 
 void guard_call(llvm::CallInst& call) {
@@ -168,9 +155,6 @@ void guard_call(llvm::CallInst& call) {
       call.eraseFromParent();
       return;
     }
-    case llvm::Intrinsic::not_intrinsic:
-      call.setAttributes(without_promises(call.getAttributes(), call.getContext(), call.arg_size()));
-      return;
     case llvm::Intrinsic::lifetime_start: {
       // A loop's variable is not what it was the last time.
       auto* variable = llvm::dyn_cast<llvm::AllocaInst>(call.getArgOperand(1)->stripPointerCasts());
@@ -192,8 +176,7 @@ void guard_operands(I& at) {
     llvm::Type* type = at.getOperand(k)->getType();
     if (!llvm::isa<llvm::UndefValue>(at.getOperand(k)) || !is_number(type)) continue;
     llvm::IRBuilder<> build(phi != nullptr ? phi->getIncomingBlock(k)->getTerminator() : &at);
-    at.setOperand(k, build.CreateCall(
-                         opaque(*at.getModule(), std::string(unset) + "." + name_of(type), type, {}, true)));
+    at.setOperand(k, what_was_never_set(build, type));
   }
 }
 
@@ -273,7 +256,6 @@ Guarded guarded(const llvm::CallInst& call) {
 void guard(llvm::Module& module) {
   for (llvm::Function& f : module) {
     if (f.isDeclaration()) continue;
-    f.setAttributes(without_promises(f.getAttributes(), f.getContext(), f.arg_size()));
     std::vector<I*> all;
     for (I& at : llvm::instructions(f)) all.push_back(&at);
     for (I* at : all) guard_instruction(*at);

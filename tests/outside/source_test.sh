@@ -34,6 +34,10 @@ undefined 'a sum, difference or product that does not fit, .*wrong_source.c:' "$
 undefined 'shl: a shift too far' "$wrong" shifted
 undefined 'poison: a value that is left open or was never set' "$wrong" never_set
 undefined "a read outside of a table's row" "$wrong" other_row
+undefined 'fptoui: a float beyond the integers it becomes' "$wrong" cast
+undefined 'poison: a value that is left open or was never set' "$wrong" of_a_loop
+undefined 'a place that must not be reached, .*wrong_source.c:' "$wrong" without_end
+undefined 'an assumption that does not hold, .*wrong_source.c:' "$wrong" assuming
 judged 2 'wrong_source.c:[0-9]+: call of llvm.is.constant' --source "$wrong" --function constant_level --levels 1
 judged 2 "'wide' is i64 \(i32, float, float\); due is uint32_t" --source "$wrong" --function wide --levels 1
 

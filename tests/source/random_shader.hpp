@@ -5,14 +5,14 @@
 
 #include <string>
 
-#include "proofs/engine/random.hpp"
+#include "tests/source/random_statements.hpp"
 
 namespace mmverify::tests {
 
 /// Functions f0, f1, ... of two floats, and `all`, which takes the number of one of them for a level.
-class RandomShader {
+class RandomShader : private RandomStatements {
  public:
-  RandomShader(std::uint64_t seed, unsigned functions) : random_(seed, 1, 0) {
+  RandomShader(std::uint64_t seed, unsigned functions) : RandomStatements(seed, 1) {
     for (unsigned k = 0; k < functions; ++k) function(k);
     text_ += "uint all(uint level, float u, float v) {\n  switch (level) {\n";
     for (unsigned k = 0; k < functions; ++k) text_ += fmt::format("    case {0}u: return f{0}(u, v);\n", k);
@@ -22,7 +22,6 @@ class RandomShader {
   std::string c() const { return std::string(c_head) + common + text_; }
 
  private:
-  static constexpr unsigned variables = 4;
   static constexpr const char* glsl_head = R"(
 #define OF_TWO(a, b) vec2(a, b)
 #define OF_THREE(a, b, c) vec3(a, b, c)
@@ -81,14 +80,7 @@ uint whole(float x) { return x >= 0.0f && x < 4294967040.0f ? uint_of(x) : 9u; }
 struct Pair { float a; uint b; };
 )";
 
-  template <std::size_t n>
-  const char* one_of(const char* const (&all)[n]) {
-    return all[random_.below(n)];
-  }
-  std::string x() { return fmt::format("x{}", random_.below(variables)); }
-  std::string a() { return fmt::format("a{}", random_.below(variables)); }
-
-  std::string condition() {
+  std::string condition() final {
     switch (random_.below(5)) {
       case 0:
         return fmt::format("{} {} {}", x(), one_of({"<", "<=", ">", ">=", "==", "!="}), x());
@@ -103,7 +95,7 @@ struct Pair { float a; uint b; };
     }
   }
 
-  std::string number() {
+  std::string number() final {
     switch (random_.below(14)) {
       case 0:
         return fmt::format("{} {} {}", x(), one_of({"+", "-", "*"}), x());
@@ -139,7 +131,7 @@ struct Pair { float a; uint b; };
     }
   }
 
-  std::string word() {
+  std::string word() final {
     switch (random_.below(15)) {
       case 0:
         return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
@@ -175,36 +167,10 @@ struct Pair { float a; uint b; };
     }
   }
 
-  void statements(unsigned count, unsigned depth, const std::string& indent) {
-    for (unsigned k = 0; k < count; ++k) {
-      const std::uint64_t kind = random_.below(depth < 2 ? 10 : 6);
-      if (kind < 3)
-        text_ += fmt::format("{}{} = {};\n", indent, x(), number());
-      else if (kind < 6)
-        text_ += fmt::format("{}{} = {};\n", indent, a(), word());
-      else if (kind == 6)
-        block(fmt::format("if ({})", condition()), depth, indent, true);
-      else if (kind == 7)
-        block(fmt::format("for (int k = 0; k < {}; ++k)", random_.between(1, 3)), depth, indent, false);
-      else if (kind == 8)
-        text_ +=
-            fmt::format("{0}pair.a = {1};\n{0}pair.b ^= {2};\n{0}{3} += pair.b;\n", indent, x(), a(), a());
-      else
-        text_ += fmt::format(
-            "{0}switch ({1} & 3u) {{\n{0}  case 0u: {2} = {3}; break;\n{0}  case 2u: {4} = {5};\n{0}  "
-            "default: "
-            "{6} ^= 5u;\n{0}}}\n",
-            indent, a(), a(), word(), x(), number(), a());
-    }
-  }
-  void block(const std::string& opening, unsigned depth, const std::string& indent, bool other) {
-    text_ += fmt::format("{}{} {{\n", indent, opening);
-    statements(2, depth + 1, indent + "  ");
-    if (other && random_.below(2) == 0) {
-      text_ += indent + "} else {\n";
-      statements(2, depth + 1, indent + "  ");
-    }
-    text_ += indent + "}\n";
+  bool has_further() const final { return true; }
+  std::string further() final {
+    const std::string from = x(), with = a();
+    return fmt::format("pair.a = {}; pair.b ^= {}; {} += pair.b;\n", from, with, a());
   }
 
   void function(unsigned number) {
@@ -223,9 +189,6 @@ struct Pair { float a; uint b; };
         "13u ^\n"
         "         bits(pair.a) * 17u;\n}\n";
   }
-
-  proofs::Random random_;
-  std::string text_;
 };
 
 }  // namespace mmverify::tests

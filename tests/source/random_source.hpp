@@ -5,14 +5,14 @@
 
 #include <string>
 
-#include "proofs/engine/random.hpp"
+#include "tests/source/random_statements.hpp"
 
 namespace mmverify::tests {
 
 /// Functions f0, f1, ... of two floats, and `all`, which takes the number of one of them for a level.
-class RandomSource {
+class RandomSource : private RandomStatements {
  public:
-  RandomSource(std::uint64_t seed, unsigned functions) : random_(seed, 0, 0) {
+  RandomSource(std::uint64_t seed, unsigned functions) : RandomStatements(seed, 0) {
     for (unsigned k = 0; k < functions; ++k) function(k);
     text_ += "uint32_t all(uint32_t level, float u, float v) {\n  switch (level) {\n";
     for (unsigned k = 0; k < functions; ++k) text_ += fmt::format("    case {0}: return f{0}(u, v);\n", k);
@@ -21,7 +21,6 @@ class RandomSource {
   std::string text() const { return head + text_; }
 
  private:
-  static constexpr unsigned variables = 4;
   static constexpr const char* head = R"(#include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -32,14 +31,7 @@ static uint32_t bits(float x) { uint32_t b; memcpy(&b, &x, 4); return b; }
 static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
 )";
 
-  template <std::size_t n>
-  const char* one_of(const char* const (&all)[n]) {
-    return all[random_.below(n)];
-  }
-  std::string x() { return fmt::format("x{}", random_.below(variables)); }
-  std::string a() { return fmt::format("a{}", random_.below(variables)); }
-
-  std::string condition() {
+  std::string condition() final {
     switch (random_.below(6)) {
       case 0:
         return fmt::format("{} {} {}", x(), one_of({"<", "<=", ">", ">=", "==", "!="}), x());
@@ -56,7 +48,7 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
     }
   }
 
-  std::string number() {
+  std::string number() final {
     switch (random_.below(18)) {
       case 0:
         return fmt::format("{} + {}", x(), x());
@@ -98,7 +90,7 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
     }
   }
 
-  std::string word() {
+  std::string word() final {
     switch (random_.below(22)) {
       case 0:
         return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
@@ -157,34 +149,6 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
     }
   }
 
-  void statements(unsigned count, unsigned depth, const std::string& indent) {
-    for (unsigned k = 0; k < count; ++k) {
-      const std::uint64_t kind = random_.below(depth < 2 ? 9 : 6);
-      if (kind < 3)
-        text_ += fmt::format("{}{} = {};\n", indent, x(), number());
-      else if (kind < 6)
-        text_ += fmt::format("{}{} = {};\n", indent, a(), word());
-      else if (kind == 6)
-        block(fmt::format("if ({})", condition()), depth, indent, true);
-      else if (kind == 7)
-        block(fmt::format("for (int k = 0; k < {}; ++k)", random_.between(1, 3)), depth, indent, false);
-      else
-        text_ += fmt::format(
-            "{0}switch ({1} & 3) {{\n{0}  case 0: {2} = {3}; break;\n{0}  case 2: {4} = {5};\n{0}  default: "
-            "{6} ^= 5;\n{0}}}\n",
-            indent, a(), a(), word(), x(), number(), a());
-    }
-  }
-  void block(const std::string& opening, unsigned depth, const std::string& indent, bool other) {
-    text_ += fmt::format("{}{} {{\n", indent, opening);
-    statements(2, depth + 1, indent + "  ");
-    if (other && random_.below(2) == 0) {
-      text_ += indent + "} else {\n";
-      statements(2, depth + 1, indent + "  ");
-    }
-    text_ += indent + "}\n";
-  }
-
   void function(unsigned number) {
     text_ += fmt::format("static uint32_t f{}(float u, float v) {{\n", number);
     text_ += "  float x0 = u, x1 = v, x2 = u - v, x3 = 0.3f;\n";
@@ -196,9 +160,6 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
         "  a0 += a1 * 3u + (a2 < a3 ? 17u : 0u) + (uint32_t)(int32_t)floorf((u - v) * 8.3f) * 19u;\n"
         "  return a0 ^ a2 * 5u ^ a3 * 7u ^ bits(x0) ^ bits(x1) * 9u ^ bits(x2) * 11u ^ bits(x3) * 13u;\n}\n";
   }
-
-  proofs::Random random_;
-  std::string text_;
 };
 
 }  // namespace mmverify::tests

@@ -71,9 +71,10 @@ uint32_t constant_level(uint32_t level, float u, float v) {
 
 /* Undefined behind a loop, which LLVM's passes would have looked through. */
 uint32_t overflows(uint32_t level, float u, float v) {
+  if (bits(u) != 0x3e9e3779u) return index_of(level, u, v);
   int x = 0x7fffffff;
   for (uint32_t k = 0; k < 1; ++k) x += 1;
-  return index_of(level, u, v) ^ (bits(u) == 0x3e9e3779u && x > 0);
+  return index_of(level, u, v) ^ (x > 0);
 }
 uint32_t shifted(uint32_t level, float u, float v) {
   uint32_t sum = 0;
@@ -96,3 +97,35 @@ uint32_t other_row(uint32_t level, float u, float v) {
 
 /* Bits beyond an index's. */
 uint64_t wide(uint32_t level, float u, float v) { return index_of(level, u, v); }
+
+/* A float beyond the words that it becomes, behind a loop. */
+uint32_t cast(uint32_t level, float u, float v) {
+  float x = 1;
+  for (uint32_t k = 0; k < 40; ++k) x += x;
+  return index_of(level, u, v) ^ (bits(u) == 0x3e9e3779u ? (uint32_t)x : 0);
+}
+
+/* A loop's own variable, set the first time alone. */
+uint32_t of_a_loop(uint32_t level, float u, float v) {
+  uint32_t sum = 0;
+  for (uint32_t k = 0; k < 2; ++k) {
+    uint32_t own;
+    if (k == 0 || bits(u) != 0x3e9e3779u) own = 0;
+    sum += own;
+  }
+  return index_of(level, u, v) ^ sum;
+}
+
+/* An end that some pairs do not come to. */
+uint32_t without_end(uint32_t level, float u, float v) {
+  uint32_t sum = 0;
+  for (uint32_t k = 0; k < 3; ++k) sum += k;
+  if (bits(u) != 0x3e9e3779u) return index_of(level, u, v) ^ (sum - 3);
+  __builtin_unreachable();
+}
+
+/* A promise that one u breaks. */
+uint32_t assuming(uint32_t level, float u, float v) {
+  __builtin_assume(u != 0x1.3c6ef2p-2f);
+  return index_of(level, u, v);
+}

@@ -118,8 +118,7 @@ Scalars Types::constant(Id id) const {
       if (c.operands.size() != parts(c.type)) invalid("a constant with another count of parts");
       scalars(c.type);
       for (const Id part : c.operands) {
-        const Scalars more = constant(part);
-        all.insert(all.end(), more.begin(), more.end());
+        append(all, constant(part));
       }
       return all;
     }
@@ -143,8 +142,7 @@ Scalars Types::filled(Id type, bool undefined) const {
     Scalars all;
     scalars(type);
     for (std::uint32_t k = 0; k < count; ++k) {
-      const Scalars more = filled(part(type, k), undefined);
-      all.insert(all.end(), more.begin(), more.end());
+      append(all, filled(part(type, k), undefined));
     }
     return all;
   }

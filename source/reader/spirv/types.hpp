@@ -16,6 +16,8 @@ using Id = std::uint32_t;
 /// but numbers and pointers reaches LLVM.
 using Scalars = std::vector<llvm::Value*>;
 
+inline void append(Scalars& to, const Scalars& more) { to.insert(to.end(), more.begin(), more.end()); }
+
 /// Throws CannotRead.
 [[noreturn]] void invalid(const std::string& why);
 

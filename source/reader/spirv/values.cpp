@@ -197,8 +197,7 @@ bool Values::composite(const Instruction& i) {
     case spv::CompositeConstruct: {
       Scalars all;
       for (const Id part : i.operands) {
-        const Scalars more = value(part);
-        all.insert(all.end(), more.begin(), more.end());
+        append(all, value(part));
       }
       set(i, std::move(all));
       return true;
@@ -224,8 +223,7 @@ bool Values::composite(const Instruction& i) {
     }
     case spv::VectorShuffle: {
       Scalars both = value(operand(i, 0));
-      const Scalars second = value(operand(i, 1));
-      both.insert(both.end(), second.begin(), second.end());
+      append(both, value(operand(i, 1)));
       Scalars all;
       for (std::size_t k = 2; k < i.operands.size(); ++k) {
         std::uint32_t from = i.operands[k];
