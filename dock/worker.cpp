@@ -348,17 +348,25 @@ Reply Worker::ask(const Question& q) {
 }
 
 std::unique_ptr<Worker> Pool::take() {
-  QuestionCounts asked;
   {
     const std::lock_guard hold(lock_);
+    // The last one that this thread gave back, or else the last of all.
+    const auto own = std::find_if(idle_.rbegin(), idle_.rend(),
+                                  [](const Idle& idle) { return idle.by == std::this_thread::get_id(); });
     if (!idle_.empty()) {
-      const auto own = std::find_if(idle_.begin(), idle_.end(),
-                                    [](const Idle& idle) { return idle.by == std::this_thread::get_id(); });
-      const auto taken = own != idle_.end() ? own : idle_.end() - 1;
+      const auto taken = own != idle_.rend() ? own.base() - 1 : idle_.end() - 1;
       auto worker = std::move(taken->worker);
       idle_.erase(taken);
       return worker;
     }
+  }
+  return fresh();
+}
+
+std::unique_ptr<Worker> Pool::fresh() {
+  QuestionCounts asked;
+  {
+    const std::lock_guard hold(lock_);
     asked = asked_;
   }
   return std::make_unique<Worker>(library_, options_, std::move(asked));

@@ -146,6 +146,8 @@ class Pool {
   Pool(std::string library, const Options& options) : library_(std::move(library)), options_(options) {}
 
   std::unique_ptr<Worker> take();
+  /// A process that was asked nothing yet.
+  std::unique_ptr<Worker> fresh();
   void give_back(std::unique_ptr<Worker> worker);
   /// Ends one that did not answer.  A subject that crashes on a hundred cases is not asked the first ones of a worker in
   /// every way a hundred times.

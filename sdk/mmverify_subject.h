@@ -220,12 +220,14 @@ typedef struct mmverify_subject {
   uint32_t abi;     /* MMVERIFY_SUBJECT_ABI */
   uint32_t size;    /* sizeof(mmverify_subject) */
   const char* name; /* for messages; may be null */
-  uint32_t
-      max_level; /* the highest level it is defined at: of indices and attribute maps up to 16, of trees up to 12 */
+  /* The highest level it is defined at: of indices and attribute maps up to 16, of trees up to 12. Maps to maps go to 12
+   * whatever it says; bakers say theirs in bake_support and attribute_support. */
+  uint32_t max_level;
   uint32_t flags;
 
   /* Index of the micro-triangle that holds (u[k], v[k]), as VK_EXT_opacity_micromap has it: u belongs to the
-   * second vertex, v to the third. u, v >= 0; u+v <= 1, or an ulp over, as hits on the hypotenuse come. */
+   * second vertex, v to the third. u, v >= 0, -0 is 0; u+v <= 1, or up to 2^-23 over, as hits on the hypotenuse come: such
+   * a point is in the last micro-triangle of the row that holds v. */
   void (*index_f32)(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
   void (*index_f64)(uint32_t level, const double* u, const double* v, uint32_t* index, size_t count);
 
@@ -283,7 +285,7 @@ typedef struct mmverify_subject {
 
   /* The map of level + 1 in which four children have their parent's state, and of level - 1 in which a parent
    * is T or O if its children all are, otherwise, in 4-state, UO where two or more are O or UO, else UT; in
-   * 2-state O where two or more are. */
+   * 2-state O where two or more are. Level 0 has no level below, and is not asked. */
   void (*micromap_up)(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* above);
   void (*micromap_down)(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* below);
 
@@ -302,8 +304,8 @@ typedef struct mmverify_subject {
    *     below 16 or 32.
    *   - An encoder takes every map, O beside T included, and writes a whole block; one map has one block. It promises that
    *     what it writes is conservative: T and O stay or become C, and C stays. How much it keeps it promises with
-   *     MMVERIFY_VQ_KEEPS alone: then a map that some block holds whole is held whole, however few of the entries it
-   *     needs. Without that flag nothing is asked of how much is kept.
+   *     MMVERIFY_VQ_KEEPS alone, for all its encoders: then a map that some block holds whole is held whole, however few
+   *     of the entries it needs. Without that flag nothing is asked of how much is kept.
    *   - Each stands alone: what the block of an encoder means is found by the specification.
    */
   void (*vq2_decode)(const uint8_t* block, uint8_t* map);
@@ -405,7 +407,7 @@ typedef struct mmverify_subject {
    *     MMVERIFY_CANDIDATE_GEOMETRY_OPAQUE where the geometry was built so.
    *   - instance_flags[k] has Vulkan's and DXR's numbers: FORCE_OPAQUE 4, FORCE_NO_OPAQUE 8, force-2-state 16, micromaps
    *     disabled 32.  ray_flags[k] has SPIR-V's and DXR's: Opaque 1, NoOpaque 2, CullOpaque 64, CullNoOpaque 128,
-   *     force-2-state 1024.
+   *     force-2-state 1024.  No other bit is set in any of them.
    *   - `api` is MMVERIFY_EXT_PIPELINE, ...; the pipeline, the shader or the RayQuery is set up for micromaps wherever there
    *     is one.  Combinations that no API defines are asked of nobody: docs/TRAVERSE.md names them. */
   void (*traverse_decide)(uint32_t api, const uint32_t* candidate, const uint32_t* instance_flags,

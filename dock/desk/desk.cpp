@@ -110,7 +110,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
   const auto ask = [&](const Asked& what, Answers& mine) {
     mine.bytes = what.bytes;
     mine.first_address = mailbox_.asked_before;
-    mine.addresses = asked().signature.value_bytes == 1 ? 8 : 1;
+    mine.value_bytes = asked().signature.value_bytes;
     // Both begin at once: a batch takes less time than a thread's start, or than the way back from a yield.
     ++ready;
     for (int turns = 0; ready < 2; ++turns)
@@ -120,8 +120,8 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
       const auto end = Clock::now() + rounds.within;
       for (std::size_t k = 0; k < rounds.least || (k < rounds.most && Clock::now() < end); ++k) {
         Arguments own = what.arguments;
-        own.out = mine.rooms.emplace_back(what.bytes + 2 * Answers::margin, std::byte{blank_again}).data() +
-                  mine.place(k);
+        mine.rooms.emplace_back(what.bytes + 2 * (Answers::margin + Places::line), std::byte{blank_again});
+        own.out = mine.in_round(k);
         mine.sizes.push_back(call(subject_, mailbox_.call, own));
       }
     } catch (...) {
@@ -142,7 +142,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
 
 void Desk::ask_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
                             std::uint64_t element) {
-  for (const FromThreads answers = answers_from_threads(here, there, rounds); const Answers& one : answers) {
+  for (FromThreads answers = answers_from_threads(here, there, rounds); Answers & one : answers) {
     if (one.threw) stop(Outcome::threw, element, "when called from two threads at once");
     for (std::size_t round = 0; round < one.sizes.size(); ++round)
       (&one == answers.data() ? here : there).see(one.in_round(round), one.sizes[round]);

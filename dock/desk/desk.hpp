@@ -19,6 +19,29 @@
 
 namespace mmverify::dock {
 
+/// Where bytes are put that may lie anywhere: each address modulo 8, and each power of two up to a processor's line that
+/// a vector's load may want and no more.
+class Places {
+ public:
+  static constexpr std::size_t line = 64, count = 11;
+  /// Of numbers of so many bytes: at multiples of them.
+  explicit constexpr Places(std::size_t bytes) : bytes_(bytes) {}
+  /// Behind the first multiple of `line` of a room.  Offset 0 is 0.
+  constexpr std::size_t offset(std::size_t turn) const {
+    constexpr std::size_t all[count] = {0, 8, 1, 16, 2, 32, 3, 4, 5, 6, 7};
+    const std::size_t at = all[turn % count];
+    return at - at % bytes_;
+  }
+  /// The first multiple of `line` in it.  Domain: a room of `line` bytes more than are put there.
+  static std::byte* first(std::vector<std::byte>& room) {
+    const std::size_t behind = reinterpret_cast<std::uintptr_t>(room.data()) % line;
+    return room.data() + (behind == 0 ? 0 : line - behind);
+  }
+
+ private:
+  std::size_t bytes_;
+};
+
 class Desk {
  public:
   /// Domain: base is map()'s, subject is cannot_load()'s; the rounding and flush modes are those of a fresh
@@ -60,9 +83,10 @@ class Desk {
     std::vector<std::uint64_t> sizes;
     std::size_t bytes = 0;
     bool threw = false;
-    std::size_t first_address = 0, addresses = 1;  ///< answers of bytes lie at each address modulo 8 in turn
-    std::size_t place(std::size_t round) const { return margin + (first_address + round) % addresses; }
-    const std::byte* in_round(std::size_t round) const { return rooms[round].data() + place(round); }
+    std::size_t first_address = 0, value_bytes = 1;  ///< answers lie at each of Places in turn
+    std::byte* in_round(std::size_t round) {
+      return Places::first(rooms[round]) + margin + Places(value_bytes).offset(first_address + round);
+    }
   };
   using FromThreads = std::array<Answers, 2>;
   /// How often a thread asks: at least twice, and on for as long as this, up to so many times.
@@ -101,7 +125,7 @@ class Desk {
   void ask_slot_after_another_level(std::size_t slot, std::size_t most = batch_size);
   /// `other` is that level; an index is shifted to the right by so many bits.
   void ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits, std::size_t most);
-  /// Asks a batch again as often as fills a large one.
+  /// Asks a batch again as often as fills a large one; then two threads do, one of them the same turned by half of it.
   void ask_slot_many_times_over(std::size_t slot);
   /// Asks a batch again with its elements in another order: none may depend on its neighbours.
   void ask_slot_in_another_order(std::size_t slot);
@@ -113,7 +137,7 @@ class Desk {
   /// A map, a code or a case (blobs.cpp).
   void run_on_blob();
   Arguments whole(std::byte* out, std::uint64_t room) const;
-  /// The map or code at an odd address: it is bytes, and may lie anywhere, as texels of attributes may. A case of topic
+  /// The map or code at another of Places: it is bytes, and may lie anywhere, as texels of attributes may. A case of topic
   /// bake stays where it is, its texels are numbers.
   const std::uint8_t* blob_elsewhere();
   /// Where the map or code lies for a question's first call, and for its second.
@@ -126,9 +150,12 @@ class Desk {
   /// The same for a map, a code or a case.
   FromThreads blob_from_threads_first();
   /// Compares those with the answer of `size` bytes in its place, of which as many as `room` were asked for.
-  void compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size);
+  void compare_first(FromThreads& before, std::uint64_t room, std::uint64_t size);
   void encode(bool thorough);
   void answer(bool thorough);
+  /// Asks a map again right after its bytes were asked as another one's: of the other format, and of the level below.
+  /// Domain: it was taken, its answer is in its place and in again_.
+  void ask_blob_after_another(const std::uint8_t* blob);
   /// Both threads ask the question; then the other one asks an earlier one to the same entry point, where there is one.
   /// Domain: the answer of `size` bytes is in its place.
   void ask_blob_from_threads(std::uint64_t size);

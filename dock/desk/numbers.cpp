@@ -21,7 +21,7 @@ void Desk::run_on_numbers(std::uint64_t number) {
   if (first_at_this_level() && mailbox_.one_by_one == 0) first = slot_from_threads_first(0);
   for (std::size_t slot = 0; in_slot(mailbox_.count, slot) != 0; ++slot) call_slot(slot);
   if (mailbox_.one_by_one != 0) return;
-  for (const Answers& one : first)
+  for (Answers& one : first)
     if (!one.sizes.empty())
       compare(slot_answer(0), one.in_round(0), in_slot(mailbox_.count, 0), 0,
               "asked from two threads at once, the first time at this level");
@@ -149,9 +149,31 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
   a.count = odd_batch;
   a.out = again_.data();
   guarded(a, from);
+  const std::string how = "asked in a batch of " + std::to_string(odd_batch);
   for (std::size_t at = 0; at < odd_batch; at += count)
-    compare(slot_answer(slot), again_.data() + at * wide, std::min(count, odd_batch - at), from,
-            "asked in a batch of " + std::to_string(odd_batch));
+    compare(slot_answer(slot), again_.data() + at * wide, std::min(count, odd_batch - at), from, how);
+
+  // From threads; what the other one asks begins with the batch's second half.
+  const std::size_t half = count / 2;
+  std::vector<std::byte> turned_inputs[most_arrays], turned_answers = again_;
+  const auto turn = [=](std::vector<std::byte>& numbers, std::size_t width) {
+    std::rotate(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(half * width), numbers.end());
+  };
+  Arguments other = a;
+  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
+    turned_inputs[array] = inputs[array];
+    turn(turned_inputs[array], bytes);
+    other.arrays[array] = turned_inputs[array].data();
+  }
+  turn(turned_answers, wide);
+  const std::vector<std::byte> answers = again_;
+  const auto sees = [&](const std::vector<std::byte>& right) {
+    return [&, this](const std::byte* theirs, std::uint64_t) {
+      compare(right.data(), theirs, odd_batch, from, how + " from two threads at once");
+    };
+  };
+  ask_from_threads({a, odd_batch * wide, sees(answers)}, {other, odd_batch * wide, sees(turned_answers)}, {},
+                   from);
 }
 
 void Desk::ask_slot_in_another_order(std::size_t slot) {

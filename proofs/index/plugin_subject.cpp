@@ -159,17 +159,20 @@ class Questions {
 
   /// What a library fills at its first call of all, two threads may see half full: so that call is about all that it may
   /// fill, at its end first, and not about the one micro-triangle of level 0.  The worker asks it from two threads.
+  /// Tables are of some levels or of all: a process of its own is asked for each.
   void begin(Call call) const {
     std::call_once((*begun_)[static_cast<std::size_t>(call)], [&] {
-      const Level n = std::min(library_->description().max_level, first_level);
-      try {
-        if (dock::entry_point(call).signature.of_points)
-          ask_of_all_points(n, call);
-        else
-          ask_of_last_indices(n, call);
-      } catch (const dock::CaseBroken&) {
-        // The law that asks for this case says so.
-      }
+      const Level last = library_->description().max_level;
+      for (const Level n : {last, std::min(last, first_level)}) try {
+          library_->pool().give_back(library_->pool().fresh());
+          if (dock::entry_point(call).signature.of_points)
+            ask_of_all_points(n, call);
+          else
+            ask_of_last_indices(n, call);
+          const Borrowed of_no_more_use(library_->pool());
+        } catch (const dock::CaseBroken&) {
+          // The law that asks for this case says so.
+        }
     });
   }
 

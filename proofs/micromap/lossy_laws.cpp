@@ -84,9 +84,9 @@ void add(std::vector<Law>& laws, const Rule& rule) {
                              .says = rule.says,
                              .source = rule.source,
                              .subjects = rule.subjects,
-                             .fast = {2, 8},
+                             .fast = {2, 10},
                              .long_run = {2, 12},
-                             .fast_seconds = 1,
+                             .fast_seconds = 2,
                              .mutants = {changed(0, 2, 9), changed(1, 5, 1023), changed(2, 6, 2048)}},
                             {entry::substitute}, Maps::four_state, keeps(rule.pair)));
 }

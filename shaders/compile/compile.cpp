@@ -69,7 +69,8 @@ class Compiler {
     write_file(source, text);
     auto words = glslang(source);
     words.push_back("-E");
-    return printed_by(words, source);
+    // It needs less than a compiler; a file that includes itself fills all of it.
+    return printed_by(words, source, std::uint64_t{192} << 20);
   }
 
   /// SPIR-V's bytes; `name` is that of the module's file.
@@ -108,8 +109,9 @@ class Compiler {
   static std::string without_comments(const std::string& text) {
     return std::regex_replace(text, std::regex(R"(//[^\n]*|/\*(?:[^*]|\*(?!/))*\*/)"), " ");
   }
-  std::string printed_by(const std::vector<std::string>& words, const std::string& source) const {
-    const std::optional<ProgramEnd> end = ended(words);
+  std::string printed_by(const std::vector<std::string>& words, const std::string& source,
+                         std::uint64_t bytes_of_memory = std::uint64_t{1} << 30) const {
+    const std::optional<ProgramEnd> end = ended(words, bytes_of_memory);
     if (!end) {
       if (language_ == Language::slang)
         throw NotAvailable(

@@ -10,10 +10,11 @@ namespace mmverify::shaders {
 
 namespace fs = std::filesystem;
 
-std::optional<program::ProgramEnd> ended(const std::vector<std::string>& words) {
+std::optional<program::ProgramEnd> ended(const std::vector<std::string>& words,
+                                         std::uint64_t bytes_of_memory) {
   using std::chrono_literals::operator""s;
   try {
-    return program::run_program(words, {}, {}, {60s, std::uint64_t{1} << 30, std::uint64_t{64} << 20});
+    return program::run_program(words, {}, {}, {60s, bytes_of_memory, std::uint64_t{64} << 20});
   } catch (const program::NoProgram&) {
     return std::nullopt;
   }

@@ -1,6 +1,7 @@
 // Programs of others that make or read shaders.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,8 +11,10 @@
 
 namespace mmverify::shaders {
 
-/// None where there is no such program.  A compiler takes a second; a file that includes itself would keep it for ever.
-std::optional<program::ProgramEnd> ended(const std::vector<std::string>& words);
+/// None where there is no such program.  A compiler takes a second and some megabytes; a file that includes itself would
+/// keep it for ever.
+std::optional<program::ProgramEnd> ended(const std::vector<std::string>& words,
+                                         std::uint64_t bytes_of_memory = std::uint64_t{1} << 30);
 
 /// Errors: std::runtime_error that names the file.
 std::string contents_of(const std::string& file);

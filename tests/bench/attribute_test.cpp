@@ -11,7 +11,7 @@
 #include "bench/attribute/points.hpp"
 #include "impl/attribute/lookup.hpp"
 
-namespace {
+namespace bench_attribute_test {
 
 using namespace mmverify::bench;
 namespace fast = mmverify::impl::attribute;
@@ -105,4 +105,4 @@ TEST(BenchAttribute, RefusesWhatItCannotMeasure) {
   EXPECT_THROW(attribute_figures({.last = 17}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace bench_attribute_test

@@ -8,7 +8,7 @@
 #include "bench/bake/bench.hpp"
 #include "bench/bake/obvious.hpp"
 
-namespace {
+namespace bench_bake_test {
 
 using namespace mmverify::bench;
 using mmverify::impl::bake::AlphaView;
@@ -67,4 +67,4 @@ TEST(BenchBake, RefusesWhatItCannotMeasure) {
   EXPECT_THROW(bake_figures({.textures = "no/such/folder"}), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace bench_bake_test

@@ -24,7 +24,7 @@
 #include "bench/number_type.hpp"
 #include "impl/common/binary16.hpp"
 
-namespace {
+namespace bench_index_test {
 
 using namespace mmverify::bench;
 namespace spec = mmverify::spec;
@@ -328,4 +328,4 @@ TEST(BenchIndexErrors, RefusesLevelsAndSamplesThatMeanNothing) {
   EXPECT_THROW(index_errors({.samples = 1, .first = 3, .last = 17}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace bench_index_test

@@ -16,7 +16,7 @@
 #include "tests/sanitized.hpp"
 #include "tests/tree_cases.hpp"
 
-namespace {
+namespace bench_tree_test {
 
 using namespace mmverify::bench;
 using namespace mmverify::tests;
@@ -132,4 +132,4 @@ TEST(BenchTree, FiguresAreComplete) {
   EXPECT_THROW(tree_figures({.first = 4, .last = 4, .lookups = 0}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace bench_tree_test

@@ -8,7 +8,7 @@
 
 #include "bench/vq/bench.hpp"
 
-namespace {
+namespace bench_vq_test {
 
 using namespace mmverify::bench;
 
@@ -54,4 +54,4 @@ TEST(BenchVq, RefusesWhatItCannotMeasure) {
   EXPECT_THROW(vq_figures({.textures = "no/such/folder"}), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace bench_vq_test

@@ -5,7 +5,7 @@
 #include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
-namespace {
+namespace attribute_bake_plugin_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -146,5 +146,5 @@ TEST(AttributeBaker, built_before_there_were_bakers_it_has_none) {
   expect_complaint(judge("old_header", "attribute"), 4, "all its entry points are null");
 }
 
-}  // namespace
+}  // namespace attribute_bake_plugin_test
 }  // namespace mmverify::tests

@@ -5,7 +5,7 @@
 #include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
-namespace {
+namespace attribute_plugin_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -144,5 +144,5 @@ TEST(AttributeSubject, same_digest_as_ours) {
   EXPECT_FALSE(digests(ours).empty());
 }
 
-}  // namespace
+}  // namespace attribute_plugin_test
 }  // namespace mmverify::tests

@@ -5,7 +5,7 @@
 #include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
-namespace {
+namespace bake_plugin_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -197,5 +197,5 @@ TEST(BakeSubject, built_before_there_were_bakers_it_has_none) {
   expect_complaint(judge_bake("bake_old_header", "bake"), 4, "all its entry points are null");
 }
 
-}  // namespace
+}  // namespace bake_plugin_test
 }  // namespace mmverify::tests

@@ -58,7 +58,7 @@ endif()
 mmverify_add_part(misbehaving subjects/misbehaving.cpp)
 foreach(misbehaviour crash hang overrun underrun exits throws rounds counts_calls sees_batch sees_threads writes_input
     tie prints unwritten forks fills_memory opens_files writes_a_file prints_on starts_threads kills_parent
-    keeps_the_last counts_in_16_bits sees_order sees_addresses shares_a_buffer publishes_early fills_its_end_last keeps_parents crash_and_tie crash_at_5
+    keeps_the_last counts_in_16_bits sees_order sees_addresses shares_a_buffer publishes_early fills_its_end_last fills_level_16_last shares_a_large_buffer keeps_parents crash_and_tie crash_at_5
     crash_on_all)
   mmverify_add_wrong(${misbehaviour} ${misbehaviour} misbehaving)
 endforeach()
@@ -70,21 +70,19 @@ foreach(fault 0 1 2)
   mmverify_add_subject(fault_${fault} subjects/no_subject.c FAULT=${fault})
 endforeach()
 
+mmverify_add_room(subjects_tests large_batches_test tree_plugin_test vq_plugin_test traverse_plugin_test attribute_plugin_test
+  attribute_bake_plugin_test bake_plugin_test LIBRARIES mmverify::proofs)
+target_compile_definitions(subjects_tests PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
+add_dependencies(subjects_tests mmverify mmverify-worker)
+set(judged_by subjects_tests)
+
 # Those that are called with many thousand elements at once.
-mmverify_add_test(large_batches_test)
-target_compile_definitions(large_batches_test PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
-add_dependencies(large_batches_test mmverify mmverify-worker)
-set(judged_by large_batches_test)
 foreach(kind RIGHT SEES_BATCH CRASHES NOT_HERE UNWRITTEN)
   mmverify_add_subject(large_batches_${kind} subjects/large_batches.cpp KIND=${kind})
   target_link_libraries(subject_large_batches_${kind} PRIVATE mmverify::impl)
 endforeach()
 
 # The same of maps and codes: the example of a tree, and what it is when one thing is wrong.
-mmverify_add_test(tree_plugin_test)
-target_compile_definitions(tree_plugin_test PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
-add_dependencies(tree_plugin_test mmverify mmverify-worker)
-set(judged_by tree_plugin_test)
 set(tree_example ${PROJECT_SOURCE_DIR}/examples/subject_tree/subject_tree.c)
 mmverify_add_subject(tree_example ${tree_example})
 if(NOT MMVERIFY_SANITIZE)
@@ -104,7 +102,8 @@ foreach(wrong merges_ut children_reversed takes_all refuses_its_own has_no_code 
   mmverify_add_wrong(tree_${wrong} ${wrong} wrong_tree right_tree)
 endforeach()
 mmverify_add_part(several subjects/several.cpp)
-foreach(wrong nothing old_header keeps_padding merges_ut_with_t promises_opaque reads_past_map leaves_unwritten)
+foreach(wrong nothing old_header keeps_padding merges_ut_with_t promises_opaque reads_past_map leaves_unwritten loads_at_16
+    keeps_without_format)
   mmverify_add_wrong(several_${wrong} ${wrong} several right_tree mmverify::impl)
 endforeach()
 
@@ -114,10 +113,6 @@ target_compile_definitions(worker_place_test PRIVATE MMVERIFY_SUBJECTS="${subjec
 add_dependencies(worker_place_test mmverify-worker subject_tree_example)
 
 # And of square maps and their blocks.
-mmverify_add_test(vq_plugin_test)
-target_compile_definitions(vq_plugin_test PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
-add_dependencies(vq_plugin_test mmverify mmverify-worker)
-set(judged_by vq_plugin_test)
 set(vq_example ${PROJECT_SOURCE_DIR}/examples/subject_vq/subject_vq.c)
 mmverify_add_subject(vq_example ${vq_example})
 mmverify_add_part(right_vq ${vq_example} mmverify_subject_v1=right_vq)
@@ -128,10 +123,6 @@ foreach(wrong y_downwards turns_the_other_way last_region_of_br opaque_for_trans
 endforeach()
 
 # And of traversal.
-mmverify_add_test(traverse_plugin_test)
-target_compile_definitions(traverse_plugin_test PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
-add_dependencies(traverse_plugin_test mmverify mmverify-worker)
-set(judged_by traverse_plugin_test)
 set(traverse_example ${PROJECT_SOURCE_DIR}/examples/subject_traverse/subject_traverse.c)
 mmverify_add_subject(traverse_example ${traverse_example})
 mmverify_add_part(right_traverse ${traverse_example} mmverify_subject_v1=right_traverse)
@@ -143,10 +134,6 @@ foreach(wrong instance_after_ray khr_query_forgets_2_state opaque_fills_holes ou
 endforeach()
 
 # And of attribute maps.
-mmverify_add_test(attribute_plugin_test)
-target_compile_definitions(attribute_plugin_test PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
-add_dependencies(attribute_plugin_test mmverify mmverify-worker)
-set(judged_by attribute_plugin_test)
 set(attribute_example ${PROJECT_SOURCE_DIR}/examples/subject_attribute/subject_attribute.c)
 mmverify_add_subject(attribute_example ${attribute_example})
 mmverify_add_part(right_attribute ${attribute_example} mmverify_subject_v1=right_attribute)
@@ -158,10 +145,6 @@ foreach(wrong bird_vertex_twice w_minor_row_turned curve_as_rows half_is_2 figur
 endforeach()
 
 # And of their bakers.
-mmverify_add_test(attribute_bake_plugin_test)
-target_compile_definitions(attribute_bake_plugin_test PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
-add_dependencies(attribute_bake_plugin_test mmverify mmverify-worker)
-set(judged_by attribute_bake_plugin_test)
 set(attribute_bake_example ${PROJECT_SOURCE_DIR}/examples/subject_attribute_bake/subject_attribute_bake.c)
 mmverify_add_subject(attribute_bake_example ${attribute_bake_example})
 target_link_libraries(subject_attribute_bake_example PRIVATE m)
@@ -174,10 +157,6 @@ foreach(wrong srgb_as_codes black_border mirror_repeats wraps_exchanged centres_
 endforeach()
 
 # And of bakers.
-mmverify_add_test(bake_plugin_test)
-target_compile_definitions(bake_plugin_test PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
-add_dependencies(bake_plugin_test mmverify mmverify-worker)
-set(judged_by bake_plugin_test)
 set(bake_example ${PROJECT_SOURCE_DIR}/examples/subject_bake/subject_bake.c)
 mmverify_add_subject(bake_example ${bake_example})
 target_link_libraries(subject_bake_example PRIVATE m)

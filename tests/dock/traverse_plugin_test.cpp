@@ -5,7 +5,7 @@
 #include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
-namespace {
+namespace traverse_plugin_test {
 
 using testing::HasSubstr;
 
@@ -142,5 +142,5 @@ TEST(TraverseSubject, built_before_there_were_decisions_it_has_none) {
   expect_complaint(judge_traverse("traverse_old_header", "traverse"), 4, "all its entry points are null");
 }
 
-}  // namespace
+}  // namespace traverse_plugin_test
 }  // namespace mmverify::tests

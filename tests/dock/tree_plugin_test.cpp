@@ -5,7 +5,7 @@
 #include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
-namespace {
+namespace tree_plugin_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -133,6 +133,11 @@ INSTANTIATE_TEST_SUITE_P(
         TreeMisbehaviour{"tree_point_throws", point, "threw an exception: no such point", at_point},
         TreeMisbehaviour{"several_reads_past_map", "micromap.up", out_of_tree_input,
                          "one level up from 4-state:"},
+        TreeMisbehaviour{"several_loads_at_16", "micromap.force2", "threw an exception: no multiple of 16",
+                         "force-2-state of 4-state:"},
+        TreeMisbehaviour{"several_keeps_without_format", "micromap.down",
+                         "asked after the same bytes in the other format: byte 0 was 2, then 1",
+                         "one level down from 4-state:"},
         TreeMisbehaviour{"several_leaves_unwritten", "micromap.packing", "left its output unwritten",
                          "unpacking 2-state:0110"}),
     [](const auto& info) { return std::string(info.param.name); });
@@ -231,5 +236,5 @@ TEST(Several, same_digest_for_any_number_of_threads_and_as_ours) {
   EXPECT_EQ(digest(one), digest(shell(law + "tree-stream")));
 }
 
-}  // namespace
+}  // namespace tree_plugin_test
 }  // namespace mmverify::tests

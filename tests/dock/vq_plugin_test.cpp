@@ -5,7 +5,7 @@
 #include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
-namespace {
+namespace vq_plugin_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -126,5 +126,5 @@ TEST(VqSubject, same_digest_as_ours) {
   EXPECT_EQ(digest(theirs), digest(ours));
 }
 
-}  // namespace
+}  // namespace vq_plugin_test
 }  // namespace mmverify::tests

@@ -23,7 +23,7 @@
 #include "tests/impl/every_target.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace impl_attribute_bake_test {
 
 namespace fast = mmverify::impl::attribute;
 namespace slow = mmverify::spec::attribute;
@@ -429,4 +429,4 @@ TEST(ImplAttributePlan, EqualMapsAreStoredOnce) {
   EXPECT_EQ(shared.bytes(), 5u);
 }
 
-}  // namespace
+}  // namespace impl_attribute_bake_test

@@ -8,7 +8,7 @@
 
 #include "impl/attribute/compress.hpp"
 
-namespace {
+namespace impl_attribute_compress_test {
 
 using namespace mmverify::impl::attribute;
 using Bytes = std::vector<std::uint8_t>;
@@ -100,4 +100,4 @@ TEST(AttributePackedEntropy, OfWhatIsKnown) {
   EXPECT_NEAR(residual_entropy({.level = 1, .channels = 1, .maps = 4}, codes), roots + levels, 1e-9);
 }
 
-}  // namespace
+}  // namespace impl_attribute_compress_test

@@ -7,7 +7,7 @@
 
 #include "impl/attribute/container.hpp"
 
-namespace {
+namespace impl_attribute_container_test {
 
 using namespace mmverify::impl::attribute;
 using Bytes = std::vector<std::uint8_t>;
@@ -169,4 +169,4 @@ TEST(AttributeFile, IsNotWrittenOfWhatDoesNotGoTogether) {
   });
 }
 
-}  // namespace
+}  // namespace impl_attribute_container_test

@@ -10,7 +10,7 @@
 #include "spec/fixed.hpp"
 
 namespace mmverify::impl::attribute {
-namespace {
+namespace impl_attribute_decimation_test {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                 infinite = std::numeric_limits<float>::infinity();
@@ -107,5 +107,5 @@ TEST(ImplDecimation, reproduces_linear_functions_an_ulp_outside) {
       }
 }
 
-}  // namespace
+}  // namespace impl_attribute_decimation_test
 }  // namespace mmverify::impl::attribute

@@ -14,7 +14,7 @@
 #include "tests/impl/every_target.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace impl_attribute_lookup_test {
 
 namespace fast = mmverify::impl::attribute;
 using fast::VertexOrder;
@@ -153,4 +153,4 @@ TEST(ImplAttributeLookup, spans_of_two_lengths_and_maps_of_another_level_are_ref
   EXPECT_EQ(out, std::vector<std::uint32_t>(3, 77));
 }
 
-}  // namespace
+}  // namespace impl_attribute_lookup_test

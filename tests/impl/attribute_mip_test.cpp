@@ -10,7 +10,7 @@
 #include "spec/attribute/mip.hpp"
 
 namespace mmverify::impl::attribute {
-namespace {
+namespace impl_attribute_mip_test {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                 infinite = std::numeric_limits<float>::infinity();
@@ -126,5 +126,5 @@ TEST(ImplLod, spans_are_the_same) {
   EXPECT_THROW(lod_level(cone, std::span(triangle).first(3), 5, levels), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace impl_attribute_mip_test
 }  // namespace mmverify::impl::attribute

@@ -12,7 +12,7 @@
 #include "tests/impl/every_target.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace impl_attribute_order_test {
 
 namespace fast = mmverify::impl::attribute;
 namespace spec = mmverify::spec::attribute;
@@ -163,4 +163,4 @@ TEST(ImplAttributeOrder, spans_of_two_lengths_are_refused_and_nothing_is_written
   EXPECT_EQ(two, (Words{77, 77}));
 }
 
-}  // namespace
+}  // namespace impl_attribute_order_test

@@ -14,7 +14,7 @@
 #include "spec/bake/state.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace impl_bake_cells_test {
 
 namespace spec = mmverify::spec::bake;
 using namespace mmverify::impl::bake;
@@ -234,4 +234,4 @@ TEST(ImplBakeCells, ContoursThroughCornersAndAlongEdgesAreExact) {
   }
 }
 
-}  // namespace
+}  // namespace impl_bake_cells_test

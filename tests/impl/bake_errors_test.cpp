@@ -8,7 +8,7 @@
 
 #include "tests/impl/bake_jobs.hpp"
 
-namespace {
+namespace impl_bake_errors_test {
 
 using namespace mmverify::tests;
 
@@ -62,4 +62,4 @@ TEST(ImplBakeErrors, NameWhatIsWrong) {
               "bake: a texture has 1 to 16384 texels along each side");
 }
 
-}  // namespace
+}  // namespace impl_bake_errors_test

@@ -10,7 +10,7 @@
 #include "spec/bake/texture.hpp"
 #include "spec/rational.hpp"
 
-namespace {
+namespace impl_bake_parts_test {
 
 namespace spec = mmverify::spec::bake;
 using namespace mmverify::impl::bake;
@@ -83,4 +83,4 @@ TEST(ImplBakeWrap, TexelsAndRunsAreTheSpecifications) {
       }
 }
 
-}  // namespace
+}  // namespace impl_bake_parts_test

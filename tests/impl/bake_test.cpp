@@ -13,7 +13,7 @@
 #include "impl/bake/square/map.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace impl_bake_test {
 
 namespace spec = mmverify::spec::bake;
 using namespace mmverify::impl::bake;
@@ -298,4 +298,4 @@ TEST(ImplBake, RefusesWhatIsOutside) {
   EXPECT_THROW(triangle_map(view, all, {}, 2, states), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace impl_bake_test

@@ -17,7 +17,7 @@
 #include "spec/bake/state.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace impl_bake_triangles_test {
 
 namespace spec = mmverify::spec::bake;
 using namespace mmverify::impl::bake;
@@ -440,4 +440,4 @@ TEST(ImplBakeTriangles, RefusesWhatIsNone) {
   EXPECT_THROW(TriangleBaker(picture.view(), {1, 0}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace impl_bake_triangles_test

@@ -14,7 +14,7 @@
 #include "spec/rational.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace impl_binary16_test {
 
 namespace spec = mmverify::spec;
 using mmverify::impl::Binary16;
@@ -150,4 +150,4 @@ TEST(Binary16, RunsTheSpecification) {
   }
 }
 
-}  // namespace
+}  // namespace impl_binary16_test

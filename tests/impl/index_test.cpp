@@ -25,7 +25,7 @@
 #include "tests/impl/every_target.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace impl_index_test {
 
 namespace fast = mmverify::impl::index;
 namespace spec = mmverify::spec;
@@ -416,4 +416,4 @@ TEST(ImplIndex, RowCornerBatchesSurviveEveryPerfectSquare) {
   });
 }
 
-}  // namespace
+}  // namespace impl_index_test

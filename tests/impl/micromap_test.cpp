@@ -12,7 +12,7 @@
 #include "spec/micromap/lossy.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace impl_micromap_test {
 
 namespace fast = mmverify::impl::micromap;
 namespace slow = mmverify::spec::micromap;
@@ -344,4 +344,4 @@ TEST(ImplMicromap, RefusesMapsThatAreNone) {
                std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace impl_micromap_test

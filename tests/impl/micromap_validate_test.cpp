@@ -10,7 +10,7 @@
 #include "fuzz/micromap_both.hpp"
 #include "spec/micromap/array.hpp"
 
-namespace {
+namespace impl_micromap_validate_test {
 
 using namespace mmverify::spec::micromap;
 using mmverify::fuzz::micromap::to_slow;
@@ -477,4 +477,4 @@ TEST(MicromapValidate, AViolationIsOneLine) {
   }
 }
 
-}  // namespace
+}  // namespace impl_micromap_validate_test

@@ -7,7 +7,7 @@
 #include "impl/traverse/blend.hpp"
 #include "impl/traverse/decision.hpp"
 
-namespace {
+namespace impl_traverse_test {
 
 using namespace mmverify::impl::traverse;
 
@@ -46,4 +46,4 @@ TEST(ImplTraverse, IgnoresOtherBits) {
       }
 }
 
-}  // namespace
+}  // namespace impl_traverse_test

@@ -14,7 +14,7 @@
 #include "impl/tree/tree.hpp"
 #include "tests/tree_cases.hpp"
 
-namespace {
+namespace impl_tree_malformed_test {
 
 using namespace mmverify::impl::tree;
 using namespace mmverify::tests;
@@ -135,4 +135,4 @@ TEST(ImplTree, RefusesLevelsAndSizesThatMeanNothing) {
   EXPECT_THROW(lookup(trees, zeros, zeros, out), std::invalid_argument) << "a tree beyond the last";
 }
 
-}  // namespace
+}  // namespace impl_tree_malformed_test

@@ -22,7 +22,7 @@
 #include "tests/sanitized.hpp"
 #include "tests/tree_cases.hpp"
 
-namespace {
+namespace impl_tree_test {
 
 using namespace mmverify::impl::tree;
 using namespace mmverify::tests;
@@ -400,4 +400,4 @@ TEST(ImplTree, LevelTwelveOfRuns) {
     }
 }
 
-}  // namespace
+}  // namespace impl_tree_test

@@ -11,7 +11,7 @@
 #include "tests/sanitized.hpp"
 #include "tests/vq_cases.hpp"
 
-namespace {
+namespace impl_vq2_test {
 
 namespace spec = mmverify::spec::vq;
 using namespace mmverify::impl::vq;
@@ -217,4 +217,4 @@ TEST(ImplVq2, IsTheOptimum) {
   }
 }
 
-}  // namespace
+}  // namespace impl_vq2_test

@@ -14,7 +14,7 @@
 #include "tests/sanitized.hpp"
 #include "tests/vq_cases.hpp"
 
-namespace {
+namespace impl_vq4_encode_test {
 
 namespace spec = mmverify::spec::vq;
 using namespace mmverify::impl::vq;
@@ -298,4 +298,4 @@ TEST(ImplVq4Encode, CountsVectorsThatAreNotContinuous) {
   EXPECT_EQ(discontinuous_vectors(small), 1u);
 }
 
-}  // namespace
+}  // namespace impl_vq4_encode_test

@@ -7,7 +7,7 @@
 #include "spec/vq/block.hpp"
 #include "tests/impl/every_target.hpp"
 
-namespace {
+namespace impl_vq4_test {
 
 namespace spec = mmverify::spec::vq;
 using namespace mmverify::impl::vq;
@@ -50,4 +50,4 @@ TEST(ImplVq4, DecodesEveryBitOfEveryEntry) {
       }
 }
 
-}  // namespace
+}  // namespace impl_vq4_test

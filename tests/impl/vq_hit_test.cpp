@@ -10,7 +10,7 @@
 #include "spec/vq/block.hpp"
 #include "tests/vq_cases.hpp"
 
-namespace {
+namespace impl_vq_hit_test {
 
 namespace spec = mmverify::spec::vq;
 using namespace mmverify::impl::vq;
@@ -69,4 +69,4 @@ TEST(ImplVqHit, OutsideTheTriangleIsSomeRegion) {
       EXPECT_LE(static_cast<int>(state_at(block, half, u, 0.5f)), 2);
 }
 
-}  // namespace
+}  // namespace impl_vq_hit_test

@@ -15,7 +15,7 @@
 #include "tests/sanitized.hpp"
 #include "tests/vq_cases.hpp"
 
-namespace {
+namespace impl_vq_paper_test {
 
 namespace vq = mmverify::impl::vq;
 using mmverify::spec::vq::applied, mmverify::spec::vq::uniform;
@@ -432,4 +432,4 @@ TEST(ImplVqPaper, AlgorithmTwoByHandWithoutAllC) {
   EXPECT_EQ(vq::encode_paper_free_c(map).substitutions, 2u);
 }
 
-}  // namespace
+}  // namespace impl_vq_paper_test

@@ -13,7 +13,7 @@
 #include "proofs/registry.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace attribute_induction_test {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::attribute;
@@ -175,4 +175,4 @@ TEST(AttributeLaws, AreAboutTheSpecification) {
   }
 }
 
-}  // namespace
+}  // namespace attribute_induction_test

@@ -15,7 +15,7 @@
 #include "tests/sanitized.hpp"
 
 namespace mmverify::proofs::bake {
-namespace {
+namespace bake_diagnosis_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -142,5 +142,5 @@ TEST(BakeDiagnosis, ProperErrorsAreShownBeforeTies) {
   EXPECT_THAT(shown(below), HasSubstr("below the cutoff"));
 }
 
-}  // namespace
+}  // namespace bake_diagnosis_test
 }  // namespace mmverify::proofs::bake

@@ -7,7 +7,7 @@
 #include "proofs/bake/truth/truth.hpp"
 
 namespace mmverify::proofs::bake {
-namespace {
+namespace bake_edge_samples_test {
 
 constexpr std::size_t draws = 200;
 constexpr Level level = 2;
@@ -60,5 +60,5 @@ TEST(BakeEdgeSamples, ACutoffIsCrossedWithinAnEdge) {
   EXPECT_LT(crests, 3 * draws / 4);
 }
 
-}  // namespace
+}  // namespace bake_edge_samples_test
 }  // namespace mmverify::proofs::bake

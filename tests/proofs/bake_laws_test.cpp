@@ -22,7 +22,7 @@
 #include "proofs/registry.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace bake_laws_test {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::bake;
@@ -443,4 +443,4 @@ TEST(BakeLaws, WhatIsDeclinedIsCountedAndNeverProved) {
   EXPECT_EQ(judged("bake.conservative", BakeSubject("wrong", "wrong", parts), 0).verdict, Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace bake_laws_test

@@ -15,7 +15,7 @@
 #include "tests/sanitized.hpp"
 
 namespace mmverify::proofs::bake {
-namespace {
+namespace bake_support_test {
 
 Set only(auto... values) { return Set((0u | ... | (1u << static_cast<unsigned>(values)))); }
 
@@ -260,5 +260,5 @@ TEST(BakeRules, StandInTheText) {
   EXPECT_THROW(case_from("texels=u8:1x1:80,wrap=clamp:clamp,cutoff=1/2,slack=-1,uv=0:0:1:0:0:1"), BadCase);
 }
 
-}  // namespace
+}  // namespace bake_support_test
 }  // namespace mmverify::proofs::bake

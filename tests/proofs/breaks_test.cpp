@@ -14,7 +14,7 @@
 #include "proofs/kinds.hpp"
 #include "tests/folder.hpp"
 
-namespace {
+namespace breaks_test {
 
 using namespace mmverify::proofs;
 using testing::ElementsAre;
@@ -171,4 +171,4 @@ TEST_F(BrokenCases, AreAskedAgainByTheRunThatGoesOn) {
   EXPECT_LT(asked, 200u) << "the rest is in the journal";
 }
 
-}  // namespace
+}  // namespace breaks_test

@@ -12,7 +12,7 @@
 #include "proofs/index/grid/point.hpp"
 #include "proofs/kinds.hpp"
 
-namespace {
+namespace index_cells_test {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::index;
@@ -150,4 +150,4 @@ TEST(Cells, TheLastCellsOfLevel16) {
   EXPECT_EQ(last[0], (Visited{cells.size() - 3, 0, (4 << 16) - 2, Kind::edge}));
 }
 
-}  // namespace
+}  // namespace index_cells_test

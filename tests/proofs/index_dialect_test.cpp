@@ -19,7 +19,7 @@
 #include "tests/sanitized.hpp"
 
 namespace mmverify::proofs {
-namespace {
+namespace index_dialect_test {
 
 using testing::Contains;
 using testing::Not;
@@ -208,5 +208,5 @@ TEST(Prose, EndsAtTheOtherEnd) {
   }
 }
 
-}  // namespace
+}  // namespace index_dialect_test
 }  // namespace mmverify::proofs

@@ -7,7 +7,7 @@
 #include "proofs/index/options.hpp"
 #include "tests/proofs/every_law.hpp"
 
-namespace {
+namespace index_laws_test {
 
 using namespace mmverify::tests;
 
@@ -71,4 +71,4 @@ TEST_P(IndexLaw, LeavesTheLinesOutWhereAsked) {
   EXPECT_NE(r.domain, all.domain);
 }
 
-}  // namespace
+}  // namespace index_laws_test

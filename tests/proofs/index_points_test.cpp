@@ -19,7 +19,7 @@
 #include "proofs/index/grid/point.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 
-namespace {
+namespace index_points_test {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::index;
@@ -448,4 +448,4 @@ TEST(ExactFloat, FixedPointHoldsTheFloatItWasMadeFrom) {
   EXPECT_FALSE(fits<Fixed256>(dyadic(0x1.000002p1f)) || fits<Fixed256>(dyadic(0x1p-151)));
 }
 
-}  // namespace
+}  // namespace index_points_test

@@ -9,7 +9,7 @@
 #include "proofs/tree/damages.hpp"
 #include "proofs/tree/maps.hpp"
 
-namespace {
+namespace micromap_laws_test {
 
 using namespace mmverify::proofs;
 
@@ -125,4 +125,4 @@ TEST(MicromapLaws, ConstructedCodesMeanWhatTheSpecificationReads) {
   EXPECT_GT(taken, 300u);
 }
 
-}  // namespace
+}  // namespace micromap_laws_test

@@ -15,7 +15,7 @@
 #include "proofs/induction/statement.hpp"
 #include "proofs/induction/symbolic.hpp"
 
-namespace {
+namespace operators_test {
 
 using namespace mmverify::proofs::induction;
 
@@ -205,4 +205,4 @@ TEST(Operators, that_are_others_are_seen) {
   EXPECT_EQ(rounding.asked(), Answer::sat);
 }
 
-}  // namespace
+}  // namespace operators_test

@@ -8,7 +8,7 @@
 #include "proofs/induction/prover.hpp"
 
 namespace mmverify::proofs::index::source {
-namespace {
+namespace source_statements_test {
 
 using induction::Answer;
 using induction::ask_words;
@@ -88,5 +88,5 @@ TEST(SourceStatements, AreProvedOfWhatIsRightAndNotOfWhatIsWrong) {
   EXPECT_EQ(undefined.values.at(claimed_cause(0)), 1u);
 }
 
-}  // namespace
+}  // namespace source_statements_test
 }  // namespace mmverify::proofs::index::source

@@ -8,7 +8,7 @@
 #include "proofs/registry.hpp"
 #include "proofs/traverse/combinations.hpp"
 
-namespace {
+namespace traverse_laws_test {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::traverse;
@@ -65,4 +65,4 @@ TEST(TraverseLaws, HaveAsManyCasesAsTheirDomainsSay) {
   EXPECT_EQ(cases("traverse.blend_before_closest"), 9u * 3 * 2 * (2 + 4 * 4 + 6 * 6 * 6 + 8 * 8 * 8 * 8));
 }
 
-}  // namespace
+}  // namespace traverse_laws_test

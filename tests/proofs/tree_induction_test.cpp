@@ -14,7 +14,7 @@
 #include "proofs/tree/induction/provable.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace tree_induction_test {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::tree;
@@ -219,4 +219,4 @@ TEST(TreeDefinitions, MeanTheMapDigitByDigit) {
   }
 }
 
-}  // namespace
+}  // namespace tree_induction_test

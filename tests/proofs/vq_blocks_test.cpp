@@ -11,7 +11,7 @@
 #include "proofs/vq/slipping_decoder.hpp"
 #include "tests/sanitized.hpp"
 
-namespace {
+namespace vq_blocks_test {
 
 using namespace mmverify::proofs::vq;
 using mmverify::proofs::Random;
@@ -281,4 +281,4 @@ TYPED_TEST(VqBlocks, TheSlippingDecoderIsRightButForItsSlip) {
   }
 }
 
-}  // namespace
+}  // namespace vq_blocks_test

@@ -12,7 +12,7 @@
 #include "proofs/vq/maps.hpp"
 #include "proofs/vq/texts.hpp"
 
-namespace {
+namespace vq_laws_test {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::vq;
@@ -140,4 +140,4 @@ TEST(VqLeast, OfMapsWorkedByHand) {
   EXPECT_EQ(least_substitutions(map), 4u);
 }
 
-}  // namespace
+}  // namespace vq_laws_test

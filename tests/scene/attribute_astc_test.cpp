@@ -18,7 +18,7 @@
 #include "tests/environment.hpp"
 #include "tests/folder.hpp"
 
-namespace {
+namespace scene_attribute_astc_test {
 
 using namespace mmverify::scene;
 using mmverify::bench::astc_blocks;
@@ -447,4 +447,4 @@ TEST(AstcEncoder, OfTheAvocadoReachesTheErrorsOfItsMaps) {
     EXPECT_EQ(bytes_at_error(sizes, maps.error.flip.value()).where, AmongSizes::within);
 }
 
-}  // namespace
+}  // namespace scene_attribute_astc_test

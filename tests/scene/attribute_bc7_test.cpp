@@ -14,7 +14,7 @@
 #include "tests/environment.hpp"
 #include "tests/folder.hpp"
 
-namespace {
+namespace scene_attribute_bc7_test {
 
 using namespace mmverify::scene;
 using mmverify::bench::bc7_block;
@@ -121,4 +121,4 @@ TEST(Bc7Encoder, ErrorsAreThoseThatItTellsOfItself) {
   EXPECT_NEAR(rmse, std::stod(told[1]), 2e-6);
 }
 
-}  // namespace
+}  // namespace scene_attribute_bc7_test

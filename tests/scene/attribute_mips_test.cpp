@@ -10,7 +10,7 @@
 #include "scene/attribute/mip_errors.hpp"
 #include "scene/attribute/picture.hpp"
 
-namespace {
+namespace scene_attribute_mips_test {
 
 using namespace mmverify::scene;
 using testing::DoubleNear;
@@ -270,4 +270,4 @@ TEST(MipErrors, StopWhereTheyAreTold) {
   EXPECT_EQ(asked, 2u);
 }
 
-}  // namespace
+}  // namespace scene_attribute_mips_test

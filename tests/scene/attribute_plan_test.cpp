@@ -7,7 +7,7 @@
 
 #include "scene/attribute/planned_maps.hpp"
 
-namespace {
+namespace scene_attribute_plan_test {
 
 using namespace mmverify::scene;
 
@@ -214,4 +214,4 @@ TEST(PlannedMaps, RefuseWhatIsOutsideTheirDomain) {
   EXPECT_THROW(planned_maps(scene, stopped, std::vector{1.0}), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace scene_attribute_plan_test

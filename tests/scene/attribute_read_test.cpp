@@ -9,7 +9,7 @@
 #include "scene/write/png.hpp"
 #include "tests/scene/gltf_file.hpp"
 
-namespace {
+namespace scene_attribute_read_test {
 
 using namespace mmverify::scene;
 using namespace mmverify::tests;
@@ -119,4 +119,4 @@ TEST(AttributeRead, TheSuitesOwnSceneHasColours) {
   EXPECT_GT(figures.sets.at(0).triangles, 0u);
 }
 
-}  // namespace
+}  // namespace scene_attribute_read_test

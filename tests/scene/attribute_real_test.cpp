@@ -7,7 +7,7 @@
 #include "scene/attribute/measure.hpp"
 #include "scene/read/bad_scene.hpp"
 
-namespace {
+namespace scene_attribute_real_test {
 
 using namespace mmverify::scene;
 
@@ -98,4 +98,4 @@ TEST(RealAttributesMissing, AreNamed) {
   }
 }
 
-}  // namespace
+}  // namespace scene_attribute_real_test

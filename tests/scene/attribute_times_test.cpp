@@ -11,7 +11,7 @@
 #include "bench/scene/texture_sample.hpp"
 #include "scene/attribute/measure.hpp"
 
-namespace {
+namespace scene_attribute_times_test {
 
 using namespace mmverify::scene;
 using mmverify::bench::along_surfaces;
@@ -208,4 +208,4 @@ TEST(AttributeTimer, HasARowForEachWay) {
   EXPECT_EQ(timer.times().size(), rows.size());
 }
 
-}  // namespace
+}  // namespace scene_attribute_times_test

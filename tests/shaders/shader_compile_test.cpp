@@ -11,6 +11,7 @@
 #include "shaders/compile/snippet.hpp"
 #include "shaders/compile/tools.hpp"
 #include "tests/dock/plugin.hpp"
+#include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
 namespace {
@@ -189,6 +190,7 @@ layout(std430, set = 0, binding = 3) writeonly buffer Out { uint answer[]; };
 }
 
 TEST_F(ShaderFile, that_wants_what_nobody_gives_is_refused_by_name) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   if (!is_here({"spirv-cross", "--help"})) GTEST_SKIP() << "no spirv-cross (Debian: spirv-cross)";
   struct {
     const char *name, *declares, *does, *complaint;
@@ -279,6 +281,7 @@ TEST_F(ShaderFile, in_spirv_has_one_compute_shader_that_is_called) {
 }
 
 TEST_F(ShaderFile, is_asked_only_what_it_answers) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::string file = write(folder_, "mine.glsl", right);
   expect_complaint(judge(file, "--entry nonsense"), 2,
                    "--entry: no entry point of shaders is called nonsense; there are index_f32, corners, ");
@@ -301,6 +304,7 @@ TEST_F(ShaderFile, is_asked_only_what_it_answers) {
 }
 
 TEST_F(ShaderFile, that_includes_itself_is_given_up) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::string file =
       write(folder_, "self.glsl", "#include \"self.glsl\"\n#include \"self.glsl\"\n" + std::string(right));
   expect_complaint(judge(file), 2, "does the file include itself?");
@@ -340,6 +344,7 @@ TEST_F(ShaderFile, without_a_device_is_not_applicable) {
 }
 
 TEST_F(ShaderFile, of_ours_compiles_and_is_valid) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(MMVERIFY_SHADER_SUBJECTS)) {
     const shaders::Compiled made = shaders::compile({entry.path().string()});

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/dock/plugin.hpp"
+#include "tests/sanitized.hpp"
 
 namespace mmverify::tests {
 namespace {
@@ -62,6 +63,7 @@ TEST_F(ShaderOnDevice, our_index_is_proved_and_says_where) {
 }
 
 TEST_F(ShaderOnDevice, our_index_is_exact_on_hard_floats) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o =
       judge(ours("index.glsl"), "index.exact_on_floats index.row_exact_on_floats --levels 3..4");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
@@ -70,6 +72,7 @@ TEST_F(ShaderOnDevice, our_index_is_exact_on_hard_floats) {
 }
 
 TEST_F(ShaderOnDevice, the_published_code_is_that_and_no_more) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome same = judge(ours("index_published.glsl"), "index.equals_published --levels 1");
   EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
   // docs/ERRATA.md: fu + fv rounds up to 1.
@@ -79,6 +82,7 @@ TEST_F(ShaderOnDevice, the_published_code_is_that_and_no_more) {
 }
 
 TEST_F(ShaderOnDevice, without_precise_is_warned_about) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o = judge(ours("index_plain.glsl"), "index.in_range --levels 0..1");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("warning: "));
@@ -108,6 +112,7 @@ void main() {}
 }
 
 TEST_F(ShaderOnDevice, that_hangs_costs_its_time_and_no_more) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::string file = write("hang.glsl", R"(uint index(uint level, float u, float v) {
   uint k = mmverify_word(0);
   while (k != 77u) k = (k * 5u + 2u) & ~1u;
@@ -149,6 +154,7 @@ void main() {
 }
 
 TEST_F(ShaderOnDevice, hlsl_is_judged_by_way_of_glslang) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::string file = write("index.hlsl", R"(uint apart(uint x) {
   x = (x | x << 8) & 0x00ff00ffu;
   x = (x | x << 4) & 0x0f0f0f0fu;
@@ -175,6 +181,7 @@ uint index(uint level, float u, float v) {
 }
 
 TEST_F(ShaderOnDevice, our_trees_give_the_maps_states) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome paper = judge(ours("tree.glsl"), "tree.lookup_is_decode tree.point_is_index --levels 0..1");
   EXPECT_EQ(paper.exit_code, 0) << paper.out << paper.err;
   EXPECT_THAT(paper.out, HasSubstr("proved     tree.lookup_is_decode"));
@@ -185,6 +192,7 @@ TEST_F(ShaderOnDevice, our_trees_give_the_maps_states) {
 }
 
 TEST_F(ShaderOnDevice, our_attribute_lookups_keep_their_laws) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o = judge(
       ours("attribute.glsl"),
       "attribute.order_bijective attribute.order_inverse attribute.face_orders attribute.triangle_vertices "
@@ -223,6 +231,7 @@ TEST_F(ShaderOnDevice, our_trees_give_the_states_of_finer_maps) {
 }
 
 TEST_F(ShaderOnDevice, our_decision_is_that_of_the_apis) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o = judge(ours("traverse.glsl"), "traverse.decision traverse.blend_duplicates");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("proved     traverse.decision"));
@@ -230,6 +239,7 @@ TEST_F(ShaderOnDevice, our_decision_is_that_of_the_apis) {
 }
 
 TEST_F(ShaderOnDevice, hits_that_blend_as_they_are_met_are_refuted) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::string file = write("met.glsl", R"(#include "shaders/traverse.glsl"
 uint blend_hits(uint operation, uint payload, uint count) {
   float closest = 1e9;
@@ -257,6 +267,7 @@ TEST_F(ShaderOnDevice, of_no_such_number_is_not_applicable) {
 }
 
 TEST_F(ShaderOnDevice, a_second_device_judges_as_well) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o = judge(ours("index.glsl"), "index.equals_reference --levels 0..3", "--device 1");
   if (o.out.find("no Vulkan device 1") != std::string::npos) GTEST_SKIP() << "one device alone";
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
@@ -264,6 +275,7 @@ TEST_F(ShaderOnDevice, a_second_device_judges_as_well) {
 }
 
 TEST_F(ShaderOnDevice, a_bench_answers_as_the_library_does) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::string json = (folder_ / "bench.json").string();
   const Outcome o = shell(std::string(MMVERIFY_PROGRAM) + " bench shaders --levels 4 --quiet --json " + json);
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
@@ -278,6 +290,7 @@ TEST_F(ShaderOnDevice, a_bench_answers_as_the_library_does) {
 }
 
 TEST_F(ShaderOnDevice, two_devices_are_judged_in_one_run) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o =
       judge(ours("index.glsl"), "index.equals_reference --levels 3 --no-companions", "--device 0,1,0");
   if (o.out.find("no Vulkan device 1") != std::string::npos) GTEST_SKIP() << "one device alone";

@@ -9,7 +9,7 @@
 #include "spec/attribute/normal.hpp"
 #include "spec/attribute/plan.hpp"
 
-namespace {
+namespace spec_attribute_bake_test {
 
 namespace at = mmverify::spec::attribute;
 using at::Filter;
@@ -192,4 +192,4 @@ TEST(SpecAttributePlan, LevelsFallByOne) {
   EXPECT_EQ(at::decimated_edges({3, 2, 1, 0, 1}, strip[3], 3), 0);
 }
 
-}  // namespace
+}  // namespace spec_attribute_bake_test

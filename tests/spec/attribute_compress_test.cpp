@@ -4,7 +4,7 @@
 
 #include "spec/attribute/compress.hpp"
 
-namespace {
+namespace spec_attribute_compress_test {
 
 using namespace mmverify::spec::attribute;
 using Bytes = std::vector<std::uint8_t>;
@@ -101,4 +101,4 @@ TEST(AttributePacked, OneColourTakesItsWidthsAlone) {
   EXPECT_EQ(pack(shape, codes).size(), 4u + 3 * 4 + 44);
 }
 
-}  // namespace
+}  // namespace spec_attribute_compress_test

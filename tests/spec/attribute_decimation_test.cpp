@@ -10,7 +10,7 @@
 #include "spec/fixed.hpp"
 
 namespace mmverify::spec::attribute {
-namespace {
+namespace spec_attribute_decimation_test {
 
 using Rule = std::function<Vertex(Vertex, Level, EdgeFlags)>;
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -135,5 +135,5 @@ TEST(SpecDecimation, finds_the_micro_triangle_that_took_over) {
   EXPECT_EQ(weights, (std::map<Pair, std::int64_t>{{{0, 0}, 80}, {{1, 1}, 32}, {{2, 0}, 16}}));
 }
 
-}  // namespace
+}  // namespace spec_attribute_decimation_test
 }  // namespace mmverify::spec::attribute

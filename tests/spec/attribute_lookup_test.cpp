@@ -5,7 +5,7 @@
 #include "spec/fixed.hpp"
 #include "spec/rational.hpp"
 
-namespace {
+namespace spec_attribute_lookup_test {
 
 using namespace mmverify::spec;
 using namespace mmverify::spec::attribute;
@@ -124,4 +124,4 @@ TEST(AttributeLookup, values_between_vertices) {
   EXPECT_EQ(interpolated(quarters, {0, 4, 255}), Fixed64::dyadic(257, 1));  // 1 + 127.5
 }
 
-}  // namespace
+}  // namespace spec_attribute_lookup_test

@@ -6,7 +6,7 @@
 #include "spec/attribute/mip.hpp"
 
 namespace mmverify::spec::attribute {
-namespace {
+namespace spec_attribute_mip_test {
 
 TEST(SpecMip, roundings_of_four_codes) {
   const auto all = [](std::array<std::uint8_t, 4> codes) {
@@ -102,7 +102,7 @@ TEST(SpecLod, blends_between_bounds) {
   EXPECT_NEAR(blend(1, Rational(399, 100)), 0.5 * std::log2(3.99), 1e-14);
 }
 
-}  // namespace
+}  // namespace spec_attribute_mip_test
 // A triangle of area 1 and a cone 1/2 wide: its square 1/4; its disc pi/16; the square on a triangle turned by 60 degrees,
 // twice as much; and a cone twice as wide, 1.
 TEST(SpecLod, what_the_cones_area_is_decides_the_level) {

@@ -6,7 +6,7 @@
 
 #include "spec/attribute/order.hpp"
 
-namespace {
+namespace spec_attribute_order_test {
 
 using namespace mmverify::spec;
 using namespace mmverify::spec::attribute;
@@ -148,4 +148,4 @@ TEST(AttributeOrders, ends_of_level_16) {
       EXPECT_EQ(face_index(order, triangle_at(order, x, 16), 16), x);
 }
 
-}  // namespace
+}  // namespace spec_attribute_order_test

@@ -8,7 +8,7 @@
 
 #include "spec/bake/state.hpp"
 
-namespace {
+namespace spec_bake_state_test {
 
 namespace bake = mmverify::spec::bake;
 using bake::Binary32, bake::Filter, bake::Texture, bake::TextureOf, bake::Wrap;
@@ -218,4 +218,4 @@ TEST(SpecBakeState, NoPointContradicts) {
   }
 }
 
-}  // namespace
+}  // namespace spec_bake_state_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace spec_bake_test {
 
 namespace bake = mmverify::spec::bake;
 using bake::State, bake::Texture, bake::Wrap, bake::wrapped;
@@ -293,4 +293,4 @@ TEST(SpecBake, In128BitsItIsTheSame) {
   EXPECT_THROW(tiny * tiny * tiny, std::overflow_error);
 }
 
-}  // namespace
+}  // namespace spec_bake_test

@@ -17,7 +17,7 @@
 #include "spec/fixed.hpp"
 #include "spec/rational.hpp"
 
-namespace {
+namespace spec_index_test {
 
 using namespace mmverify::spec;
 using index::Corners;
@@ -425,4 +425,4 @@ TEST(Reference, WideWordsReachLevel31) {
   EXPECT_EQ(index::reference_wide(Point<double>{0.0, 0.0}, 31), 0u);
 }
 
-}  // namespace
+}  // namespace spec_index_test

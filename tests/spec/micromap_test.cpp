@@ -5,7 +5,7 @@
 #include "spec/micromap/level.hpp"
 #include "spec/micromap/lossy.hpp"
 
-namespace {
+namespace spec_micromap_test {
 
 using namespace mmverify::spec::micromap;
 using enum State;
@@ -227,4 +227,4 @@ TEST(SpecMicromap, CountsOfOneKindAddUp) {
   EXPECT_EQ(histogram(counts), (Histogram{{{1, 2}, 4}, {{3, 2}, 4'294'967'298}}));
 }
 
-}  // namespace
+}  // namespace spec_micromap_test

@@ -7,7 +7,7 @@
 #include "spec/traverse/blend.hpp"
 #include "spec/traverse/decision.hpp"
 
-namespace {
+namespace spec_traverse_test {
 
 using namespace mmverify::spec::traverse;
 using enum Outcome;
@@ -183,4 +183,4 @@ TEST(SpecTraverse, AnAcceptedHitDoesNotTakeBackWhatWasMetBefore) {
     EXPECT_EQ(blended_before_closest(Operation::add, nothing, hits), (Colour{1, 1, 1, 1}));
 }
 
-}  // namespace
+}  // namespace spec_traverse_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace spec_tree_test {
 
 using namespace mmverify::spec::tree;
 using mmverify::spec::Level;
@@ -123,4 +123,4 @@ TEST(SpecTree, WhatIsNoTreeIsRefused) {
   EXPECT_FALSE(from_bytes(Bytes{}, Format::two_state));
 }
 
-}  // namespace
+}  // namespace spec_tree_test

@@ -10,7 +10,7 @@
 
 #include "spec/vq/block.hpp"
 
-namespace {
+namespace spec_vq_test {
 
 using namespace mmverify::spec::vq;
 using mmverify::spec::Rational;
@@ -282,4 +282,4 @@ TEST(SpecVq4, TheUniformIndicesNeedNoCodebook) {
   EXPECT_EQ(map[8], O);
 }
 
-}  // namespace
+}  // namespace spec_vq_test

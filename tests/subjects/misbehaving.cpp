@@ -87,17 +87,18 @@ std::uintptr_t address(const void* p) { return reinterpret_cast<std::uintptr_t>(
 
 void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count) {
   thread_local Last last;
-  static float shared[4096];
-  if (wrong_is("shares_a_buffer") && count == 4096) {
-    std::memcpy(shared, u, sizeof shared);
+  static float shared[1 << 17];
+  if ((wrong_is("shares_a_buffer") && count == 4096) || (wrong_is("shares_a_large_buffer") && count > 4096)) {
+    std::memcpy(shared, u, count * sizeof *u);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));  // long enough for another thread's copy
     u = shared;
   }
   if (wrong_is("counts_in_16_bits")) count %= 1 << 16;
   if (wrong_is("crash_on_all")) *nowhere = 1;
-  const bool end_is_last = wrong_is("fills_its_end_last"),
-             whole = (!wrong_is("publishes_early") && !end_is_last) || table_is_whole(),
-             table = whole || (end_is_last && level != 8);
+  // A table for levels 0 to 8, and one for all: what is asked in vain lies at their ends.
+  const bool ends_at_8 = wrong_is("fills_its_end_last"), ends_at_16 = wrong_is("fills_level_16_last"),
+             whole = (!wrong_is("publishes_early") && !ends_at_8 && !ends_at_16) || table_is_whole(),
+             table = whole || (ends_at_8 && level != 8) || (ends_at_16 && level != 16);
   for (size_t k = 0; k < count; ++k) {
     if (at_the_vertex(level, u[k], v[k]) && wrong_is("unwritten")) continue;
     if (wrong_is("keeps_the_last") && u[k] == last.u && v[k] == last.v) {
