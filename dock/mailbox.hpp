@@ -51,6 +51,7 @@ struct Mailbox {
   std::uint32_t asked_before;
   // From the worker, the first also while it works.
   std::atomic<std::uint64_t> begun;          ///< elements before the batch that is being worked on
+  std::atomic<std::uint64_t> calls;          ///< of the subject so far: what hangs is one call
   std::atomic<std::uint32_t> another_level;  ///< 1 while it asks about another level than the command's
   Outcome outcome;
   std::uint64_t element;  ///< the one that `outcome` is about

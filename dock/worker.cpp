@@ -163,7 +163,7 @@ bool Worker::exchange() {
   mailbox_->begun.store(0);
   mailbox_->turn.store(1, std::memory_order_release);
   futex_wake(mailbox_->turn);
-  std::uint64_t begun = 0;
+  std::uint64_t calls = mailbox_->calls.load(std::memory_order_relaxed);
   auto since = Clock::now();
   while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
     futex_wait(mailbox_->turn, 1, slice_milliseconds);
@@ -174,8 +174,8 @@ bool Worker::exchange() {
       return false;
     }
     if (!within_bounds()) return false;
-    if (const std::uint64_t now = mailbox_->begun.load(std::memory_order_relaxed); now != begun) {
-      begun = now;
+    if (const std::uint64_t now = mailbox_->calls.load(std::memory_order_relaxed); now != calls) {
+      calls = now;
       since = Clock::now();
     } else if (std::chrono::duration<double>(Clock::now() - since).count() > options_.timeout_seconds) {
       hung_ = true;

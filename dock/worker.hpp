@@ -38,7 +38,7 @@ struct Misbehaved {
 };
 
 struct Options {
-  double timeout_seconds = 10;  ///< for one batch, or one map or code
+  double timeout_seconds = 10;  ///< for one call of the subject
   /// Called while an answer is waited for, several times a second; what it throws ends the wait.
   void (*stop_if_asked)() = [] {};
   std::vector<std::string> environment = {};  ///< NAME=VALUE each, for the workers alone

@@ -86,6 +86,7 @@ void Desk::stop(Outcome outcome, std::uint64_t element, const std::string& messa
 
 std::uint64_t Desk::guarded(const Arguments& a, std::uint64_t element) {
   std::uint64_t size = 0;
+  mailbox_.calls.fetch_add(1, std::memory_order_relaxed);
   try {
     size = call(subject_, mailbox_.call, a);
   } catch (const std::exception& e) {
@@ -122,6 +123,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
         Arguments own = what.arguments;
         mine.rooms.emplace_back(what.bytes + 2 * (Answers::margin + Places::line), std::byte{blank_again});
         own.out = mine.in_round(k);
+        mailbox_.calls.fetch_add(1, std::memory_order_relaxed);
         mine.sizes.push_back(call(subject_, mailbox_.call, own));
       }
     } catch (...) {
