@@ -100,6 +100,14 @@ std::uint64_t Desk::call_at_guard(std::uint64_t room, unsigned char filling, con
   set_canary(out);
   std::memset(out, filling, static_cast<std::size_t>(room));
   Arguments arguments = whole(out, room);
+  // What is looked up lies elsewhere, too: each array so many numbers behind a line that no two lie alike.
+  const std::size_t bytes = asked().signature.number_bytes, all = arguments.count * bytes;
+  for (std::size_t array = 0; blob != arguments.blob && array < asked().signature.arrays; ++array) {
+    arrays_elsewhere_[array].resize(all + 2 * Places::line);
+    std::byte* there = Places::first(arrays_elsewhere_[array]) + (array + 1) * bytes;
+    std::copy_n(arguments.arrays[array], all, there);
+    arguments.arrays[array] = there;
+  }
   arguments.blob = blob;
   const std::uint64_t size = guarded(arguments, 0);
   check_canary(out, 0);

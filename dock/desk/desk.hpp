@@ -182,7 +182,8 @@ class Desk {
   std::optional<Question> earlier_[calls];     ///< the last one that was asked from two threads
   std::vector<std::byte> again_;               ///< the other of two answers to one question
   std::vector<std::byte> elsewhere_;           ///< holds blob_elsewhere()
-  bool elsewhere_first_[calls] = {};           ///< of an entry point's last question
+  std::vector<std::byte> arrays_elsewhere_[most_arrays];  ///< and what is looked up in it
+  bool elsewhere_first_[calls] = {};                      ///< of an entry point's last question
 };
 
 }  // namespace mmverify::dock
