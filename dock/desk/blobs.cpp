@@ -31,9 +31,9 @@ Desk::FromThreads Desk::blob_from_threads_first() {
   return answers_from_threads(question, question, {1, 1});
 }
 
-void Desk::compare_first(FromThreads& before, std::uint64_t room, std::uint64_t size) {
+void Desk::compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size) {
   const std::string how = "asked from two threads at once, the first time at this level";
-  for (Answers& one : before) {
+  for (const Answers& one : before) {
     if (one.sizes.empty()) continue;
     const bool sizes_differ = asked().signature.sizes_answer && one.sizes[0] != size;
     if (sizes_differ || (one.sizes[0] != 0) != (size != 0))
@@ -46,7 +46,7 @@ void Desk::compare_first(FromThreads& before, std::uint64_t room, std::uint64_t 
 
 void Desk::run_on_blob() {
   const std::uint64_t room = mailbox_.room;
-  FromThreads first = blob_from_threads_first();
+  const FromThreads first = blob_from_threads_first();
   if (asked().signature.sizes_answer)
     encode(thorough());
   else
@@ -73,16 +73,17 @@ Arguments Desk::whole(std::byte* out, std::uint64_t room) const {
 const std::uint8_t* Desk::blob_elsewhere() {
   const std::uint8_t* here = whole(nullptr, 0).blob;
   if (asked().topic == Topic::bake) return here;
-  // By the size and the first and last bytes: so what is moved lies alike each time, and codes that differ in their middle
-  // alone lie at one address, where a cache may take them for one.
-  constexpr std::size_t line = Places::line, ends = 8;
+  // By the size and the first and last bytes: so what is moved lies alike each time, and codes that differ in their
+  // middle alone lie at one address, where a cache may take them for one.
+  constexpr std::size_t ends = 8;
   const std::size_t end = std::min<std::size_t>(ends, mailbox_.blob_bytes);
   std::uint64_t sum = mailbox_.blob_bytes;
   for (std::size_t k = 0; k < end; ++k) sum = (sum * 31 + here[k]) * 31 + here[mailbox_.blob_bytes - 1 - k];
   elsewhere_.resize(static_cast<std::size_t>(mailbox_.blob_bytes) + 2 * line);
   // The upper bits of a product with the golden ratio: the sums of short maps have few remainders.
-  const std::size_t turn = 1 + (sum * 0x9E3779B97F4A7C15u >> 32) % (Places::count - 1);
-  auto* there = reinterpret_cast<std::uint8_t*>(Places::first(elsewhere_) + Places(1).offset(turn));
+  const std::size_t turn = 1 + (sum * 0x9E3779B97F4A7C15u >> 32) % (places - 1);
+  auto* there = reinterpret_cast<std::uint8_t*>(elsewhere_.data() + before_line(elsewhere_) +
+                                                place_behind_line(turn, 1));
   std::copy_n(here, mailbox_.blob_bytes, there);
   return there;
 }
@@ -103,8 +104,9 @@ std::uint64_t Desk::call_at_guard(std::uint64_t room, unsigned char filling, con
   // What is looked up lies elsewhere, too: each array so many numbers behind a line that no two lie alike.
   const std::size_t bytes = asked().signature.number_bytes, all = arguments.count * bytes;
   for (std::size_t array = 0; blob != arguments.blob && array < asked().signature.arrays; ++array) {
-    arrays_elsewhere_[array].resize(all + 2 * Places::line);
-    std::byte* there = Places::first(arrays_elsewhere_[array]) + (array + 1) * bytes;
+    std::vector<std::byte>& room = arrays_elsewhere_[array];
+    room.resize(all + 2 * line);
+    std::byte* there = room.data() + before_line(room) + (array + 1) * bytes;
     std::copy_n(arguments.arrays[array], all, there);
     arguments.arrays[array] = there;
   }
@@ -149,7 +151,8 @@ void Desk::answer(bool thorough) {
     stop(Outcome::non_deterministic, 0, first != 0 ? "taken, then refused" : "refused, then taken");
   if (first != 0) compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, "asked again");
   if (thorough) {
-    if (asked().topic == Topic::micromap && first != 0) ask_blob_after_another(blob);
+    const bool of_states = mailbox_.call == Call::micromap_pack || mailbox_.call == Call::micromap_unpack;
+    if (asked().topic == Topic::micromap && !of_states) ask_blob_after_another(blob);
     ask_blob_from_threads(first);
   }
   mailbox_.taken = first != 0 ? 1 : 0;
@@ -160,8 +163,7 @@ void Desk::ask_blob_after_another(const std::uint8_t* blob) {
   const std::uint64_t room = mailbox_.room;
   const auto after = [&](const Arguments& before, const std::string& how) {
     guarded(before, 0);
-    if (call_at_guard(room, blank_again, blob) == 0)
-      stop(Outcome::non_deterministic, 0, "taken, then refused, " + how);
+    call_at_guard(room, blank_again, blob);
     compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, how);
   };
   // A map of the other format with the same bytes, where they are too few again and again.
@@ -171,14 +173,13 @@ void Desk::ask_blob_after_another(const std::uint8_t* blob) {
   std::vector<std::byte> answer(2 * static_cast<std::size_t>(room));
   Arguments before = whole(answer.data(), 2 * room);
   before.blob = bytes.data();
-  const bool of_format = mailbox_.call == Call::micromap_up || mailbox_.call == Call::micromap_down;
-  if (of_format) {
+  if (mailbox_.call == Call::micromap_up || mailbox_.call == Call::micromap_down) {
     before.format = mailbox_.format == two_state ? four_state : two_state;
     after(before, "asked after the same bytes in the other format");
     before.format = mailbox_.format;
   }
   // And a map of the level below, which is the first quarter of them.
-  if (mailbox_.level > 1 && mailbox_.call != Call::micromap_pack && mailbox_.call != Call::micromap_unpack) {
+  if (mailbox_.level > 1) {
     before.level = mailbox_.level - 1;
     after(before, "asked after level " + text(mailbox_.level - 1));
   }

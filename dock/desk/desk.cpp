@@ -121,8 +121,9 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
       const auto end = Clock::now() + rounds.within;
       for (std::size_t k = 0; k < rounds.least || (k < rounds.most && Clock::now() < end); ++k) {
         Arguments own = what.arguments;
-        mine.rooms.emplace_back(what.bytes + 2 * (Answers::margin + Places::line), std::byte{blank_again});
-        own.out = mine.in_round(k);
+        std::vector<std::byte>& room =
+            mine.rooms.emplace_back(what.bytes + 2 * (Answers::margin + line), std::byte{blank_again});
+        own.out = room.data() + mine.place(k);
         mailbox_.calls.fetch_add(1, std::memory_order_relaxed);
         mine.sizes.push_back(call(subject_, mailbox_.call, own));
       }
@@ -144,7 +145,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
 
 void Desk::ask_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
                             std::uint64_t element) {
-  for (FromThreads answers = answers_from_threads(here, there, rounds); Answers & one : answers) {
+  for (const FromThreads answers = answers_from_threads(here, there, rounds); const Answers& one : answers) {
     if (one.threw) stop(Outcome::threw, element, "when called from two threads at once");
     for (std::size_t round = 0; round < one.sizes.size(); ++round)
       (&one == answers.data() ? here : there).see(one.in_round(round), one.sizes[round]);

@@ -15,32 +15,10 @@
 #include <vector>
 
 #include "dock/desk/arguments.hpp"
+#include "dock/desk/places.hpp"
 #include "dock/layout.hpp"
 
 namespace mmverify::dock {
-
-/// Where bytes are put that may lie anywhere: each address modulo 8, and each power of two up to a processor's line that
-/// a vector's load may want and no more.
-class Places {
- public:
-  static constexpr std::size_t line = 64, count = 11;
-  /// Of numbers of so many bytes: at multiples of them.
-  explicit constexpr Places(std::size_t bytes) : bytes_(bytes) {}
-  /// Behind the first multiple of `line` of a room.  Offset 0 is 0.
-  constexpr std::size_t offset(std::size_t turn) const {
-    constexpr std::size_t all[count] = {0, 8, 1, 16, 2, 32, 3, 4, 5, 6, 7};
-    const std::size_t at = all[turn % count];
-    return at - at % bytes_;
-  }
-  /// The first multiple of `line` in it.  Domain: a room of `line` bytes more than are put there.
-  static std::byte* first(std::vector<std::byte>& room) {
-    const std::size_t behind = reinterpret_cast<std::uintptr_t>(room.data()) % line;
-    return room.data() + (behind == 0 ? 0 : line - behind);
-  }
-
- private:
-  std::size_t bytes_;
-};
 
 class Desk {
  public:
@@ -83,10 +61,11 @@ class Desk {
     std::vector<std::uint64_t> sizes;
     std::size_t bytes = 0;
     bool threw = false;
-    std::size_t first_address = 0, value_bytes = 1;  ///< answers lie at each of Places in turn
-    std::byte* in_round(std::size_t round) {
-      return Places::first(rooms[round]) + margin + Places(value_bytes).offset(first_address + round);
+    std::size_t first_address = 0, value_bytes = 1;  ///< answers lie at each place in turn
+    std::size_t place(std::size_t round) const {
+      return before_line(rooms[round]) + margin + place_behind_line(first_address + round, value_bytes);
     }
+    const std::byte* in_round(std::size_t round) const { return rooms[round].data() + place(round); }
   };
   using FromThreads = std::array<Answers, 2>;
   /// How often a thread asks: at least twice, and on for as long as this, up to so many times.
@@ -137,7 +116,7 @@ class Desk {
   /// A map, a code or a case (blobs.cpp).
   void run_on_blob();
   Arguments whole(std::byte* out, std::uint64_t room) const;
-  /// The map or code at another of Places: it is bytes, and may lie anywhere, as texels of attributes may. A case of topic
+  /// The map or code at another place: it is bytes, and may lie anywhere, as texels of attributes may. A case of topic
   /// bake stays where it is, its texels are numbers.
   const std::uint8_t* blob_elsewhere();
   /// Where the map or code lies for a question's first call, and for its second.
@@ -150,7 +129,7 @@ class Desk {
   /// The same for a map, a code or a case.
   FromThreads blob_from_threads_first();
   /// Compares those with the answer of `size` bytes in its place, of which as many as `room` were asked for.
-  void compare_first(FromThreads& before, std::uint64_t room, std::uint64_t size);
+  void compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size);
   void encode(bool thorough);
   void answer(bool thorough);
   /// Asks a map again right after its bytes were asked as another one's: of the other format, and of the level below.

@@ -21,7 +21,7 @@ void Desk::run_on_numbers(std::uint64_t number) {
   if (first_at_this_level() && mailbox_.one_by_one == 0) first = slot_from_threads_first(0);
   for (std::size_t slot = 0; in_slot(mailbox_.count, slot) != 0; ++slot) call_slot(slot);
   if (mailbox_.one_by_one != 0) return;
-  for (Answers& one : first)
+  for (const Answers& one : first)
     if (!one.sizes.empty())
       compare(slot_answer(0), one.in_round(0), in_slot(mailbox_.count, 0), 0,
               "asked from two threads at once, the first time at this level");
@@ -204,7 +204,6 @@ void Desk::ask_slot_in_another_order(std::size_t slot) {
 }
 
 void Desk::ask_slot_at_other_places(std::size_t slot) {
-  constexpr std::size_t line = 64;  // no vector is longer
   const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
                     wide = asked().answer_bytes, bytes = asked().signature.number_bytes,
                     value = asked().signature.value_bytes;

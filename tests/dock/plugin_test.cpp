@@ -15,7 +15,7 @@ using testing::Not;
 
 Outcome judge_on(const std::string& threads, const std::string& name, const std::string& more) {
   // Only what hangs is to be found to: on a busy machine a second is soon over.
-  const std::string timeout = name == "hang" || name == "forks" ? "1" : "30";
+  const std::string timeout = name == "hang" || name == "forks" || name == "takes_its_time" ? "1" : "30";
   return shell("MMVERIFY_WORKER_MEMORY=200 mmverify prove --quiet --no-mutants --timeout " + timeout +
                " --threads " + threads + " --subject " + library(name) + " " + more);
 }
@@ -215,6 +215,13 @@ TEST(Subject, a_parent_that_is_kept_without_its_level_is_seen) {
   const Outcome o = judge("keeps_parents", "index.on_samples --levels 16 --no-companions");
   EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("asked after level 1: "));
+}
+
+// Five large batches of 0.4 s each: one call may take a second, all of them may not but do.
+TEST(Subject, what_hangs_is_one_call) {
+  const Outcome o = judge("takes_its_time", "index.in_range --levels 0 --no-companions");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("proved     index.in_range"));
 }
 
 // Levels are asked in turns, to see what is kept between them: a crash is that of its own level all the same.

@@ -58,8 +58,8 @@ endif()
 mmverify_add_part(misbehaving subjects/misbehaving.cpp)
 foreach(misbehaviour crash hang overrun underrun exits throws rounds counts_calls sees_batch sees_threads writes_input
     tie prints unwritten forks fills_memory opens_files writes_a_file prints_on starts_threads kills_parent
-    keeps_the_last counts_in_16_bits sees_order sees_addresses shares_a_buffer publishes_early fills_its_end_last fills_level_16_last shares_a_large_buffer keeps_parents crash_and_tie crash_at_5
-    crash_on_all)
+    keeps_the_last counts_in_16_bits sees_order sees_addresses shares_a_buffer shares_a_large_buffer publishes_early
+    fills_its_end_last fills_level_16_last keeps_parents takes_its_time crash_and_tie crash_at_5 crash_on_all)
   mmverify_add_wrong(${misbehaviour} ${misbehaviour} misbehaving)
 endforeach()
 mmverify_add_part(wrong_order subjects/wrong_order.cpp)
@@ -103,7 +103,7 @@ foreach(wrong merges_ut children_reversed takes_all refuses_its_own has_no_code 
 endforeach()
 mmverify_add_part(several subjects/several.cpp)
 foreach(wrong nothing old_header keeps_padding merges_ut_with_t promises_opaque reads_past_map leaves_unwritten loads_at_16
-    keeps_without_format)
+    keeps_without_format keeps_without_level)
   mmverify_add_wrong(several_${wrong} ${wrong} several right_tree mmverify::impl)
 endforeach()
 
@@ -118,7 +118,7 @@ mmverify_add_subject(vq_example ${vq_example})
 mmverify_add_part(right_vq ${vq_example} mmverify_subject_v1=right_vq)
 mmverify_add_part(wrong_vq subjects/wrong_vq.cpp)
 foreach(wrong y_downwards turns_the_other_way last_region_of_br opaque_for_transparent checks_nothing state_3 promises_to_keep decoder_reads_past
-    decoder_unwritten region_crashes encoder_overrun encoder_counts_calls encoder_throws decodes_only encodes_only vq4_only old_header)
+    decoder_unwritten region_crashes region_loads_at_16 encoder_overrun encoder_counts_calls encoder_throws decodes_only encodes_only vq4_only old_header)
   mmverify_add_wrong(vq_${wrong} ${wrong} wrong_vq right_vq)
 endforeach()
 

@@ -144,6 +144,14 @@ INSTANTIATE_TEST_SUITE_P(
 
 // -----------------------------------------------------------------------------------------------------------------
 
+TEST(Several, a_map_kept_without_its_level_is_caught) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome o = judge_tree("several_keeps_without_level", "micromap.force2 --levels 2");
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("broken     micromap.force2"));
+  EXPECT_THAT(o.out, HasSubstr("asked after level 1: byte 1 was "));
+}
+
 // Codes that differ in their middle alone are asked in turn, at one address.
 TEST(TreeSubject, a_code_known_by_its_address_and_ends_is_caught) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();

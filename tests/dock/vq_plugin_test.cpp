@@ -88,6 +88,8 @@ INSTANTIATE_TEST_SUITE_P(
         VqMisbehaviour{"vq_decoder_reads_past", regions, out_of_vq_input, "decoding block:"},
         VqMisbehaviour{"vq_decoder_unwritten", regions, "left its output unwritten", "decoding block:"},
         VqMisbehaviour{"vq_region_crashes", regions, "crashed (signal ", "looking up x=15,y=0 in block:"},
+        VqMisbehaviour{"vq_region_loads_at_16", regions, "threw an exception: no multiple of 16",
+                       "looking up "},
         VqMisbehaviour{"vq_encoder_overrun", encodes, "it touched memory outside its output",
                        "encoding map:02000000"},
         VqMisbehaviour{"vq_encoder_counts_calls", encodes, "non-deterministic, asked again: byte 31",

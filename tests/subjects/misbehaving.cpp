@@ -93,6 +93,7 @@ void index_f32(uint32_t level, const float* u, const float* v, uint32_t* index, 
     std::this_thread::sleep_for(std::chrono::milliseconds(2));  // long enough for another thread's copy
     u = shared;
   }
+  if (wrong_is("takes_its_time") && count > 4096) std::this_thread::sleep_for(std::chrono::milliseconds(400));
   if (wrong_is("counts_in_16_bits")) count %= 1 << 16;
   if (wrong_is("crash_on_all")) *nowhere = 1;
   // A table for levels 0 to 8, and one for all: what is asked in vain lies at their ends.

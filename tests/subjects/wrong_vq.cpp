@@ -40,6 +40,8 @@ void region(const std::uint8_t* block, const std::uint32_t* x, const std::uint32
   for (std::size_t k = 0; k < count; ++k) {
     const bool here = turn_of_br(block) == 7 && x[k] == 15 && y[k] == 0;
     if (here && wrong_is("region_crashes")) *nowhere = 1;
+    if (count % 4 == 0 && reinterpret_cast<std::uintptr_t>(x) % 16 != 0 && wrong_is("region_loads_at_16"))
+      throw std::runtime_error("no multiple of 16");
     right_vq()->vq2_region(block, x + k, y + k, state + k, 1);
     if (here && wrong_is("last_region_of_br")) state[k] = static_cast<std::uint8_t>((state[k] + 1) % 3);
   }
