@@ -90,7 +90,7 @@ extern "C" {
 
 /* A hit on a ray.  Its value, and a payload, is a word: codes x / 255, R in the lowest byte, then G, B, A. */
 typedef struct mmverify_hit {
-  float distance;
+  float distance;    /* finite, not negative */
   uint32_t accepted; /* 1: it may be the ray's closest hit; 0: it blends, and the ray goes on */
   uint32_t value;    /* of one that blends */
 } mmverify_hit_t;
@@ -134,16 +134,17 @@ typedef struct mmverify_bake_case {
   uint32_t width, height; /* of mip 0; of mip k max(1, width >> k) and max(1, height >> k) */
   uint32_t mips;          /* 1 or more, up to the one of 1 x 1 texel */
   uint32_t texel;         /* MMVERIFY_UNORM8, ... */
-  uint32_t border;        /* the texel that lies outside with MMVERIFY_CLAMP_TO_BORDER, by its bits */
+  uint32_t border;    /* the texel outside with MMVERIFY_CLAMP_TO_BORDER, by its bits; no other bit is set */
   const void* texels; /* rows from the top, without gaps, mip after mip; aligned as one texel asks for it */
 
   uint32_t filter, wrap_u, wrap_v; /* Vulkan's; texel (i, j) has its centre at (i + 1/2, j + 1/2) */
-  float factor, vertex_factor;     /* alpha is what is sampled, times both */
+  float factor, vertex_factor;     /* alpha is what is sampled, times both; none below 0 */
   uint32_t alpha_mode;             /* MMVERIFY_MASK or MMVERIFY_BLEND */
-  uint32_t cutoff_numerator, cutoff_denominator; /* of MMVERIFY_MASK: one over the other, exactly */
+  uint32_t cutoff_numerator,
+      cutoff_denominator; /* of MMVERIFY_MASK: one over the other, exactly; also above 1 */
   float
       margin; /* texels, of each mip its own, by which each micro-triangle is grown to either side, along x and along
-                 * y: by a square, not a disc */
+                 * y: by a square, not a disc; not below 0 */
   float uv
       [6]; /* u and v of the three vertices; (0, 0) is the outer corner of the first texel of the first row, (1, 1)
                  * that of the last one of the last */
@@ -186,7 +187,8 @@ typedef struct mmverify_bake_support {
   float uv_min, uv_max;  /* of all texture coordinates; both 0: any */
   /* Sampling in fixed point: bits of a bilinear weight, and of the fraction of a coordinate in texels, 1 to 23;
    * 0: exact. A state may then be wrong where alpha is within (2^-a + 2^-b) R of the cutoff, where a and b are
-   * these (a term falls away with its 0) and R is the range of the stored texels, times the factors. */
+   * these (a term falls away with its 0) and R is the greatest texel less the least, over the case's texels and, with
+   * MMVERIFY_CLAMP_TO_BORDER, its border, times both factors. */
   uint32_t weight_bits, coordinate_bits;
 } mmverify_bake_support_t;
 
@@ -198,7 +200,7 @@ typedef struct mmverify_attribute_case {
   uint32_t width, height;          /* in texels */
   const void* texels;              /* R G B A each, rows from the top, without gaps; at any address */
   uint32_t texel;                  /* MMVERIFY_UNORM8: a byte a channel; others may follow */
-  uint32_t border[4];              /* R G B A outside with MMVERIFY_CLAMP_TO_BORDER, each by its bits */
+  uint32_t border[4];              /* R G B A outside with MMVERIFY_CLAMP_TO_BORDER, each a code */
   uint32_t filter, wrap_u, wrap_v; /* as of mmverify_bake_case; the filter is that of vertices */
   uint32_t meaning;                /* MMVERIFY_LINEAR, ... */
   float uv[6];                     /* as of mmverify_bake_case */
@@ -237,8 +239,8 @@ typedef struct mmverify_subject {
   void (*corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
   /* The same two in row order (Gruen et al.; Color and Attribute Micromaps, figure 4): a point on an edge belongs where
-   * that figure's rows, columns and diagonals put it, floor((1-w)N), floor(vN), floor((1-u)N). Corners come in any
-   * order. */
+   * that figure's rows, columns and diagonals put it, floor((1-w)N), floor(vN), floor((1-u)N) of exact numbers, w = 1-u-v,
+   * each N-1 at most and the column no greater than the row. Points are those of index_f32. Corners come in any order. */
   void (*row_index_f32)(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
   void (*row_corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
@@ -290,10 +292,12 @@ typedef struct mmverify_subject {
   void (*micromap_down)(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* below);
 
   /* A 4-state map through one bit a state and back: mode 0 tells O and UO from the rest (T and O come back),
-   * mode 1 T from the rest (T and an unknown), mode 2 O from the rest (O and an unknown). */
+   * mode 1 T from the rest (T and an unknown, either one), mode 2 O from the rest (O and an unknown, either one). */
   void (*micromap_through)(uint32_t level, uint32_t mode, const uint8_t* four_state, uint8_t* out);
 
-  /* What is left of a 4-state map after a lossy codec: encoded and decoded. */
+  /* What is left of a 4-state map after a lossy codec: encoded and decoded.  Which states may stand for which the laws
+   * lossy.allowed, lossy.conservative and lossy.force2_stable say; a codec need not keep all three.  One map has one answer,
+   * whatever the bits after its last state. */
   void (*micromap_substitute)(uint32_t level, const uint8_t* four_state, uint8_t* out);
 
   /* Square opacity maps and blocks of them (Compressed Opacity Maps): VQ2, 16x16 regions in 32 bytes, and
@@ -369,14 +373,14 @@ typedef struct mmverify_subject {
 
   /* The vertices of the micro-triangle that holds (u[k], v[k]), ties as of index_f32, and the point's weights there, in the
    * order of its vertices: with fu = uN - iu and fv = vN - iv, lower (1-fu-fv, fu, fv), upper (fu+fv-1, 1-fu, 1-fv), each
-   * within 2^-24 of the exact one and none below 0.  u, v >= 0, u+v <= 1. */
+   * within 2^-24 of the exact one and none below 0.  u, v >= 0, -0 is 0; u+v <= 1. */
   void (*attribute_triplet_f32)(uint32_t level, uint32_t vertex_order, const float* u, const float* v,
                                 uint32_t* vertices, size_t count);
   void (*attribute_weights_f32)(uint32_t level, const float* u, const float* v, float* weights, size_t count);
 
   /* The vertex (i, j) that the value of (i[k], j[k]) is read from where the edges of `flags` (MMVERIFY_EDGE_W_U, ...) have a
-   * neighbour of level n-1: i0 j0 i1 j1 ...  An odd vertex of such an edge goes to an even neighbour on it, any other one
-   * stays, and which of the two it is leaves no crack and turns no micro-triangle over. */
+   * neighbour of level n-1, of none at level 0: i0 j0 i1 j1 ...  An odd vertex of such an edge goes to an even neighbour on it,
+   * any other one stays, and which of the two it is leaves no crack and turns no micro-triangle over. */
   void (*attribute_decimate)(uint32_t level, uint32_t flags, const uint32_t* i, const uint32_t* j,
                              uint32_t* place, size_t count);
 
@@ -393,7 +397,8 @@ typedef struct mmverify_subject {
    *   - Vertices: what the filter gives at the micro-vertex.
    *   - Means are of codes with MMVERIFY_LINEAR.  MMVERIFY_SRGB has R, G and B on the sRGB curve and averages light.
    *     MMVERIFY_NORMAL has directions 2 code / 255 - 1, whose mean is made one unit long again; MMVERIFY_NORMAL_AND_LENGTH
-   *     the same, and in the place of alpha the mean's own length.  Alpha is linear.
+   *     the same, and in the place of alpha the mean's own length, 1 at most.  Texels are averaged as they are stored, and
+   *     one texel alone is made one unit long, too.  Alpha is linear.  A mean without a direction is (0, 0, 1).
    *   - A code is the one nearest to the number, of two the greater. */
   int (*attribute_bake_faces)(const mmverify_attribute_case_t* what, uint8_t* map);
   int (*attribute_bake_vertices)(const mmverify_attribute_case_t* what, uint8_t* map);
@@ -403,7 +408,7 @@ typedef struct mmverify_subject {
 
   /* What traversal does with a candidate hit on a triangle before any shader runs: a byte each, MMVERIFY_IGNORED, ...
    *   - candidate[k]: the state that was read, T 0, O 1, UT 2, UO 3, after any lossy substitution, with
-   *     MMVERIFY_CANDIDATE_HAS_MICROMAP where a micromap or a special index gave it (else 0), and
+   *     MMVERIFY_CANDIDATE_HAS_MICROMAP where a micromap or a special index gave it (else the state is 0), and
    *     MMVERIFY_CANDIDATE_GEOMETRY_OPAQUE where the geometry was built so.
    *   - instance_flags[k] has Vulkan's and DXR's numbers: FORCE_OPAQUE 4, FORCE_NO_OPAQUE 8, force-2-state 16, micromaps
    *     disabled 32.  ray_flags[k] has SPIR-V's and DXR's: Opaque 1, NoOpaque 2, CullOpaque 64, CullNoOpaque 128,
@@ -420,7 +425,7 @@ typedef struct mmverify_subject {
   /* Fixed functions in traversal (Color and Attribute Micromaps, 4.3): out[k] is the payload payload[k] after a hit with
    * value[k], code by code, p of the payload, v of the value, alpha the value's own code A:
    *   MAX max(p, v); MIN min(p, v); ADD min(255, p + v); MULTIPLY p v / 255; OVER min(255, v + p (255 - alpha) / 255), of
-   *   values with alpha multiplied in.  A quotient is the code nearest to it; none lies halfway. */
+   *   values with alpha multiplied in, or with any alpha.  A quotient is the code nearest to it; none lies halfway. */
   void (*traverse_blend)(uint32_t operation, const uint32_t* payload, const uint32_t* value, uint32_t* out,
                          size_t count);
 

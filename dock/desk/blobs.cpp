@@ -17,6 +17,25 @@ constexpr std::uint64_t most_thorough = std::uint64_t{3} << 18;
 
 std::string text(std::uint64_t number) { return std::to_string(number); }
 
+/// Whether any bytes of the right size are a map, or a block, of a question.
+bool any_bytes_are_one(Call call) {
+  switch (call) {
+    case Call::micromap_force2:
+    case Call::micromap_widen:
+    case Call::micromap_up:
+    case Call::micromap_down:
+    case Call::micromap_through:
+    case Call::micromap_substitute:
+    case Call::vq2_decode:
+    case Call::vq2_region:
+    case Call::vq4_decode:
+    case Call::vq4_region:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 bool Desk::thorough() const {
@@ -151,21 +170,75 @@ void Desk::answer(bool thorough) {
     stop(Outcome::non_deterministic, 0, first != 0 ? "taken, then refused" : "refused, then taken");
   if (first != 0) compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, "asked again");
   if (thorough) {
-    const bool of_states = mailbox_.call == Call::micromap_pack || mailbox_.call == Call::micromap_unpack;
-    if (asked().topic == Topic::micromap && !of_states) ask_blob_after_another(blob);
+    if (any_bytes_are_one(mailbox_.call)) ask_blob_after_like_ones(blob);
+    if (asked().topic == Topic::micromap && any_bytes_are_one(mailbox_.call)) ask_blob_after_another(blob);
+    if (asked().signature.arrays != 0 && mailbox_.asked_before < first_from_threads)
+      ask_blob_many_times_over(blob);
     ask_blob_from_threads(first);
   }
   mailbox_.taken = first != 0 ? 1 : 0;
   mailbox_.answer_bytes = first;
 }
 
+void Desk::ask_blob_after(const Arguments& before, const std::uint8_t* blob, const std::string& how) {
+  guarded(before, 0);
+  call_at_guard(mailbox_.room, blank_again, blob);
+  compare(again_.data(), blob_answer(mailbox_.room), static_cast<std::size_t>(mailbox_.room), 0, how);
+}
+
+void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
+  constexpr std::size_t word = 8;
+  const auto size = static_cast<std::size_t>(mailbox_.blob_bytes);
+  if (size < 2 * word) return;
+  std::vector<std::byte> answer(static_cast<std::size_t>(mailbox_.room));
+  Arguments before = whole(answer.data(), mailbox_.room);
+  const std::vector<std::uint8_t> these(blob, blob + size);
+  const auto inverted = [&](std::size_t from, std::size_t to) {
+    std::vector<std::uint8_t> other = these;
+    for (std::size_t k = from; k < to; ++k) other[k] = static_cast<std::uint8_t>(~other[k]);
+    return other;
+  };
+  // First of all something else, or what is kept is still these bytes' and the like ones get it.
+  std::vector<std::uint8_t> unlike = these;
+  for (std::size_t k = 0; k < size; ++k) unlike[k] = static_cast<std::uint8_t>(unlike[k] + 1 + 3 * k);
+  const auto after = [&](const std::vector<std::uint8_t>& bytes, const char* how) {
+    before.blob = unlike.data();
+    guarded(before, 0);
+    before.blob = bytes.data();
+    ask_blob_after(before, blob, how);
+  };
+  std::vector<std::uint8_t> turned = these;
+  std::rotate(turned.begin(), turned.begin() + word,
+              turned.begin() + static_cast<std::ptrdiff_t>(size / word * word));
+  after(turned, "asked after the same words of eight bytes in another order");
+  after(inverted(size / 2, size), "asked after other bytes with the same first half");
+  after(inverted(0, size / 2), "asked after other bytes with the same second half");
+}
+
+void Desk::ask_blob_many_times_over(const std::uint8_t* blob) {
+  const std::size_t bytes = asked().signature.number_bytes;
+  std::vector<std::byte> answers(odd_batch, std::byte{blank_again});
+  Arguments a = whole(answers.data(), odd_batch);
+  const std::size_t count = a.count;
+  if (count == 0 || count >= odd_batch || mailbox_.room != count) return;
+  std::vector<std::byte> inputs[most_arrays];
+  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
+    const std::byte* numbers = a.arrays[array];
+    inputs[array].reserve(odd_batch * bytes);
+    for (std::size_t at = 0; at < odd_batch; at += count)
+      inputs[array].insert(inputs[array].end(), numbers, numbers + std::min(count, odd_batch - at) * bytes);
+    a.arrays[array] = inputs[array].data();
+  }
+  a.blob = blob;
+  a.count = odd_batch;
+  guarded(a, 0);
+  for (std::size_t at = 0; at < odd_batch; at += count)
+    compare(again_.data(), answers.data() + at, std::min(count, odd_batch - at), 0,
+            "asked in a batch of " + text(odd_batch));
+}
+
 void Desk::ask_blob_after_another(const std::uint8_t* blob) {
   const std::uint64_t room = mailbox_.room;
-  const auto after = [&](const Arguments& before, const std::string& how) {
-    guarded(before, 0);
-    call_at_guard(room, blank_again, blob);
-    compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, how);
-  };
   // A map of the other format with the same bytes, where they are too few again and again.
   constexpr std::uint32_t two_state = 1, four_state = 2;
   std::vector<std::uint8_t> bytes(blob, blob + mailbox_.blob_bytes);
@@ -175,13 +248,13 @@ void Desk::ask_blob_after_another(const std::uint8_t* blob) {
   before.blob = bytes.data();
   if (mailbox_.call == Call::micromap_up || mailbox_.call == Call::micromap_down) {
     before.format = mailbox_.format == two_state ? four_state : two_state;
-    after(before, "asked after the same bytes in the other format");
+    ask_blob_after(before, blob, "asked after the same bytes in the other format");
     before.format = mailbox_.format;
   }
   // And a map of the level below, which is the first quarter of them.
   if (mailbox_.level > 1) {
     before.level = mailbox_.level - 1;
-    after(before, "asked after level " + text(mailbox_.level - 1));
+    ask_blob_after(before, blob, "asked after level " + text(mailbox_.level - 1));
   }
 }
 

@@ -20,6 +20,9 @@
 
 namespace mmverify::dock {
 
+/// More elements than 16 bits count, and no multiple of a vector's.
+constexpr std::size_t odd_batch = large_batch_size + 7;
+
 class Desk {
  public:
   /// Domain: base is map()'s, subject is cannot_load()'s; the rounding and flush modes are those of a fresh
@@ -73,6 +76,8 @@ class Desk {
     std::size_t least = 2, most = 2;
     std::chrono::microseconds within{0};
   };
+  /// What threads share is seen only where they meet between two of its stores: a level's first batch is asked often.
+  static constexpr Rounds often{2, 256, std::chrono::milliseconds(4)};
   /// Two threads ask at once, each its own question over and over.  Empty where the subject is for one thread.
   FromThreads answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds);
   /// The same; the questions see the answers.  Exceptions count against `element`.
@@ -100,14 +105,26 @@ class Desk {
   void ask_slot_again(std::size_t slot, std::size_t size, std::size_t most = batch_size);
   /// Both threads ask the batch; then one of them does, and the other one the same turned by half of it.
   void ask_slot_from_threads(std::size_t slot);
+  /// Two threads ask a batch at once, one of them turned by half of it, over and over; `answers` are the right ones.
+  void ask_turned_from_threads(const Arguments& here, const std::vector<std::byte>& answers,
+                               std::size_t count, const Rounds& rounds, std::uint64_t from,
+                               const std::string& how);
   /// Asks each of the first `most` elements again right after the same at another level.
   void ask_slot_after_another_level(std::size_t slot, std::size_t most = batch_size);
+  /// Asks each element, of several numbers, right after one of the level that was asked before, with the same first number;
+  /// and keeps this level's for the next one.
+  void ask_slot_after_one_of_the_level_before(std::size_t slot);
   /// `other` is that level; an index is shifted to the right by so many bits.
   void ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits, std::size_t most);
   /// Asks a batch again as often as fills a large one; then two threads do, one of them the same turned by half of it.
   void ask_slot_many_times_over(std::size_t slot);
   /// Asks a batch again with its elements in another order: none may depend on its neighbours.
   void ask_slot_in_another_order(std::size_t slot);
+  /// Asks runs of one of its elements with another one inside, at each place but the ends: what is the same at both ends
+  /// need not be the same between.
+  void ask_slot_in_runs(std::size_t slot);
+  /// Asks element order[k] of a batch at place k, then from two threads.  Domain: order has as many as the batch.
+  void ask_slot_rearranged(std::size_t slot, const std::vector<std::size_t>& order, const std::string& how);
   /// Asks a batch again with each array, and the answers, at addresses of their own modulo 64.
   void ask_slot_at_other_places(std::size_t slot);
   bool first_at_this_level() const;
@@ -132,6 +149,13 @@ class Desk {
   void compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size);
   void encode(bool thorough);
   void answer(bool thorough);
+  /// Asks a map or a block again right after what `before` asks.  Domain: it was taken, its answer is in again_.
+  void ask_blob_after(const Arguments& before, const std::uint8_t* blob, const std::string& how);
+  /// The same after bytes that a memo may take for these: the same words in another order, the same first half, the same
+  /// second half.  Domain: any bytes are a map, or a block, of the question.
+  void ask_blob_after_like_ones(const std::uint8_t* blob);
+  /// Asks what is looked up as often as fills a batch of more than 2^16.
+  void ask_blob_many_times_over(const std::uint8_t* blob);
   /// Asks a map again right after its bytes were asked as another one's: of the other format, and of the level below.
   /// Domain: it was taken, its answer is in its place and in again_.
   void ask_blob_after_another(const std::uint8_t* blob);
@@ -158,9 +182,15 @@ class Desk {
   const std::uint32_t mode_;                   ///< of the floating-point unit, as every call must leave it
   cpu_set_t everywhere_;                       ///< processors that this process had before the tool moved it
   std::uint64_t probed_[calls][formats] = {};  ///< bit n: the entry point was asked at level n
-  std::optional<Question> earlier_[calls];     ///< the last one that was asked from two threads
-  std::vector<std::byte> again_;               ///< the other of two answers to one question
-  std::vector<std::byte> elsewhere_;           ///< holds blob_elsewhere()
+  /// A level's first batch.
+  struct Batch {
+    std::uint32_t level = 0;
+    std::vector<std::byte> arrays[most_arrays];
+  };
+  std::optional<Batch> level_before_[calls][formats];
+  std::optional<Question> earlier_[calls];                ///< the last one that was asked from two threads
+  std::vector<std::byte> again_;                          ///< the other of two answers to one question
+  std::vector<std::byte> elsewhere_;                      ///< holds blob_elsewhere()
   std::vector<std::byte> arrays_elsewhere_[most_arrays];  ///< and what is looked up in it
   bool elsewhere_first_[calls] = {};                      ///< of an entry point's last question
 };

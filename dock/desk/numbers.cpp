@@ -3,14 +3,14 @@
 #include <cstring>
 #include <memory>
 #include <numeric>
+#include <unordered_map>
 
 #include "dock/desk/desk.hpp"
 
 namespace mmverify::dock {
 namespace {
 
-/// More elements than 16 bits count, and no multiple of a vector's.
-constexpr std::size_t odd_batch = large_batch_size + 7;
+constexpr char asked_from_threads[] = "asked from two threads at once";
 
 }  // namespace
 
@@ -32,7 +32,9 @@ void Desk::run_on_numbers(std::uint64_t number) {
     ask_slot_in_another_order(slot);
     ask_slot_from_threads(slot);
     if (slot != 0) continue;
+    ask_slot_in_runs(slot);
     ask_slot_after_another_level(slot);
+    ask_slot_after_one_of_the_level_before(slot);
     ask_slot_many_times_over(slot);
     ask_slot_at_other_places(slot);
   }
@@ -111,6 +113,44 @@ void Desk::ask_slot_after_another_level(std::size_t slot, std::size_t most) {
   if (level > 2) ask_slot_after(slot, 1, 2 * (level - 1), most);
 }
 
+void Desk::ask_slot_after_one_of_the_level_before(std::size_t slot) {
+  if (asked().signature.arrays < 2 || asked().signature.of_points || mailbox_.this_level_alone != 0) return;
+  constexpr std::size_t most = 512;
+  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
+                    wide = asked().answer_bytes, bytes = asked().signature.number_bytes;
+  std::optional<Batch>& kept =
+      level_before_[static_cast<std::size_t>(mailbox_.call)][mailbox_.format % formats];
+  const auto word = [](const std::byte* at) {
+    std::uint32_t number = 0;
+    std::memcpy(&number, at, sizeof number);
+    return number;
+  };
+  std::unordered_map<std::uint32_t, std::size_t> places;
+  for (std::size_t k = 0; kept && kept->level != mailbox_.level && k * bytes < kept->arrays[0].size(); ++k)
+    places.emplace(word(kept->arrays[0].data() + k * bytes), k);
+  std::vector<std::byte> there(wide), here(wide);
+  std::size_t matches = 0;
+  for (std::size_t at = 0; at < count && matches < most && !places.empty(); ++at) {
+    Arguments before = piece(slot, at, 1, there.data());
+    const auto same = places.find(word(before.arrays[0]));
+    if (same == places.end()) continue;
+    ++matches;
+    before.level = kept->level;
+    for (std::size_t array = 0; array < asked().signature.arrays; ++array)
+      before.arrays[array] = kept->arrays[array].data() + same->second * bytes;
+    mailbox_.another_level.store(1, std::memory_order_relaxed);
+    guarded(before, from + at);
+    mailbox_.another_level.store(0, std::memory_order_relaxed);
+    guarded(piece(slot, at, 1, here.data()), from + at);
+    compare(slot_answer(slot) + at * wide, here.data(), 1, from + at,
+            "asked after one of level " + std::to_string(kept->level) + " with the same first number");
+  }
+  kept = Batch{mailbox_.level, {}};
+  const Arguments whole = piece(slot, 0, count, nullptr);
+  for (std::size_t array = 0; array < asked().signature.arrays; ++array)
+    kept->arrays[array].assign(whole.arrays[array], whole.arrays[array] + count * bytes);
+}
+
 void Desk::ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits, std::size_t most) {
   const std::size_t count = std::min(in_slot(mailbox_.count, slot), most), from = slot * batch_size,
                     wide = asked().answer_bytes;
@@ -153,54 +193,50 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
   for (std::size_t at = 0; at < odd_batch; at += count)
     compare(slot_answer(slot), again_.data() + at * wide, std::min(count, odd_batch - at), from, how);
 
-  // From threads; what the other one asks begins with the batch's second half.
-  const std::size_t half = count / 2;
-  std::vector<std::byte> turned_inputs[most_arrays], turned_answers = again_;
-  const auto turn = [=](std::vector<std::byte>& numbers, std::size_t width) {
-    std::rotate(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(half * width), numbers.end());
-  };
-  Arguments other = a;
-  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    turned_inputs[array] = inputs[array];
-    turn(turned_inputs[array], bytes);
-    other.arrays[array] = turned_inputs[array].data();
-  }
-  turn(turned_answers, wide);
-  const std::vector<std::byte> answers = again_;
-  const auto sees = [&](const std::vector<std::byte>& right) {
-    return [&, this](const std::byte* theirs, std::uint64_t) {
-      compare(right.data(), theirs, odd_batch, from, how + " from two threads at once");
-    };
-  };
-  ask_from_threads({a, odd_batch * wide, sees(answers)}, {other, odd_batch * wide, sees(turned_answers)}, {},
-                   from);
+  ask_turned_from_threads(a, again_, odd_batch, {}, from, how + " from two threads at once");
 }
 
 void Desk::ask_slot_in_another_order(std::size_t slot) {
-  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
-                    wide = asked().answer_bytes, bytes = asked().signature.number_bytes;
+  const std::size_t count = in_slot(mailbox_.count, slot);
   // About 0.618 of the batch on each time, so that neighbours part.
   std::size_t stride = count * 618 / 1000 + 1;
   while (std::gcd(stride, count) != 1) ++stride;
-  const auto rearranged = [=](const std::byte* elements) {
-    std::vector<std::byte> copy(count * bytes);
-    for (std::size_t k = 0; k < count; ++k)
-      std::memcpy(copy.data() + k * bytes, elements + k * stride % count * bytes, bytes);
-    return copy;
-  };
+  std::vector<std::size_t> order(count);
+  for (std::size_t k = 0; k < count; ++k) order[k] = k * stride % count;
+  ask_slot_rearranged(slot, order, "asked in another order");
+}
+
+void Desk::ask_slot_in_runs(std::size_t slot) {
+  const std::size_t count = in_slot(mailbox_.count, slot);
+  std::vector<std::size_t> order(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    constexpr std::size_t lengths[] = {4, 8, 16, 64};
+    const std::size_t length = lengths[4 * k / count], run = k / length;
+    const bool odd = k % length == 1 + run % (length - 2);
+    order[k] = (run * (length + 1) + (odd ? count / 2 + run : 0)) % count;
+  }
+  ask_slot_rearranged(slot, order, "asked in runs of one element with another one inside");
+}
+
+void Desk::ask_slot_rearranged(std::size_t slot, const std::vector<std::size_t>& order,
+                               const std::string& how) {
+  const std::size_t count = order.size(), from = slot * batch_size, wide = asked().answer_bytes,
+                    bytes = asked().signature.number_bytes;
   Arguments a = piece(slot, 0, count, nullptr);
   std::vector<std::byte> inputs[most_arrays];
   for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array] = rearranged(a.arrays[array]);
+    inputs[array].resize(count * bytes);
+    for (std::size_t k = 0; k < count; ++k)
+      std::memcpy(inputs[array].data() + k * bytes, a.arrays[array] + order[k] * bytes, bytes);
     a.arrays[array] = inputs[array].data();
   }
   again_.assign(count * wide, std::byte{blank_again});
   a.out = again_.data();
   guarded(a, from);
-  std::vector<std::byte> answers(count * wide);  // back in the slot's order
   for (std::size_t k = 0; k < count; ++k)
-    std::memcpy(answers.data() + k * stride % count * wide, again_.data() + k * wide, wide);
-  compare(slot_answer(slot), answers.data(), count, from, "asked in another order");
+    compare(slot_answer(slot) + order[k] * wide, again_.data() + k * wide, 1, from + order[k], how);
+  // Neighbours that are far from each other change what both keep in one place with every element.
+  if (slot == 0) ask_turned_from_threads(a, again_, count, often, from, how + ", from two threads at once");
 }
 
 void Desk::ask_slot_at_other_places(std::size_t slot) {
@@ -236,29 +272,41 @@ Desk::FromThreads Desk::slot_from_threads_first(std::size_t slot) {
 }
 
 void Desk::ask_slot_from_threads(std::size_t slot) {
-  constexpr Rounds rounds;
+  const Rounds rounds = slot == 0 ? often : Rounds{};
   const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
-                    wide = asked().answer_bytes, bytes = asked().signature.number_bytes;
-  const auto turned = [half = count / 2](const std::byte* numbers, std::size_t all, std::size_t width) {
-    std::vector<std::byte> copy(numbers, numbers + all * width);
-    std::rotate(copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(half * width), copy.end());
+                    bytes = count * asked().answer_bytes;
+  const Asked here{piece(slot, 0, count, nullptr), bytes, [&](const std::byte* theirs, std::uint64_t) {
+                     compare(slot_answer(slot), theirs, count, from, asked_from_threads);
+                   }};
+  ask_from_threads(here, here, rounds, from);
+  ask_turned_from_threads(here.arguments, {slot_answer(slot), slot_answer(slot) + bytes}, count, rounds, from,
+                          asked_from_threads);
+}
+
+void Desk::ask_turned_from_threads(const Arguments& here, const std::vector<std::byte>& answers,
+                                   std::size_t count, const Rounds& rounds, std::uint64_t from,
+                                   const std::string& how) {
+  const std::size_t bytes = asked().signature.number_bytes, wide = asked().answer_bytes;
+  const auto turned = [=](const std::byte* numbers, std::size_t width) {
+    std::vector<std::byte> copy(numbers, numbers + count * width);
+    std::rotate(copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(count / 2 * width), copy.end());
     return copy;
   };
-  const auto sees = [&](const std::byte* right) {
-    return [=, this](const std::byte* theirs, std::uint64_t) {
-      compare(right, theirs, count, from, "asked from two threads at once");
-    };
-  };
-  const Asked here{piece(slot, 0, count, nullptr), count * wide, sees(slot_answer(slot))};
-  Arguments a = here.arguments;
+  Arguments there = here;
   std::vector<std::byte> inputs[most_arrays];
   for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array] = turned(a.arrays[array], count, bytes);
-    a.arrays[array] = inputs[array].data();
+    inputs[array] = turned(here.arrays[array], bytes);
+    there.arrays[array] = inputs[array].data();
   }
-  const std::vector<std::byte> answers = turned(slot_answer(slot), count, wide);
-  ask_from_threads(here, here, rounds, from);
-  ask_from_threads(here, {a, count * wide, sees(answers.data())}, rounds, from);
+  // answers may be again_, over which nothing is written here.
+  const std::vector<std::byte> turned_answers = turned(answers.data(), wide);
+  const auto sees = [&](const std::vector<std::byte>& right) {
+    return [&, this](const std::byte* theirs, std::uint64_t) {
+      compare(right.data(), theirs, count, from, how);
+    };
+  };
+  ask_from_threads({here, count * wide, sees(answers)}, {there, count * wide, sees(turned_answers)}, rounds,
+                   from);
 }
 
 }  // namespace mmverify::dock

@@ -15,6 +15,8 @@ std::vector<Law> lossy_laws();
 std::vector<Law> blend_laws();
 /// The same where hits are accepted among them.
 std::vector<Law> order_laws();
+/// The same of up to sixteen hits.
+std::vector<Law> many_hits_laws();
 /// What rays see, micromaps asked or not.
 std::vector<Law> image_laws();
 /// What hits that blend leave in a payload, along the same rays.

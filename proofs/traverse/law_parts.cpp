@@ -36,6 +36,21 @@ std::function<void(Functions&)> mistaking(void (*change)(Combination&)) {
   };
 }
 
+std::function<void(Functions&)> gathering(void (*change)(std::vector<Hit>&)) {
+  return [change](Functions& f) {
+    f.gather = [change, real = f.gather](Operation o, const spec::traverse::Colour& payload,
+                                         std::span<const Hit> hits) {
+      std::vector<Hit> others(hits.begin(), hits.end());
+      change(others);
+      return real(o, payload, others);
+    };
+  };
+}
+
+std::string text_of_colour(const spec::traverse::Colour& c) {
+  return fmt::format("{} {} {} {}", c[0], c[1], c[2], c[3]);
+}
+
 std::string text_of(Outcome o) {
   return o <= Outcome::non_opaque ? name_of(o) : fmt::format("outcome {}", static_cast<unsigned>(o));
 }

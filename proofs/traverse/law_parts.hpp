@@ -69,6 +69,12 @@ std::function<void(Functions&)> deciding(Outcome (*wrong)(const Combination&, Ou
 /// A mutant's change: it takes one combination for another.
 std::function<void(Functions&)> mistaking(void (*change)(Combination&));
 
+/// A mutant's change: it gathers other hits.
+std::function<void(Functions&)> gathering(void (*change)(std::vector<Hit>&));
+
+/// "255 0 0 255".
+std::string text_of_colour(const spec::traverse::Colour& c);
+
 /// `opaque`; of a code that is no outcome its number.
 std::string text_of(Outcome o);
 

@@ -42,7 +42,9 @@ struct Scene {
   Before before = Before::neutral;
   std::size_t count() const { return hits.size() / 2; }
   bool accepted(std::size_t k) const { return hits[2 * k] == 'A'; }
-  std::uint32_t distance(std::size_t k) const { return static_cast<std::uint32_t>(hits[2 * k + 1] - '0'); }
+  std::uint32_t distance(std::size_t k) const {
+    return distance_of(static_cast<float>(hits[2 * k + 1] - '0'));
+  }
 };
 
 std::string text_of_scene(const Scene& s) {
@@ -166,18 +168,7 @@ Cases<Scene> on_scenes(std::vector<Scene> frames, const std::vector<std::string>
   return cases;
 }
 
-std::string codes_of_colour(const Colour& c) { return fmt::format("{} {} {} {}", c[0], c[1], c[2], c[3]); }
-
-/// A mutant that changes the hits before it gathers them, and one that changes what it gathered.
-std::function<void(Functions&)> gathering(void (*change)(std::vector<Hit>&)) {
-  return [change](Functions& f) {
-    f.gather = [change, real = f.gather](Operation o, const Colour& payload, std::span<const Hit> hits) {
-      std::vector<Hit> others(hits.begin(), hits.end());
-      change(others);
-      return real(o, payload, others);
-    };
-  };
-}
+/// A mutant that changes what it gathered.
 std::function<void(Functions&)> gathered(void (*change)(std::span<const Hit>, Colour&)) {
   return spoils(&Functions::gather, [change](Operation, const Colour&, std::span<const Hit> hits,
                                              Colour& out) { change(hits, out); });
@@ -264,7 +255,7 @@ Law accepted_hit() {
         if ((payloads.size() > 1) == depends)
           return Finding{word_of(*payloads.begin()) + std::uint64_t{payloads.size()} + 1};
         std::vector<std::string> all;
-        for (const Colour& c : payloads) all.push_back(codes_of_colour(c));
+        for (const Colour& c : payloads) all.push_back(text_of_colour(c));
         return wrong(depends ? "several payloads" : "one payload", fmt::format("{}", fmt::join(all, ", ")));
       }));
 }
@@ -316,7 +307,7 @@ Law before_closest() {
                         "orders of values"),
        .mutants = {mutant("a blend at the far end stays where it is met first", "traverse",
                           gathered([](std::span<const Hit> hits, Colour& out) {
-                            if (hits.size() == 4 && hits[0].distance == 4 && !hits[0].accepted)
+                            if (hits.size() == 4 && hits[0].distance == distance_of(4) && !hits[0].accepted)
                               out = spec::traverse::blend(Operation::max, out, hits[0].value);
                           })),
                    mutant("the farthest accepted hit is taken for the closest", "traverse-spec",
@@ -339,7 +330,7 @@ Law before_closest() {
                           })),
                    mutant("a hit at the accepted one's distance blends", "traverse-spec",
                           gathering([](std::vector<Hit>& hits) {
-                            for (Hit& h : hits) h.distance = 2 * h.distance + (h.accepted ? 1 : 0);
+                            for (Hit& h : hits) h.distance += h.accepted ? 1 : 0;
                           })),
                    mutant("over and multiply go by distance", "traverse",
                           sorting_gathered([](Operation o) { return !is_order_free(o); }))}},
@@ -348,7 +339,7 @@ Law before_closest() {
         const Colour right = expected_of(scene), got = s.functions.gather(scene.operation, payload_of(scene),
                                                                           reported(scene, hits_of(scene)));
         if (got == right) return Finding{word_of(got) + std::uint64_t{1}};
-        return wrong(codes_of_colour(right), codes_of_colour(got));
+        return wrong(text_of_colour(right), text_of_colour(got));
       }));
 }
 

@@ -109,8 +109,9 @@ void blend(const Library& library, Operation o, std::span<const std::uint32_t> p
 std::string text_of_hits(Operation o, std::uint32_t payload, std::span<const Hit> hits) {
   std::string text = fmt::format("blending by {} into {}", name_of(o), text_of_word(payload));
   for (const Hit& h : hits)
-    text += h.accepted ? fmt::format(", accepted at {}", h.distance)
-                       : fmt::format(", {} at {}", text_of_word(word_of(h.value)), h.distance);
+    text += h.accepted
+                ? fmt::format(", accepted at {}", number_of_distance(h.distance))
+                : fmt::format(", {} at {}", text_of_word(word_of(h.value)), number_of_distance(h.distance));
   return text;
 }
 
@@ -125,7 +126,7 @@ spec::traverse::Colour gather(const Library& library, Operation o, const spec::t
   std::memcpy(blob.data(), &what, sizeof what);
   std::uint8_t* to = blob.data() + sizeof what;
   for (const Hit& h : hits) {
-    const mmverify_hit_t hit{static_cast<float>(h.distance), h.accepted ? 1u : 0u, word_of(h.value)};
+    const mmverify_hit_t hit{number_of_distance(h.distance), h.accepted ? 1u : 0u, word_of(h.value)};
     std::memcpy(to, &hit, sizeof hit);
     to += sizeof hit;
   }

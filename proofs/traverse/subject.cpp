@@ -57,7 +57,7 @@ Functions singles() {
   };
   f.gather = [](Operation o, const slow::Colour& payload, std::span<const Hit> hits) {
     std::vector<fast::Hit> all;
-    for (const Hit& h : hits) all.push_back({static_cast<float>(h.distance), h.accepted, word_of(h.value)});
+    for (const Hit& h : hits) all.push_back({number_of_distance(h.distance), h.accepted, word_of(h.value)});
     return colour_of(fast::blended(static_cast<fast::Operation>(o), word_of(payload), all));
   };
   return f;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <bit>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -24,6 +25,10 @@ using spec::traverse::Hit;
 using spec::traverse::Operation;
 using spec::traverse::Outcome;
 using spec::traverse::Undefined;
+
+/// A hit's distance as the specification has it, and back.
+constexpr std::uint32_t distance_of(float distance) { return std::bit_cast<std::uint32_t>(distance); }
+constexpr float number_of_distance(std::uint32_t distance) { return std::bit_cast<float>(distance); }
 
 /// What a candidate hit asks of the sample world's maps in one form; square maps have one level.
 struct Looks {

@@ -217,6 +217,21 @@ void fill_sparsely(Vq2& fields, Random& random) {
   use_in_turn(fields, used);
 }
 
+/// One quadrant uses all its entries; each other uses one that is shared, and two of its own, one of which all three have: to
+/// share the entry that most quadrants use leaves too few for the one that needs three.
+void fill_with_a_common_own(Vq2& fields, Random& random) {
+  fill_full(fields, random);
+  const std::uint64_t full = random.below(4);
+  std::array<std::uint64_t, 4> used{};
+  std::uint64_t shared = random.below(3);
+  const std::uint8_t common = fields.own[(full + 1) % 4][0];
+  for (std::uint64_t q = 0; q < 4; ++q) {
+    if (q != full) fields.own[q][0] = common;
+    used[q] = q == full ? all_entries & ~std::uint64_t{7} : std::uint64_t{1} << (3 + shared++ % 3) | 3u << 6;
+  }
+  use_in_turn(fields, used);
+}
+
 /// A block's map but for up to three regions: what fits no block, by little.
 template <class Format>
 Map<Format> near_a_block(Random& random) {
@@ -287,6 +302,8 @@ Format sample_block(std::uint64_t seed, std::uint64_t k) {
       fill_unevenly(fields, random);
     else if (k / 2048 % 4 == 3)
       fill_sparsely(fields, random);
+    else if (random.below(8) == 0)
+      fill_with_a_common_own(fields, random);
     else
       fill(fields, random.below(4) != 0, random);
   } else {

@@ -53,7 +53,8 @@ constexpr Colour blend(Operation o, const Colour& payload, const Colour& value) 
   return out;
 }
 
-/// A hit on a ray: how far, and whether it is accepted or blends.
+/// A hit on a ray: how far, and whether it is accepted or blends.  The distance is by the bits of a number of binary32 that
+/// is not negative: their order is that of the numbers.
 struct Hit {
   std::uint32_t distance = 0;
   bool accepted = false;

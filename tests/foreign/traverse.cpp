@@ -1,7 +1,9 @@
 // The decision of a traversal, written from the header and docs/TRAVERSE.md alone: each step is a list of who has a say, and
 // the last who has one is heard.  Of blending, from the header alone.  Each fault of the table is one slip inside this code.
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 
 #include "sdk/mmverify_subject.h"
@@ -120,7 +122,13 @@ std::uint8_t decided(const Seen& s) {
 
 void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32_t* instance,
             const std::uint32_t* ray, std::uint8_t* outcome, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) outcome[k] = decided(seen(api, candidate[k], instance[k], ray[k]));
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t first = k / 8 * 8, last = first + 7;
+    const bool alike = has(eight_by_their_ends) && last < count && instance[first] == instance[last] &&
+                       ray[first] == ray[last];
+    const std::size_t of = alike ? first : k;
+    outcome[k] = decided(seen(api, candidate[k], instance[of], ray[of]));
+  }
 }
 
 // Fixed functions: a code is a fraction of 255, and a hit a function of fractions.
@@ -170,22 +178,39 @@ void blend(std::uint32_t operation, const std::uint32_t* payload, const std::uin
   for (std::size_t k = 0; k < count; ++k) out[k] = one_word(operation, payload[k], value[k]);
 }
 
+/// A distance as it is compared.
+double known_distance(float distance) {
+  if (has(distances_in_thousandths)) return std::floor(static_cast<double>(distance) * 1000);
+  if (!has(distances_of_24_bits)) return static_cast<double>(distance);
+  std::uint32_t bits;
+  std::memcpy(&bits, &distance, sizeof bits);
+  return bits >> 8;
+}
+
+std::uint32_t counted(const mmverify_blend_case_t& what) {
+  return has(eight_hits_at_most) && what.count > 8 ? 8 : what.count;
+}
+
 /// Whether an accepted hit takes the place of hit k.
 bool hidden(const mmverify_blend_case_t& what, std::uint32_t k) {
-  for (std::uint32_t a = 0; a < what.count; ++a) {
+  const double here = known_distance(what.hits[k].distance);
+  for (std::uint32_t a = 0; a < counted(what); ++a) {
     if (what.hits[a].accepted == 0) continue;
     if (has(only_later_hits_are_hidden) && a > k) continue;
-    if (what.hits[a].distance < what.hits[k].distance) return true;
-    if (what.hits[a].distance == what.hits[k].distance && !has(beside_is_not_behind)) return true;
+    const double there = known_distance(what.hits[a].distance);
+    if (there < here) return true;
+    if (there == here && !has(beside_is_not_behind)) return true;
   }
   return false;
 }
 
 void blend_hits(const mmverify_blend_case_t* what, std::uint8_t* payload) {
   std::uint32_t word = what->payload;
-  for (std::uint32_t n = 0; n < what->count; ++n) {
+  for (std::uint32_t n = 0; n < counted(*what); ++n) {
     const std::uint32_t k = has(hits_from_the_last) ? what->count - 1 - n : n;
     const bool again = k > 0 && what->hits[k].distance == what->hits[k - 1].distance;
+    if (has(a_hit_like_the_last_is_dropped) && again && what->hits[k].value == what->hits[k - 1].value)
+      continue;
     if (has(one_hit_a_distance) && again && what->hits[k - 1].accepted == 0) continue;
     if (what->hits[k].accepted == 0 && !hidden(*what, k))
       word = one_word(what->operation, word, what->hits[k].value);

@@ -212,6 +212,48 @@ BakeCase near_half_case(std::uint64_t seed, Level n, std::uint64_t k) {
   return one;
 }
 
+BakeCase long_row_case(std::uint64_t seed, Level n, std::uint64_t k) {
+  Random random(seed, 0x726f7700 + n, k);
+  BakeCase one = sample_case(seed, n, k);
+  Picture& p = one.picture;
+  const auto length = static_cast<std::uint32_t>(random.between(257, 320));
+  const bool row = random.below(2) == 0;
+  p.width = row ? length : 1;
+  p.height = row ? 1 : length;
+  p.texels.resize(std::size_t{p.width} * p.height);
+  // Bright at its end: what is left out there shows.
+  for (std::size_t t = 0; t < p.texels.size(); ++t)
+    for (std::uint8_t& c : p.texels[t])
+      c = static_cast<std::uint8_t>(t * 3 / p.texels.size() * 96 + random.below(64));
+  const auto coarse = [&](std::int64_t from, std::int64_t to) {
+    return static_cast<float>(random.between(from, to)) / 8;
+  };
+  one.uv = {coarse(-2, 1), coarse(-2, 1), coarse(8, 11), coarse(0, 4), coarse(0, 4), coarse(8, 11)};
+  return one;
+}
+
+BakeCase beside_lines_case(std::uint64_t seed, Level n, std::uint64_t k) {
+  Random random(seed, 0x6c696e00 + n, k);
+  BakeCase one = sample_case(seed, n, k);
+  Picture& p = one.picture;
+  p.filter = Filter::nearest;
+  // Sides that no float divides by.
+  constexpr std::array<std::uint32_t, 5> sides{3, 5, 6, 7, 9};
+  p.width = sides[random.below(sides.size())];
+  p.height = sides[random.below(sides.size())];
+  p.texels.resize(std::size_t{p.width} * p.height);
+  for (Rgba& t : p.texels)
+    for (std::uint8_t& c : t) c = static_cast<std::uint8_t>(random.below(256));
+  const std::int64_t step = std::int64_t{1} << n;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::uint32_t side = axis == 0 ? p.width : p.height;
+    const std::int64_t first = random.between(-9, 9);
+    for (std::size_t at = axis; at < 6; at += 2)
+      one.uv[at] = static_cast<float>(static_cast<double>(first + step * random.between(-1, 1)) / side);
+  }
+  return one;
+}
+
 BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
   const BakeCase narrow = sample_case(seed, n, k);
   Random random(seed, 0x77696400 + n, k);
@@ -338,7 +380,7 @@ template <class Channel>
 BakeCaseOf<Channel> read_bake_case_of(const std::string& text) {
   constexpr std::size_t texel = 4 * digits<Channel>;
   static const std::string form = fmt::format(
-      "([1-9]|1[0-6])x([1-9]|1[0-6]):((?:[0-9a-f]{{{0}}})+):([a-z,+-]+),([0-9a-f]{{{0}}}):"
+      "([1-9][0-9]{{0,2}})x([1-9][0-9]{{0,2}}):((?:[0-9a-f]{{{0}}})+):([a-z,+-]+),([0-9a-f]{{{0}}}):"
       "([0-9a-fxp.,+-]+)",
       texel);
   const Groups groups = groups_of(text, form.c_str());

@@ -31,6 +31,11 @@ BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k);
 /// Two texels one code apart, and a triangle about the line between them that leans by 2^-32 to 2^-36 to one side: its
 /// mean is a half code and at most 10^-9 of one more, or less, in each channel.
 BakeCase near_half_case(std::uint64_t seed, Level n, std::uint64_t k);
+/// A row, or a column, of 257 to 320 texels, under a triangle that is longer.
+BakeCase long_row_case(std::uint64_t seed, Level n, std::uint64_t k);
+/// Sampled nearest, with every micro-vertex on a line between texels but for what a float cannot hold of its
+/// coordinates: in fewer bits than the exact sum has, it lies on the other side.  Domain: n up to 7.
+BakeCase beside_lines_case(std::uint64_t seed, Level n, std::uint64_t k);
 /// sample_case() of 16 bits, sRGB left out; a quarter with neighbours one code apart, on places where their means are ties.
 BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uint64_t k);
 /// The same of floats, up to 7x7 texels: ordinary ones, 2^100 beside 2^-100, some that cancel, below 2^-126, neighbours

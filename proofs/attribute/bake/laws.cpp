@@ -225,7 +225,10 @@ Law floats_law() {
   };
   cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) {
     // The one face of level 0; one of several would have to be cut off as finely.
-    return n == 0 && k % 8 == 6 ? near_half_case(seed, n, k) : sample_case(seed, n, k);
+    if (n == 0 && k % 8 == 6) return near_half_case(seed, n, k);
+    // Each of their parts is looked at.
+    if (n <= 1 && k % 16 == 3) return long_row_case(seed, n, k);
+    return n <= 7 && k % 8 == 4 ? beside_lines_case(seed, n, k) : sample_case(seed, n, k);
   };
   cases.text = [](Level, const BakeCase& one) { return text_of(one); };
   cases.read = [](Level, const std::string& text) { return read_bake_case(text); };
@@ -234,6 +237,11 @@ Law floats_law() {
   cases.chunk = 4;
   const auto rounded_uv = [](BakeCase& one) {
     for (float& x : one.uv) x = std::nearbyint(x * 4096) / 4096;
+  };
+  const auto row_ends_at_256 = [](BakeCase& one) {
+    if (one.picture.width <= 256) return;
+    for (std::size_t t = 0; t < one.picture.texels.size(); ++t)
+      if (t % one.picture.width >= 256) one.picture.texels[t] = {0, 0, 0, 0};
   };
   const auto length_lost = [](BakeCase& one) {
     if (one.picture.meaning == Meaning::normal_and_length) one.picture.meaning = Meaning::normal;
@@ -253,8 +261,9 @@ Law floats_law() {
        .domain =
            [](const Subject&, Level) {
              return std::string(
-                 "textures of up to 9x7 texels, all modes and meanings, means beside halves; up to 8 values "
-                 "of each map");
+                 "textures of up to 9x7 texels, to level 1 some of up to 320 in a row, all modes and "
+                 "meanings, means "
+                 "beside halves, micro-vertices beside lines; up to 8 values of each map");
            },
        .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3}, not_renormalised()),
                    mutant("coordinates kept in 12 bits below the point", "attribute", {0, 7},
@@ -271,7 +280,10 @@ Law floats_law() {
                           }),
                    mutant("a mean within 10^-9 of a half is rounded up", "attribute", {0, 0},
                           rounds_near_halves_up()),
-                   mutant("the mean of the corners' texels", "attribute", {1, 2}, averages_corners())}},
+                   mutant("the mean of the corners' texels", "attribute", {1, 2}, averages_corners()),
+                   mutant("texels beyond the 256th of a row are left out", "attribute", {0, 1},
+                          bakes_another(MapForm::faces, row_ends_at_256)),
+                   mutant("vertices placed in binary32", "attribute", {2, 7}, places_in_floats())}},
       needing({bakes_vertices, bakes_faces}), cases);
 }
 

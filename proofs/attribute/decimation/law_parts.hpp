@@ -13,6 +13,8 @@ EdgeFlags flags_of_text(const std::string& text);
 
 /// Values at points, and on edges beside a neighbour.
 std::vector<Law> decimated_value_laws();
+/// Single vertices of high levels.
+Law decimation_sample_law();
 /// Two levels of difference.
 Law two_levels_law();
 

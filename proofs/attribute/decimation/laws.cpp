@@ -223,7 +223,8 @@ EdgeFlags flags_of_text(const std::string& text) {
 }
 
 std::vector<Law> decimation_laws() {
-  std::vector<Law> all{decimation_watertight_law(), decimation_areas_law(), decimation_counts_law()};
+  std::vector<Law> all{decimation_watertight_law(), decimation_areas_law(), decimation_counts_law(),
+                       decimation_sample_law()};
   const std::vector<Law> values = decimated_value_laws();
   all.insert(all.end(), values.begin(), values.end());
   return all;

@@ -29,7 +29,8 @@ std::vector<Hit> ranked(const std::vector<impl::traverse::Hit>& hits) {
   std::vector<Hit> all;
   for (const auto& h : hits) {
     const auto at = std::lower_bound(distances.begin(), distances.end(), h.distance);
-    all.push_back({static_cast<std::uint32_t>(at - distances.begin()) + 1, h.accepted, colour_of(h.value)});
+    all.push_back(
+        {distance_of(static_cast<float>(at - distances.begin() + 1)), h.accepted, colour_of(h.value)});
   }
   return all;
 }
@@ -45,8 +46,6 @@ Colour expected_of(Operation o, std::vector<impl::traverse::Hit> hits) {
       payload = spec::traverse::blend(o, payload, colour_of(h->value));
   return payload;
 }
-
-std::string codes_of(const Colour& c) { return fmt::format("{} {} {} {}", c[0], c[1], c[2], c[3]); }
 
 Finding same_payload(const TraverseSubject& s, const SeenBy& c) {
   const SampleWorld& sample = SampleWorld::get();
@@ -65,8 +64,8 @@ Finding same_payload(const TraverseSubject& s, const SeenBy& c) {
     const render::BlendHits met = sample.tracer().blend_hits(camera, &looked, blending, options, c.x, c.y);
     const Colour got = s.functions.gather(o, payload_of(o), ranked(met.hits));
     if (got != right)
-      return wrong(fmt::format("{} by {}", codes_of(right), name_of(o)),
-                   fmt::format("{}, blended by {}", codes_of(got),
+      return wrong(fmt::format("{} by {}", text_of_colour(right), name_of(o)),
+                   fmt::format("{}, blended by {}", text_of_colour(got),
                                by == render::BlendedBy::shader ? "the any-hit shader" : "fixed functions"));
     calls = 3 * calls + met.asked.shader;
   }
@@ -117,7 +116,8 @@ std::vector<Law> payload_laws() {
                                                 std::span<const Hit> hits) {
                      std::vector<Hit> kept(hits.begin(), hits.end());
                      if (kept.size() == 3)
-                       std::erase_if(kept, [](const Hit& h) { return !h.accepted && h.distance == 3; });
+                       std::erase_if(
+                           kept, [](const Hit& h) { return !h.accepted && h.distance == distance_of(3); });
                      return real(o, payload, kept);
                    };
                  }),

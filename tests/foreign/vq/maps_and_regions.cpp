@@ -83,6 +83,26 @@ void regions(const Format& f, StateAt state_at, const std::uint8_t* block, const
       state[k] = state_at(held, i, j, Way::region);
       continue;
     }
+    if (has(region_block_by_xor)) {
+      static thread_local std::uint8_t held[64];
+      static thread_local int held_side = 0;
+      const std::size_t size = f.side == 16 ? 32 : 64;
+      const auto sum = [size](const std::uint8_t* of) {
+        std::uint64_t all = 0;
+        for (std::size_t at = 0; at < size; at += 8) {
+          std::uint64_t word;
+          std::memcpy(&word, of + at, 8);
+          all ^= word;
+        }
+        return all;
+      };
+      if (held_side != f.side || sum(held) != sum(block)) {
+        std::memcpy(held, block, size);
+        held_side = f.side;
+      }
+      state[k] = state_at(held, i, j, Way::region);
+      continue;
+    }
     state[k] = state_at(block, i, j, Way::region);
   }
 }
