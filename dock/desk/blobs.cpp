@@ -8,7 +8,8 @@
 namespace mmverify::dock {
 namespace {
 
-constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64;
+constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64,
+                        first_in_a_large_batch = 2;
 /// Of the first so many, one in this many is asked from threads as long as the first ones are: laws begin with what is
 /// plain, and a plain map leaves nothing behind in memory that two threads share.
 constexpr std::uint32_t later_from_threads = 1u << 14, one_in_from_threads = 256;
@@ -172,7 +173,7 @@ void Desk::answer(bool thorough) {
   if (thorough) {
     if (any_bytes_are_one(mailbox_.call)) ask_blob_after_like_ones(blob);
     if (asked().topic == Topic::micromap && any_bytes_are_one(mailbox_.call)) ask_blob_after_another(blob);
-    if (asked().signature.arrays != 0 && mailbox_.asked_before < first_from_threads)
+    if (asked().signature.arrays != 0 && mailbox_.asked_before < first_in_a_large_batch)
       ask_blob_many_times_over(blob);
     ask_blob_from_threads(first);
   }
