@@ -226,18 +226,18 @@ void Desk::ask_blob_many_times_over(const std::uint8_t* blob) {
   if (count == 0 || count >= odd_batch || mailbox_.room != count || mailbox_.blob_bytes > longest) return;
   std::vector<std::byte> inputs[most_arrays];
   for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    const std::byte* numbers = a.arrays[array];
-    inputs[array].reserve(odd_batch * bytes);
-    for (std::size_t at = 0; at < odd_batch; at += count)
-      inputs[array].insert(inputs[array].end(), numbers, numbers + std::min(count, odd_batch - at) * bytes);
+    inputs[array].resize(odd_batch * bytes);
+    for (std::size_t k = 0; k < odd_batch; ++k)
+      std::memcpy(inputs[array].data() + k * bytes, a.arrays[array] + element_over_and_over(k, count) * bytes,
+                  bytes);
     a.arrays[array] = inputs[array].data();
   }
   a.blob = blob;
   a.count = odd_batch;
   guarded(a, 0);
-  for (std::size_t at = 0; at < odd_batch; at += count)
-    compare(again_.data(), answers.data() + at, std::min(count, odd_batch - at), 0,
-            "asked in a batch of " + text(odd_batch));
+  const std::string how = "asked in a batch of " + text(odd_batch);
+  for (std::size_t k = 0; k < odd_batch; ++k)
+    compare(again_.data() + element_over_and_over(k, count), answers.data() + k, 1, 0, how);
 }
 
 void Desk::ask_blob_after_another(const std::uint8_t* blob) {

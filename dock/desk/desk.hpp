@@ -23,6 +23,12 @@ namespace mmverify::dock {
 /// More elements than 16 bits count, and no multiple of a vector's.
 constexpr std::size_t odd_batch = large_batch_size + 7;
 
+/// Which of `count` elements the k-th of a longer batch is: all, then all from the second on, and so forth.  In order
+/// each time, those a power of two apart would be one.
+constexpr std::size_t element_over_and_over(std::size_t k, std::size_t count) {
+  return (k + k / count) % count;
+}
+
 class Desk {
  public:
   /// Domain: base is map()'s, subject is cannot_load()'s; the rounding and flush modes are those of a fresh

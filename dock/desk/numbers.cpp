@@ -179,10 +179,10 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
   Arguments a = piece(slot, 0, count, nullptr);
   std::vector<std::byte> inputs[most_arrays];
   for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array].reserve(odd_batch * bytes);
-    for (std::size_t at = 0; at < odd_batch; at += count)
-      inputs[array].insert(inputs[array].end(), a.arrays[array],
-                           a.arrays[array] + std::min(count, odd_batch - at) * bytes);
+    inputs[array].resize(odd_batch * bytes);
+    for (std::size_t k = 0; k < odd_batch; ++k)
+      std::memcpy(inputs[array].data() + k * bytes, a.arrays[array] + element_over_and_over(k, count) * bytes,
+                  bytes);
     a.arrays[array] = inputs[array].data();
   }
   again_.assign(odd_batch * wide, std::byte{blank_again});
@@ -190,8 +190,10 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
   a.out = again_.data();
   guarded(a, from);
   const std::string how = "asked in a batch of " + std::to_string(odd_batch);
-  for (std::size_t at = 0; at < odd_batch; at += count)
-    compare(slot_answer(slot), again_.data() + at * wide, std::min(count, odd_batch - at), from, how);
+  for (std::size_t k = 0; k < odd_batch; ++k) {
+    const std::size_t of = element_over_and_over(k, count);
+    compare(slot_answer(slot) + of * wide, again_.data() + k * wide, 1, from + of, how);
+  }
 
   ask_turned_from_threads(a, again_, odd_batch, {}, from, how + " from two threads at once");
 }

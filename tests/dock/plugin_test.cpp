@@ -199,7 +199,7 @@ TEST(Subject, what_it_keeps_between_questions_is_seen) {
       {"counts_in_16_bits", "left its output unwritten"},
       {"sees_order", "asked in another order: "},
       {"sees_addresses", "asked with its arrays at other addresses: "},
-      {"shares_a_buffer", "asked from two threads at once: "},
+      {"shares_a_buffer", "asked in another order, from two threads at once: "},
       {"shares_a_large_buffer", "asked in a batch of 65543 from two threads at once: "},
       {"publishes_early", "two threads at once, the first time at this level"},
       {"fills_level_16_last", "two threads at once, the first time at this level"},

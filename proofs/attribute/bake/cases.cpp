@@ -379,30 +379,32 @@ std::string text_of(const BakeCaseOf<Channel>& one) {
 template <class Channel>
 BakeCaseOf<Channel> read_bake_case_of(const std::string& text) {
   constexpr std::size_t texel = 4 * digits<Channel>;
-  static const std::string form = fmt::format(
-      "([1-9][0-9]{{0,2}})x([1-9][0-9]{{0,2}}):((?:[0-9a-f]{{{0}}})+):([a-z,+-]+),([0-9a-f]{{{0}}}):"
-      "([0-9a-fxp.,+-]+)",
-      texel);
-  const Groups groups = groups_of(text, form.c_str());
-  if (!groups)
+  static const std::string settings_form = fmt::format("([a-z,+-]+),([0-9a-f]{{{}}})", texel);
+  // Texels apart: they are more characters than a matcher goes through.
+  const std::vector<std::string> parts = split(text, ':');
+  const bool four = parts.size() == 4;
+  const Groups size = groups_of(parts[0], "([1-9][0-9]{0,2})x([1-9][0-9]{0,2})"),
+               settings = groups_of(four ? parts[2] : "", settings_form.c_str());
+  if (!four || !size || !settings || parts[1].find_first_not_of("0123456789abcdef") != std::string::npos ||
+      parts[1].size() % texel != 0)
     throw BadCase(fmt::format(
         "'{:.60}': write WxH:TEXELS:WRAP,WRAP,FILTER,MEANING,BORDER:U,V,U,V,U,V, texels and border "
         "{} hexadecimal digits each",
         text, texel == 8 ? "eight" : fmt::to_string(texel)));
   BakeCaseOf<Channel> one;
   auto& p = one.picture;
-  p.width = static_cast<std::uint32_t>(std::stoul((*groups)[1]));
-  p.height = static_cast<std::uint32_t>(std::stoul((*groups)[2]));
-  p.texels = unhexed<Channel>((*groups)[3]);
+  p.width = static_cast<std::uint32_t>(std::stoul((*size)[1]));
+  p.height = static_cast<std::uint32_t>(std::stoul((*size)[2]));
+  p.texels = unhexed<Channel>(parts[1]);
   if (p.texels.size() != std::size_t{p.width} * p.height)
     throw BadCase(fmt::format("'{:.60}': {} texels of {}x{}", text, p.texels.size(), p.width, p.height));
-  const std::vector<std::string> names = split((*groups)[4], ',');
+  const std::vector<std::string> names = split((*settings)[1], ',');
   if (names.size() != 4) throw BadCase(fmt::format("'{:.60}': four names before the border", text));
   p.wrap_u = static_cast<Wrap>(named(wrap_names, names[0]));
   p.wrap_v = static_cast<Wrap>(named(wrap_names, names[1]));
   p.filter = static_cast<Filter>(named(filter_names, names[2]));
   p.meaning = static_cast<Meaning>(named(meaning_names, names[3]));
-  p.border = unhexed<Channel>((*groups)[5])[0];
+  p.border = unhexed<Channel>((*settings)[2])[0];
   if constexpr (std::is_same_v<Channel, float>) {
     const auto finite = [](const auto& t) {
       return std::all_of(t.begin(), t.end(), [](float c) { return std::isfinite(c); });
@@ -411,7 +413,7 @@ BakeCaseOf<Channel> read_bake_case_of(const std::string& text) {
       throw BadCase(fmt::format("'{:.60}': texels are finite numbers", text));
     if (p.meaning != Meaning::linear) throw BadCase(fmt::format("'{:.60}': floats are linear", text));
   }
-  const std::vector<std::string> uv = split((*groups)[6], ',');
+  const std::vector<std::string> uv = split(parts[3], ',');
   if (uv.size() != 6) throw BadCase(fmt::format("'{:.60}': six coordinates", text));
   for (std::size_t k = 0; k < 6; ++k) {
     char* end = nullptr;

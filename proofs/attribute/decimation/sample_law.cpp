@@ -30,6 +30,8 @@ FlaggedVertex flagged_vertex(Level n, std::uint64_t k, std::uint64_t seed) {
   const std::uint32_t kind = below(8);
   if (kind == 0 && one.at.i > 0) --one.at.i;
   if (kind == 1 && one.at.j > 0) --one.at.j;
+  if (kind == 3 && one.at.i + one.at.j < N) ++one.at.i;
+  if (kind == 4 && one.at.i + one.at.j < N) ++one.at.j;
   if (kind == 2) {
     one.at.i = below(N + 1);
     one.at.j = below(N - one.at.i + 1);
