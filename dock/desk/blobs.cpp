@@ -226,10 +226,8 @@ void Desk::ask_blob_many_times_over(const std::uint8_t* blob) {
   if (count == 0 || count >= odd_batch || mailbox_.room != count || mailbox_.blob_bytes > longest) return;
   std::vector<std::byte> inputs[most_arrays];
   for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array].resize(odd_batch * bytes);
-    for (std::size_t k = 0; k < odd_batch; ++k)
-      std::memcpy(inputs[array].data() + k * bytes, a.arrays[array] + element_over_and_over(k, count) * bytes,
-                  bytes);
+    inputs[array] = gathered(a.arrays[array], bytes, odd_batch,
+                             [=](std::size_t k) { return element_over_and_over(k, count); });
     a.arrays[array] = inputs[array].data();
   }
   a.blob = blob;

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <optional>
 #include <string>
@@ -27,6 +28,15 @@ constexpr std::size_t odd_batch = large_batch_size + 7;
 /// each time, those a power of two apart would be one.
 constexpr std::size_t element_over_and_over(std::size_t k, std::size_t count) {
   return (k + k / count) % count;
+}
+
+/// `count` elements of so many bytes: at place k the one of number of(k).
+template <class Of>
+std::vector<std::byte> gathered(const std::byte* elements, std::size_t bytes, std::size_t count, Of of) {
+  std::vector<std::byte> all(count * bytes);
+  for (std::size_t k = 0; k < count; ++k)
+    std::memcpy(all.data() + k * bytes, elements + of(k) * bytes, bytes);
+  return all;
 }
 
 class Desk {

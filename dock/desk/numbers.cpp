@@ -179,10 +179,8 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
   Arguments a = piece(slot, 0, count, nullptr);
   std::vector<std::byte> inputs[most_arrays];
   for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array].resize(odd_batch * bytes);
-    for (std::size_t k = 0; k < odd_batch; ++k)
-      std::memcpy(inputs[array].data() + k * bytes, a.arrays[array] + element_over_and_over(k, count) * bytes,
-                  bytes);
+    inputs[array] = gathered(a.arrays[array], bytes, odd_batch,
+                             [=](std::size_t k) { return element_over_and_over(k, count); });
     a.arrays[array] = inputs[array].data();
   }
   again_.assign(odd_batch * wide, std::byte{blank_again});
@@ -227,9 +225,7 @@ void Desk::ask_slot_rearranged(std::size_t slot, const std::vector<std::size_t>&
   Arguments a = piece(slot, 0, count, nullptr);
   std::vector<std::byte> inputs[most_arrays];
   for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array].resize(count * bytes);
-    for (std::size_t k = 0; k < count; ++k)
-      std::memcpy(inputs[array].data() + k * bytes, a.arrays[array] + order[k] * bytes, bytes);
+    inputs[array] = gathered(a.arrays[array], bytes, count, [&](std::size_t k) { return order[k]; });
     a.arrays[array] = inputs[array].data();
   }
   again_.assign(count * wide, std::byte{blank_again});

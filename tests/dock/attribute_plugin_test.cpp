@@ -101,6 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
                                           "at level 4 on case i=3,j=5"},
                     AttributeMisbehaviour{"attribute_unwritten", "attribute.order_bijective",
                                           "left its output unwritten", "at level 4 on case i=3,j=5"},
+                    AttributeMisbehaviour{"attribute_vertex_without_level", "attribute.triangle_vertices",
+                                          "with the same first number", "triplet "},
                     AttributeMisbehaviour{"attribute_weights_count_calls", "attribute.weights_on_floats",
                                           "non-deterministic, asked ", "0x1"}),
     [](const auto& info) { return std::string(info.param.name); });

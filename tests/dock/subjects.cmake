@@ -140,7 +140,7 @@ mmverify_add_part(right_attribute ${attribute_example} mmverify_subject_v1=right
 mmverify_add_part(wrong_attribute subjects/wrong_attribute.cpp)
 foreach(wrong bird_vertex_twice w_minor_row_turned curve_as_rows half_is_2 figure_4_cycle lower_for_upper rounded_carry
     lower_weights_on_upper towards_the_middle halves_go_up index_beyond crash unwritten order_of_before weights_count_calls
-    old_header indices_only)
+    vertex_without_level old_header indices_only)
   mmverify_add_wrong(attribute_${wrong} ${wrong} wrong_attribute right_attribute)
 endforeach()
 

@@ -76,6 +76,20 @@ void face_of(Word level, Word vertices, Word faces, const Word* first, const Wor
   if (wrong_is("lower_for_upper") && faces == MMVERIFY_FACES_U_MAJOR)
     for (std::size_t k = 0; k < count; ++k)
       if (level == 3 && face[k] == 20) face[k] = 19;
+  if (!wrong_is("vertex_without_level")) return;
+  // Where the first vertex is, kept by its index and the order.
+  thread_local struct { Word index = ~0u, order = 0, place[2] = {}; } kept;
+  for (std::size_t k = 0; k < count; ++k) {
+    Word place[2];
+    right_attribute()->attribute_vertex_place(level, vertices, first + k, place, 1);
+    if (kept.index == first[k] && kept.order == vertices) {
+      if (std::memcmp(kept.place, place, sizeof place) != 0) face[k] ^= 1;
+      continue;
+    }
+    kept.index = first[k];
+    kept.order = vertices;
+    std::memcpy(kept.place, place, sizeof place);
+  }
 }
 
 void triplet_f32(Word level, Word order, const float* u, const float* v, Word* out, std::size_t count) {
