@@ -12,7 +12,7 @@
 namespace mmverify::dock {
 
 /// Whose laws ask.
-enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute, traverse };
+enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute, traverse, array };
 
 /// Of a face of RGBA8.
 constexpr std::size_t bytes_of_face = 4;
@@ -73,7 +73,9 @@ constexpr std::uint32_t formats = formats_side * formats_side;
   ROW(attribute_bake_vertices, attribute, 1, (CaseOf<mmverify_attribute_case_t>(a), a.bytes()))                       \
   ROW(traverse_decide,     traverse, 1, (a.format, a.words(0), a.words(1), a.words(2), a.bytes(), a.count))           \
   ROW(traverse_blend,      traverse, 1, (a.format, a.words(0), a.words(1), a.numbers(), a.count))                     \
-  ROW(traverse_blend_hits, traverse, 1, (HitsOf(a), a.bytes()))
+  ROW(traverse_blend_hits, traverse, 1, (HitsOf(a), a.bytes()))                                                       \
+  ROW(array_build,         array,    1, (TrianglesOf(a), a.bytes(), a.room))                                          \
+  ROW(array_resolve,       array,    2, (a.format, a.words(0), a.words(1), a.words(2), a.numbers(), a.count))
 // clang-format on
 
 /// Entry points by number: their rows'.

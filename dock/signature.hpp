@@ -26,8 +26,9 @@ constexpr bool one_of = (std::is_same_v<T, Of> || ...);
 template <class T>
 constexpr bool is_numbers = one_of<T, const float*, const double*, const std::uint32_t*>;
 template <class T>
-constexpr bool is_blob = one_of<T, const std::uint8_t*, const mmverify_bake_case_t*,
-                                const mmverify_attribute_case_t*, const mmverify_blend_case_t*>;
+constexpr bool is_blob =
+    one_of<T, const std::uint8_t*, const mmverify_bake_case_t*, const mmverify_attribute_case_t*,
+           const mmverify_blend_case_t*, const mmverify_array_case_t*>;
 template <class T>
 constexpr bool is_answer = one_of<T, std::uint32_t*, std::uint8_t*, float*>;
 /// Bytes of what a pointer of a kind points to; 0 for anything else.

@@ -1,6 +1,10 @@
 // The whole library: indices, maps, trees, square maps, the bakers.  Installed as <mmverify/mmverify.hpp>.
 #pragma once
 
+#include "impl/array/api.hpp"
+#include "impl/array/build.hpp"
+#include "impl/array/change.hpp"
+#include "impl/array/container.hpp"
 #include "impl/attribute/bake.hpp"
 #include "impl/attribute/compress.hpp"
 #include "impl/attribute/container.hpp"

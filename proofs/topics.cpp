@@ -1,5 +1,7 @@
 #include "proofs/topics.hpp"
 
+#include "proofs/array/laws.hpp"
+#include "proofs/array/plugin_subject.hpp"
 #include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/plugin_subject.hpp"
 #include "proofs/bake/dialogue.hpp"
@@ -69,6 +71,9 @@ const std::vector<Topic> table{
     {"traverse", {"traverse", "paper"}, traverse::laws, all<traverse::built_in_subjects>, {"traverse"},
      [](const LibraryPtr& l, bool first) { return one<traverse::plugin_subject>(l, "traverse", first); },
      Call::traverse_decide, 0},
+    {"array", {"array"}, array::laws, all<array::built_in_subjects>, {"array"},
+     [](const LibraryPtr& l, bool first) { return one<array::plugin_subject>(l, "array", first); },
+     Call::array_build, 9, "array"},
 };
 // clang-format on
 

@@ -217,6 +217,54 @@ typedef struct mmverify_attribute_support {
   uint32_t tolerance; /* codes that a channel may be off by, up to 16; 0: each is the exact number, rounded */
 } mmverify_attribute_support_t;
 
+/* Arrays of many triangles' maps; see array_build and array_resolve. */
+#define MMVERIFY_ARRAY_EXT 0u
+#define MMVERIFY_ARRAY_KHR 1u
+#define MMVERIFY_ARRAY_DXR 2u
+#define MMVERIFY_ARRAY_OPTIX 3u
+#define MMVERIFY_ARRAY_NVAPI 4u
+#define MMVERIFY_ARRAY_GLTF 5u
+#define MMVERIFY_INDEX_U8 0u
+#define MMVERIFY_INDEX_U16 1u
+#define MMVERIFY_INDEX_U32 2u
+#define MMVERIFY_INDEX_I16 3u /* glTF alone has signed ones */
+#define MMVERIFY_INDEX_I32 4u
+#define MMVERIFY_INDEX_IN_CLUSTER 8u /* with any of these, of array_resolve: -5 is no micromap */
+#define MMVERIFY_ARRAY_SPECIAL 1u    /* a uniform map becomes a special index */
+#define MMVERIFY_ARRAY_SHARE 2u      /* equal level, format and states share a record */
+#define MMVERIFY_TARGET_SPECIAL 0u
+#define MMVERIFY_TARGET_NONE 1u
+#define MMVERIFY_TARGET_RECORD 2u
+#define MMVERIFY_TARGET_OUTSIDE 3u
+
+typedef struct mmverify_array_triangle {
+  uint32_t level, format;
+  uint32_t map; /* the first byte of its map in `maps` */
+} mmverify_array_triangle_t;
+
+/* What an array is built of.  `size` bytes of it are there, as of mmverify_bake_case. */
+typedef struct mmverify_array_case {
+  uint32_t size;       /* sizeof(mmverify_array_case) */
+  uint32_t api;        /* MMVERIFY_ARRAY_EXT, ... */
+  uint32_t index_type; /* MMVERIFY_INDEX_U8, ..., one that the API takes */
+  uint32_t base_triangle;
+  uint32_t flags; /* MMVERIFY_ARRAY_SPECIAL, MMVERIFY_ARRAY_SHARE */
+  uint32_t
+      bound; /* of near-duplicate merging: micro-triangles of each triangle that may become unknown; 0: none */
+  uint32_t
+      before; /* so many of the triangles, the first ones, are records already, one each; base_triangle is no more */
+  uint32_t count; /* of all triangles */
+  const mmverify_array_triangle_t* triangles;
+  const uint8_t* maps; /* packed as maps are, the bits after the last state zero; at any byte */
+} mmverify_array_case_t;
+
+/* What an answer of array_build begins with.  Without gaps follow: the records, 8 bytes each; the array's usage counts, and
+ * the geometry's, three words each: count, level, format; the indices; the data. */
+typedef struct mmverify_array_answer {
+  uint32_t records, array_counts, geometry_counts; /* how many there are */
+  uint32_t index_bytes, data_bytes;
+} mmverify_array_answer_t;
+
 /* What a subject is: its name, its limits, its entry points. */
 typedef struct mmverify_subject {
   uint32_t abi;     /* MMVERIFY_SUBJECT_ABI */
@@ -434,7 +482,23 @@ typedef struct mmverify_subject {
    * reported, MULTIPLY and OVER in the order in which the hits are met. */
   void (*traverse_blend_hits)(const mmverify_blend_case_t* what, uint8_t* payload);
 
-  /* Arrays will have their entry points after these. */
+  /* The array of a geometry's triangles, behind the records that are there before: an mmverify_array_answer and what follows
+   * it, little-endian. Its size is returned, as of tree_encode; 0 if an index does not fit its type, and for nothing else.
+   *   - A record is u32 offset of its map in the data, u16 level, u16 format, as VkMicromapTriangleEXT. Those before come
+   *     first and keep their maps; there is an index for each triangle after them, and records that nobody uses are none.
+   *   - An index is its record less base_triangle; what shares is the maps from base_triangle on. A special index is -1 T,
+   *     -2 O, -3 UT, -4 UO in the type's width, and base_triangle is no part of it.
+   *   - Each triangle keeps its level and format, and resolves to what it was given as. With a bound T and O may be UT or UO
+   *     in 4-state, in at most so many micro-triangles of each triangle; nothing else may change. Nothing has to be merged.
+   *   - The array's usage counts are its records' by level and format; the geometry's, of EXT, OptiX and NVAPI, those of its
+   *     triangles' records, special indices left out; other APIs have none. In any order. */
+  size_t (*array_build)(const mmverify_array_case_t* what, uint8_t* answer, size_t capacity);
+
+  /* What code[k] < 2^width means to a geometry with base_triangle[k], over records[k] records: two numbers each, what it is
+   * and which. MMVERIFY_TARGET_SPECIAL and the state; _NONE and 0: -5 in a cluster; _RECORD and its number, base added;
+   * _OUTSIDE and 0: no such record, and a signed code below the special ones. */
+  void (*array_resolve)(uint32_t index_type, const uint32_t* code, const uint32_t* base_triangle,
+                        const uint32_t* records, uint32_t* target, size_t count);
 } mmverify_subject_t;
 
 /* The one exported symbol. The result must stay valid for the life of the process; null is an error. */

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "bench/array/tables.hpp"
 #include "bench/attribute/tables.hpp"
 #include "bench/bake/tables.hpp"
 #include "bench/index/tables.hpp"
@@ -76,6 +77,14 @@ Result of_attribute(const BenchOptions& given, const Levels& levels) {
   return attribute_tables(attribute_figures(options), options);
 }
 
+Result of_array(const BenchOptions& given, const Levels& levels) {
+  const bench::ArrayBenchOptions options{.first = levels.first,
+                                         .last = levels.last,
+                                         .seed = given.index.seed,
+                                         .progress = progress_of("array", given)};
+  return array_tables(array_figures(options), options);
+}
+
 /// The levels that a bench has where none are asked for.
 template <class Options>
 Levels levels_of() {
@@ -119,6 +128,7 @@ std::span<const BenchTopic> bench_topics() {
        .highest = 16,
        .most_samples = most_lookups,
        .measure = of_attribute},
+      {.name = "array", .levels = levels_of<bench::ArrayBenchOptions>(), .highest = 8, .measure = of_array},
   };
   return table;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "dock/entry_points.hpp"
 
@@ -61,6 +62,25 @@ class HitsOf {
   static constexpr std::size_t most = 16;
   mmverify_blend_case_t what_;
   std::array<mmverify_hit_t, most> hits_;
+};
+
+/// The case that a blob begins with; its triangles, and then their maps, are the rest of the blob.
+class TrianglesOf {
+ public:
+  explicit TrianglesOf(const Arguments& a) {
+    std::memcpy(&what_, a.blob, sizeof what_);
+    // As aligned as a triangle has to be, whatever the blob is.
+    triangles_.resize(what_.count);
+    const std::size_t bytes = triangles_.size() * sizeof(mmverify_array_triangle_t);
+    if (bytes != 0) std::memcpy(triangles_.data(), a.blob + sizeof what_, bytes);
+    what_.triangles = triangles_.data();
+    what_.maps = a.blob + sizeof what_ + bytes;
+  }
+  operator const mmverify_array_case_t*() const { return &what_; }
+
+ private:
+  mmverify_array_case_t what_;
+  std::vector<mmverify_array_triangle_t> triangles_;
 };
 
 }  // namespace mmverify::dock

@@ -1,5 +1,5 @@
 // Tables of the benches beside docs/bench.schema.json: what is written has a property there, a rule, and its unit.
-#include "bench/attribute/tables.hpp"
+#include "bench/array/tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/attribute/tables.hpp"
 #include "bench/bake/tables.hpp"
 #include "bench/baker/tables.hpp"
 #include "bench/index/tables.hpp"
@@ -98,6 +99,7 @@ std::vector<Result> all_results() {
           vq_tables(vq, {}),
           bake_tables(bake, {}),
           attribute_tables(maps, {}),
+          array_tables({ArrayFigures{}}, {}),
           sweep_tables({}),
           subject_tables({}),
           shader_tables({.about = {{"device", "a test's"}}, .rows = {{"index", 4, 1, 1, 0}}}),

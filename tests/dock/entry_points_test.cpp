@@ -78,7 +78,8 @@ TEST(EntryPoints, numbers_of_an_answer) {
                                                          {"attribute_triplet", 3},
                                                          {"attribute_triplet_f32", 3},
                                                          {"attribute_weights_f32", 3},
-                                                         {"attribute_decimate", 2}};
+                                                         {"attribute_decimate", 2},
+                                                         {"array_resolve", 2}};
   for (const EntryPoint& e : entry_points) {
     std::size_t numbers = 1;
     for (const auto& [name, count] : several)
@@ -92,7 +93,7 @@ TEST(EntryPoints, are_of_the_topic_that_their_name_begins_with) {
       {"index", Topic::index},       {"tree", Topic::tree},
       {"micromap", Topic::micromap}, {"vq", Topic::vq},
       {"bake", Topic::bake},         {"attribute", Topic::attribute},
-      {"traverse", Topic::traverse}};
+      {"traverse", Topic::traverse}, {"array", Topic::array}};
   const auto of_index = [](const std::string& name) {
     return name.starts_with("corners") || name.starts_with("row_");
   };

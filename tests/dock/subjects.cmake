@@ -70,7 +70,7 @@ foreach(fault 0 1 2)
   mmverify_add_subject(fault_${fault} subjects/no_subject.c FAULT=${fault})
 endforeach()
 
-mmverify_add_room(subjects_tests large_batches_test tree_plugin_test vq_plugin_test traverse_plugin_test attribute_plugin_test
+mmverify_add_room(subjects_tests large_batches_test tree_plugin_test vq_plugin_test traverse_plugin_test array_plugin_test attribute_plugin_test
   attribute_bake_plugin_test bake_plugin_test LIBRARIES mmverify::proofs)
 target_compile_definitions(subjects_tests PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
 add_dependencies(subjects_tests mmverify mmverify-worker)
@@ -131,6 +131,16 @@ foreach(wrong instance_after_ray khr_query_forgets_2_state opaque_fills_holes ou
     geometry_of_the_first_of_four blend_crash blend_unwritten blend_truncates blend_wraps blend_chains hits_as_met
     hits_beside_blend hits_throw hits_unwritten)
   mmverify_add_wrong(traverse_${wrong} ${wrong} wrong_traverse right_traverse)
+endforeach()
+
+# And of arrays.
+set(array_example ${PROJECT_SOURCE_DIR}/examples/subject_array/subject_array.c)
+mmverify_add_subject(array_example ${array_example})
+mmverify_add_part(right_array ${array_example} mmverify_subject_v1=right_array)
+mmverify_add_part(wrong_array subjects/wrong_array.cpp)
+foreach(wrong merges_known one_format one_histogram base_on_special order_from_level_2 less_or_equal minus_5_everywhere state_4
+    refuses_two says_more_bytes crash throws overrun counts_calls resolves_only old_header)
+  mmverify_add_wrong(array_${wrong} ${wrong} wrong_array right_array)
 endforeach()
 
 # And of attribute maps.

@@ -1,0 +1,208 @@
+// Arrays of many triangles: a file read twice, or maps built, changed and written twice.
+//
+// Input: a byte, even: the rest is a file; odd: a byte of choices, an encoding, a base triangle, a bound, how many of the
+// maps are there before, and maps: a byte each of level (two bits), format and "filled", then packed bytes or the one that
+// fills it.  Bytes that are missing are zeros.
+//
+// Covers: impl/array/api.hpp impl/array/build.* impl/array/change.* impl/array/container.*
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "impl/array/build.hpp"
+#include "impl/array/change.hpp"
+#include "impl/array/container.hpp"
+#include "spec/array/build.hpp"
+#include "spec/array/change.hpp"
+#include "spec/array/container.hpp"
+#include "spec/array/emulate.hpp"
+
+namespace {
+
+namespace fast = mmverify::impl::array;
+namespace slow = mmverify::spec::array;
+namespace maps = mmverify::spec::micromap;
+using maps::Bytes;
+
+[[noreturn]] void fail(const std::string& what) {
+  std::fprintf(stderr, "array_differential: %s\n", what.c_str());
+  std::abort();
+}
+
+class Reader {
+ public:
+  Reader(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
+  std::uint8_t byte() {
+    if (left_ == 0) return 0;
+    --left_;
+    return *data_++;
+  }
+  Bytes bytes(std::size_t count) {
+    Bytes out(count);
+    for (std::uint8_t& b : out) b = byte();
+    return out;
+  }
+  bool empty() const { return left_ == 0; }
+
+ private:
+  const std::uint8_t* data_;
+  std::size_t left_;
+};
+
+slow::Bundle to_slow(const fast::Bundle& b) {
+  slow::Bundle out;
+  for (const auto& r : b.array.records) out.array.records.push_back({r.offset, r.level, r.format});
+  out.array.data = b.array.data;
+  for (const fast::Part& p : b.parts)
+    out.parts.push_back({static_cast<maps::Encoding>(p.encoding), p.base, p.indices});
+  return out;
+}
+
+void same(const slow::Bundle& right, const fast::Bundle& got, const char* what) {
+  if (to_slow(got) != right) fail(std::string(what) + " gives another array");
+}
+
+void read_file(const Bytes& file) {
+  const std::optional<slow::Bundle> right = slow::read(file);
+  fast::Bundle got;
+  try {
+    got = fast::read(file);
+  } catch (const std::invalid_argument& refused) {
+    if (right) fail(std::string("a file is refused: ") + refused.what());
+    if (!std::string(refused.what()).starts_with("byte ")) fail("a refusal without its place");
+    return;
+  }
+  if (!right) fail("what is no file is read");
+  same(*right, got, "reading");
+  if (fast::written(got, file[8]) != file) fail("what is read is written as other bytes");
+  // Whatever records and indices say: both change it alike, or both refuse.
+  for (const auto& [spec, impl] :
+       {std::pair(&slow::compacted, &fast::compacted), std::pair(&slow::reordered, &fast::reordered)}) {
+    std::optional<fast::Bundle> changed;
+    try {
+      changed = impl(got);
+    } catch (const std::logic_error&) {
+    }
+    // The specification's domain is arrays whose references are there.
+    bool sound = true;
+    for (const slow::Part& p : right->parts)
+      for (std::uint64_t t = 0; t < slow::triangles(p); ++t)
+        sound = sound && slow::target(*right, p, t).kind != slow::Target::Kind::outside;
+    if (!sound) {
+      if (changed) fail("an index of no record is passed");
+      continue;
+    }
+    std::optional<slow::Bundle> expected;
+    try {
+      expected = spec(*right);
+    } catch (const std::logic_error&) {
+    }
+    if (expected.has_value() != changed.has_value()) fail("one of two changes refuses");
+    if (expected) same(*expected, *changed, "a change");
+  }
+}
+
+void build(Reader& reader) {
+  const std::uint8_t flags = reader.byte();
+  slow::BuildOptions o;
+  o.api = slow::apis[flags / 4 % slow::api_count];
+  o.special = (flags & 1) != 0;
+  o.share = (flags & 2) != 0;
+  o.encoding = maps::encodings[reader.byte() % 5];
+  if (!slow::takes(o.api, o.encoding)) o.api = slow::Api::glTF;
+  const std::uint8_t base = reader.byte();
+  o.bound = reader.byte() % 8;
+  const std::size_t before = reader.byte() % 4;
+  std::vector<Bytes> packed;
+  std::vector<maps::Map> all;
+  while (!reader.empty() && all.size() < 300) {
+    const std::uint8_t head = reader.byte();
+    const mmverify::spec::Level level = head % 4;
+    const maps::Format f = (head & 4) != 0 ? maps::Format::four_state : maps::Format::two_state;
+    const std::uint64_t count = maps::micro_triangles(level);
+    const std::size_t size = static_cast<std::size_t>(maps::packed_bytes(count, f));
+    const bool filled = (head & 8) != 0;
+    const Bytes bytes = filled ? Bytes(size, reader.byte()) : reader.bytes(size);
+    all.push_back({level, f, maps::unpack(bytes, f, count)});
+    packed.push_back(bytes);  // its padding as it comes
+  }
+  const std::size_t first = std::min(before, all.size());
+  o.base = base % static_cast<std::uint32_t>(first + 1);
+  std::vector<fast::PackedMap> views;
+  for (std::size_t t = 0; t < packed.size(); ++t)
+    views.push_back({all[t].level, static_cast<fast::Format>(all[t].format), packed[t]});
+  std::optional<slow::Built> right;
+  std::optional<fast::Built> got;
+  try {
+    right = slow::build(std::span(all).first(first), std::span(all).subspan(first), o);
+  } catch (const std::length_error&) {
+  }
+  try {
+    got = fast::build(std::span(views).first(first), std::span(views).subspan(first),
+                      {static_cast<fast::Api>(o.api), static_cast<fast::Encoding>(o.encoding), o.base,
+                       o.special, o.share, o.bound});
+  } catch (const std::length_error&) {
+  }
+  if (right.has_value() != got.has_value()) fail("one of two builders refuses");
+  if (!right) return;
+  const slow::Bundle bundle{right->array, {right->part}};
+  const fast::Bundle fast_bundle{got->array, {got->part}};
+  same(bundle, fast_bundle, "building");
+  const auto same_counts = [](const std::vector<fast::UsageCount>& x,
+                              const std::vector<maps::UsageCount>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& p, const auto& q) {
+      return p.count == q.count && p.level == q.level && p.format == q.format;
+    });
+  };
+  if (!same_counts(got->array_counts, right->array_counts)) fail("another histogram of the array");
+  if (got->geometry_counts.has_value() != right->geometry_counts.has_value() ||
+      (right->geometry_counts && !same_counts(*got->geometry_counts, *right->geometry_counts)))
+    fail("another histogram of the geometry");
+
+  // What a triangle resolves to is what was baked, or more unknown.
+  for (std::size_t t = 0; t + first < all.size(); ++t) {
+    const maps::Map& baked = all[first + t];
+    const slow::Target to = slow::target(bundle, bundle.parts[0], t);
+    std::uint64_t changed = 0;
+    if (to.kind != slow::Target::Kind::special && to.kind != slow::Target::Kind::record)
+      fail("a triangle without a map");
+    const maps::States is = to.kind == slow::Target::Kind::special
+                                ? maps::States(baked.states.size(), to.state)
+                                : slow::map_of(bundle.array, to.record).states;
+    if (is.size() != baked.states.size()) fail("another level");
+    for (std::size_t i = 0; i < is.size(); ++i) {
+      changed += is[i] != baked.states[i] ? 1 : 0;
+      if (is[i] != baked.states[i] && (maps::unknown(baked.states[i]) || !maps::unknown(is[i])))
+        fail("a state is neither what was baked nor more unknown");
+    }
+    if (changed > o.bound) fail("more is changed than the bound says");
+  }
+  read_file(slow::written(bundle));
+  same(slow::concatenated(bundle, bundle), fast::concatenated(fast_bundle, fast_bundle), "concatenating");
+  std::vector<std::uint32_t> codes;
+  for (std::uint64_t t = 0; t < slow::triangles(bundle.parts[0]); ++t)
+    codes.push_back(slow::code(bundle.parts[0], t));
+  if (slow::blocks(codes) != fast::blocks(codes)) fail("other blocks");
+  for (std::size_t t = 0; t < all.size(); ++t)
+    if (all[t].format == maps::Format::four_state && all[t].level > 0) {
+      const maps::Map below = slow::emulated(all[t], all[t].level / 2);
+      if (fast::emulated(packed[t], all[t].level, all[t].level / 2) != maps::pack(below.states, below.format))
+        fail("another emulated map");
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Reader reader(data, size);
+  if (reader.byte() % 2 == 0)
+    read_file(size == 0 ? Bytes() : Bytes(data + 1, data + size));
+  else
+    build(reader);
+  return 0;
+}

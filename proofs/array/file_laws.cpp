@@ -1,0 +1,188 @@
+// Arrays as files: both versions come back, and what is no file is refused.
+#include "proofs/array/bundles.hpp"
+#include "proofs/array/law_groups.hpp"
+#include "proofs/array/law_parts.hpp"
+#include "proofs/engine/shape.hpp"
+
+namespace mmverify::proofs::array {
+namespace {
+
+constexpr std::uint64_t file_choices = 8;
+
+/// One triangle, or two, of the 46 sorted maps of levels 0 and 1, with every choice of the small arrays, of each encoding
+/// in turn.
+std::uint64_t files() {
+  const std::uint64_t sorted = sorted_maps(1).size();
+  return (sorted + sorted * sorted) * file_choices;
+}
+Bundle file_number(std::uint64_t k) {
+  const auto& from = sorted_maps(1);
+  const std::uint64_t choice = k % file_choices, rest = k / file_choices;
+  BuildCase c;
+  c.options.api = Api::glTF;
+  c.options.encoding = spec::micromap::encodings[k % 5];
+  c.options.special = (choice & 1) == 0;
+  c.options.share = (choice & 2) == 0;
+  if ((choice & 4) != 0) {
+    c.before = {{1, Format::four_state, {0xe4}}};
+    c.options.base = 1;
+  }
+  if (rest < from.size())
+    c.maps = {from[rest]};
+  else
+    c.maps = {from[(rest - from.size()) / from.size()], from[(rest - from.size()) % from.size()]};
+  Bundle b = bundle_of(c);
+  // Some have two geometries, and some none.
+  if (k % 7 == 0) b.parts.push_back({Encoding::u16, 3, {0xff, 0xff}});
+  if (k % 11 == 0) b.parts.clear();
+  return b;
+}
+
+bool fits_version_1(const Bundle& b) { return b.parts.size() == 1 && b.parts[0].encoding == Encoding::u32; }
+
+Finding comes_back(const ArraySubject& s, const Bundle& b) {
+  std::uint64_t digest = 0;
+  for (const std::uint32_t version : {1u, 2u}) {
+    if (version == 1 && !fits_version_1(b)) continue;
+    const Bytes right = spec::array::written(b, version), file = s.functions.write(b, version);
+    if (file != right)
+      return wrong(fmt::format("version {}: {} bytes, {:016x}", version, right.size(), hash_of(right)),
+                   fmt::format("{} bytes, {:016x}", file.size(), hash_of(file)));
+    const auto back = s.functions.read(file);
+    if (!back) return wrong(fmt::format("version {} is read", version), "refused");
+    if (*back != b) return wrong(fmt::format("version {}: the array", version), "another one");
+    digest = digest * 31 + hash_of(file);
+  }
+  return {digest};
+}
+
+/// All cuts, all bits flipped, and a byte behind: read as the specification reads it.
+Finding refuses(const ArraySubject& s, const Bundle& b) {
+  std::uint64_t digest = 0;
+  const auto same = [&](const Bytes& file, const std::string& what) -> std::optional<Finding> {
+    const auto right = spec::array::read(file), got = s.functions.read(file);
+    digest = digest * 31 + (right ? 1 : 0);
+    if (right == got) return std::nullopt;
+    return wrong(what + (right ? ": read" : ": refused"), right && got ? "read as another"
+                                                          : right      ? "refused"
+                                                                       : "read");
+  };
+  for (const std::uint32_t version : {1u, 2u}) {
+    if (version == 1 && !fits_version_1(b)) continue;
+    const Bytes file = spec::array::written(b, version);
+    for (std::size_t cut = 0; cut < file.size(); ++cut)
+      if (auto found = same(Bytes(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(cut)),
+                            fmt::format("version {} cut at {}", version, cut)))
+        return *found;
+    for (std::size_t bit = 0; bit < 8 * file.size(); ++bit) {
+      Bytes other = file;
+      other[bit / 8] = static_cast<std::uint8_t>(other[bit / 8] ^ 1u << bit % 8);
+      if (auto found = same(other, fmt::format("version {} bit {} flipped", version, bit))) return *found;
+    }
+    Bytes longer = file;
+    longer.push_back(0);
+    if (auto found = same(longer, fmt::format("version {} and a byte", version))) return *found;
+  }
+  return {digest};
+}
+
+using FileCheck = Finding (*)(const ArraySubject&, const Bundle&);
+Law on_files(Law law, std::uint64_t one_in, FileCheck check) {
+  law.subjects = {"array-spec", "array"};
+  law.source = here;
+  law.fast = law.long_run = {1, 1};
+  return on_cases(std::move(law), {entry::file},
+                  {[one_in](Level n) { return n == 1 ? files() / one_in : 0; },
+                   [=](const ArraySubject& s, Level, std::uint64_t k, const Run&) {
+                     return check(s, file_number(k * one_in));
+                   },
+                   [=](Level, std::uint64_t k, const Run&) { return fmt::format("array:{}", k * one_in); },
+                   [check](const ArraySubject& s, Level, const std::string& at) {
+                     const Groups parts = groups_of(at, "array:([0-9]{1,9})");
+                     if (!parts || std::stoull((*parts)[1]) >= files())
+                       throw BadCase(fmt::format("'{:.60}': write array:K, K below {}", at, files()));
+                     return check(s, file_number(std::stoull((*parts)[1])));
+                   },
+                   64});
+}
+
+std::function<void(Functions&)> misreading(void (*change)(std::span<const std::uint8_t>,
+                                                          std::optional<Bundle>&)) {
+  return spoils(&Functions::read,
+                [change](std::span<const std::uint8_t> file, std::optional<Bundle>& b) { change(file, b); });
+}
+
+}  // namespace
+
+std::vector<Law> file_laws() {
+  return {
+      on_files(
+          {.id = "array.files",
+           .topic = "array",
+           .says = "an array is written as its one file of either version, and comes back",
+           .method = Method::exhaustive,
+           .fast_seconds = 0.5,
+           .domain = named_domain(
+               "1 and 2 triangles of the sorted maps of levels 0 and 1, all encodings, every choice, "
+               "none to two geometries"),
+           .mutants = {mutant("the base triangle is lost in version 1", "array", {1, 1},
+                              misreading([](std::span<const std::uint8_t> file, std::optional<Bundle>& b) {
+                                if (b && file[8] == 1) b->parts[0].base = 0;
+                              })),
+                       mutant("signed indices come back unsigned", "array-spec", {1, 1},
+                              misreading([](std::span<const std::uint8_t>, std::optional<Bundle>& b) {
+                                for (Part& p : b->parts)
+                                  if (p.encoding == Encoding::i16) p.encoding = Encoding::u16;
+                              })),
+                       mutant("writes no checksum", "array", {1, 1},
+                              spoils(&Functions::write,
+                                     [](const Bundle&, std::uint32_t version, Bytes& file) {
+                                       if (version == 2)
+                                         std::fill(file.end() - 4, file.end(), std::uint8_t{0});
+                                     }))}},
+          1, comes_back),
+      on_files(
+          {.id = "array.malformed_files",
+           .topic = "array",
+           .says =
+               "a file that is cut, longer or changed in a bit is refused, or is the file of what is read",
+           .method = Method::exhaustive,
+           .fast_seconds = 1,
+           .domain =
+               named_domain("1 of 97 of the arrays of array.files: every cut, every bit, a byte behind"),
+           .mutants = {mutant("the checksum is not looked at", "array", {1, 1},
+                              [](Functions& f) {
+                                f.read = [real = f.read](std::span<const std::uint8_t> file) {
+                                  auto b = real(file);
+                                  if (b || file.size() < 24 || file[8] != 2) return b;
+                                  Bytes mended(file.begin(), file.end());
+                                  const std::uint32_t sum =
+                                      spec::array::checksum(file.first(file.size() - 4));
+                                  for (unsigned j = 0; j < 4; ++j)
+                                    mended[mended.size() - 4 + j] = static_cast<std::uint8_t>(sum >> 8 * j);
+                                  return real(mended);
+                                };
+                              }),
+                       mutant("bytes behind are let pass", "array-spec", {1, 1},
+                              [](Functions& f) {
+                                f.read = [real = f.read](std::span<const std::uint8_t> file) {
+                                  auto b = real(file);
+                                  return b || file.empty() ? b : real(file.first(file.size() - 1));
+                                };
+                              }),
+                       mutant("version 3 is read as version 2", "array", {1, 1},
+                              [](Functions& f) {
+                                f.read = [real = f.read](std::span<const std::uint8_t> file) {
+                                  auto b = real(file);
+                                  if (b || file.size() < 12 || file[8] != 3) return b;
+                                  Bytes other(file.begin(), file.end());
+                                  other[8] = 1;
+                                  if (auto first = real(other)) return first;
+                                  other[8] = 2;
+                                  return real(other);
+                                };
+                              })}},
+          97, refuses)};
+}
+
+}  // namespace mmverify::proofs::array

@@ -1,0 +1,25 @@
+// The laws of topic array, by what they are about.
+#pragma once
+
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+
+namespace mmverify::proofs::array {
+
+/// Builders: what triangles resolve to, formats, special indices, both histograms, sharing.
+std::vector<Law> build_laws();
+/// Builders on maps of one state but for one, where the order shows.
+std::vector<Law> order_laws();
+/// Near-duplicate merging.
+std::vector<Law> merge_laws();
+/// What a code means.
+std::vector<Law> index_laws();
+/// Compact, reorder, concatenate.
+std::vector<Law> change_laws();
+/// Files.
+std::vector<Law> file_laws();
+/// Emulated levels, DGF's palettes.
+std::vector<Law> device_laws();
+
+}  // namespace mmverify::proofs::array

@@ -1,0 +1,59 @@
+// What the laws of topic array are put together from.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proofs/array/answers.hpp"
+#include "proofs/kinds.hpp"
+#include "proofs/spoils.hpp"
+
+namespace mmverify::proofs::array {
+
+inline constexpr char array_source[] =
+    "VkMicromapBuildInfoEXT, VkAccelerationStructureGeometryMicromapDataKHR; DXR, Opacity Micromaps; "
+    "docs/ARRAYS.md";
+inline constexpr char indices_source[] =
+    "VkAccelerationStructureTrianglesOpacityMicromapEXT; EXT_mesh_opacity_micromap, Lookup; docs/ARRAYS.md";
+inline constexpr char counts_source[] =
+    "VkMicromapUsageEXT; DXR 1.28, OPACITY_MICROMAP_HISTOGRAM_ENTRY; OptiX, OptixOpacityMicromapUsageCount";
+inline constexpr char here[] = "this project's definition, docs/ARRAYS.md";
+
+/// Cases by number: how many at a level, the check of one, its text, and the check of a text.
+struct Cases {
+  std::function<std::uint64_t(Level)> count;
+  std::function<Finding(const ArraySubject&, Level, std::uint64_t k, const Run&)> check;
+  std::function<std::string(Level, std::uint64_t k, const Run&)> text;
+  std::function<Finding(const ArraySubject&, Level, const std::string&)> read;
+  std::uint64_t chunk = 512;
+};
+
+/// The law, case by case.  It is about levels `fast.first` to `long_run.last`.
+Law on_cases(Law law, std::vector<Entry> entries, Cases cases);
+
+/// A check of a builder's answer whose shape is right.
+using Check = Finding (*)(const Answer&, const BuildCase&);
+
+/// The subject asked, and its answer checked.
+Finding built(const ArraySubject& s, const BuildCase& c, Check check);
+
+/// The law, on all small arrays.
+Law on_small_arrays(Law law, Check check);
+
+/// A mutant that spoils answers, and one that builds another case.
+std::function<void(Functions&)> answering(void (*spoil)(const BuildCase&, Answer&));
+std::function<void(Functions&)> building(void (*change)(BuildCase&));
+
+/// Index t of an answer.
+std::uint32_t code_of(const Answer& a, const BuildCase& c, std::size_t t);
+void set_code(Answer& a, const BuildCase& c, std::size_t t, std::uint32_t code);
+
+/// A law's domain, where it is the same for all.
+std::function<std::string(const Subject&, Level)> named_domain(std::string text);
+
+}  // namespace mmverify::proofs::array

@@ -1,0 +1,154 @@
+#include "proofs/array/plugin_subject.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <utility>
+
+#include "dock/codec.hpp"
+#include "dock/elements.hpp"
+#include "proofs/array/cases.hpp"
+#include "sdk/mmverify_subject.h"
+
+namespace mmverify::proofs::array {
+namespace {
+
+namespace maps = mmverify::spec::micromap;
+using dock::Call;
+using dock::Library;
+using dock::LibraryPtr;
+
+static_assert(static_cast<std::uint32_t>(Api::EXT) == MMVERIFY_ARRAY_EXT);
+static_assert(static_cast<std::uint32_t>(Api::glTF) == MMVERIFY_ARRAY_GLTF);
+static_assert(static_cast<std::uint32_t>(Encoding::i32) == MMVERIFY_INDEX_I32);
+static_assert(static_cast<std::uint32_t>(Target::Kind::outside) == MMVERIFY_TARGET_OUTSIDE);
+
+std::vector<std::uint8_t> blob_of(const BuildCase& c) {
+  const BuildOptions& o = c.options;
+  std::vector<mmverify_array_triangle_t> triangles;
+  Bytes bytes;
+  for (const auto* some : {&c.before, &c.maps})
+    for (const PackedMap& m : *some) {
+      triangles.push_back(
+          {m.level, static_cast<std::uint32_t>(m.format), static_cast<std::uint32_t>(bytes.size())});
+      bytes.insert(bytes.end(), m.bytes.begin(), m.bytes.end());
+    }
+  mmverify_array_case_t what{};
+  what.size = sizeof what;
+  what.api = static_cast<std::uint32_t>(o.api);
+  what.index_type = static_cast<std::uint32_t>(o.encoding);
+  what.base_triangle = o.base;
+  what.flags = (o.special ? MMVERIFY_ARRAY_SPECIAL : 0) | (o.share ? MMVERIFY_ARRAY_SHARE : 0);
+  what.bound = o.bound;
+  what.before = static_cast<std::uint32_t>(c.before.size());
+  what.count = static_cast<std::uint32_t>(triangles.size());
+  const std::size_t of_triangles = triangles.size() * sizeof(mmverify_array_triangle_t);
+  std::vector<std::uint8_t> blob(sizeof what + of_triangles);
+  std::memcpy(blob.data(), &what, sizeof what);
+  if (of_triangles != 0) std::memcpy(blob.data() + sizeof what, triangles.data(), of_triangles);
+  blob.insert(blob.end(), bytes.begin(), bytes.end());
+  return blob;
+}
+
+Answer answer_of(std::span<const std::uint8_t> bytes) {
+  Answer a;
+  mmverify_array_answer_t head;
+  if (bytes.size() < sizeof head) {
+    a.malformed = fmt::format("{} bytes, fewer than the head has", bytes.size());
+    return a;
+  }
+  std::memcpy(&head, bytes.data(), sizeof head);
+  const std::uint64_t counted =
+      std::uint64_t{head.records} * maps::record_bytes +
+      (std::uint64_t{head.array_counts} + head.geometry_counts) * sizeof(UsageCount) + head.index_bytes +
+      head.data_bytes + sizeof head;
+  if (counted != bytes.size()) {
+    a.malformed = fmt::format("{} bytes, where the head has {}", bytes.size(), counted);
+    return a;
+  }
+  std::size_t at = sizeof head;
+  const auto take = [&](std::uint64_t count) {
+    const auto part = bytes.subspan(at, static_cast<std::size_t>(count));
+    at += part.size();
+    return part;
+  };
+  const auto into_counts = [&](std::vector<UsageCount>& counts, std::uint32_t count) {
+    const auto part = take(count * sizeof(UsageCount));
+    counts.resize(count);
+    if (count != 0) std::memcpy(counts.data(), part.data(), part.size());
+  };
+  const auto records = take(std::uint64_t{head.records} * maps::record_bytes);
+  a.records.assign(records.begin(), records.end());
+  into_counts(a.array_counts, head.array_counts);
+  into_counts(a.geometry_counts, head.geometry_counts);
+  const auto indices = take(head.index_bytes), data = take(head.data_bytes);
+  a.indices.assign(indices.begin(), indices.end());
+  a.data.assign(data.begin(), data.end());
+  return a;
+}
+
+/// A case as a message names it: its text, where that is short.
+std::string doing(const BuildCase& c) {
+  std::size_t bytes = 0;
+  for (const auto* some : {&c.before, &c.maps})
+    for (const PackedMap& m : *some) bytes += m.bytes.size();
+  constexpr std::size_t most = 24;
+  return bytes <= most ? text_of(c)
+                       : fmt::format("{}, and {} triangles", text_of({{}, {}, c.options}), c.maps.size());
+}
+
+std::optional<Answer> build(const Library& library, const BuildCase& c) {
+  const std::vector<std::uint8_t> blob = blob_of(c);
+  const dock::Answer answer =
+      dock::ask(library, {Call::array_build, 0, 0, blob, 4096}, [&] { return "building " + doing(c); });
+  if (!answer.taken) return std::nullopt;
+  return answer_of(answer.bytes);
+}
+
+std::vector<Target> targets(const Library& library, const Reading& r, std::span<const std::uint32_t> codes) {
+  const std::vector<std::uint32_t> bases(codes.size(), r.base), records(codes.size(), r.records);
+  std::vector<std::uint32_t> out(2 * codes.size());
+  dock::ask_all(library,
+                {Call::array_resolve,
+                 0,
+                 static_cast<std::uint32_t>(r.encoding) | (r.cluster ? MMVERIFY_INDEX_IN_CLUSTER : 0),
+                 {codes.data(), bases.data(), records.data()},
+                 [&](std::size_t k) {
+                   return fmt::format("code {:#x} with base {}, {} records", codes[k], r.base, r.records);
+                 }},
+                codes.size(), out.data());
+  std::vector<Target> all;
+  for (std::size_t k = 0; k < codes.size(); ++k) {
+    Target to{static_cast<Target::Kind>(std::min(out[2 * k], 255u))};
+    // A state that is none makes it a kind that is none.
+    if (to.kind == Target::Kind::special && out[2 * k + 1] > 3)
+      to.kind = static_cast<Target::Kind>(255);
+    else if (to.kind == Target::Kind::special)
+      to.state = static_cast<State>(out[2 * k + 1]);
+    else if (to.kind == Target::Kind::record)
+      to.record = out[2 * k + 1];
+    all.push_back(to);
+  }
+  return all;
+}
+
+Functions functions_of(const LibraryPtr& library) {
+  Functions f;
+  if (library->offers(Call::array_build))
+    f.build = [library](const BuildCase& c) { return build(*library, c); };
+  if (library->offers(Call::array_resolve))
+    f.targets = [library](const Reading& r, std::span<const std::uint32_t> codes) {
+      return targets(*library, r, codes);
+    };
+  return f;
+}
+
+}  // namespace
+
+ArraySubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library) {
+  if (!library->offers(dock::Topic::array)) return nullptr;
+  return std::make_shared<ArraySubject>(name, library->about(), functions_of(library),
+                                        library->fingerprint());
+}
+
+}  // namespace mmverify::proofs::array

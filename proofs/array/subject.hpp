@@ -1,0 +1,117 @@
+// An implementation of topic array in the dock, and what it may be asked: a function each.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+#include "spec/array/build.hpp"
+#include "spec/array/change.hpp"
+#include "spec/array/container.hpp"
+#include "spec/array/emulate.hpp"
+
+namespace mmverify::proofs::array {
+
+using spec::array::Api;
+using spec::array::BuildOptions;
+using spec::array::Bundle;
+using spec::array::Part;
+using spec::array::Target;
+using spec::micromap::Bytes;
+using spec::micromap::Encoding;
+using spec::micromap::Format;
+using spec::micromap::Record;
+using spec::micromap::State;
+using spec::micromap::States;
+using spec::micromap::UsageCount;
+
+/// A triangle's map, packed: 4^n states of the format, zeros after the last.
+struct PackedMap {
+  Level level = 0;
+  Format format = Format::four_state;
+  Bytes bytes;
+  friend bool operator==(const PackedMap&, const PackedMap&) = default;
+};
+
+/// What a builder is given.  Each map of `before` has a record of its own already.
+struct BuildCase {
+  std::vector<PackedMap> before, maps;
+  BuildOptions options;
+};
+
+/// What it gives: bytes as a build of the API takes them.
+struct Answer {
+  Bytes records, data, indices;
+  std::vector<UsageCount> array_counts, geometry_counts;
+  std::string malformed;  ///< why the answer cannot be read, if so; then nothing else counts
+};
+
+/// How codes are read: of which encoding, in a cluster or not, with which base, over how many records.
+struct Reading {
+  Encoding encoding = Encoding::u32;
+  bool cluster = false;
+  std::uint32_t base = 0, records = 0;
+};
+
+/// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads at
+/// once.
+struct Functions {
+  /// None where it refuses, which it may where an index does not fit alone.
+  std::function<std::optional<Answer>(const BuildCase&)> build = {};
+  std::function<std::vector<Target>(const Reading&, std::span<const std::uint32_t> codes)> targets = {};
+  std::function<Bundle(const Bundle&)> compact = {}, reorder = {};
+  std::function<Bundle(const Bundle&, const Bundle&)> concatenate = {};
+  std::function<Bytes(const Bundle&, std::uint32_t version)> write = {};
+  std::function<std::optional<Bundle>(std::span<const std::uint8_t>)> read = {};
+  /// A 4-state map of a level above `most`, at `most`.
+  std::function<Bytes(Level n, Level most, std::span<const std::uint8_t> four_state)> emulate = {};
+  std::function<std::vector<std::uint64_t>(std::span<const std::uint32_t>)> blocks = {};
+};
+
+/// An entry point that must be there, as messages call it.
+struct Entry {
+  const char* name;
+  bool (*there)(const Functions&);
+};
+namespace entry {
+inline constexpr Entry build{"build", [](const Functions& f) { return bool{f.build}; }};
+inline constexpr Entry targets{"resolve", [](const Functions& f) { return bool{f.targets}; }};
+inline constexpr Entry change{"compact, reorder and concatenate",
+                              [](const Functions& f) { return f.compact && f.reorder && f.concatenate; }};
+inline constexpr Entry file{"write and read", [](const Functions& f) { return f.write && f.read; }};
+inline constexpr Entry emulate{"emulate", [](const Functions& f) { return bool{f.emulate}; }};
+inline constexpr Entry blocks{"blocks", [](const Functions& f) { return bool{f.blocks}; }};
+}  // namespace entry
+
+class ArraySubject final : public Subject {
+ public:
+  ArraySubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
+      : Subject("array", std::move(name), std::move(about)),
+        functions(std::move(functions)),
+        fingerprint_(std::move(fingerprint)) {}
+  /// Arrays have nothing between theirs.
+  bool exact() const override { return true; }
+  std::string fingerprint() const override { return fingerprint_; }
+
+  const Functions functions;
+
+ private:
+  std::string fingerprint_;
+};
+using ArraySubjectPtr = std::shared_ptr<const ArraySubject>;
+
+/// array-spec, the specification; array, the library.
+const std::vector<ArraySubjectPtr>& built_in_subjects();
+
+/// The built-in subject of that name.  Domain: there is one.
+ArraySubjectPtr built_in(const std::string& name);
+
+/// A subject with one thing broken on purpose.
+Mutant mutant(const std::string& name, const std::string& base, Levels levels,
+              const std::function<void(Functions&)>& change);
+
+}  // namespace mmverify::proofs::array

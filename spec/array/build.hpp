@@ -1,0 +1,138 @@
+// Many triangles' maps to an array, a geometry's indices, and both histograms.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "spec/array/resolve.hpp"
+
+namespace mmverify::spec::array {
+
+/// How maps become an array.
+struct BuildOptions {
+  Api api = Api::KHR;
+  Encoding encoding = Encoding::u32;
+  std::uint32_t base = 0;   ///< at most the number of records that are there before
+  bool special = true;      ///< a uniform map becomes a special index
+  bool share = true;        ///< equal level, format and states share a record
+  std::uint32_t bound = 0;  ///< of near-duplicate merging: micro-triangles a triangle; 0: none.  It shares
+};
+
+struct Built {
+  Array array;
+  Part part;
+  std::vector<micromap::UsageCount> array_counts;
+  std::optional<std::vector<micromap::UsageCount>> geometry_counts;  ///< where the API takes them
+};
+
+/// The state for both: theirs where they agree; a T or O gives way to an unknown one; T beside O is UO, a tie counting
+/// as opaque.  None for UT beside UO.
+constexpr std::optional<State> joined(State a, State b) {
+  if (a == b) return a;
+  if (micromap::unknown(a) && micromap::unknown(b)) return std::nullopt;
+  if (micromap::unknown(a)) return a;
+  if (micromap::unknown(b)) return b;
+  return State::UO;
+}
+inline std::optional<States> joined(const States& a, const States& b) {
+  States out;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::optional<State> s = joined(a[i], b[i]);
+    if (!s) return std::nullopt;
+    out.push_back(*s);
+  }
+  return out;
+}
+
+/// In how many micro-triangles two maps differ.
+inline std::uint64_t differences(const States& a, const States& b) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i] ? 1 : 0;
+  return count;
+}
+
+/// Builds a geometry's maps, in their order, behind an array in which each map of `before` has a record of its own.
+///   A uniform map is a special index where that is wanted.  Else the first record from base on that equals it, if
+///   sharing is wanted; else, with a bound, the first record of this build, of its level and 4-state like it, that it
+///   can be joined with so that no triangle of the record differs from its map in more than `bound` micro-triangles;
+///   else a new record at the end, its bytes at the end of the data.  A record's map may change as others join.
+/// Domain: maps as micromap::Map has them, levels up to 12, base at most before.size(), an encoding that the API takes;
+/// else std::invalid_argument.  An index that the encoding cannot hold: std::length_error, naming the triangle.
+inline Built build(std::span<const Map> before, std::span<const Map> maps, const BuildOptions& o) {
+  const auto refuse = [](const std::string& what) { throw std::invalid_argument("array::build: " + what); };
+  if (!takes(o.api, o.encoding)) refuse("indices that the API does not take");
+  if (o.base > before.size()) refuse("a base triangle beyond the records before");
+  const auto check = [&](const Map& map, std::size_t t) {
+    if (map.level > 12 || map.states.size() != micromap::micro_triangles(map.level))
+      refuse("map " + std::to_string(t) + ": not 4^level states of a level up to 12");
+    for (const State s : map.states)
+      if (!micromap::holds(map.format, s))
+        refuse("map " + std::to_string(t) + ": an unknown state in 2-state");
+  };
+
+  struct Entry {
+    Map map;
+    std::vector<const Map*> users;
+  };
+  std::vector<Entry> records;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    check(before[k], k);
+    records.push_back({before[k], {}});
+  }
+  const auto may_join = [&](const Entry& e, const Map& map) -> std::optional<States> {
+    if (e.map.format != Format::four_state || map.format != Format::four_state || e.map.level != map.level)
+      return std::nullopt;
+    const std::optional<States> both = joined(e.map.states, map.states);
+    if (!both || differences(*both, map.states) > o.bound) return std::nullopt;
+    for (const Map* user : e.users)
+      if (differences(*both, user->states) > o.bound) return std::nullopt;
+    return both;
+  };
+
+  Built built;
+  built.part = {o.encoding, o.base, {}};
+  for (std::size_t t = 0; t < maps.size(); ++t) {
+    const Map& map = maps[t];
+    check(map, t);
+    std::uint32_t code = 0;
+    if (const auto state = micromap::uniform(map.states); state && o.special) {
+      code = micromap::special_code(*state, o.encoding);
+    } else {
+      std::size_t at = records.size();
+      if (o.share || o.bound > 0)
+        for (std::size_t r = records.size(); r-- > o.base;)
+          if (records[r].map.level == map.level && records[r].map.format == map.format &&
+              records[r].map.states == map.states)
+            at = r;
+      if (at == records.size() && o.bound > 0)
+        for (std::size_t r = records.size(); r-- > before.size();)
+          if (may_join(records[r], map)) at = r;
+      if (at == records.size())
+        records.push_back({map, {}});
+      else if (at >= before.size() && records[at].map.states != map.states)
+        records[at].map.states = *may_join(records[at], map);
+      if (at >= before.size()) records[at].users.push_back(&map);
+      const std::uint64_t index = at - o.base;
+      if (index >= micromap::index_limit(o.encoding))
+        throw std::length_error("array::build: triangle " + std::to_string(t) + ": index " +
+                                std::to_string(index) + " does not fit the encoding");
+      code = static_cast<std::uint32_t>(index);
+    }
+    for (unsigned j = 0; j < micromap::width(o.encoding) / 8; ++j)
+      built.part.indices.push_back(static_cast<std::uint8_t>(code >> 8 * j));
+  }
+  for (const Entry& e : records) {
+    const Bytes bytes = micromap::pack(e.map.states, e.map.format);
+    built.array.records.push_back({static_cast<std::uint32_t>(built.array.data.size()),
+                                   static_cast<std::uint16_t>(e.map.level),
+                                   static_cast<std::uint16_t>(e.map.format)});
+    built.array.data.insert(built.array.data.end(), bytes.begin(), bytes.end());
+  }
+  built.array_counts = micromap::usage_counts(array_histogram(built.array));
+  if (requirements(o.api).counts_geometry)
+    built.geometry_counts = micromap::usage_counts(geometry_histogram(built.array, built.part));
+  return built;
+}
+
+}  // namespace mmverify::spec::array

@@ -1,0 +1,52 @@
+// Topic array: its domains are as large as they are said to be, and its texts are read back.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "proofs/array/cases.hpp"
+#include "proofs/registry.hpp"
+
+namespace array_laws_test {
+
+using namespace mmverify::proofs;
+using namespace mmverify::proofs::array;
+using Asked = mmverify::proofs::Run;
+
+TEST(ArrayCases, AreAsManyAsTheirDomainSays) {
+  EXPECT_EQ(all_maps(0).size(), 6u);
+  EXPECT_EQ(all_maps(1).size(), 278u);
+  // Ascending: 2 and 4 of level 0, 5 of four bits, 35 of four states out of four.
+  EXPECT_EQ(sorted_maps(1).size(), 2u + 4 + 5 + 35);
+  EXPECT_EQ(small_arrays(0), 259u * 8 * 3);
+  EXPECT_EQ(small_arrays(1), (278u + 278 * 278 + 7 * (46 + 46 * 46) + 46 * 46 * 46) * 3);
+  EXPECT_EQ(whole_small_arrays(), 278u * 278 * 278 * 3);
+  const auto cases = [](const char* id, Level n) { return find_law(id)->cases(n, Asked{}); };
+  EXPECT_EQ(cases("array.resolves", 1), small_arrays(1));
+  EXPECT_EQ(cases("array.merging", 1), 2u * (278 * 278 + 46 * 46 * 46));
+  // Bell's numbers 1, 2, 5, ... of 1 to 10.
+  EXPECT_EQ(cases("array.blocks", 0), 1u + 2 + 5 + 15 + 52 + 203 + 877 + 4'140 + 21'147 + 115'975);
+}
+
+TEST(ArrayCases, ComeBackFromTheirTexts) {
+  std::set<std::string> texts;
+  for (const Level n : {0u, 1u})
+    for (std::uint64_t k = 0; k < small_arrays(n); k += n == 0 ? 1 : 997) {
+      const BuildCase c = small_array(n, k);
+      const std::string text = text_of(c);
+      EXPECT_TRUE(texts.insert(std::to_string(n) + text).second) << text;
+      const BuildCase back = case_of(text);
+      EXPECT_EQ(text_of(back), text);
+      EXPECT_EQ(back.maps, c.maps) << text;
+      EXPECT_EQ(back.before, c.before) << text;
+    }
+}
+
+TEST(ArrayCases, OtherTextsAreNone) {
+  for (const char* text : {"", "u8", "khr", "ext,u8", "khr,u8,base=1", "khr,u8,base=x", "khr,u8,4-state:012",
+                           "khr,u8,2-state:2", "khr,u8,shares", "khr,u8,bound=", "khr,i16,2-state:0"})
+    EXPECT_THROW(case_of(text), BadCase) << text;
+  EXPECT_THROW(sample_of("sample:1"), BadCase);
+}
+
+}  // namespace array_laws_test
