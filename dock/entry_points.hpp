@@ -12,7 +12,7 @@
 namespace mmverify::dock {
 
 /// Whose laws ask.
-enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute, traverse };
+enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute, traverse, dag };
 
 /// Of a face of RGBA8.
 constexpr std::size_t bytes_of_face = 4;
@@ -73,7 +73,13 @@ constexpr std::uint32_t formats = formats_side * formats_side;
   ROW(attribute_bake_vertices, attribute, 1, (CaseOf<mmverify_attribute_case_t>(a), a.bytes()))                       \
   ROW(traverse_decide,     traverse, 1, (a.format, a.words(0), a.words(1), a.words(2), a.bytes(), a.count))           \
   ROW(traverse_blend,      traverse, 1, (a.format, a.words(0), a.words(1), a.numbers(), a.count))                     \
-  ROW(traverse_blend_hits, traverse, 1, (HitsOf(a), a.bytes()))
+  ROW(traverse_blend_hits, traverse, 1, (HitsOf(a), a.bytes()))                                                       \
+  ROW(dag_encode,          dag,      1, (a.format, a.blob, a.blob_bytes, a.bytes(), a.room))                          \
+  ROW(dag_decode,          dag,      1, (a.format, a.blob, a.blob_bytes, a.bytes(), a.room))                          \
+  ROW(dag_lookup,          dag,      1,                                                                               \
+      (a.format, a.blob, a.blob_bytes, a.words(0), a.words(1), a.bytes(), a.count))                                   \
+  ROW(dag_lookup_f32,      dag,      1,                                                                               \
+      (a.format, a.blob, a.blob_bytes, a.words(0), a.floats(1), a.floats(2), a.bytes(), a.count))
 // clang-format on
 
 /// Entry points by number: their rows'.

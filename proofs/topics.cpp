@@ -5,6 +5,8 @@
 #include "proofs/bake/dialogue.hpp"
 #include "proofs/bake/laws.hpp"
 #include "proofs/bake/plugin_subject.hpp"
+#include "proofs/dag/laws.hpp"
+#include "proofs/dag/plugin_subject.hpp"
 #include "proofs/index/laws.hpp"
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/index/subjects/built_in.hpp"
@@ -69,6 +71,9 @@ const std::vector<Topic> table{
     {"traverse", {"traverse", "paper"}, traverse::laws, all<traverse::built_in_subjects>, {"traverse"},
      [](const LibraryPtr& l, bool first) { return one<traverse::plugin_subject>(l, "traverse", first); },
      Call::traverse_decide, 0},
+    {"dag", {"dag"}, dag::laws, all<dag::built_in_subjects>, {"dag"},
+     [](const LibraryPtr& l, bool first) { return one<dag::plugin_subject>(l, "dag", first); },
+     Call::dag_encode, 12},
 };
 // clang-format on
 

@@ -101,10 +101,23 @@ inline std::uint64_t words(const Node& node, Format f) {
   return wide(node) ? b + r : (1 + b + r + 1) / 2;
 }
 
+/// The two decisions of adding, so that a prover can be shown the same.
+struct Rules {
+  template <class Part, class Stored>
+  static Part parent(std::span<const Part> children, const Stored& stored) {
+    return dag::parent(children, stored);
+  }
+  template <class Count>
+  static bool kept(const Count& grown, const Count& flat) {
+    return dag::kept(grown, flat);
+  }
+};
+
 /// Adds maps.  What is there is found again by its children.
-class Builder {
+template <class Rules>
+class BuilderBy {
  public:
-  explicit Builder(Format f) { dag_.format = f; }
+  explicit BuilderBy(Format f) { dag_.format = f; }
   const Dag& dag() const { return dag_; }
 
   /// Domain: 4^n states of the format, n in 0..12.
@@ -119,7 +132,7 @@ class Builder {
                    : n == tile_level   ? Map::Kind::tile
                                        : Map::Kind::node;
       const std::uint64_t flat = flat_words(n);
-      if (!kept(grown(tiles, nodes), flat)) {
+      if (!Rules::kept(grown(tiles, nodes), flat)) {
         forget(tiles, nodes);
         added = {.kind = Map::Kind::flat, .level = n, .flat_from = laid_flat(n, map)};
       }
@@ -137,9 +150,10 @@ class Builder {
       const std::uint64_t each = children(m);
       Children above;
       for (std::size_t k = 0; k < parts.size(); k += each)
-        above.push_back(parent(std::span<const Part>(parts).subspan(k, each), [&](std::span<const Part> of) {
-          return Part{{}, stored({m, Children(of.begin(), of.end())})};
-        }));
+        above.push_back(
+            Rules::parent(std::span<const Part>(parts).subspan(k, each), [&](std::span<const Part> of) {
+              return Part{{}, stored({m, Children(of.begin(), of.end())})};
+            }));
       parts = std::move(above);
       below = m;
     }
@@ -181,6 +195,7 @@ class Builder {
   Dag dag_;
   std::map<Node, std::uint64_t> number_;
 };
+using Builder = BuilderBy<Rules>;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // What it means
@@ -204,7 +219,8 @@ struct Store {
 };
 
 /// The state at an index < 4^n of a map.
-inline State at_index(const Dag& dag, std::uint64_t map, std::uint64_t index) {
+template <class Turn>
+State at_index_by(const Turn& turn, const Dag& dag, std::uint64_t map, std::uint64_t index) {
   const Map& m = dag.maps.at(map);
   if (m.kind == Map::Kind::small) return m.states.at(index);
   if (m.kind == Map::Kind::flat) {
@@ -219,8 +235,13 @@ inline State at_index(const Dag& dag, std::uint64_t map, std::uint64_t index) {
     below = child_level(store.level);
     return index >> 2 * below & (children(store.level) - 1);
   };
-  while (lookup_turn(store, at, next_digit)) store.level = below;
+  while (turn(store, at, next_digit)) store.level = below;
   return *at.one_state;
+}
+inline State at_index(const Dag& dag, std::uint64_t map, std::uint64_t index) {
+  return at_index_by(
+      [](const auto& store, auto& at, const auto& next) { return lookup_turn(store, at, next); }, dag, map,
+      index);
 }
 
 inline States decode(const Dag& dag, std::uint64_t map) {

@@ -147,7 +147,7 @@ TEST(DagContainer, NodesHaveToBeTheBuilders) {
   EXPECT_THAT(complaint(with(good, 56, 0x00030009)), HasSubstr("a state of a child that is mixed"));
   EXPECT_THAT(complaint(with(good, 60, 0x00010000)), HasSubstr("tile 1; one below 1"));
   EXPECT_THAT(complaint(with(good, 56, 0)), HasSubstr("children of one state"));
-  EXPECT_THAT(complaint(with(good, 44, 4)), HasSubstr("a narrow node of nodes"));
+  EXPECT_THAT(complaint(with(good, 44, 4)), HasSubstr("word 0; where a node of level 5 begins"));
   EXPECT_THAT(complaint(with(good, 76, 0)), HasSubstr("where a node of level 5 begins"));
 }
 
