@@ -73,7 +73,7 @@ const std::vector<Topic> table{
      Call::traverse_decide, 0},
     {"dag", {"dag"}, dag::laws, all<dag::built_in_subjects>, {"dag"},
      [](const LibraryPtr& l, bool first) { return one<dag::plugin_subject>(l, "dag", first); },
-     Call::dag_encode, 12},
+     Call::dag_encode, 12, "dag"},
 };
 // clang-format on
 

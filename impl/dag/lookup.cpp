@@ -4,6 +4,7 @@
 
 #include "impl/dag/dag.hpp"
 #include "impl/dag/node.hpp"
+#include "impl/dag/walk.hpp"
 #include "impl/index/index.hpp"
 
 namespace mmverify::impl::dag {
@@ -61,80 +62,34 @@ struct Arrays {
   }
 };
 
-/// Lookups side by side, a node of each in turn: what one waits for from memory, the others do not wait for.  No branch
-/// depends on a map's states.
+/// Those that begin at a node side by side: what one waits for from memory, the others do not wait for.
 template <std::uint32_t bits>
-class Batch {
- public:
-  static constexpr std::size_t most = 64;
-
-  Batch(const Arrays& arrays, const std::uint32_t* map, const std::uint32_t* index, std::uint8_t* state,
-        std::size_t count) noexcept
-      : arrays_(arrays), state_(state) {
-    std::uint32_t walking = 0;
-    for (std::uint32_t k = 0; k < count; ++k) {
+void in_batches(const Arrays& arrays, std::span<const std::uint32_t> map,
+                std::span<const std::uint32_t> index, std::span<std::uint8_t> state) noexcept {
+  Walks walks;
+  const std::uint32_t none = 0;
+  const auto* tiles = arrays.tiles != nullptr ? reinterpret_cast<const std::uint32_t*>(arrays.tiles) : &none;
+  std::uint32_t element[Walks::most];
+  for (std::size_t from = 0; from < state.size(); from += Walks::most) {
+    walks.count = 0;
+    const std::size_t to = std::min(from + Walks::most, state.size());
+    for (std::size_t k = from; k < to; ++k) {
       const Record record = arrays.records[map[k]];
       if (record.kind != Kind::node) {
         state[k] = arrays.template at<bits>(map[k], index[k]);
         continue;
       }
-      walk_[walking++] = {
-          record.value, k, record.level,
-          static_cast<std::uint32_t>(index[k] & ((std::uint64_t{1} << (2 * record.level)) - 1))};
+      element[walks.count] = static_cast<std::uint32_t>(k - from);
+      walks.reference[walks.count] = record.value;
+      walks.level[walks.count] = record.level;
+      walks.index[walks.count++] =
+          index[k] & static_cast<std::uint32_t>((std::uint64_t{1} << (2 * record.level)) - 1);
     }
-    while (walking > 0) walking = step(walking);
-    for (std::uint32_t k = 0; k < ended_; ++k)
-      state[end_[k].element] = state_in(arrays.tiles + std::size_t{end_[k].tile} * bits, bits, end_[k].index);
+    if (walks.count == 0) continue;
+    walk(arrays.nodes, tiles, bits, walks);
+    for (std::size_t k = 0; k < walks.count; ++k)
+      state[from + element[k]] = static_cast<std::uint8_t>(walks.state[k]);
   }
-
- private:
-  struct Walk {
-    std::uint32_t reference, element;
-    Level level;
-    std::uint32_t index;
-  };
-  struct End {
-    std::uint32_t tile, element, index;
-  };
-
-  /// How many go on.
-  std::uint32_t step(std::uint32_t walking) noexcept {
-    std::uint32_t on = 0;
-    for (std::uint32_t k = 0; k < walking; ++k) {
-      const Walk w = walk_[k];
-      const std::uint32_t* node = arrays_.nodes + w.reference / 2;
-      const Level below = child_level(w.level);
-      const std::uint32_t child = w.index >> (2 * below) & (children(w.level) - 1), first = node[0],
-                          goes_on = first >> child & 1, wide = w.reference & 1,
-                          rank = ones(mask_of(first) & ((1u << child) - 1));
-      // The word of the reference; of a child of one state, that of the last plane.
-      const std::uint32_t at = wide != 0 ? bits + rank : (1 + bits + rank) / 2;
-      const std::uint32_t word = node[goes_on != 0 ? at : bits - 1];
-      const std::uint32_t half_shift = ((1 + bits + rank) & 1) * 16;
-      const std::uint32_t next = wide != 0 ? word : word >> half_shift & 0xFFFF;
-      const std::uint32_t low = first >> (16 + child) & 1;
-      state_[w.element] = static_cast<std::uint8_t>(bits == 1 ? low : low | (word >> child & 1) << 1);
-      const std::uint32_t is_tile = below == tile_level ? 1 : 0;
-      end_[ended_] = {next, w.element, w.index & 63};
-      ended_ += goes_on & is_tile;
-      walk_[on] = {next, w.element, below, w.index};
-      on += goes_on & (is_tile ^ 1);
-    }
-    return on;
-  }
-
-  Arrays arrays_;
-  std::uint8_t* state_;
-  Walk walk_[most];
-  End end_[most + 1];
-  std::uint32_t ended_ = 0;
-};
-
-template <std::uint32_t bits>
-void in_batches(const Arrays& arrays, std::span<const std::uint32_t> map,
-                std::span<const std::uint32_t> index, std::span<std::uint8_t> state) noexcept {
-  for (std::size_t k = 0; k < state.size(); k += Batch<bits>::most)
-    Batch<bits>(arrays, &map[k], &index[k], &state[k], std::min(Batch<bits>::most, state.size() - k));
 }
 
 }  // namespace
@@ -155,8 +110,12 @@ void Dag::lookup(std::span<const std::uint32_t> map, std::span<const std::uint32
   std::uint32_t greatest = 0;
   for (const std::uint32_t m : map) greatest = std::max(greatest, m);
   if (!map.empty() && greatest >= maps()) throw std::invalid_argument("dag: a map beyond the last");
-  const Arrays arrays{records_.data(), tiles_.data(), flat_.data(), nodes_.data(), b_};
-  if (b_ == 1)
+  const Arrays arrays{records_.data(), tiles_.empty() ? nullptr : tiles_.data(), flat_.data(), nodes_.data(),
+                      b_};
+  // Vectors read at places of 31 bits.
+  if (tiles_.size() >= std::size_t{1} << 30)
+    for (std::size_t k = 0; k < state.size(); ++k) state[k] = at(map[k], index[k]);
+  else if (b_ == 1)
     in_batches<1>(arrays, map, index, state);
   else
     in_batches<2>(arrays, map, index, state);

@@ -53,7 +53,7 @@ Law all_levels_law() {
           .method = Method::induction,
           .subjects = {about},
           .at_once = "all levels",
-          .fast_seconds = 6};
+          .fast_seconds = 2.7};
   law.cases = [count = shipped_all_levels().size()](Level, const Run&) { return count; };
   law.domain = [](const Subject&, Level) { return "every map of every level n >= 3"; };
   law.how = [](const Subject&, Level) { return "induction, " + proofs::induction::prover_name(); };
