@@ -12,7 +12,7 @@
 namespace mmverify::dock {
 
 /// Whose laws ask.
-enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute, traverse, array };
+enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute, traverse, array, dag };
 
 /// Of a face of RGBA8.
 constexpr std::size_t bytes_of_face = 4;
@@ -75,7 +75,13 @@ constexpr std::uint32_t formats = formats_side * formats_side;
   ROW(traverse_blend,      traverse, 1, (a.format, a.words(0), a.words(1), a.numbers(), a.count))                     \
   ROW(traverse_blend_hits, traverse, 1, (HitsOf(a), a.bytes()))                                                       \
   ROW(array_build,         array,    1, (TrianglesOf(a), a.bytes(), a.room))                                          \
-  ROW(array_resolve,       array,    2, (a.format, a.words(0), a.words(1), a.words(2), a.numbers(), a.count))
+  ROW(array_resolve,       array,    2, (a.format, a.words(0), a.words(1), a.words(2), a.numbers(), a.count))          \
+  ROW(dag_encode,          dag,      1, (a.format, a.blob, a.blob_bytes, a.bytes(), a.room))                          \
+  ROW(dag_decode,          dag,      1, (a.format, a.blob, a.blob_bytes, a.bytes(), a.room))                          \
+  ROW(dag_lookup,          dag,      1,                                                                               \
+      (a.format, a.blob, a.blob_bytes, a.words(0), a.words(1), a.bytes(), a.count))                                   \
+  ROW(dag_lookup_f32,      dag,      1,                                                                               \
+      (a.format, a.blob, a.blob_bytes, a.words(0), a.floats(1), a.floats(2), a.bytes(), a.count))
 // clang-format on
 
 /// Entry points by number: their rows'.

@@ -1,4 +1,4 @@
-// The whole library: indices, maps, trees, square maps, the bakers.  Installed as <mmverify/mmverify.hpp>.
+// The whole library: indices, maps, trees, graphs, square maps, the bakers.  Installed as <mmverify/mmverify.hpp>.
 #pragma once
 
 #include "impl/array/api.hpp"
@@ -17,6 +17,8 @@
 #include "impl/bake/bake.hpp"
 #include "impl/bake/square/map.hpp"
 #include "impl/bake/triangles.hpp"
+#include "impl/dag/container.hpp"
+#include "impl/dag/dag.hpp"
 #include "impl/index/index.hpp"
 #include "impl/index/wide.hpp"
 #include "impl/micromap/array.hpp"

@@ -7,6 +7,8 @@
 #include "proofs/bake/dialogue.hpp"
 #include "proofs/bake/laws.hpp"
 #include "proofs/bake/plugin_subject.hpp"
+#include "proofs/dag/laws.hpp"
+#include "proofs/dag/plugin_subject.hpp"
 #include "proofs/index/laws.hpp"
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/index/subjects/built_in.hpp"
@@ -74,6 +76,9 @@ const std::vector<Topic> table{
     {"array", {"array"}, array::laws, all<array::built_in_subjects>, {"array"},
      [](const LibraryPtr& l, bool first) { return one<array::plugin_subject>(l, "array", first); },
      Call::array_build, 9, "array"},
+    {"dag", {"dag"}, dag::laws, all<dag::built_in_subjects>, {"dag"},
+     [](const LibraryPtr& l, bool first) { return one<dag::plugin_subject>(l, "dag", first); },
+     Call::dag_encode, 12, "dag"},
 };
 // clang-format on
 

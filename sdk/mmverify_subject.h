@@ -38,6 +38,7 @@ extern "C" {
 #define MMVERIFY_VQ_KEEPS 4u      /* vq2_encode and vq4_encode keep every map that a block can hold */
 #define MMVERIFY_BAKE_CENTROID 8u /* bake's unknown states are those of the centroid; see bake */
 #define MMVERIFY_BAKE_TIGHT 64u   /* nothing is unknown in bake's maps but what has to be */
+#define MMVERIFY_DAG_CONTAINER 256u /* codes of scenes are the containers of docs/DAG.md; see dag_encode */
 /* A call costs as much as thousands of elements do, as a dispatch on a device does: points, indices and places come in
  * batches of up to 65,536, and answers are asked again less often. */
 #define MMVERIFY_LARGE_BATCHES 128u
@@ -499,6 +500,30 @@ typedef struct mmverify_subject {
    * _OUTSIDE and 0: no such record, and a signed code below the special ones. */
   void (*array_resolve)(uint32_t index_type, const uint32_t* code, const uint32_t* base_triangle,
                         const uint32_t* records, uint32_t* target, size_t count);
+
+  /* The maps of a scene in one graph, or in whatever form a codec of many maps has.
+   *   - A scene is maps of one format, one after another: a byte with the level, 0 to 12, then the map, packed, its bits after
+   *     the last state zero.  Maps are numbered from 0 in that order.
+   *   - Any form of code will do, as long as a scene has one.  With the flag MMVERIFY_DAG_CONTAINER the codes are the
+   *     containers of docs/DAG.md.
+   *   - dag_encode has to be there, and a way back: dag_decode or a lookup.
+   */
+
+  /* The size of the scene's code, and the code, as of tree_encode. */
+  size_t (*dag_encode)(uint32_t format, const uint8_t* scene, size_t scene_size, uint8_t* code,
+                       size_t capacity);
+
+  /* The size of the scene of a code, and the scene, likewise; 0 if no scene has that code, which may be anything: cut short,
+   * 0 bytes, one bit flipped. */
+  size_t (*dag_decode)(uint32_t format, const uint8_t* code, size_t code_size, uint8_t* scene,
+                       size_t capacity);
+
+  /* The states at index[k] < 4^level of map[k], and at the barycentrics (u[k], v[k]) as index_f32 gets them.  One byte a
+   * state.  `code` is a whole code, as dag_encode gives it. */
+  void (*dag_lookup)(uint32_t format, const uint8_t* code, size_t code_size, const uint32_t* map,
+                     const uint32_t* index, uint8_t* state, size_t count);
+  void (*dag_lookup_f32)(uint32_t format, const uint8_t* code, size_t code_size, const uint32_t* map,
+                         const float* u, const float* v, uint8_t* state, size_t count);
 } mmverify_subject_t;
 
 /* The one exported symbol. The result must stay valid for the life of the process; null is an error. */

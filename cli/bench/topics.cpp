@@ -7,6 +7,7 @@
 #include "bench/array/tables.hpp"
 #include "bench/attribute/tables.hpp"
 #include "bench/bake/tables.hpp"
+#include "bench/dag/tables.hpp"
 #include "bench/index/tables.hpp"
 #include "bench/index/times.hpp"
 #include "bench/tree/tables.hpp"
@@ -48,6 +49,15 @@ Result of_tree(const BenchOptions& given, const Levels& levels) {
                                         .textures = given.textures,
                                         .progress = progress_of("tree", given)};
   return tree_tables(tree_figures(options), options);
+}
+
+Result of_dag(const BenchOptions& given, const Levels& levels) {
+  const bench::DagBenchOptions options{.first = levels.first,
+                                       .last = levels.last,
+                                       .seed = given.index.seed,
+                                       .lookups = given.index.samples,
+                                       .progress = progress_of("dag", given)};
+  return dag_tables(dag_figures(options), options);
 }
 
 Result of_vq(const BenchOptions& given, const Levels&) {
@@ -116,6 +126,11 @@ std::span<const BenchTopic> bench_topics() {
        .reads_textures = true,
        .most_samples = most_lookups,
        .measure = of_tree},
+      {.name = "dag",
+       .levels = levels_of<bench::DagBenchOptions>(),
+       .highest = 12,
+       .most_samples = most_lookups,
+       .measure = of_dag},
       {.name = "vq", .reads_textures = true, .makes_maps = true, .measure = of_vq},
       {.name = "bake",
        .levels = levels_of<bench::BakeBenchOptions>(),

@@ -12,6 +12,7 @@
 #include "bench/attribute/tables.hpp"
 #include "bench/bake/tables.hpp"
 #include "bench/baker/tables.hpp"
+#include "bench/dag/tables.hpp"
 #include "bench/index/tables.hpp"
 #include "bench/scene/attribute_mip_tables.hpp"
 #include "bench/scene/attribute_tables.hpp"
@@ -96,6 +97,7 @@ std::vector<Result> all_results() {
   seen.rows[0].file = "faces_level0.png";
   return {index_tables({index}, {}),
           tree_tables({TreeFigures{}}, {}),
+          dag_tables({DagFigures{}}, {}),
           vq_tables(vq, {}),
           bake_tables(bake, {}),
           attribute_tables(maps, {}),

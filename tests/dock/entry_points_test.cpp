@@ -93,7 +93,8 @@ TEST(EntryPoints, are_of_the_topic_that_their_name_begins_with) {
       {"index", Topic::index},       {"tree", Topic::tree},
       {"micromap", Topic::micromap}, {"vq", Topic::vq},
       {"bake", Topic::bake},         {"attribute", Topic::attribute},
-      {"traverse", Topic::traverse}, {"array", Topic::array}};
+      {"traverse", Topic::traverse}, {"array", Topic::array},
+      {"dag", Topic::dag}};
   const auto of_index = [](const std::string& name) {
     return name.starts_with("corners") || name.starts_with("row_");
   };

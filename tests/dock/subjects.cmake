@@ -70,7 +70,7 @@ foreach(fault 0 1 2)
   mmverify_add_subject(fault_${fault} subjects/no_subject.c FAULT=${fault})
 endforeach()
 
-mmverify_add_room(subjects_tests large_batches_test tree_plugin_test vq_plugin_test traverse_plugin_test array_plugin_test attribute_plugin_test
+mmverify_add_room(subjects_tests large_batches_test tree_plugin_test dag_plugin_test vq_plugin_test traverse_plugin_test array_plugin_test attribute_plugin_test
   attribute_bake_plugin_test bake_plugin_test LIBRARIES mmverify::proofs)
 target_compile_definitions(subjects_tests PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
 add_dependencies(subjects_tests mmverify mmverify-worker)
@@ -120,6 +120,16 @@ mmverify_add_part(wrong_vq subjects/wrong_vq.cpp)
 foreach(wrong y_downwards turns_the_other_way last_region_of_br opaque_for_transparent checks_nothing state_3 promises_to_keep decoder_reads_past
     decoder_unwritten region_crashes region_loads_at_16 encoder_overrun encoder_counts_calls encoder_throws decodes_only encodes_only vq4_only old_header)
   mmverify_add_wrong(vq_${wrong} ${wrong} wrong_vq right_vq)
+endforeach()
+
+# And of a scene's maps.
+set(dag_example ${PROJECT_SOURCE_DIR}/examples/subject_dag/subject_dag.c)
+mmverify_add_subject(dag_example ${dag_example})
+mmverify_add_part(right_dag ${dag_example} mmverify_subject_v1=right_dag)
+mmverify_add_part(wrong_dag subjects/wrong_dag.cpp)
+foreach(wrong merges_near forgets_the_second padding_set looks_in_the_first encoder_throws encoder_counts_calls lookup_crashes
+    decodes_only encodes_only looks_up_only promises_the_container old_header)
+  mmverify_add_wrong(dag_${wrong} ${wrong} wrong_dag right_dag)
 endforeach()
 
 # And of traversal.

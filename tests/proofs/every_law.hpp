@@ -56,8 +56,9 @@ inline bool too_long_under_sanitizers(const Law& law) {
   if (law.topic == "vq" || law.topic == "bake")
     return law.id == "vq.vectors" || law.method == Method::sample ||
            law.cases(law.fast.last, Asked{}) > 5'000;
-  return law.id == "tree.all_levels" || law.id == "index.wide_is_vulkan" || law.id == "index.floats" ||
-         law.id == "index.row_floats" || law.id == "index.published_differs_where" ||
+  return law.id == "tree.all_levels" || law.id == "dag.all_levels" || law.id == "index.wide_is_vulkan" ||
+         law.id == "index.floats" || law.id == "index.row_floats" ||
+         law.id == "index.published_differs_where" ||
          (law.topic == "attribute" && law.method == Method::induction) ||
          (law.method == Method::sample && law.cases(law.fast.first, Asked{}) > 50'000);
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "proofs/attribute/induction/provable.hpp"
+#include "proofs/dag/induction/provable.hpp"
 #include "proofs/index/binary32/law.hpp"
 #include "proofs/index/induction/provable.hpp"
 #include "proofs/tree/induction/provable.hpp"
@@ -27,6 +28,7 @@ inline std::map<std::string, proofs::induction::Statement> shipped_statements() 
   add("index/row_floats", proofs::index::binary32::shipped_rows());
   add("index/published_differs_where", proofs::index::binary32::shipped_published());
   add("tree/all_levels", proofs::tree::induction::shipped_all_levels());
+  add("dag/all_levels", proofs::dag::induction::shipped_all_levels());
   add("attribute/w_minor_all_levels", proofs::attribute::induction::shipped_w_minor());
   add("attribute/u_major_all_levels", proofs::attribute::induction::shipped_u_major());
   add("attribute/bird_all_levels", proofs::attribute::induction::shipped_bird());

@@ -1,0 +1,50 @@
+// A graph as a sequence of bytes that can be kept, sent and checked.
+//
+// 32 bytes, numbers little-endian, then what they announce and nothing more:
+//   0   "mmdg"
+//   4   version, 1
+//   5   format: 1 two states, 2 four states
+//   6   zero, 16 bits
+//   8   maps, 32 bits
+//   12  tiles, 32 bits
+//   16  units of flat, 32 bits
+//   20  words of nodes, 32 bits
+//   24  zero, 32 bits
+//   28  CRC-32C of bytes 0..28 and of all that follows byte 32
+//   32  records, tiles, flat, nodes, as impl/dag/dag.hpp has them
+// Bytes are a container if adding the maps that they mean gives these very bytes: so maps have one container.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "impl/dag/dag.hpp"
+
+namespace mmverify::impl::dag {
+
+inline constexpr std::size_t container_header = 32;
+
+/// Bytes that are no container: "byte 40, record 1: level 13; 0 to 12 would do".
+class BadContainer : public std::runtime_error {
+ public:
+  BadContainer(std::size_t byte, const std::string& where, const std::string& found,
+               const std::string& would_do);
+  std::size_t byte() const noexcept { return byte_; }
+
+ private:
+  std::size_t byte_;
+};
+
+std::vector<std::uint8_t> save(const Dag& dag);
+
+/// The graph of a container, to which maps can be added as to the one that was saved: save(load(bytes)) == bytes.
+/// Domain: any bytes; throws BadContainer for what save cannot have written.  Takes time and memory in proportion to the
+/// bytes, as long as nobody has made hashes collide on purpose.
+Dag load(std::span<const std::uint8_t> bytes);
+
+}  // namespace mmverify::impl::dag

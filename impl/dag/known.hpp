@@ -1,0 +1,18 @@
+// What a graph has already, so that it is found again.  Internal to impl/dag.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "impl/dag/dag.hpp"
+#include "impl/dag/table.hpp"
+
+namespace mmverify::impl::dag {
+
+struct Dag::Known {
+  Table tiles;
+  std::array<Table, max_level + 1> nodes, flat;  ///< by level
+  std::vector<Level> added;                      ///< levels of the nodes that the map being added has added
+};
+
+}  // namespace mmverify::impl::dag

@@ -1,0 +1,134 @@
+#include "proofs/dag/law_parts.hpp"
+
+#include <fmt/format.h>
+
+#include "proofs/kinds.hpp"
+
+namespace mmverify::proofs::dag {
+namespace {
+
+const DagSubject& dag_of(const Subject& s) { return dynamic_cast<const DagSubject&>(s); }
+
+std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries,
+                                                                         Levels within, const char* about) {
+  return [=](const Subject& subject, Level n) -> std::optional<std::string> {
+    const auto* s = dynamic_cast<const DagSubject*>(&subject);
+    if (s == nullptr) return "not a subject of topic dag";
+    for (const Entry e : entries)
+      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
+    if (n > s->functions.max_level)
+      return fmt::format("{} is defined up to level {}", s->name(), s->functions.max_level);
+    if (n < within.first || n > within.last) return about;
+    return std::nullopt;
+  };
+}
+
+std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
+
+Law on_numbers(Law law, const Check& check, const std::function<std::uint64_t(Level)>& count,
+               const std::function<Scene(Level, std::uint64_t)>& scene, std::uint64_t chunk) {
+  return on_numbered_cases(
+      std::move(law),
+      {[=](Level n, const Run&) { return count(n); },
+       [=](const Subject& s, Level n, std::uint64_t k, const Run&) { return check(dag_of(s), scene(n, k)); },
+       [](const Subject&, Level, std::uint64_t k, const Run&) { return text_of_number(k); },
+       [=](const Subject& s, Level n, const std::string& at) {
+         return check(dag_of(s), scene(n, number_from_text(at, count(n))));
+       },
+       chunk, Kind::interior});
+}
+
+}  // namespace
+
+Law on_small_scenes(Law law, std::vector<Entry> entries, Check check) {
+  law.method = Method::exhaustive;
+  law.fast = law.long_run = {0, 4};
+  law.how = exhaustively;
+  law.domain = [](const Subject&, Level n) { return about_small_scenes(n); };
+  law.unfit =
+      needing(std::move(entries), {0, 4}, "its scenes are those of levels 0..4; dag.on_samples goes beyond");
+  return on_numbers(std::move(law), check, small_scenes, small_scene, 256);
+}
+
+Law on_masks(Law law, std::vector<Entry> entries, Check check) {
+  law.method = Method::exhaustive;
+  law.fast = {4, 6};
+  law.long_run = {4, 7};
+  law.how = exhaustively;
+  law.domain = [](const Subject&, Level n) {
+    return fmt::format("each of the 2^{} sets of children of the root at level {}, both formats",
+                       spec::dag::children(n), n);
+  };
+  law.unfit = needing(std::move(entries), {4, 7}, "its maps are those of levels 4..7");
+  return on_numbers(std::move(law), check, mask_scenes, mask_scene, 256);
+}
+
+Law on_samples(Law law, std::vector<Entry> entries, std::function<std::uint64_t(Level)> count, Check check) {
+  law.method = Method::sample;
+  law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
+  law.domain = [](const Subject&, Level n) {
+    return fmt::format(
+        "scenes of up to five maps of levels up to {}: noise, outlines, repeats, and maps nearly the same",
+        n);
+  };
+  law.unfit = needing(std::move(entries), {0, law.long_run.last}, "it is run up to a lower level");
+  return on_numbered_cases(
+      std::move(law),
+      {[count](Level n, const Run&) { return count(n); },
+       [check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+         return check(dag_of(s), sample_scene(n, run.seed, k));
+       },
+       [](const Subject&, Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
+       [check](const Subject& s, Level n, const std::string& at) {
+         return check(dag_of(s), sample_from_text(n, at));
+       },
+       1, Kind::interior});
+}
+
+Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
+  Functions functions = built_in(base)->functions;
+  change(functions);
+  return {name, std::make_shared<DagSubject>(name, "broken on purpose", std::move(functions)), levels};
+}
+
+Change encodes_another(std::function<void(Scene&)> spoil) {
+  return [=](Functions& functions) {
+    functions.encode = [spoil, real = functions.encode](Scene scene) {
+      spoil(scene);
+      return real(scene);
+    };
+  };
+}
+
+Change decodes_wrongly(std::function<void(Scene&)> spoil) {
+  return [=](Functions& functions) {
+    functions.decode = [spoil, real = functions.decode](const Code& code) {
+      Scene scene = real(code);
+      spoil(scene);
+      return scene;
+    };
+  };
+}
+
+Change finds_wrongly(std::function<void(const Scene&, std::uint32_t, std::uint32_t, std::uint8_t&)> spoil) {
+  return [=](Functions& functions) {
+    functions.lookup = [spoil, real = functions](const Code& code, Numbers map, Numbers index,
+                                                 std::span<std::uint8_t> state) {
+      real.lookup(code, map, index, state);
+      const Scene scene = real.decode(code);
+      for (std::size_t k = 0; k < state.size(); ++k) spoil(scene, map[k], index[k], state[k]);
+    };
+  };
+}
+
+Change writes_wrongly(std::function<void(const Scene&, Bytes&)> spoil) {
+  return [=](Functions& functions) {
+    functions.bytes = [spoil, real = functions](const Code& code) {
+      Bytes bytes = real.bytes(code);
+      spoil(real.decode(code), bytes);
+      return bytes;
+    };
+  };
+}
+
+}  // namespace mmverify::proofs::dag

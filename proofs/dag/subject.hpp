@@ -1,0 +1,123 @@
+// An implementation of topic dag in the dock: who makes a graph of a scene's maps, gives the maps and their states back, and
+// reads others' bytes, a function each.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proofs/engine/law.hpp"
+#include "spec/dag/words.hpp"
+
+namespace mmverify::proofs::dag {
+
+using spec::micromap::bits;
+using spec::micromap::Bytes;
+using spec::micromap::Format;
+using spec::micromap::State;
+using spec::micromap::States;
+
+/// A map, packed: 4^n states of its scene's format.
+struct Map {
+  Level level = 0;
+  Bytes packed;
+  friend bool operator==(const Map&, const Map&) = default;
+};
+
+/// Maps of one format, in the order in which they are added.
+struct Scene {
+  Format format = Format::two_state;
+  std::vector<Map> maps;
+  friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// A graph, in a form that its subject alone reads.
+struct Code {
+  Format format = Format::two_state;
+  std::shared_ptr<const void> form;
+};
+
+template <class Form>
+Code coded(Format f, Form form) {
+  return {f, std::make_shared<const Form>(std::move(form))};
+}
+
+/// Domain: the code was made of such a form.
+template <class Form>
+const Form& form_of(const Code& code) {
+  return *static_cast<const Form*>(code.form.get());
+}
+
+using Numbers = std::span<const std::uint32_t>;
+
+/// What a subject has; an empty function is an entry point that is missing, and all have encode and decode.
+/// Calls may come from several threads at once.
+struct Functions {
+  std::function<Code(const Scene& scene)> encode = {};
+  std::function<Scene(const Code& code)> decode = {};
+  /// One state an element: of map[k] at index[k].
+  std::function<void(const Code& code, Numbers map, Numbers index, std::span<std::uint8_t> state)> lookup =
+      {};
+  std::function<void(const Code& code, Numbers map, std::span<const float> u, std::span<const float> v,
+                     std::span<std::uint8_t> state)>
+      point = {};
+  std::function<Bytes(const Code& code)> bytes = {};
+  /// None where the bytes are refused.
+  std::function<std::optional<Code>(Format f, std::span<const std::uint8_t> bytes)> open = {};
+  /// The bytes that it writes, and those that it reads, are docs/DAG.md's containers.
+  bool writes_container = false, reads_container = false;
+  Level max_level = 12;
+};
+
+/// What a law may need of a subject beside encoding and decoding, as messages call it.
+struct Entry {
+  const char* name;
+  bool (*there)(const Functions&);
+};
+namespace entry {
+inline constexpr Entry lookup{"map, index -> state", [](const Functions& f) { return bool{f.lookup}; }};
+inline constexpr Entry point{"map, barycentrics -> state", [](const Functions& f) { return bool{f.point}; }};
+inline constexpr Entry container{"the containers of docs/DAG.md",
+                                 [](const Functions& f) { return f.bytes && f.writes_container; }};
+inline constexpr Entry reads{"those containers read",
+                             [](const Functions& f) { return f.open && f.reads_container; }};
+}  // namespace entry
+
+class DagSubject : public Subject {
+ public:
+  DagSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
+      : Subject("dag", std::move(name), std::move(about)),
+        functions(std::move(functions)),
+        fingerprint_(std::move(fingerprint)) {}
+  /// Codes and indices stand for themselves; barycentrics come as floats, whose index is found anew each time.
+  bool exact() const override { return !functions.point; }
+  std::string fingerprint() const override { return fingerprint_; }
+
+  const Functions functions;
+
+ private:
+  std::string fingerprint_;
+};
+
+using DagSubjectPtr = std::shared_ptr<const DagSubject>;
+
+/// dag-spec, dag, dag-loaded.
+const std::vector<DagSubjectPtr>& built_in_subjects();
+
+/// The built-in subject of that name.  Domain: there is one.
+DagSubjectPtr built_in(const std::string& name);
+
+/// State of micro-triangle k.  Domain: k < 4^level.
+inline std::uint8_t state_at(const Map& map, Format f, std::uint64_t k) {
+  const unsigned b = bits(f);
+  return static_cast<std::uint8_t>(map.packed[k * b / 8] >> k * b % 8 & (b == 1 ? 1 : 3));
+}
+
+inline States states_of(const Map& map, Format f) {
+  return spec::micromap::unpack(map.packed, f, spec::micromap::micro_triangles(map.level));
+}
+
+}  // namespace mmverify::proofs::dag

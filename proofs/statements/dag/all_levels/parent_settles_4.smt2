@@ -1,0 +1,59 @@
+; What is stored for 4 children has not one state in all of them.
+; Written by the program itself from the specification's templates (./run statements); a test compares.
+(set-logic ALL)
+(set-info :status unsat)
+
+; A part of a graph: one state for all of a subtree, or what is stored under a number.  Numbers of tiles and of nodes of
+; each level are taken to be different ones.
+(declare-sort State 0)
+(declare-datatypes ((Part 0)) (((one (state State)) (stored (number Int)))))
+(declare-fun child_of (Int Int) Part)
+(define-fun child ((A Part) (k Int)) Part (child_of (number A) k))
+; The way from a subtree to a micro-triangle: a digit, and the rest.
+(declare-sort Path 0)
+(declare-fun first (Path) Int)
+(declare-fun rest (Path) Path)
+; What a part means: the state at the end of each path.
+(declare-fun means (Part Path) State)
+(define-fun meant ((A Part) (p Path)) Bool
+  (= (means A p) (ite ((_ is one) A) (state A) (means (child A (first p)) (rest p)))))
+(declare-const P0 Part)
+(declare-const P1 Part)
+(declare-const P2 Part)
+(declare-const P3 Part)
+
+; What is stored for these children has them: it is found by them, or appended.
+(declare-const s Int)
+(assert (= (child (stored s) 0) P0))
+(assert (= (child (stored s) 1) P1))
+(assert (= (child (stored s) 2) P2))
+(assert (= (child (stored s) 3) P3))
+
+; spec::dag::parent.
+(define-fun R () Part
+  (ite ((_ is stored) P0)
+    (stored s)
+    (ite (= P0 P0)
+      (ite ((_ is stored) P1)
+        (stored s)
+        (ite (= P1 P0)
+          (ite ((_ is stored) P2)
+            (stored s)
+            (ite (= P2 P0)
+              (ite ((_ is stored) P3) (stored s) (ite (= P3 P0) P0 (stored s)))
+              (stored s)))
+          (stored s)))
+      (stored s))))
+
+; Denied:
+(assert
+  (not
+    (=>
+      ((_ is stored) R)
+      (not
+        (and
+          (and (not ((_ is stored) P0)) (= P0 P0))
+          (and (not ((_ is stored) P1)) (= P1 P0))
+          (and (not ((_ is stored) P2)) (= P2 P0))
+          (and (not ((_ is stored) P3)) (= P3 P0)))))))
+(check-sat)

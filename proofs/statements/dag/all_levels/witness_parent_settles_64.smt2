@@ -1,0 +1,496 @@
+; Not vacuous: some case fulfils what parent_settles_64 supposes.
+; Written by the program itself from the specification's templates (./run statements); a test compares.
+(set-logic ALL)
+(set-info :status sat)
+
+; A part of a graph: one state for all of a subtree, or what is stored under a number.  Numbers of tiles and of nodes of
+; each level are taken to be different ones.
+(declare-sort State 0)
+(declare-datatypes ((Part 0)) (((one (state State)) (stored (number Int)))))
+(declare-fun child_of (Int Int) Part)
+(define-fun child ((A Part) (k Int)) Part (child_of (number A) k))
+; The way from a subtree to a micro-triangle: a digit, and the rest.
+(declare-sort Path 0)
+(declare-fun first (Path) Int)
+(declare-fun rest (Path) Path)
+; What a part means: the state at the end of each path.
+(declare-fun means (Part Path) State)
+(define-fun meant ((A Part) (p Path)) Bool
+  (= (means A p) (ite ((_ is one) A) (state A) (means (child A (first p)) (rest p)))))
+(declare-const P0 Part)
+(declare-const P1 Part)
+(declare-const P2 Part)
+(declare-const P3 Part)
+(declare-const P4 Part)
+(declare-const P5 Part)
+(declare-const P6 Part)
+(declare-const P7 Part)
+(declare-const P8 Part)
+(declare-const P9 Part)
+(declare-const P10 Part)
+(declare-const P11 Part)
+(declare-const P12 Part)
+(declare-const P13 Part)
+(declare-const P14 Part)
+(declare-const P15 Part)
+(declare-const P16 Part)
+(declare-const P17 Part)
+(declare-const P18 Part)
+(declare-const P19 Part)
+(declare-const P20 Part)
+(declare-const P21 Part)
+(declare-const P22 Part)
+(declare-const P23 Part)
+(declare-const P24 Part)
+(declare-const P25 Part)
+(declare-const P26 Part)
+(declare-const P27 Part)
+(declare-const P28 Part)
+(declare-const P29 Part)
+(declare-const P30 Part)
+(declare-const P31 Part)
+(declare-const P32 Part)
+(declare-const P33 Part)
+(declare-const P34 Part)
+(declare-const P35 Part)
+(declare-const P36 Part)
+(declare-const P37 Part)
+(declare-const P38 Part)
+(declare-const P39 Part)
+(declare-const P40 Part)
+(declare-const P41 Part)
+(declare-const P42 Part)
+(declare-const P43 Part)
+(declare-const P44 Part)
+(declare-const P45 Part)
+(declare-const P46 Part)
+(declare-const P47 Part)
+(declare-const P48 Part)
+(declare-const P49 Part)
+(declare-const P50 Part)
+(declare-const P51 Part)
+(declare-const P52 Part)
+(declare-const P53 Part)
+(declare-const P54 Part)
+(declare-const P55 Part)
+(declare-const P56 Part)
+(declare-const P57 Part)
+(declare-const P58 Part)
+(declare-const P59 Part)
+(declare-const P60 Part)
+(declare-const P61 Part)
+(declare-const P62 Part)
+(declare-const P63 Part)
+
+; What is stored for these children has them: it is found by them, or appended.
+(declare-const s Int)
+(assert (= (child (stored s) 0) P0))
+(assert (= (child (stored s) 1) P1))
+(assert (= (child (stored s) 2) P2))
+(assert (= (child (stored s) 3) P3))
+(assert (= (child (stored s) 4) P4))
+(assert (= (child (stored s) 5) P5))
+(assert (= (child (stored s) 6) P6))
+(assert (= (child (stored s) 7) P7))
+(assert (= (child (stored s) 8) P8))
+(assert (= (child (stored s) 9) P9))
+(assert (= (child (stored s) 10) P10))
+(assert (= (child (stored s) 11) P11))
+(assert (= (child (stored s) 12) P12))
+(assert (= (child (stored s) 13) P13))
+(assert (= (child (stored s) 14) P14))
+(assert (= (child (stored s) 15) P15))
+(assert (= (child (stored s) 16) P16))
+(assert (= (child (stored s) 17) P17))
+(assert (= (child (stored s) 18) P18))
+(assert (= (child (stored s) 19) P19))
+(assert (= (child (stored s) 20) P20))
+(assert (= (child (stored s) 21) P21))
+(assert (= (child (stored s) 22) P22))
+(assert (= (child (stored s) 23) P23))
+(assert (= (child (stored s) 24) P24))
+(assert (= (child (stored s) 25) P25))
+(assert (= (child (stored s) 26) P26))
+(assert (= (child (stored s) 27) P27))
+(assert (= (child (stored s) 28) P28))
+(assert (= (child (stored s) 29) P29))
+(assert (= (child (stored s) 30) P30))
+(assert (= (child (stored s) 31) P31))
+(assert (= (child (stored s) 32) P32))
+(assert (= (child (stored s) 33) P33))
+(assert (= (child (stored s) 34) P34))
+(assert (= (child (stored s) 35) P35))
+(assert (= (child (stored s) 36) P36))
+(assert (= (child (stored s) 37) P37))
+(assert (= (child (stored s) 38) P38))
+(assert (= (child (stored s) 39) P39))
+(assert (= (child (stored s) 40) P40))
+(assert (= (child (stored s) 41) P41))
+(assert (= (child (stored s) 42) P42))
+(assert (= (child (stored s) 43) P43))
+(assert (= (child (stored s) 44) P44))
+(assert (= (child (stored s) 45) P45))
+(assert (= (child (stored s) 46) P46))
+(assert (= (child (stored s) 47) P47))
+(assert (= (child (stored s) 48) P48))
+(assert (= (child (stored s) 49) P49))
+(assert (= (child (stored s) 50) P50))
+(assert (= (child (stored s) 51) P51))
+(assert (= (child (stored s) 52) P52))
+(assert (= (child (stored s) 53) P53))
+(assert (= (child (stored s) 54) P54))
+(assert (= (child (stored s) 55) P55))
+(assert (= (child (stored s) 56) P56))
+(assert (= (child (stored s) 57) P57))
+(assert (= (child (stored s) 58) P58))
+(assert (= (child (stored s) 59) P59))
+(assert (= (child (stored s) 60) P60))
+(assert (= (child (stored s) 61) P61))
+(assert (= (child (stored s) 62) P62))
+(assert (= (child (stored s) 63) P63))
+
+; spec::dag::parent.
+(define-fun R () Part
+  (ite ((_ is stored) P0)
+    (stored s)
+    (ite (= P0 P0)
+      (ite ((_ is stored) P1)
+        (stored s)
+        (ite (= P1 P0)
+          (ite ((_ is stored) P2)
+            (stored s)
+            (ite (= P2 P0)
+              (ite ((_ is stored) P3)
+                (stored s)
+                (ite (= P3 P0)
+                  (ite ((_ is stored) P4)
+                    (stored s)
+                    (ite (= P4 P0)
+                      (ite ((_ is stored) P5)
+                        (stored s)
+                        (ite (= P5 P0)
+                          (ite ((_ is stored) P6)
+                            (stored s)
+                            (ite (= P6 P0)
+                              (ite ((_ is stored) P7)
+                                (stored s)
+                                (ite (= P7 P0)
+                                  (ite ((_ is stored) P8)
+                                    (stored s)
+                                    (ite (= P8 P0)
+                                      (ite ((_ is stored) P9)
+                                        (stored s)
+                                        (ite (= P9 P0)
+                                          (ite ((_ is stored) P10)
+                                            (stored s)
+                                            (ite (= P10 P0)
+                                              (ite ((_ is stored) P11)
+                                                (stored s)
+                                                (ite (= P11 P0)
+                                                  (ite ((_ is stored) P12)
+                                                    (stored s)
+                                                    (ite (= P12 P0)
+                                                      (ite ((_ is stored) P13)
+                                                        (stored s)
+                                                        (ite (= P13 P0)
+                                                          (ite ((_ is stored) P14)
+                                                            (stored s)
+                                                            (ite (= P14 P0)
+                                                              (ite ((_ is stored) P15)
+                                                                (stored s)
+                                                                (ite (= P15 P0)
+                                                                  (ite ((_ is stored) P16)
+                                                                    (stored s)
+                                                                    (ite (= P16 P0)
+                                                                      (ite ((_ is stored) P17)
+                                                                        (stored s)
+                                                                        (ite (= P17 P0)
+                                                                          (ite ((_ is stored) P18)
+                                                                            (stored s)
+                                                                            (ite (= P18 P0)
+                                                                              (ite ((_ is stored) P19)
+                                                                                (stored s)
+                                                                                (ite (= P19 P0)
+                                                                                  (ite ((_ is stored) P20)
+                                                                                    (stored s)
+                                                                                    (ite (= P20 P0)
+                                                                                      (ite ((_ is stored) P21)
+                                                                                        (stored s)
+                                                                                        (ite (= P21 P0)
+                                                                                          (ite ((_ is stored) P22)
+                                                                                            (stored
+                                                                                              s)
+                                                                                            (ite (= P22 P0)
+                                                                                              (ite ((_ is stored) P23)
+                                                                                                (stored
+                                                                                                  s)
+                                                                                                (ite (= P23 P0)
+                                                                                                  (ite ((_ is stored) P24)
+                                                                                                    (stored
+                                                                                                      s)
+                                                                                                    (ite (= P24 P0)
+                                                                                                      (ite ((_ is stored) P25)
+                                                                                                        (stored
+                                                                                                          s)
+                                                                                                        (ite (= P25 P0)
+                                                                                                          (ite ((_ is stored) P26)
+                                                                                                            (stored
+                                                                                                              s)
+                                                                                                            (ite (= P26 P0)
+                                                                                                              (ite ((_ is stored) P27)
+                                                                                                                (stored
+                                                                                                                  s)
+                                                                                                                (ite (= P27 P0)
+                                                                                                                  (ite ((_ is stored) P28)
+                                                                                                                    (stored
+                                                                                                                      s)
+                                                                                                                    (ite (= P28 P0)
+                                                                                                                      (ite ((_ is stored) P29)
+                                                                                                                        (stored
+                                                                                                                          s)
+                                                                                                                        (ite (= P29 P0)
+                                                                                                                          (ite ((_ is stored) P30)
+                                                                                                                            (stored
+                                                                                                                              s)
+                                                                                                                            (ite (= P30 P0)
+                                                                                                                              (ite ((_ is stored) P31)
+                                                                                                                                (stored
+                                                                                                                                  s)
+                                                                                                                                (ite (= P31 P0)
+                                                                                                                                  (ite ((_ is stored) P32)
+                                                                                                                                    (stored
+                                                                                                                                      s)
+                                                                                                                                    (ite (= P32 P0)
+                                                                                                                                      (ite ((_ is stored) P33)
+                                                                                                                                        (stored
+                                                                                                                                          s)
+                                                                                                                                        (ite (= P33 P0)
+                                                                                                                                          (ite ((_ is stored) P34)
+                                                                                                                                            (stored
+                                                                                                                                              s)
+                                                                                                                                            (ite (= P34 P0)
+                                                                                                                                              (ite ((_ is stored) P35)
+                                                                                                                                                (stored
+                                                                                                                                                  s)
+                                                                                                                                                (ite (= P35 P0)
+                                                                                                                                                  (ite ((_ is stored) P36)
+                                                                                                                                                    (stored
+                                                                                                                                                      s)
+                                                                                                                                                    (ite (= P36 P0)
+                                                                                                                                                      (ite ((_ is stored) P37)
+                                                                                                                                                        (stored
+                                                                                                                                                          s)
+                                                                                                                                                        (ite (= P37 P0)
+                                                                                                                                                          (ite ((_ is stored) P38)
+                                                                                                                                                            (stored
+                                                                                                                                                              s)
+                                                                                                                                                            (ite (= P38 P0)
+                                                                                                                                                              (ite ((_ is stored) P39)
+                                                                                                                                                                (stored
+                                                                                                                                                                  s)
+                                                                                                                                                                (ite (= P39 P0)
+                                                                                                                                                                  (ite ((_ is stored) P40)
+                                                                                                                                                                    (stored
+                                                                                                                                                                      s)
+                                                                                                                                                                    (ite (= P40 P0)
+                                                                                                                                                                      (ite ((_ is stored) P41)
+                                                                                                                                                                        (stored
+                                                                                                                                                                          s)
+                                                                                                                                                                        (ite (= P41 P0)
+                                                                                                                                                                          (ite ((_ is stored) P42)
+                                                                                                                                                                            (stored
+                                                                                                                                                                              s)
+                                                                                                                                                                            (ite (= P42 P0)
+                                                                                                                                                                              (ite ((_ is stored) P43)
+                                                                                                                                                                                (stored
+                                                                                                                                                                                  s)
+                                                                                                                                                                                (ite (= P43 P0)
+                                                                                                                                                                                  (ite ((_ is stored) P44)
+                                                                                                                                                                                    (stored
+                                                                                                                                                                                      s)
+                                                                                                                                                                                    (ite (= P44 P0)
+                                                                                                                                                                                      (ite ((_ is stored) P45)
+                                                                                                                                                                                        (stored
+                                                                                                                                                                                          s)
+                                                                                                                                                                                        (ite (= P45 P0)
+                                                                                                                                                                                          (ite ((_ is stored) P46)
+                                                                                                                                                                                            (stored
+                                                                                                                                                                                              s)
+                                                                                                                                                                                            (ite (= P46 P0)
+                                                                                                                                                                                              (ite ((_ is stored) P47)
+                                                                                                                                                                                                (stored
+                                                                                                                                                                                                  s)
+                                                                                                                                                                                                (ite (= P47 P0)
+                                                                                                                                                                                                  (ite ((_ is stored) P48)
+                                                                                                                                                                                                    (stored
+                                                                                                                                                                                                      s)
+                                                                                                                                                                                                    (ite (= P48 P0)
+                                                                                                                                                                                                      (ite ((_ is stored) P49)
+                                                                                                                                                                                                        (stored
+                                                                                                                                                                                                          s)
+                                                                                                                                                                                                        (ite (= P49 P0)
+                                                                                                                                                                                                          (ite ((_ is stored) P50)
+                                                                                                                                                                                                            (stored
+                                                                                                                                                                                                              s)
+                                                                                                                                                                                                            (ite (= P50 P0)
+                                                                                                                                                                                                              (ite ((_ is stored) P51)
+                                                                                                                                                                                                                (stored
+                                                                                                                                                                                                                  s)
+                                                                                                                                                                                                                (ite (= P51 P0)
+                                                                                                                                                                                                                  (ite ((_ is stored) P52)
+                                                                                                                                                                                                                    (stored
+                                                                                                                                                                                                                      s)
+                                                                                                                                                                                                                    (ite (= P52 P0)
+                                                                                                                                                                                                                      (ite ((_ is stored) P53)
+                                                                                                                                                                                                                        (stored
+                                                                                                                                                                                                                          s)
+                                                                                                                                                                                                                        (ite (= P53 P0)
+                                                                                                                                                                                                                          (ite ((_ is stored) P54)
+                                                                                                                                                                                                                            (stored
+                                                                                                                                                                                                                              s)
+                                                                                                                                                                                                                            (ite (= P54 P0)
+                                                                                                                                                                                                                              (ite ((_ is stored) P55)
+                                                                                                                                                                                                                                (stored
+                                                                                                                                                                                                                                  s)
+                                                                                                                                                                                                                                (ite (= P55 P0)
+                                                                                                                                                                                                                                  (ite ((_ is stored) P56)
+                                                                                                                                                                                                                                    (stored
+                                                                                                                                                                                                                                      s)
+                                                                                                                                                                                                                                    (ite (= P56 P0)
+                                                                                                                                                                                                                                      (ite ((_ is stored) P57)
+                                                                                                                                                                                                                                        (stored
+                                                                                                                                                                                                                                          s)
+                                                                                                                                                                                                                                        (ite (= P57 P0)
+                                                                                                                                                                                                                                          (ite ((_ is stored) P58)
+                                                                                                                                                                                                                                            (stored
+                                                                                                                                                                                                                                              s)
+                                                                                                                                                                                                                                            (ite (= P58 P0)
+                                                                                                                                                                                                                                              (ite ((_ is stored) P59)
+                                                                                                                                                                                                                                                (stored
+                                                                                                                                                                                                                                                  s)
+                                                                                                                                                                                                                                                (ite (= P59 P0)
+                                                                                                                                                                                                                                                  (ite ((_ is stored) P60)
+                                                                                                                                                                                                                                                    (stored
+                                                                                                                                                                                                                                                      s)
+                                                                                                                                                                                                                                                    (ite (= P60 P0)
+                                                                                                                                                                                                                                                      (ite ((_ is stored) P61)
+                                                                                                                                                                                                                                                        (stored
+                                                                                                                                                                                                                                                          s)
+                                                                                                                                                                                                                                                        (ite (= P61 P0)
+                                                                                                                                                                                                                                                          (ite ((_ is stored) P62)
+                                                                                                                                                                                                                                                            (stored
+                                                                                                                                                                                                                                                              s)
+                                                                                                                                                                                                                                                            (ite (= P62 P0)
+                                                                                                                                                                                                                                                              (ite ((_ is stored) P63)
+                                                                                                                                                                                                                                                                (stored
+                                                                                                                                                                                                                                                                  s)
+                                                                                                                                                                                                                                                                (ite (= P63 P0)
+                                                                                                                                                                                                                                                                  P0
+                                                                                                                                                                                                                                                                  (stored
+                                                                                                                                                                                                                                                                    s)))
+                                                                                                                                                                                                                                                              (stored
+                                                                                                                                                                                                                                                                s)))
+                                                                                                                                                                                                                                                          (stored
+                                                                                                                                                                                                                                                            s)))
+                                                                                                                                                                                                                                                      (stored
+                                                                                                                                                                                                                                                        s)))
+                                                                                                                                                                                                                                                  (stored
+                                                                                                                                                                                                                                                    s)))
+                                                                                                                                                                                                                                              (stored
+                                                                                                                                                                                                                                                s)))
+                                                                                                                                                                                                                                          (stored
+                                                                                                                                                                                                                                            s)))
+                                                                                                                                                                                                                                      (stored
+                                                                                                                                                                                                                                        s)))
+                                                                                                                                                                                                                                  (stored
+                                                                                                                                                                                                                                    s)))
+                                                                                                                                                                                                                              (stored
+                                                                                                                                                                                                                                s)))
+                                                                                                                                                                                                                          (stored
+                                                                                                                                                                                                                            s)))
+                                                                                                                                                                                                                      (stored
+                                                                                                                                                                                                                        s)))
+                                                                                                                                                                                                                  (stored
+                                                                                                                                                                                                                    s)))
+                                                                                                                                                                                                              (stored
+                                                                                                                                                                                                                s)))
+                                                                                                                                                                                                          (stored
+                                                                                                                                                                                                            s)))
+                                                                                                                                                                                                      (stored
+                                                                                                                                                                                                        s)))
+                                                                                                                                                                                                  (stored
+                                                                                                                                                                                                    s)))
+                                                                                                                                                                                              (stored
+                                                                                                                                                                                                s)))
+                                                                                                                                                                                          (stored
+                                                                                                                                                                                            s)))
+                                                                                                                                                                                      (stored
+                                                                                                                                                                                        s)))
+                                                                                                                                                                                  (stored
+                                                                                                                                                                                    s)))
+                                                                                                                                                                              (stored
+                                                                                                                                                                                s)))
+                                                                                                                                                                          (stored
+                                                                                                                                                                            s)))
+                                                                                                                                                                      (stored
+                                                                                                                                                                        s)))
+                                                                                                                                                                  (stored
+                                                                                                                                                                    s)))
+                                                                                                                                                              (stored
+                                                                                                                                                                s)))
+                                                                                                                                                          (stored
+                                                                                                                                                            s)))
+                                                                                                                                                      (stored
+                                                                                                                                                        s)))
+                                                                                                                                                  (stored
+                                                                                                                                                    s)))
+                                                                                                                                              (stored
+                                                                                                                                                s)))
+                                                                                                                                          (stored
+                                                                                                                                            s)))
+                                                                                                                                      (stored
+                                                                                                                                        s)))
+                                                                                                                                  (stored
+                                                                                                                                    s)))
+                                                                                                                              (stored
+                                                                                                                                s)))
+                                                                                                                          (stored
+                                                                                                                            s)))
+                                                                                                                      (stored
+                                                                                                                        s)))
+                                                                                                                  (stored
+                                                                                                                    s)))
+                                                                                                              (stored
+                                                                                                                s)))
+                                                                                                          (stored
+                                                                                                            s)))
+                                                                                                      (stored
+                                                                                                        s)))
+                                                                                                  (stored
+                                                                                                    s)))
+                                                                                              (stored
+                                                                                                s)))
+                                                                                          (stored s)))
+                                                                                      (stored s)))
+                                                                                  (stored s)))
+                                                                              (stored s)))
+                                                                          (stored s)))
+                                                                      (stored s)))
+                                                                  (stored s)))
+                                                              (stored s)))
+                                                          (stored s)))
+                                                      (stored s)))
+                                                  (stored s)))
+                                              (stored s)))
+                                          (stored s)))
+                                      (stored s)))
+                                  (stored s)))
+                              (stored s)))
+                          (stored s)))
+                      (stored s)))
+                  (stored s)))
+              (stored s)))
+          (stored s)))
+      (stored s))))
+(assert ((_ is stored) R))
+(check-sat)

@@ -1,0 +1,89 @@
+// Shared libraries of a scene's maps: right, wrong and misbehaving ones, judged by the built program.
+#include <string>
+
+#include "tests/dock/plugin.hpp"
+#include "tests/sanitized.hpp"
+
+namespace mmverify::tests {
+namespace dag_plugin_test {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Outcome judge_dag(const std::string& name, const std::string& what) {
+  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --threads 1 --subject " +
+               library(name));
+}
+
+TEST(DagSubject, the_example_in_c_keeps_every_law_that_it_has_entry_points_for) {
+  const Outcome o = judge_dag("dag_example", "dag --levels 3");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  for (const char* law : {"dag.round_trip", "dag.lookup_is_decode"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("proved     ") + law));
+  EXPECT_THAT(o.out, HasSubstr("checked    dag.on_samples"));
+  // Its codes are not docs/DAG.md's.
+  for (const char* law : {"dag.equals_spec", "dag.canonical", "dag.append", "dag.bound", "dag.malformed"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("n/a        ") + law));
+}
+
+TEST(DagSubject, maps_are_decoded_by_lookups_where_nothing_else_does) {
+  const Outcome o = judge_dag("dag_looks_up_only", "dag.round_trip --levels 3");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("proved     dag.round_trip"));
+}
+
+struct WrongDagAnswer {
+  friend void PrintTo(const WrongDagAnswer& w, std::ostream* out) { *out << w.name; }
+  const char *name, *law, *level, *expected;
+};
+
+class WrongDag : public testing::TestWithParam<WrongDagAnswer> {};
+
+TEST_P(WrongDag, is_refuted_and_replayed) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto& [name, law, level, expected] = GetParam();
+  const Outcome o = judge_dag(name, std::string(law) + " --levels " + level);
+  expect_refuted_and_replayed(o, law);
+  EXPECT_THAT(o.out, HasSubstr(std::string("expected ") + expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Subject, WrongDag,
+    testing::Values(WrongDagAnswer{"dag_merges_near", "dag.round_trip", "3", "map 1 state 63 0"},
+                    WrongDagAnswer{"dag_forgets_the_second", "dag.round_trip", "0", "2 maps got 1"},
+                    WrongDagAnswer{"dag_padding_set", "dag.round_trip", "0", "map 0 padding bits 0"},
+                    WrongDagAnswer{"dag_looks_in_the_first", "dag.lookup_is_decode", "3", "map 1 state 63 0"},
+                    WrongDagAnswer{"dag_promises_the_container", "dag.canonical", "0", ""}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(DagSubject, what_it_does_in_place_of_an_answer_is_told_with_the_case) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  Outcome o = judge_dag("dag_encoder_throws", "dag.round_trip --levels 3");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out,
+              HasSubstr("threw an exception: level 3 at level 3 encoding the 2-state scene of levels 3, 3"));
+  o = judge_dag("dag_encoder_counts_calls", "dag.round_trip --levels 1");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("non-deterministic"));
+  o = judge_dag("dag_lookup_crashes", "dag.lookup_is_decode --levels 4");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("looking up map=0,k=255"));
+}
+
+TEST(DagSubject, a_library_that_leads_nowhere_is_refused) {
+  Outcome o = judge_dag("dag_decodes_only", "dag");
+  EXPECT_EQ(o.exit_code, 4);
+  EXPECT_THAT(o.err, HasSubstr("no dag_encode"));
+  o = judge_dag("dag_encodes_only", "dag");
+  EXPECT_EQ(o.exit_code, 4);
+  EXPECT_THAT(o.err, HasSubstr("add dag_decode or dag_lookup"));
+}
+
+TEST(DagSubject, a_header_from_before_the_topic_has_none_of_it) {
+  const Outcome o = judge_dag("dag_old_header", "dag");
+  EXPECT_NE(o.exit_code, 0);
+  EXPECT_THAT(o.out + o.err, Not(HasSubstr("proved     dag")));
+}
+
+}  // namespace dag_plugin_test
+}  // namespace mmverify::tests
