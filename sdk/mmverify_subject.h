@@ -34,10 +34,10 @@ extern "C" {
 
 /* flags */
 #define MMVERIFY_SINGLE_THREADED 1u
-#define MMVERIFY_TREE_STREAM 2u   /* codes of trees are the paper's two bit sequences; see tree_encode */
-#define MMVERIFY_VQ_KEEPS 4u      /* vq2_encode and vq4_encode keep every map that a block can hold */
-#define MMVERIFY_BAKE_CENTROID 8u /* bake's unknown states are those of the centroid; see bake */
-#define MMVERIFY_BAKE_TIGHT 64u   /* nothing is unknown in bake's maps but what has to be */
+#define MMVERIFY_TREE_STREAM 2u     /* codes of trees are the paper's two bit sequences; see tree_encode */
+#define MMVERIFY_VQ_KEEPS 4u        /* vq2_encode and vq4_encode keep every map that a block can hold */
+#define MMVERIFY_BAKE_CENTROID 8u   /* bake's unknown states are those of the centroid; see bake */
+#define MMVERIFY_BAKE_TIGHT 64u     /* nothing is unknown in bake's maps but what has to be */
 #define MMVERIFY_DAG_CONTAINER 256u /* codes of scenes are the containers of docs/DAG.md; see dag_encode */
 /* A call costs as much as thousands of elements do, as a dispatch on a device does: points, indices and places come in
  * batches of up to 65,536, and answers are asked again less often. */

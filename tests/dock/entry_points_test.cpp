@@ -89,12 +89,15 @@ TEST(EntryPoints, numbers_of_an_answer) {
 }
 
 TEST(EntryPoints, are_of_the_topic_that_their_name_begins_with) {
-  const std::pair<const char*, Topic> known[] = {
-      {"index", Topic::index},       {"tree", Topic::tree},
-      {"micromap", Topic::micromap}, {"vq", Topic::vq},
-      {"bake", Topic::bake},         {"attribute", Topic::attribute},
-      {"traverse", Topic::traverse}, {"array", Topic::array},
-      {"dag", Topic::dag}};
+  const std::pair<const char*, Topic> known[] = {{"index", Topic::index},
+                                                 {"tree", Topic::tree},
+                                                 {"micromap", Topic::micromap},
+                                                 {"vq", Topic::vq},
+                                                 {"bake", Topic::bake},
+                                                 {"attribute", Topic::attribute},
+                                                 {"traverse", Topic::traverse},
+                                                 {"array", Topic::array},
+                                                 {"dag", Topic::dag}};
   const auto of_index = [](const std::string& name) {
     return name.starts_with("corners") || name.starts_with("row_");
   };
