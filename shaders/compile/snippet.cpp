@@ -33,8 +33,9 @@ Split split(const std::string& text) {
   return both;
 }
 
-/// GLSL's names of vectors, in HLSL and Slang.
+/// GLSL's names of vectors and casts, in HLSL and Slang.
 std::string in_hlsl(std::string text) {
+  text = replaced(std::move(text), "uintBitsToFloat", "asfloat");
   text = std::regex_replace(text, std::regex("\\buvec([234])\\b"), "uint$1");
   return std::regex_replace(text, std::regex("\\bvec([234])\\b"), "float$1");
 }
@@ -130,6 +131,9 @@ const std::vector<SnippetFunction>& snippet_functions() {
       {"tree_lookup", "uint", "tree_lookup", "uint level, uint format, uint index", "$level, $first, IN0", "uint"},
       {"tree_lookup_f32", "uint", "tree_lookup_at", "uint level, uint format, float u, float v", "$level, $first, IN0, IN1", "float"},
       {"ranked_lookup", "uint", "ranked_lookup", "uint level, uint format, uint index", "$level, $first, IN0", "uint"},
+      {"dag_lookup", "uint", "dag_lookup", "uint format, uint map, uint index", "$first, IN0, IN1", "uint"},
+      {"dag_lookup_f32", "uint", "dag_lookup_at", "uint format, uint map, float u, float v",
+       "$first, IN0, uintBitsToFloat(IN1), uintBitsToFloat(IN2)", "uint"},
       {"vq2_region", "uint", "vq2_region", "uint x, uint y", "IN0, IN1", "uint"},
       {"vq4_region", "uint", "vq4_region", "uint x, uint y", "IN0, IN1", "uint"},
       {"attribute_vertex_index", "uint", "vertex_index", "uint level, uint order, uint i, uint j", "$level, $first, IN0, IN1", "uint"},

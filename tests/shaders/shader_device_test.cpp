@@ -191,6 +191,32 @@ TEST_F(ShaderOnDevice, our_trees_give_the_maps_states) {
   EXPECT_THAT(ranked.out, HasSubstr("proved     tree."));
 }
 
+TEST_F(ShaderOnDevice, our_graph_gives_the_states_of_a_scene) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome small = judge(ours("dag.glsl"), "dag.lookup_is_decode --levels 3");
+  EXPECT_EQ(small.exit_code, 0) << small.out << small.err;
+  EXPECT_THAT(small.out, HasSubstr("proved     dag.lookup_is_decode"));
+  const Outcome fine = judge(ours("dag.glsl"), "dag.point_is_index dag.on_samples --levels 3..8");
+  EXPECT_EQ(fine.exit_code, 0) << fine.out << fine.err;
+  EXPECT_THAT(fine.out, HasSubstr("12 results: 12 checked"));
+}
+
+TEST_F(ShaderOnDevice, a_graph_whose_wide_nodes_are_read_as_narrow_ones_is_refuted) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const std::string file = write("narrow.glsl", R"(#define MM_DAG_WORD(k) mmverify_word(k)
+#include "shaders/dag.glsl"
+uint dag_lookup(uint format, uint map, uint index) {
+  MmDag dag = mm_dag_open();
+  uint at = mm_dag_header + 2u * map, record = MM_DAG_WORD(at);
+  if ((record >> 8 & 0xffu) != 3u) return mm_dag_lookup(dag, map, index);
+  return mm_dag_below(dag, MM_DAG_WORD(at + 1u) & ~1u, record & 0xffu, index);
+}
+)");
+  const Outcome o = judge(file, "dag.on_samples --levels 6");
+  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("refuted    dag.on_samples"));
+}
+
 TEST_F(ShaderOnDevice, our_attribute_lookups_keep_their_laws) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o = judge(
