@@ -76,6 +76,12 @@ constexpr std::uint32_t formats = formats_side * formats_side;
   ROW(traverse_blend_hits, traverse, 1, (HitsOf(a), a.bytes()))                                                       \
   ROW(array_build,         array,    1, (TrianglesOf(a), a.bytes(), a.room))                                          \
   ROW(array_resolve,       array,    2, (a.format, a.words(0), a.words(1), a.words(2), a.numbers(), a.count))          \
+  ROW(array_compact,       array,    1, (a.blob, a.blob_bytes, a.bytes(), a.room))                                    \
+  ROW(array_reorder,       array,    1, (a.blob, a.blob_bytes, a.bytes(), a.room))                                    \
+  ROW(array_concatenate,   array,    1, (a.blob, a.blob_bytes, a.bytes(), a.room))                                    \
+  ROW(array_save,          array,    1, (a.format, a.blob, a.blob_bytes, a.bytes(), a.room))                          \
+  ROW(array_load,          array,    1, (a.blob, a.blob_bytes, a.bytes(), a.room))                                    \
+  ROW(array_emulate,       array,    1, (a.level, a.format, a.blob, a.bytes(), a.room))                               \
   ROW(dag_encode,          dag,      1, (a.format, a.blob, a.blob_bytes, a.bytes(), a.room))                          \
   ROW(dag_decode,          dag,      1, (a.format, a.blob, a.blob_bytes, a.bytes(), a.room))                          \
   ROW(dag_lookup,          dag,      1,                                                                               \

@@ -38,6 +38,7 @@ extern "C" {
 #define MMVERIFY_VQ_KEEPS 4u        /* vq2_encode and vq4_encode keep every map that a block can hold */
 #define MMVERIFY_BAKE_CENTROID 8u   /* bake's unknown states are those of the centroid; see bake */
 #define MMVERIFY_BAKE_TIGHT 64u     /* nothing is unknown in bake's maps but what has to be */
+#define MMVERIFY_ARRAY_FILES 512u   /* files of arrays are docs/ARRAYS.md's; see array_save */
 #define MMVERIFY_DAG_CONTAINER 256u /* codes of scenes are the containers of docs/DAG.md; see dag_encode */
 /* A call costs as much as thousands of elements do, as a dispatch on a device does: points, indices and places come in
  * batches of up to 65,536, and answers are asked again less often. */
@@ -218,7 +219,7 @@ typedef struct mmverify_attribute_support {
   uint32_t tolerance; /* codes that a channel may be off by, up to 16; 0: each is the exact number, rounded */
 } mmverify_attribute_support_t;
 
-/* Arrays of many triangles' maps; see array_build and array_resolve. */
+/* Arrays of many triangles' maps; see array_build and the entry points after it. */
 #define MMVERIFY_ARRAY_EXT 0u
 #define MMVERIFY_ARRAY_KHR 1u
 #define MMVERIFY_ARRAY_DXR 2u
@@ -265,6 +266,16 @@ typedef struct mmverify_array_answer {
   uint32_t records, array_counts, geometry_counts; /* how many there are */
   uint32_t index_bytes, data_bytes;
 } mmverify_array_answer_t;
+
+/* An array and its geometries as bytes, which changes and files are asked about.  Without gaps, little-endian: this; an
+ * mmverify_array_geometry for each geometry; the records, 8 bytes each; each geometry's indices; the data. */
+typedef struct mmverify_array_parts {
+  uint32_t records, data_bytes, geometries;
+} mmverify_array_parts_t;
+typedef struct mmverify_array_geometry {
+  uint32_t index_type; /* MMVERIFY_INDEX_U8, ... */
+  uint32_t base_triangle, triangles;
+} mmverify_array_geometry_t;
 
 /* What a subject is: its name, its limits, its entry points. */
 typedef struct mmverify_subject {
@@ -500,6 +511,31 @@ typedef struct mmverify_subject {
    * _OUTSIDE and 0: no such record, and a signed code below the special ones. */
   void (*array_resolve)(uint32_t index_type, const uint32_t* code, const uint32_t* base_triangle,
                         const uint32_t* records, uint32_t* target, size_t count);
+
+  /* Arrays that are there, changed: each triangle of each geometry resolves as before.  The bytes of the array, and of what
+   * becomes of it, as mmverify_array_parts has them; the size is returned, as of tree_encode.  Every plain index names a
+   * record, every record's bytes lie in the data.
+   *   compact      without the records that nobody refers to and the bytes of no record
+   *   reorder      all records, those in use first, in the order of their first use
+   *   concatenate  two arrays, whose bytes follow each other: the first's records and geometries, then the second's
+   * The data that compact and reorder leave has no gaps and no bytes behind. */
+  size_t (*array_compact)(const uint8_t* array, size_t array_size, uint8_t* changed, size_t capacity);
+  size_t (*array_reorder)(const uint8_t* array, size_t array_size, uint8_t* changed, size_t capacity);
+  size_t (*array_concatenate)(const uint8_t* arrays, size_t arrays_size, uint8_t* changed, size_t capacity);
+
+  /* An array as a file of a version, 1 or 2, and the array of a file again, as mmverify_array_parts has it; sizes as of
+   * tree_encode.  Version 2 holds every array; 0 if version 1 does not hold this one, and for bytes that are no file.
+   *   - Any form of file will do.  What is saved in a version is loaded as it was.
+   *   - With the flag MMVERIFY_ARRAY_FILES the files are those of docs/ARRAYS.md, byte by byte, and array_load refuses all
+   *     other bytes: cut short, one bit flipped, 0 bytes. */
+  size_t (*array_save)(uint32_t version, const uint8_t* array, size_t array_size, uint8_t* file,
+                       size_t capacity);
+  size_t (*array_load)(const uint8_t* file, size_t file_size, uint8_t* array, size_t capacity);
+
+  /* The 4-state map at level most < level that stands for one that a device has no level for (KHR, lossy micromaps): T for
+   * a block of T alone, O for one of O, UT or UO for any other. */
+  size_t (*array_emulate)(uint32_t level, uint32_t most, const uint8_t* map, uint8_t* emulated,
+                          size_t capacity);
 
   /* The maps of a scene in one graph, or in whatever form a codec of many maps has.
    *   - A scene is maps of one format, one after another: a byte with the level, 0 to 12, then the map, packed, its bits after

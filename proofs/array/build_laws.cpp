@@ -320,6 +320,10 @@ Law sampled() {
                               if (target_of(a, c, t).kind == Target::Kind::record)
                                 set_code(a, c, t, code_of(a, c, t) + c.options.base);
                           })),
+                   mutant("the last state of a map of level 4", "array", {4, 5}, building([](BuildCase& c) {
+                            for (PackedMap& m : c.maps)
+                              if (m.level == 4) m.bytes.back() ^= 0x80;
+                          })),
                    mutant("merges one more than the bound", "array", {2, 5}, building([](BuildCase& c) {
                             if (c.options.bound == 4) ++c.options.bound;
                           })),

@@ -122,7 +122,7 @@ std::function<void(Functions&)> changing(One entry, void (*change)(const Bundle&
 }
 
 using BundleCheck = Finding (*)(const ArraySubject&, const BuildCase&);
-Law on_bundles(Law law, BundleCheck check) {
+Law on_bundles(Law law, const Entry& needed, BundleCheck check) {
   law.method = Method::exhaustive;
   law.fast = law.long_run = {1, 1};
   law.subjects = {"array-spec", "array"};
@@ -131,7 +131,7 @@ Law on_bundles(Law law, BundleCheck check) {
       "1 and 2 triangles of the sorted maps of levels 0 and 1, both formats, every choice, behind two "
       "records");
   return on_cases(
-      std::move(law), {entry::change},
+      std::move(law), {needed},
       {[](Level n) { return n == 1 ? small_bundles() : 0; },
        [check](const ArraySubject& s, Level, std::uint64_t k, const Run&) {
          return check(s, bundle_number(k));
@@ -162,7 +162,7 @@ std::vector<Law> change_laws() {
                                                   })),
                                   mutant("drops nothing", "array", {1, 1},
                                          [](Functions& f) { f.compact = f.reorder; })}},
-                     compacts),
+                     entry::compact, compacts),
           on_bundles(
               {.id = "array.reorder",
                .topic = "array",
@@ -188,7 +188,7 @@ std::vector<Law> change_laws() {
                                       return spec::array::arranged(b, order);
                                     };
                                   })}},
-              reorders),
+              entry::reorder, reorders),
           on_bundles({.id = "array.concatenate",
                       .topic = "array",
                       .says = "one array behind another: each triangle of both resolves as before, and all "
@@ -215,7 +215,7 @@ std::vector<Law> change_laws() {
                                                       is.parts[1].indices[t] = static_cast<std::uint8_t>(
                                                           is.parts[1].indices[t] + a.array.records.size());
                                                 }))}},
-                     concatenates)};
+                     entry::concatenate, concatenates)};
 }
 
 }  // namespace mmverify::proofs::array

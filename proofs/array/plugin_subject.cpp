@@ -132,6 +132,70 @@ std::vector<Target> targets(const Library& library, const Reading& r, std::span<
   return all;
 }
 
+// Arrays as mmverify_array_parts has them: what a file of version 2 has between its name and its sum.
+constexpr std::uint32_t parts_version = 2;
+constexpr std::size_t before_parts = 12, behind_parts = 4;
+
+Bytes parts_of(const Bundle& b) {
+  const Bytes file = spec::array::written(b, parts_version);
+  return {file.begin() + before_parts, file.end() - behind_parts};
+}
+
+/// None where the bytes are no array.
+std::optional<Bundle> bundle_of_parts(const Bytes& parts) {
+  Bytes file = spec::array::written({}, parts_version);
+  file.resize(before_parts);
+  file.insert(file.end(), parts.begin(), parts.end());
+  const std::uint32_t sum = spec::array::checksum(file);
+  for (unsigned j = 0; j < behind_parts; ++j) file.push_back(static_cast<std::uint8_t>(sum >> 8 * j));
+  return spec::array::read(file);
+}
+
+std::string doing(const char* what, const Bundle& b) {
+  return fmt::format("{} an array of {} records and {} bytes of data, of {} geometries", what,
+                     b.array.records.size(), b.array.data.size(), b.parts.size());
+}
+
+dock::Answer ask(const Library& library, Call call, std::uint32_t version, const Bytes& blob,
+                 const char* what, const Bundle& about) {
+  return dock::ask(library, {call, 0, version, blob, 4096}, [&] { return doing(what, about); });
+}
+
+/// An array without geometries where it refuses, which is never right.
+Bundle changed(const Library& library, Call call, const Bytes& arrays, const char* what,
+               const Bundle& about) {
+  const dock::Answer answer = ask(library, call, 0, arrays, what, about);
+  return answer.taken ? bundle_of_parts(answer.bytes).value_or(Bundle{}) : Bundle{};
+}
+
+Bundle concatenated(const Library& library, const Bundle& first, const Bundle& second) {
+  Bytes both = parts_of(first);
+  const Bytes behind = parts_of(second);
+  both.insert(both.end(), behind.begin(), behind.end());
+  return changed(library, Call::array_concatenate, both, "concatenating another to", first);
+}
+
+Bytes saved(const Library& library, const Bundle& b, std::uint32_t version) {
+  const dock::Answer answer = ask(library, Call::array_save, version, parts_of(b), "saving", b);
+  return answer.taken ? answer.bytes : Bytes{};
+}
+
+std::optional<Bundle> loaded(const Library& library, std::span<const std::uint8_t> file) {
+  const dock::Answer answer = dock::ask(library, {Call::array_load, 0, 0, file, 4096}, [&] {
+    return fmt::format("loading a file of {} bytes", file.size());
+  });
+  return answer.taken ? bundle_of_parts(answer.bytes) : std::nullopt;
+}
+
+Bytes emulated(const Library& library, Level n, Level most, std::span<const std::uint8_t> map) {
+  const std::uint64_t room = maps::packed_bytes(maps::micro_triangles(most), Format::four_state);
+  const dock::Answer answer = dock::ask(library, {Call::array_emulate, n, most, map, room}, [&] {
+    return fmt::format("emulating at level {} the map {}", most,
+                       dock::map_text(2, maps::micro_triangles(n), map));
+  });
+  return answer.taken ? answer.bytes : Bytes{};
+}
+
 Functions functions_of(const LibraryPtr& library) {
   Functions f;
   if (library->offers(Call::array_build))
@@ -139,6 +203,25 @@ Functions functions_of(const LibraryPtr& library) {
   if (library->offers(Call::array_resolve))
     f.targets = [library](const Reading& r, std::span<const std::uint32_t> codes) {
       return targets(*library, r, codes);
+    };
+  if (library->offers(Call::array_compact))
+    f.compact = [library](const Bundle& b) {
+      return changed(*library, Call::array_compact, parts_of(b), "compacting", b);
+    };
+  if (library->offers(Call::array_reorder))
+    f.reorder = [library](const Bundle& b) {
+      return changed(*library, Call::array_reorder, parts_of(b), "reordering", b);
+    };
+  if (library->offers(Call::array_concatenate))
+    f.concatenate = [library](const Bundle& a, const Bundle& b) { return concatenated(*library, a, b); };
+  if (library->offers(Call::array_save))
+    f.write = [library](const Bundle& b, std::uint32_t version) { return saved(*library, b, version); };
+  if (library->offers(Call::array_load))
+    f.read = [library](std::span<const std::uint8_t> file) { return loaded(*library, file); };
+  f.files_are_ours = (library->description().flags & MMVERIFY_ARRAY_FILES) != 0;
+  if (library->offers(Call::array_emulate))
+    f.emulate = [library](Level n, Level most, std::span<const std::uint8_t> map) {
+      return emulated(*library, n, most, map);
     };
   return f;
 }

@@ -67,6 +67,8 @@ struct Functions {
   std::function<Bundle(const Bundle&, const Bundle&)> concatenate = {};
   std::function<Bytes(const Bundle&, std::uint32_t version)> write = {};
   std::function<std::optional<Bundle>(std::span<const std::uint8_t>)> read = {};
+  /// The files are docs/ARRAYS.md's, byte by byte; else only that they come back is asked.
+  bool files_are_ours = true;
   /// A 4-state map of a level above `most`, at `most`.
   std::function<Bytes(Level n, Level most, std::span<const std::uint8_t> four_state)> emulate = {};
   std::function<std::vector<std::uint64_t>(std::span<const std::uint32_t>)> blocks = {};
@@ -80,9 +82,12 @@ struct Entry {
 namespace entry {
 inline constexpr Entry build{"build", [](const Functions& f) { return bool{f.build}; }};
 inline constexpr Entry targets{"resolve", [](const Functions& f) { return bool{f.targets}; }};
-inline constexpr Entry change{"compact, reorder and concatenate",
-                              [](const Functions& f) { return f.compact && f.reorder && f.concatenate; }};
-inline constexpr Entry file{"write and read", [](const Functions& f) { return f.write && f.read; }};
+inline constexpr Entry compact{"compact", [](const Functions& f) { return bool{f.compact}; }};
+inline constexpr Entry reorder{"reorder", [](const Functions& f) { return bool{f.reorder}; }};
+inline constexpr Entry concatenate{"concatenate", [](const Functions& f) { return bool{f.concatenate}; }};
+inline constexpr Entry file{"save and load", [](const Functions& f) { return f.write && f.read; }};
+inline constexpr Entry our_file{"load of docs/ARRAYS.md's files",
+                                [](const Functions& f) { return f.read && f.files_are_ours; }};
 inline constexpr Entry emulate{"emulate", [](const Functions& f) { return bool{f.emulate}; }};
 inline constexpr Entry blocks{"blocks", [](const Functions& f) { return bool{f.blocks}; }};
 }  // namespace entry

@@ -241,6 +241,11 @@ Law records_law() {
                           .fast_seconds = 2.2,
                           .mutants = {mutant("tiles that differ in the last state are one", "dag", {3, 4},
                                              encodes_another(merge_near_tiles)),
+                                      mutant("the second of two maps of level 4 is the first", "dag", {4, 4},
+                                             encodes_another([](Scene& scene) {
+                                               if (scene.maps.size() == 2 && scene.maps[0].level == 4)
+                                                 scene.maps[1] = scene.maps[0];
+                                             })),
                                       mutant("level 1 stands in a record as level 0", "dag", {1, 1},
                                              writes_wrongly([](const Scene& scene, Bytes& bytes) {
                                                if (scene.maps[0].level == 1 && scene.maps[0].packed[0] == 0)
@@ -355,6 +360,8 @@ Law damage_law() {
                           takes_too_much([](const Bytes& b) { return b.empty(); })),
                    mutant("takes bits in a record's zeros", "dag", {1, 3},
                           takes_too_much([](const Bytes& b) { return b.size() > 40 && b[34] == 4; })),
+                   mutant("takes nodes of an odd number of words", "dag", {4, 5},
+                          takes_too_much([](const Bytes& b) { return b.size() > 32 && b[20] % 2 == 1; })),
                    mutant("does not look at the checksum's last byte", "dag", {2, 4},
                           [](Functions& functions) {
                             functions.open = [real = functions.open](Format f,
@@ -389,19 +396,20 @@ Law damage_samples_law() {
        .fast = {3, 7},
        .long_run = {3, 8},
        .fast_seconds = 0.9,
-       .mutants = {mutant("takes any kind of a record", "dag", {3, 6}, takes_too_much([](const Bytes& b) {
-                            return b.size() > 40 && b[33] > 4 && b[34] == 0;
-                          })),
-                   mutant("takes one tile too many", "dag", {3, 6}, takes_too_much([](const Bytes& b) {
-                            return b.size() % 8 == 0 && b[12] == 2 && b[32] == 4;
-                          })),
-                   mutant("refuses what has two tiles", "dag", {3, 6},
-                          [](Functions& functions) {
-                            functions.open = [real = functions.open](Format f,
-                                                                     std::span<const std::uint8_t> bytes) {
-                              return bytes[12] == 2 ? std::nullopt : real(f, bytes);
-                            };
-                          })}},
+       .mutants =
+           {mutant("takes any kind of a record", "dag", {3, 6},
+                   takes_too_much([](const Bytes& b) { return b.size() > 40 && b[33] > 4 && b[34] == 0; })),
+            mutant("takes nodes though the first map has none", "dag", {4, 6},
+                   takes_too_much([](const Bytes& b) { return b.size() > 40 && b[20] != 0 && b[33] < 3; })),
+            mutant("takes one tile too many", "dag", {3, 6}, takes_too_much([](const Bytes& b) {
+                     return b.size() % 8 == 0 && b[12] == 2 && b[32] == 4;
+                   })),
+            mutant("refuses what has two tiles", "dag", {3, 6},
+                   [](Functions& functions) {
+                     functions.open = [real = functions.open](Format f, std::span<const std::uint8_t> bytes) {
+                       return bytes[12] == 2 ? std::nullopt : real(f, bytes);
+                     };
+                   })}},
       {entry::container, entry::reads},
       [](Level n) -> std::uint64_t { return n <= 5   ? 60
                                             : n <= 6 ? 20

@@ -8,6 +8,8 @@
 #include <random>
 
 #include "impl/attribute/lookup.hpp"
+#include "impl/dag/container.hpp"
+#include "impl/dag/dag.hpp"
 #include "impl/index/index.hpp"
 #include "impl/tree/stream.hpp"
 #include "impl/tree/tree.hpp"
@@ -79,6 +81,7 @@ class Measuring {
     // Codes of ranked trees first: a subject keeps what a file before it offered.
     trees("tree_ranked.glsl", true);
     trees("tree.glsl", false);
+    graphs();
     const auto of_trees = static_cast<std::ptrdiff_t>(made_.rows.size());
     indices();
     std::rotate(made_.rows.begin(), made_.rows.begin() + of_trees, made_.rows.end());
@@ -194,6 +197,25 @@ class Measuring {
         add<std::uint8_t>("tree, bit by bit", level, 1, device, [&](std::size_t k, std::uint8_t* out) {
           *out = impl::tree::lookup_stream(level, Format::four_state, stream, index[k]);
         });
+    }
+  }
+
+  void graphs() {
+    const OnDevice opened("dag.glsl", options_.device);
+    about(opened);
+    for (const std::uint32_t level : levels()) {
+      if (level > impl::dag::max_level) break;
+      impl::dag::Dag graph(impl::dag::Format::four_state);
+      graph.add(level, disc(level));
+      const std::vector<std::uint8_t> code = impl::dag::save(graph);
+      const std::vector<std::uint32_t> map(u_.size(), 0);
+      add<std::uint8_t>(
+          "graph", level, 1,
+          [&](std::uint8_t* out) {
+            opened->dag_lookup_f32(2, code.data(), code.size(), map.data(), u_.data(), v_.data(), out,
+                                   u_.size());
+          },
+          [&](std::size_t k, std::uint8_t* out) { *out = graph.at_point(0, u_[k], v_[k]); });
     }
   }
 

@@ -70,7 +70,7 @@ foreach(fault 0 1 2)
   mmverify_add_subject(fault_${fault} subjects/no_subject.c FAULT=${fault})
 endforeach()
 
-mmverify_add_room(subjects_tests large_batches_test tree_plugin_test dag_plugin_test vq_plugin_test traverse_plugin_test array_plugin_test attribute_plugin_test
+mmverify_add_room(subjects_tests large_batches_test tree_plugin_test dag_plugin_test vq_plugin_test traverse_plugin_test array_plugin_test array_changes_plugin_test attribute_plugin_test
   attribute_bake_plugin_test bake_plugin_test LIBRARIES mmverify::proofs)
 target_compile_definitions(subjects_tests PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
 add_dependencies(subjects_tests mmverify mmverify-worker)
@@ -151,6 +151,16 @@ mmverify_add_part(wrong_array subjects/wrong_array.cpp)
 foreach(wrong merges_known one_format one_histogram base_on_special order_from_level_2 less_or_equal minus_5_everywhere state_4
     refuses_two says_more_bytes crash throws overrun counts_calls resolves_only old_header)
   mmverify_add_wrong(array_${wrong} ${wrong} wrong_array right_array)
+endforeach()
+
+set(array_changes_example ${PROJECT_SOURCE_DIR}/examples/subject_array/subject_array_changes.c)
+mmverify_add_subject(array_changes_example ${array_changes_example})
+mmverify_add_part(right_array_changes ${array_changes_example} mmverify_subject_v1=right_array_changes)
+mmverify_add_part(wrong_array_changes subjects/wrong_array_changes.cpp)
+foreach(wrong compact_drops_nothing compact_refuses compact_keeps_the_base compact_overruns reorder_does_nothing
+    concatenate_leaves_the_base concatenate_leaves_the_offsets load_lets_bytes_behind_pass load_forgets_signs emulate_by_majority
+    saves_alone)
+  mmverify_add_wrong(array_changes_${wrong} ${wrong} wrong_array_changes right_array_changes)
 endforeach()
 
 # And of attribute maps.

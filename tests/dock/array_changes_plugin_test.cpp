@@ -1,0 +1,76 @@
+// Shared libraries that change arrays and keep them in files: right and wrong ones, judged by the built program.
+#include <string>
+
+#include "tests/dock/plugin.hpp"
+#include "tests/sanitized.hpp"
+
+namespace mmverify::tests {
+namespace array_changes_plugin_test {
+
+using testing::HasSubstr;
+
+Outcome judge_changes(const std::string& name, const std::string& what) {
+  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 20 --threads 1 --subject " +
+               library("array_changes_" + name));
+}
+
+TEST(ArrayChanges, the_example_in_c_keeps_the_laws) {
+  const Outcome o = judge_changes("example",
+                                  "array.compact array.reorder array.concatenate array.files "
+                                  "array.malformed_files array.emulates");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  for (const char* law : {"compact", "reorder", "concatenate", "files", "malformed_files", "emulates"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("proved     array.") + law));
+  const Outcome samples = judge_changes("example", "array.emulates_on_samples --levels 2..4");
+  EXPECT_EQ(samples.exit_code, 0) << samples.out << samples.err;
+  EXPECT_THAT(samples.out, HasSubstr("3 results: 3 checked"));
+}
+
+struct WrongChange {
+  friend void PrintTo(const WrongChange& w, std::ostream* out) { *out << w.name; }
+  const char *name, *law, *expected;
+};
+
+class WrongChanges : public testing::TestWithParam<WrongChange> {};
+
+// Each by its own law.
+TEST_P(WrongChanges, are_refuted_and_replayed) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const auto& [name, law, expected] = GetParam();
+  const Outcome o = judge_changes(name, law);
+  expect_refuted_and_replayed(o, law);
+  EXPECT_THAT(o.out, HasSubstr(expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Subject, WrongChanges,
+    testing::Values(WrongChange{"compact_drops_nothing", "array.compact", "records got "},
+                    WrongChange{"compact_refuses", "array.compact", " got "},
+                    WrongChange{"compact_keeps_the_base", "array.compact", "base=1"},
+                    WrongChange{"reorder_does_nothing", "array.reorder", ": at most record 0 got "},
+                    WrongChange{"concatenate_leaves_the_base", "array.concatenate", " got "},
+                    WrongChange{"concatenate_leaves_the_offsets", "array.concatenate", " got "},
+                    WrongChange{"load_lets_bytes_behind_pass", "array.malformed_files", "refused got read"},
+                    WrongChange{"load_forgets_signs", "array.files",
+                                "expected version 2: the array got another one"},
+                    WrongChange{"emulate_by_majority", "array.emulates", "case 4-state:0111 "}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(ArrayChanges, that_write_beyond_their_answer_are_broken) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome o = judge_changes("compact_overruns", "array.compact");
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("it touched memory outside its output"));
+  EXPECT_THAT(o.out, HasSubstr("compacting an array of 3 records"));
+}
+
+TEST(ArrayChanges, that_are_missing_are_named) {
+  const Outcome o = judge_changes("saves_alone", "array.reorder array.files array.compact");
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("proved     array.reorder"));
+  EXPECT_THAT(o.out, HasSubstr("n/a        array.files"));
+  EXPECT_THAT(o.out, HasSubstr("n/a        array.compact"));
+}
+
+}  // namespace array_changes_plugin_test
+}  // namespace mmverify::tests
