@@ -130,6 +130,7 @@ const std::vector<SnippetFunction>& snippet_functions() {
       {"tree_lookup", "uint", "tree_lookup", "uint level, uint format, uint index", "$level, $first, IN0", "uint"},
       {"tree_lookup_f32", "uint", "tree_lookup_at", "uint level, uint format, float u, float v", "$level, $first, IN0, IN1", "float"},
       {"ranked_lookup", "uint", "ranked_lookup", "uint level, uint format, uint index", "$level, $first, IN0", "uint"},
+      {"dag_lookup", "uint", "dag_lookup", "uint format, uint map, uint index", "$first, IN0, IN1", "uint"},
       {"vq2_region", "uint", "vq2_region", "uint x, uint y", "IN0, IN1", "uint"},
       {"vq4_region", "uint", "vq4_region", "uint x, uint y", "IN0, IN1", "uint"},
       {"attribute_vertex_index", "uint", "vertex_index", "uint level, uint order, uint i, uint j", "$level, $first, IN0, IN1", "uint"},

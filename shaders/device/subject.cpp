@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "impl/dag/container.hpp"
 #include "impl/tree/tree.hpp"
 #include "sdk/mmverify_subject.h"
 #include "shaders/device/program.hpp"
@@ -55,6 +56,22 @@ std::size_t encode_ranked(std::uint32_t level, std::uint32_t format, Bytes map, 
   const auto bytes = static_cast<std::size_t>((form.bits() + 7) / 8);
   if (bytes <= capacity) std::memcpy(code, form.memory(), bytes);
   return bytes;
+}
+
+/// The container of a scene, which is levels and maps by turns.
+std::size_t encode_dag(std::uint32_t format, Bytes scene, std::size_t scene_size, std::uint8_t* code,
+                       std::size_t capacity) {
+  using namespace mmverify::impl;
+  dag::Dag graph(dag::Format{format});
+  for (std::size_t at = 0; at < scene_size;) {
+    const std::uint32_t level = scene[at++];
+    const std::size_t map_bytes = ((std::size_t{format} << 2 * level) + 7) / 8;
+    graph.add(level, {scene + at, map_bytes});
+    at += map_bytes;
+  }
+  const auto container = dag::save(graph);
+  if (container.size() <= capacity) std::memcpy(code, container.data(), container.size());
+  return container.size();
 }
 
 /// How an entry point is filled in.
@@ -133,6 +150,18 @@ const Entry entries[] = {
                    .byte_count = size,
                    .count = count},
                   out);
+       };
+     }},
+    {"dag_lookup",
+     [](mmverify_subject_t& s) {
+       s.flags |= MMVERIFY_DAG_CONTAINER;
+       s.dag_encode = encode_dag;
+       s.dag_lookup = [](std::uint32_t format, Bytes code, std::size_t size, Words map, Words index,
+                         std::uint8_t* out, std::size_t count) {
+         to_bytes(
+             "dag_lookup",
+             {.first = format, .arrays = {map, index}, .bytes = code, .byte_count = size, .count = count},
+             out);
        };
      }},
     {"vq2_region",

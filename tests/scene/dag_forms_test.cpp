@@ -13,6 +13,7 @@
 #include "bench/scene/dag.hpp"
 #include "bench/scene/state_entropy.hpp"
 #include "impl/dag/dag.hpp"
+#include "scene/bake/footprint.hpp"
 #include "scene/bake/vq_footprint.hpp"
 #include "scene/read/load.hpp"
 #include "tests/scene/made_scene.hpp"
@@ -124,6 +125,24 @@ TEST(SceneDagForms, TheGraphDecodesToTheMapsAndTakesWhatIsSaid) {
       EXPECT_EQ(again, in.maps[k]);
     }
     EXPECT_EQ(scene_dag_figures(in, few_lookups()).form(SceneForm::dag).bytes, dag.bits() / 8);
+  }
+}
+
+// What `scene` prints of the same maps: records of the array, widened or forced, in the same order.  The array holds what is
+// the same once, so there may be fewer records of the graph.
+TEST(SceneDagForms, TheGraphOfTheFootprintIsThatOfTheComparison) {
+  for (const unsigned level : {2u, 4u, 6u}) {
+    const Made made(level);
+    const SceneMaps maps(made.s, made.p);
+    const auto footprint = mmverify::scene::footprint(made.s, made.p, made.a, 1);
+    for (const Format format : both) {
+      const MapsAtLevel in = maps.in_format(level, format, maps.baked(level, 5));
+      const auto& mode = footprint.mode[in.bits - 1];
+      const SceneDagFigures f = scene_dag_figures(in, few_lookups());
+      EXPECT_EQ(mode.records, f.distinct);
+      EXPECT_EQ(mode.graph - 8 * mode.records, f.form(SceneForm::dag).bytes - 8 * f.maps);
+      EXPECT_LE(mode.graph, mode.data + 8 * mode.records);
+    }
   }
 }
 

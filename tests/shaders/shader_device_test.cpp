@@ -191,6 +191,17 @@ TEST_F(ShaderOnDevice, our_trees_give_the_maps_states) {
   EXPECT_THAT(ranked.out, HasSubstr("proved     tree."));
 }
 
+TEST_F(ShaderOnDevice, our_graph_gives_the_maps_states) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome masks = judge(ours("dag.glsl"), "dag.masks --levels 6..6");
+  EXPECT_EQ(masks.exit_code, 0) << masks.out << masks.err;
+  EXPECT_THAT(masks.out, HasSubstr("proved     dag.masks"));
+  // Wide nodes begin at level 7.
+  const Outcome samples = judge(ours("dag.glsl"), "dag.on_samples --levels 6..8");
+  EXPECT_EQ(samples.exit_code, 0) << samples.out << samples.err;
+  EXPECT_THAT(samples.out, HasSubstr("3 results: 3 checked"));
+}
+
 TEST_F(ShaderOnDevice, our_attribute_lookups_keep_their_laws) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o = judge(
