@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "bench/scene/dag_tables.hpp"
 #include "bench/scene/tables.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/baker.hpp"
@@ -107,6 +108,35 @@ int run_scene_bench(const BenchOptions& options) {
   return run_table(options, [&] { return scene_result(options, levels); });
 }
 
+/// What the maps of a scene take in each form.
+int run_scene_dag_bench(const BenchOptions& options) {
+  const bench::SceneDagOptions otherwise;
+  const proofs::Levels levels = levels_or(options, {otherwise.first, otherwise.last}, otherwise.last);
+  if (options.index.samples > most_lookups)
+    throw UsageError(
+        fmt::format("--samples {}: bench dag does {} lookups at most", options.index.samples, most_lookups));
+  const bench::SceneDagOptions dag{.file = options.scene,
+                                   .first = levels.first,
+                                   .last = levels.last,
+                                   .seed = options.index.seed,
+                                   .lookups = options.index.samples,
+                                   .memory = options.memory == 0 ? otherwise.memory : options.memory,
+                                   .progress = progress_of("dag", options),
+                                   .stop = stop_if_asked};
+  Outputs outputs(options);
+  try {
+    const bench::SceneDagScene figures = bench::scene_dag(dag);
+    stop_if_asked();
+    if (figures.maps == 0) throw UsageError(options.scene + ": nothing to bake");
+    if (figures.rows.empty())
+      throw UsageError(fmt::format("{}: no map of more than one state at these levels", options.scene));
+    outputs.print(bench::scene_dag_tables(figures, dag));
+  } catch (const mmverify::scene::BadScene& error) {
+    throw EnvironmentError(error.what());
+  }
+  return outputs.commit(false);
+}
+
 /// What somebody's baker gets wrong of real content, and its time.
 int run_baker_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {3, 6}, 12);
@@ -201,8 +231,15 @@ int run_bench(const BenchOptions& options) {
     throw UsageError("--maps: for bench vq and bench bake, of generated maps and textures; leave it out");
   const proofs::InterruptGuard guard;
   if (!options.subject.empty() && only("bake")) return run_baker_bench(options);
+  if (options.memory != 0 && (options.scene.empty() || !only("dag")))
+    throw UsageError("--memory: for bench dag --scene");
   if (!options.scene.empty()) {
-    if (!only("bake")) throw UsageError("--scene: for bench bake");
+    if (only("dag")) {
+      if (!options.subject.empty() || options.sweep)
+        throw UsageError("bench dag --scene: takes --levels, --memory, --samples, --seed, --json and --plot");
+      return run_scene_dag_bench(options);
+    }
+    if (!only("bake")) throw UsageError("--scene: for bench bake and bench dag");
     return run_scene_bench(options);
   }
   if (!options.subject.empty() || options.sweep) {
@@ -246,11 +283,17 @@ Action add_bench(CLI::App& program) {
                                           "tree, vq, bake: the PNG files in this folder instead")
                              ->type_name("FOLDER");
   command
-      ->add_option(
-          "--scene", options->scene,
-          "bake: how fast this scene's own triangles are baked, instead; with --subject also a folder")
+      ->add_option("--scene", options->scene,
+                   "bake: how fast this scene's own triangles are baked, instead; with --subject also a "
+                   "folder; dag: what its "
+                   "maps take in each form")
       ->type_name("FILE.gltf")
       ->excludes(textures);
+  command
+      ->add_option("--memory", options->memory,
+                   "dag --scene: bytes that a level's 4-state maps may take, beyond which some are taken; "
+                   "128 MiB where not given")
+      ->check(whole_within(1, std::uint64_t{1} << 30));
   command->add_option("--maps", options->maps, "vq, bake: how many generated maps or textures")
       ->check(whole_within(1, 1 << 16))
       ->excludes(textures);

@@ -102,8 +102,6 @@ Levels levels_of() {
   return {options.first, options.last};
 }
 
-constexpr std::uint64_t most_lookups = std::uint64_t{1} << 26;  // 8 bytes each
-
 }  // namespace
 
 void stop_if_asked() {

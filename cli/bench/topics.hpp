@@ -18,11 +18,14 @@ struct BenchOptions {
   std::vector<std::string> topics;
   std::string json, plot, levels, subject, scene, textures;
   bench::IndexBenchOptions index;
-  std::size_t maps = 0;  ///< 0: the topic's own number
+  std::size_t maps = 0;      ///< 0: the topic's own number
+  std::uint64_t memory = 0;  ///< of bench dag --scene; 0: its own
   bool quiet = false, sweep = false;
   unsigned threads = 0;
   std::uint32_t device = 0;  ///< of bench shaders
 };
+
+inline constexpr std::uint64_t most_lookups = std::uint64_t{1} << 26;  ///< 8 bytes each
 
 struct BenchTopic {
   const char* name;                           ///< as proofs::Topic::bench has it

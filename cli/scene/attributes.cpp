@@ -15,7 +15,7 @@
 #include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/attribute_times.hpp"
 #include "bench/scene/bc7enc.hpp"
-#include "bench/scene/zstd.hpp"
+#include "bench/scene/compressors.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/plot.hpp"
 #include "cli/bench/tables.hpp"

@@ -28,6 +28,7 @@ Json to_json(const Footprint& f) {
                           {"data_bytes", f.mode[mode].data},
                           {"tree_bytes", f.mode[mode].tree},
                           {"random_access_tree_bytes", f.mode[mode].our_tree},
+                          {"graph_bytes", f.mode[mode].graph},
                           {"bitmask_bytes", f.mode[mode].bitmask}});
   return j;
 }

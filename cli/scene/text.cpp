@@ -122,13 +122,13 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
        fmt::format("{} micromaps, {} special indices: {} of data, {} of records, {} of indices",
                    grouped(s.records), grouped(s.special), bytes_text(s.array_data),
                    bytes_text(s.record_bytes), bytes_text(s.index_bytes)));
-  fmt::print(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "", "micromaps", "data", "tree", "random",
-             "data/tree", "bitmask");
+  fmt::print(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "", "micromaps", "data", "tree",
+             "random", "graph", "data/tree", "bitmask");
   for (std::size_t mode = 0; mode < 2; ++mode) {
     const ModeFootprint& m = s.mode[mode];
-    fmt::print(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12.2f}{:>12}\n", mode == 0 ? "2-state" : "4-state",
-               grouped(m.records), bytes_text(m.data), bytes_text(m.tree), bytes_text(m.our_tree),
-               share(m.data, m.tree), bytes_text(m.bitmask));
+    fmt::print(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12.2f}{:>12}\n",
+               mode == 0 ? "2-state" : "4-state", grouped(m.records), bytes_text(m.data), bytes_text(m.tree),
+               bytes_text(m.our_tree), bytes_text(m.graph), share(m.data, m.tree), bytes_text(m.bitmask));
   }
   line(out, "else",
        fmt::format("{} of alpha textures, {} of vertex indices and UVs", bytes_text(s.texture),

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "impl/dag/dag.hpp"
 #include "impl/tree/tree.hpp"
 
 namespace mmverify::scene {
@@ -23,19 +24,36 @@ ModeFootprint of_map(Level level, Format format, std::span<const std::uint8_t> m
   return size;
 }
 
-/// A record's map in both modes.
-std::array<ModeFootprint, 2> of_record(const Array& array, const Record& record) {
+/// A record's map in one mode.
+Bytes map_in(Format mode, const Array& array, const Record& record) {
   const auto format = static_cast<Format>(record.format);
   const std::uint64_t count = micro_triangles(record.level);
   const auto map = std::span(array.data).subspan(record.offset, packed_bytes(count, format));
-  if (format == Format::two_state) {
-    Bytes wide(packed_bytes(count, Format::four_state));
-    widen(map, count, wide);
-    return {of_map(record.level, Format::two_state, map), of_map(record.level, Format::four_state, wide)};
+  Bytes as_mode(packed_bytes(count, mode));
+  if (format == mode)
+    as_mode.assign(map.begin(), map.end());
+  else if (mode == Format::four_state)
+    widen(map, count, as_mode);
+  else
+    force2(map, count, as_mode);
+  return as_mode;
+}
+
+constexpr std::array modes{Format::two_state, Format::four_state};
+
+std::array<ModeFootprint, 2> of_record(const Array& array, const Record& record) {
+  return {of_map(record.level, modes[0], map_in(modes[0], array, record)),
+          of_map(record.level, modes[1], map_in(modes[1], array, record))};
+}
+
+/// In the records' order.
+std::uint64_t graph_bytes(const Array& array, Format mode) {
+  impl::dag::Dag graph(impl::dag::Format{bits(mode)});
+  for (const Record& record : array.records) {
+    const Bytes map = map_in(mode, array, record);
+    if (!uniform(map, mode, micro_triangles(record.level))) graph.add(record.level, map);
   }
-  Bytes forced(packed_bytes(count, Format::two_state));
-  force2(map, count, forced);
-  return {of_map(record.level, Format::two_state, forced), of_map(record.level, Format::four_state, map)};
+  return graph.bits() / 8;
 }
 
 void add(ModeFootprint& sum, const ModeFootprint& one) {
@@ -62,6 +80,9 @@ Footprint footprint(const Scene& scene, const Plan& plan, const SceneArrays& arr
   arena.execute([&] {
     oneapi::tbb::parallel_for(std::size_t{0}, each.size(), [&](std::size_t k) {
       each[k] = of_record(arrays.array, arrays.array.records[k]);
+    });
+    oneapi::tbb::parallel_for(std::size_t{0}, modes.size(), [&](std::size_t k) {
+      size.mode[k].graph = graph_bytes(arrays.array, modes[k]);
     });
   });
   for (const auto& [two, four] : each) {

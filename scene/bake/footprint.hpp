@@ -15,6 +15,7 @@ struct ModeFootprint {
   /// The same maps as the paper's two bit sequences, each map's from a whole byte on.
   std::uint64_t tree = 0;
   std::uint64_t our_tree = 0;  ///< the same maps in impl/tree's form for random access
+  std::uint64_t graph = 0;     ///< the same maps in one graph, impl/dag, with its records of 8 bytes
   std::uint64_t bitmask = 0;   ///< 1 or 2 bits a texel of every alpha texture in use
 };
 

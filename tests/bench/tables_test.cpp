@@ -16,6 +16,7 @@
 #include "bench/index/tables.hpp"
 #include "bench/scene/attribute_mip_tables.hpp"
 #include "bench/scene/attribute_tables.hpp"
+#include "bench/scene/dag_tables.hpp"
 #include "bench/scene/path_tables.hpp"
 #include "bench/scene/render_tables.hpp"
 #include "bench/scene/tables.hpp"
@@ -95,6 +96,13 @@ std::vector<Result> all_results() {
   mmverify::bench::ViewFigures seen;
   seen.rows.resize(1);
   seen.rows[0].file = "faces_level0.png";
+  SceneDagScene dag;
+  dag.rows.resize(1);
+  dag.rows[0].bits = 1;
+  dag.rows[0].context_bytes = 1;
+  for (SceneFormFigures& form : dag.rows[0].forms) form = {1, 1, 1, 1};
+  dag.squares.resize(1);
+  dag.growth.resize(1);
   return {index_tables({index}, {}),
           tree_tables({TreeFigures{}}, {}),
           dag_tables({DagFigures{}}, {}),
@@ -106,6 +114,7 @@ std::vector<Result> all_results() {
           subject_tables({}),
           shader_tables({.about = {{"device", "a test's"}}, .rows = {{"index", 4, 1, 1, 0}}}),
           scene_bake_tables({}, {}),
+          scene_dag_tables(dag, {}),
           baker_tables({"b", "f", {{}}}),
           render_tables(rendered),
           path_tables(walked),
