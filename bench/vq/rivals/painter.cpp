@@ -132,9 +132,9 @@ std::uint32_t Painter::exact_brush(State colour, const Rows& open, Brush& best) 
   return most;
 }
 
-std::int64_t Painter::checking_brush(const Rows& wanted, const Rows& open, Brush& best) const {
+Brush Painter::checking_brush(const Rows& wanted, const Rows& open) const {
   std::int64_t most = std::numeric_limits<std::int64_t>::min();
-  Brush brush{.colour = State::C};
+  Brush brush{.colour = State::C}, best;
   for (const BrushShape shape : {BrushShape::square, BrushShape::disc}) {
     brush.shape = shape;
     for (brush.y = 0; brush.y < side_; brush.y += side_ / 16)
@@ -154,7 +154,7 @@ std::int64_t Painter::checking_brush(const Rows& wanted, const Rows& open, Brush
           best = brush;
         }
   }
-  return most;
+  return best;
 }
 
 void Painter::add_exact(std::span<const State> colours, std::uint32_t most, Rows& open,
@@ -192,8 +192,7 @@ std::vector<Brush> Painter::greedy(std::uint32_t most) const {
         Rows wanted = open;
         for (std::uint32_t y = 0; y < side_; ++y) wanted[y] &= ~of(outer)[y];
         if (count(wanted) == 0) break;
-        Brush brush;
-        checking_brush(wanted, open, brush);
+        const Brush brush = checking_brush(wanted, open);
         painting.push_back(brush);
         cover(brush, open);
       }

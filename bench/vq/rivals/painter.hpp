@@ -32,8 +32,8 @@ class Painter {
   const Rows& of(State s) const { return states_[static_cast<std::size_t>(s)]; }
   /// `best`: the brush of its colour that gives most open regions their state, and none another.  The count.
   std::uint32_t exact_brush(State colour, const Rows& open, Brush& best) const;
-  /// A brush of C: those of `wanted` that it covers less the open O and T that it covers.
-  std::int64_t checking_brush(const Rows& wanted, const Rows& open, Brush& best) const;
+  /// The brush of C that covers most of `wanted`, less the open O and T that it covers.
+  Brush checking_brush(const Rows& wanted, const Rows& open) const;
   void cover(const Brush& brush, Rows& open) const;
   /// Exact brushes of these colours until there are `most` or none keeps a region more.
   void add_exact(std::span<const State> colours, std::uint32_t most, Rows& open,
