@@ -391,6 +391,8 @@ TEST(BenchVqRivals, FiguresAreThoseOfTheCodecs) {
       EXPECT_EQ(codecs[k].states, codecs[0].states);
       EXPECT_EQ(codecs[k].bits, side == 0 ? 256u : 512u);
       EXPECT_GT(codecs[k].region_ns, 0);
+      ASSERT_EQ(codecs[k].lost.size(), 2u);
+      EXPECT_EQ(codecs[k].lost[0] + codecs[k].lost[1], codecs[k].substitutions);
       EXPECT_EQ(codecs[k].lossless_bits.has_value(), k >= 1 && k <= 4);
     }
     EXPECT_LE(codecs[6].substitutions, codecs[5].substitutions) << "mutations keep no less";

@@ -123,6 +123,7 @@ CodecFigures measured(const char* name, const std::vector<OpacityMaps>& all, con
     figures.states += static_cast<std::uint64_t>(std::llround(regions * share));
     figures.savings += (share - lost / regions) / static_cast<double>(all.size());
     figures.whole += lost == 0 ? 1 : 0;
+    figures.lost.push_back(lost);
     blocks.push_back(block);
   }
   figures.encode_ms = median(ms);

@@ -26,6 +26,7 @@ struct CodecFigures {
   std::uint64_t states = 0;                  ///< O and T of the sources
   double savings = 0;                        ///< mean over the maps
   std::uint32_t whole = 0;                   ///< maps that lost nothing
+  std::vector<std::uint32_t> lost = {};      ///< substitutions, map by map
   std::optional<double> lossless_bits = {};  ///< mean of what a map needs to lose nothing; none: not known
   double encode_ms = 0;                      ///< median over the maps
   double map_ns = 0, region_ns = 0;          ///< decoding a map, and one of random regions
