@@ -191,6 +191,7 @@ VqFigures vq_figures(const VqBenchOptions& options) {
   }
   figures.vq2 = decode_times<16>(blocks_2, options.seed, options.rounds);
   figures.vq4 = decode_times<32>(blocks_4, options.seed, options.rounds);
+  figures.rivals = rivals::figures(all, options.seed, options.rounds, begins);
   return figures;
 }
 

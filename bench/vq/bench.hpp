@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/vq/maps.hpp"
+#include "bench/vq/rivals/rivals.hpp"
 
 namespace mmverify::bench {
 
@@ -61,6 +62,7 @@ struct VqFigures {
   std::vector<VqRow> rows;
   std::size_t left_out = 0;  ///< textures with no texel of alpha >= 1/2
   VqDecodeTimes vq2, vq4;
+  rivals::Figures rivals;
 };
 
 /// Of each transform combination, how many maps chose it, the most frequent first.

@@ -1,6 +1,8 @@
 #include "bench/vq/maps.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "bench/textures/leaf_texture.hpp"
 #include "impl/bake/square/map.hpp"
@@ -13,6 +15,35 @@ using impl::vq::State;
 
 constexpr impl::bake::Cutoff map_cutoff{1, 2};
 
+/// In binary64: beside the cutoff it may round to either side.
+bool opaque_at(const AlphaView& part, double u, double v) {
+  const auto texel = [&](double x, double y) {
+    const auto within = [](double k, std::uint32_t size) {
+      return static_cast<std::size_t>(std::clamp(k, 0.0, size - 1.0));
+    };
+    return static_cast<double>(part.texels[within(x, part.width) + part.pitch * within(y, part.height)]);
+  };
+  const double x = u * part.width - 0.5, y = (1 - v) * part.height - 0.5, x0 = std::floor(x),
+               y0 = std::floor(y);
+  const double lower = std::lerp(texel(x0, y0), texel(x0 + 1, y0), x - x0),
+               upper = std::lerp(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), x - x0);
+  return 2 * std::lerp(lower, upper, y - y0) >= 255;
+}
+
+std::vector<SampledHit> hits_of(const AlphaView& part) {
+  constexpr std::size_t count = 4096;
+  std::mt19937 random(1);
+  // Below 1, and exact: 24 bits.
+  const auto coordinate = [&] { return static_cast<float>(random() >> 8) / 16777216; };
+  std::vector<SampledHit> hits(count);
+  for (SampledHit& hit : hits) {
+    hit.u = coordinate();
+    hit.v = coordinate();
+    hit.opaque = opaque_at(part, double{hit.u}, double{hit.v});
+  }
+  return hits;
+}
+
 OpacityMaps maps_of(const AlphaView& part, const std::string& name) {
   OpacityMaps maps;
   maps.of = name;
@@ -21,6 +52,7 @@ OpacityMaps maps_of(const AlphaView& part, const std::string& name) {
   impl::bake::square_map(part, box, map_cutoff, 16, maps.regions_16);
   impl::bake::square_map(part, box, map_cutoff, 32, maps.regions_32);
   impl::bake::triangle_map(part, box, map_cutoff, 8, maps.sub_triangles_64x2);
+  maps.hits = hits_of(part);
   return maps;
 }
 

@@ -15,6 +15,12 @@
 
 namespace mmverify::bench {
 
+/// A point of the map's square, y from the bottom, and whether the texture is opaque there: bilinear alpha >= 1/2.
+struct SampledHit {
+  float u, v;
+  bool opaque;
+};
+
 /// Of one texture, as if it covered a pair of triangles: square maps, region (x, y) at x + side y with y from
 /// the bottom, and what the same memory buys elsewhere.
 struct OpacityMaps {
@@ -24,6 +30,7 @@ struct OpacityMaps {
   impl::vq::Map4 regions_32{};                           ///< 2048 bits, or 512 of VQ4
   std::array<impl::vq::State, 128> sub_triangles_64x2{}; /**< 256 bits: both triangles at level 3, the halves
                                                               of an 8x8 map (impl/bake/square/map.hpp) */
+  std::vector<SampledHit> hits;  ///< 4096, evenly over the square, the same at every run
 };
 
 /// The smallest rectangle of texels that holds all with alpha >= 1/2, cut out: beyond its edge the edge is
