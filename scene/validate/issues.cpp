@@ -160,7 +160,9 @@ Issue made(const Row& row) {
       return {row.code, row.severity, rule.says, sets_of(rule.sets), row.remedy};
   for (const FileRule& rule : file_rules())
     if (std::string_view(rule.id) == row.code)
-      return {row.code, row.severity, rule.says, std::string("glTF: ") + rule.source, row.remedy};
+      return {row.code, row.severity, rule.says,
+              std::string(std::string_view(rule.source).starts_with("glTF") ? "" : "glTF: ") + rule.source,
+              row.remedy};
   throw std::logic_error(std::string("issues: no rule ") + row.code);
 }
 

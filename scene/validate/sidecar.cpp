@@ -82,7 +82,7 @@ class Sidecar {
   void allow(const Json& object, const std::string& at, std::initializer_list<const char*> names) {
     for (const auto& [name, _] : object.items())
       if (std::find(names.begin(), names.end(), name) == names.end())
-        report_.add("sidecar.unknown", at.empty() ? "/" : at, "no member is called " + shown(name));
+        report_.add("sidecar.unknown", at, "no member is called " + shown(name));
   }
 
   bool is_object(const Json& json, const std::string& at) {
@@ -91,8 +91,7 @@ class Sidecar {
   }
 
   bool there(const Json& object, const std::string& at, const char* name) {
-    if (!object.contains(name))
-      report_.add("sidecar.missing", at.empty() ? "/" : at, std::string(name) + " is not there");
+    if (!object.contains(name)) report_.add("sidecar.missing", at, std::string(name) + " is not there");
     return object.contains(name);
   }
 
