@@ -115,7 +115,8 @@ constexpr Row rows[] = {
      "correct the index or the base triangle: their sum is less than the number of records"},
 
     // Sidecars
-    {"sidecar.readable", error, "write one JSON object", "a sidecar is a JSON object", sidecar},
+    {"sidecar.readable", error, "write one JSON object, each member once",
+     "a sidecar is a JSON object, no name in it twice", sidecar},
     {"sidecar.schema", error, "write \"schema\": \"mmverify.array/1\"", "its schema is mmverify.array/1",
      sidecar},
     {"sidecar.missing", error, "write the member that is missing", "the members that must be there are there",

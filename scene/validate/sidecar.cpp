@@ -6,6 +6,7 @@
 #include <limits>
 #include <list>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "scene/read/bad_scene.hpp"
@@ -31,6 +32,18 @@ bool stays(const std::string& name) {
     from = to + 1;
   }
   return true;
+}
+
+/// The JSON, and the first name that an object has twice: of its two values one would be lost.
+Json parsed(std::span<const unsigned char> bytes, std::optional<std::string>& twice) {
+  std::vector<std::set<std::string>> open;
+  return Json::parse(bytes.begin(), bytes.end(), [&](int, Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key && !open.back().insert(value.get<std::string>()).second && !twice)
+      twice = value.get<std::string>();
+    return true;
+  });
 }
 
 struct Buffer {
@@ -306,14 +319,19 @@ class Sidecar {
 
 void validate_sidecar(std::span<const unsigned char> bytes, const Beside& beside, Report& report) {
   Json json;
+  std::optional<std::string> twice;
   try {
-    json = Json::parse(bytes.begin(), bytes.end());
+    json = parsed(bytes, twice);
   } catch (const Json::exception& error) {
     report.add("sidecar.readable", "", shown(error.what()));
     return;
   }
   if (!json.is_object()) {
     report.add("sidecar.readable", "", "an object is due, not " + found(json));
+    return;
+  }
+  if (twice) {
+    report.add("sidecar.readable", "", "two members of one object are called " + shown(*twice));
     return;
   }
   if (!json.contains("schema") || json["schema"] != "mmverify.array/1") {

@@ -184,6 +184,9 @@ std::vector<Case> arrays() {
 std::vector<Case> sidecars() {
   return {
       {"sidecar.readable", {as_bytes("{\"schema\": \"mmverify.array/1\", ")}},
+      {"sidecar.readable",
+       {as_bytes("{\"schema\": \"mmverify.array/1\", \"lossy\": true, \"lossy\": false}")}},
+      {"sidecar.readable", {as_bytes("{\"a\": {\"b\": 1, \"c\": {}, \"b\": \"mmverify.array/1\"}}")}},
       {"sidecar.schema", raw([](RawArray& a) { a.json["schema"] = "mmverify.array/2"; })},
       {"sidecar.missing", raw([](RawArray& a) { a.json.erase("data"); })},
       {"sidecar.missing", raw([](RawArray& a) { a.geometry().erase("triangles"); })},

@@ -33,6 +33,11 @@ bool passes(const MadeFile& file, std::optional<Draft> draft = {}) {
 
 class SceneValidateMutants : public testing::Test {
  protected:
+  void TearDown() override {
+    RecordProperty("mutants", std::to_string(mutants_));
+    RecordProperty("forbidden", std::to_string(forbidden_));
+  }
+
   std::uint64_t below(std::uint64_t end) { return random_() % end; }
   unsigned char other_byte(unsigned char than) { return static_cast<unsigned char>(than ^ (1 + below(255))); }
   void flip(ByteList& bytes, std::uint64_t at) { bytes.at(at) = other_byte(bytes[at]); }
