@@ -28,5 +28,6 @@ Action add_gate(CLI::App& program);
 Action add_report(CLI::App& program);
 Action add_gen(CLI::App& program);
 Action add_check(CLI::App& program);
+Action add_validate(CLI::App& program);
 
 }  // namespace mmverify::cli

@@ -3,7 +3,8 @@
 //
 // Input: scene_input.hpp.
 //
-// Covers: scene/validate/*
+// Covers: scene/validate/indices.* scene/validate/micromaps.* scene/validate/primitives.* scene/validate/report.*
+// Covers: scene/validate/root.* scene/validate/rules.* scene/validate/stored_maps.* scene/validate/draft.*
 #include <cstring>
 #include <nlohmann/json.hpp>
 

@@ -18,7 +18,7 @@ bool is_read(std::string_view extension) {
                                          "EXT_mesh_gpu_instancing",  "KHR_xmp",
                                          "KHR_xmp_json_ld",          "EXT_lights_image_based",
                                          "KHR_node_visibility",      "MSFT_lod",
-                                         "EXT_mesh_opacity_micromap"};
+                                         "EXT_mesh_opacity_micromap", "KHR_mesh_opacity_micromap"};
   return extension.starts_with("KHR_materials_") ||
          std::find(std::begin(others), std::end(others), extension) != std::end(others);
 }

@@ -10,17 +10,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-bool lists(const Json& json, const char* list) {
+bool lists(const Json& json, const char* list, const char* name) {
   const Json& names = member(json, list);
-  return std::find(names.begin(), names.end(), micromap_extension) != names.end();
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// Where the extension is used first; empty: nowhere.
-std::string first_use(const Json& json) {
-  const auto uses = [](const Json& object) {
-    return member(object, "extensions").contains(micromap_extension);
-  };
-  const std::string tail = std::string("/extensions/") + micromap_extension;
+std::string first_use(const Json& json, const char* name) {
+  const auto uses = [name](const Json& object) { return member(object, "extensions").contains(name); };
+  const std::string tail = std::string("/extensions/") + name;
   if (uses(json)) return tail;
   const Json& meshes = member(json, "meshes");
   for (std::size_t m = 0; m < meshes.size(); ++m)
@@ -31,17 +29,17 @@ std::string first_use(const Json& json) {
 }
 
 void validate_lists(const Json& json, Report& report) {
-  const std::string use = first_use(json);
-  if (!use.empty() && !lists(json, "extensionsUsed"))
+  const std::string use = first_use(json, report.extension());
+  if (!use.empty() && !lists(json, "extensionsUsed", report.extension()))
     report.add("used.listed", "/extensionsUsed", "it is used at " + use + ", and not listed");
-  if (lists(json, "extensionsRequired"))
+  if (report.newest() && lists(json, "extensionsRequired", report.extension()))
     report.add("required.unlisted", "/extensionsRequired",
                "it is listed; without it, geometry and material still say all");
 }
 
 template <class Open>
-std::vector<FileViolation> validated(const Open& open) {
-  Report report;
+std::vector<FileViolation> validated(const Open& open, Draft draft) {
+  Report report(draft);
   try {
     const Document document = open();
     const Buffers buffers(document);
@@ -54,14 +52,36 @@ std::vector<FileViolation> validated(const Open& open) {
   return report.taken();
 }
 
-}  // namespace
-
-std::vector<FileViolation> validate_micromaps(const std::string& file) {
-  return validated([&] { return open_document(file); });
+template <class Open>
+NamesUsed used(const Open& open) {
+  try {
+    const Document document = open();
+    const auto by = [&document](Draft draft) {
+      return !first_use(document.json, text(draft).extension).empty();
+    };
+    return {by(Draft::ext_2), by(Draft::khr)};
+  } catch (const BadScene&) {
+    return {};
+  }
 }
 
-std::vector<FileViolation> validate_micromaps(const std::string& name, std::span<const unsigned char> bytes) {
-  return validated([&] { return open_document(name, bytes); });
+}  // namespace
+
+std::vector<FileViolation> validate_micromaps(const std::string& file, Draft draft) {
+  return validated([&] { return open_document(file); }, draft);
+}
+
+std::vector<FileViolation> validate_micromaps(const std::string& name, std::span<const unsigned char> bytes,
+                                              Draft draft) {
+  return validated([&] { return open_document(name, bytes); }, draft);
+}
+
+NamesUsed names_used(const std::string& file) {
+  return used([&] { return open_document(file); });
+}
+
+NamesUsed names_used(const std::string& name, std::span<const unsigned char> bytes) {
+  return used([&] { return open_document(name, bytes); });
 }
 
 }  // namespace mmverify::scene

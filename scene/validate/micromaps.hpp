@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/validate/draft.hpp"
+
 namespace mmverify::scene {
 
 /// A rule of the extension, or of glTF where the extension leans on it.
@@ -32,12 +34,22 @@ std::string describe(const FileViolation& violation);
 /// the extension.
 ///   - Of one rule at one place the first eight are listed, then how many more there are.
 ///   - What cannot be read is not judged further: a file that is no glTF (rule file.readable) not at all.
+///   - `draft`: whose rules.  Of the extension's other name nothing is looked at.
 ///   - glTF's other rules are not looked at; Khronos's gltf-validator knows those, and nothing of this
 ///   extension.
 /// Domain: everything.  Linear in the file's bytes, and in the indices of all primitives; of those, beyond
 /// 2^28, and of accessors without a bufferView beyond 2^22, a line (limits.indices) says that they were not
 /// judged.
-std::vector<FileViolation> validate_micromaps(const std::string& file);
-std::vector<FileViolation> validate_micromaps(const std::string& name, std::span<const unsigned char> bytes);
+std::vector<FileViolation> validate_micromaps(const std::string& file, Draft draft = newest_draft);
+std::vector<FileViolation> validate_micromaps(const std::string& name, std::span<const unsigned char> bytes,
+                                              Draft draft = newest_draft);
+
+/// Under which of the extension's two names a document uses it: EXT's and KHR's.
+struct NamesUsed {
+  bool ext = false, khr = false;
+};
+/// Of a file that cannot be read: neither.
+NamesUsed names_used(const std::string& file);
+NamesUsed names_used(const std::string& name, std::span<const unsigned char> bytes);
 
 }  // namespace mmverify::scene

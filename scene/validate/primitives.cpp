@@ -15,9 +15,9 @@ class Validation {
 
   void primitive(const Json& primitive, const std::string& of) {
     const Json& extensions = member(primitive, "extensions");
-    const auto given = extensions.find(micromap_extension);
+    const auto given = extensions.find(report_.extension());
     if (given == extensions.end()) return;
-    const std::string at = of + "/extensions/" + micromap_extension;
+    const std::string at = of + "/extensions/" + report_.extension();
     if (!given->is_object()) {
       report_.add("primitive.object", at, "an object is due, not " + found(*given));
       return;

@@ -41,7 +41,8 @@ std::optional<std::uint64_t> whole(const nlohmann::json& value, std::uint64_t en
 std::optional<std::span<const unsigned char>> plain_view(const Document& document, const Buffers& buffers,
                                                          std::size_t view, const std::string& pointer,
                                                          Report& report) {
-  if (const nlohmann::json& json = document.json["bufferViews"][view]; json.contains("byteStride"))
+  if (const nlohmann::json& json = document.json["bufferViews"][view];
+      report.newest() && json.contains("byteStride"))
     report.add("view.stride", pointer,
                place("bufferView", view) + " has a byteStride of " + found(json["byteStride"]));
   try {

@@ -7,14 +7,22 @@
 
 #include "impl/micromap/validate.hpp"
 #include "scene/read/buffers.hpp"
+#include "scene/validate/draft.hpp"
 #include "scene/validate/micromaps.hpp"
 
 namespace mmverify::scene {
 
-inline constexpr const char* micromap_extension = "EXT_mesh_opacity_micromap";
+inline constexpr const char* micromap_extension = text(newest_draft).extension;
 
 class Report {
  public:
+  explicit Report(Draft draft = newest_draft) : draft_(draft) {}
+
+  /// Whose rules are asked.
+  Draft draft() const { return draft_; }
+  bool newest() const { return draft_ == newest_draft; }
+  const char* extension() const { return text(draft_).extension; }
+
   /// Keeps eight of one rule at one place, and counts the rest.
   void add(std::string_view rule, const std::string& pointer, const std::string& found);
 
@@ -24,6 +32,7 @@ class Report {
   std::vector<FileViolation> taken();
 
  private:
+  Draft draft_;
   std::vector<FileViolation> list_;
   std::map<std::pair<std::string_view, std::string>, std::size_t> counts_;
 };
@@ -34,8 +43,8 @@ std::string found(const nlohmann::json& value);
 /// A whole number from 0, below `end`; none for all else.
 std::optional<std::uint64_t> whole(const nlohmann::json& value, std::uint64_t end = std::uint64_t{1} << 32);
 
-/// The bytes of a view that the extension names.  None, and a line, where it has a byteStride (which leaves
-/// the bytes readable), or lies outside its buffer (which does not).
+/// The bytes of a view that the extension names.  None, and a line, where it lies outside its buffer.  A line alone
+/// where it has a byteStride, in the newest draft.
 std::optional<std::span<const unsigned char>> plain_view(const Document& document, const Buffers& buffers,
                                                          std::size_t view, const std::string& pointer,
                                                          Report& report);

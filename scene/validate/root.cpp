@@ -86,13 +86,51 @@ std::string pointer_of(const impl::micromap::Violation& violation, const std::st
   }
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// The older drafts
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// They bound no level, let records lie apart, and compare sums alone.
+bool of_the_newest_alone(impl::micromap::Rule rule) {
+  using enum impl::micromap::Rule;
+  return rule == record_level_12 || rule == counts_level_12 || rule == stride_tight ||
+         rule == records_whole || rule == counts_array;
+}
+
+/// Records lie byteStride apart, a multiple of 4, as of every bufferView that is read.
+void stride_of(const Document& document, const Json& micromap, const std::string& at,
+               impl::micromap::Input& in, Report& report) {
+  using impl::micromap::record_bytes;
+  const std::string pointer = at + "/triangles";
+  in.record_stride = document.json["bufferViews"][micromap["triangles"].get<std::size_t>()].value(
+      "byteStride", std::uint64_t{record_bytes});
+  const std::uint64_t stride = in.record_stride, size = in.records.size();
+  if (stride < record_bytes) return;
+  in.record_count = size < record_bytes ? 0 : (size - record_bytes) / stride + 1;
+  const std::uint64_t end = in.record_count == 0 ? 0 : (in.record_count - 1) * stride + record_bytes;
+  // What is left may be the gap that would come before one more record.
+  if (size - end > stride - record_bytes)
+    report.add("records.whole", pointer,
+               std::to_string(size) + " bytes end within record " + std::to_string(in.record_count));
+}
+
+void compare_sum(const std::vector<impl::micromap::UsageCount>& counts, std::uint64_t records,
+                 const std::string& at, Report& report) {
+  std::uint64_t sum = 0;
+  for (const impl::micromap::UsageCount& c : counts) sum += c.count;
+  if (sum != records)
+    report.add("counts.array", at + "/usageCounts",
+               "the usage counts add up to " + std::to_string(sum) + ", there are " +
+                   std::to_string(records) + " records");
+}
+
 RecordCount validate_micromap(const Document& document, const Buffers& buffers, const Json& micromap,
                               const std::string& at, Report& report) {
   if (!micromap.is_object()) {
     report.add("micromap.object", at, "an object is due, not " + found(micromap));
     return {};
   }
-  if (micromap.contains("name") && !micromap["name"].is_string())
+  if (report.newest() && micromap.contains("name") && !micromap["name"].is_string())
     report.add("micromap.name", at + "/name", "a string is due, not " + found(micromap["name"]));
   const auto data = bytes_of(document, buffers, micromap, "data", at, report);
   const auto records = bytes_of(document, buffers, micromap, "triangles", at, report);
@@ -102,12 +140,15 @@ RecordCount validate_micromap(const Document& document, const Buffers& buffers, 
   in.sets = impl::micromap::glTF;
   in.records = *records;
   in.record_count = records->size() / impl::micromap::record_bytes;
+  if (!report.newest()) stride_of(document, micromap, at, in, report);
   if (data) in.data = *data;
   if (counts) in.array_counts = *counts;
   for (const impl::micromap::Violation& violation : impl::micromap::validate(in)) {
     if (!data && violation.rule == impl::micromap::Rule::record_region) continue;  // its cause is listed
+    if (!report.newest() && of_the_newest_alone(violation.rule)) continue;
     report.add(violation, pointer_of(violation, at));
   }
+  if (!report.newest() && counts) compare_sum(*counts, in.record_count, at, report);
   return in.record_count;
 }
 
@@ -115,9 +156,9 @@ RecordCount validate_micromap(const Document& document, const Buffers& buffers, 
 
 std::vector<RecordCount> validate_root(const Document& document, const Buffers& buffers, Report& report) {
   const Json& extensions = member(document.json, "extensions");
-  const auto root = extensions.find(micromap_extension);
+  const auto root = extensions.find(report.extension());
   if (root == extensions.end()) return {};
-  const std::string at = std::string("/extensions/") + micromap_extension;
+  const std::string at = std::string("/extensions/") + report.extension();
   if (!root->is_object()) {
     report.add("root.object", at, "an object is due, not " + found(*root));
     return {};

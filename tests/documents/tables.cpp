@@ -21,6 +21,7 @@
 #include "proofs/registry.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "proofs/tree/maps.hpp"
+#include "scene/validate/issues.hpp"
 
 namespace {
 
@@ -179,6 +180,18 @@ std::string undefined_ones() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// What can be found in a file
+// ---------------------------------------------------------------------------------------------------------------------
+
+std::string issues() {
+  std::string text = "| code | severity | says | who says so | remedy |\n|---|---|---|---|---|\n";
+  for (const mmverify::scene::Issue& i : mmverify::scene::issues())
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", i.code, name_of(i.severity), i.says, i.source,
+                        i.remedy);
+  return text;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // Into the documents
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -189,7 +202,8 @@ struct Table {
 constexpr Table tables[] = {{"readings", MMVERIFY_DOCS "/ERRATA.md", readings},
                             {"modes", MMVERIFY_DOCS "/MICROMAP.md", modes},
                             {"decisions", MMVERIFY_DOCS "/TRAVERSE.md", decisions},
-                            {"undefined", MMVERIFY_DOCS "/TRAVERSE.md", undefined_ones}};
+                            {"undefined", MMVERIFY_DOCS "/TRAVERSE.md", undefined_ones},
+                            {"issues", MMVERIFY_DOCS "/ISSUES.md", issues}};
 
 std::string read(const char* path) {
   std::ifstream in(path);

@@ -1,0 +1,111 @@
+#include "scene/validate/file.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "scene/read/bad_scene.hpp"
+#include "scene/validate/container.hpp"
+#include "scene/validate/report.hpp"
+#include "scene/validate/sidecar.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+bool begins(std::span<const unsigned char> bytes, std::string_view with) {
+  return bytes.size() >= with.size() && std::memcmp(bytes.data(), with.data(), with.size()) == 0;
+}
+
+/// JSON may be spoilt, so it is not parsed here: a sidecar's schema stands in it, whatever else does.
+std::optional<FileKind> kind_of(std::span<const unsigned char> bytes) {
+  if (const auto kind = container_kind(bytes)) return kind;
+  if (begins(bytes, "glTF")) return FileKind::gltf;
+  auto at = bytes.begin();
+  if (begins(bytes, "\xef\xbb\xbf")) at += 3;
+  at = std::find_if(at, bytes.end(),
+                    [](unsigned char c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; });
+  if (at == bytes.end() || *at != '{') return {};
+  constexpr std::string_view name = "\"mmverify.array/";
+  return std::search(at, bytes.end(), name.begin(), name.end()) != bytes.end() ? FileKind::sidecar
+                                                                               : FileKind::gltf;
+}
+
+FileKind known_kind(const std::string& name, std::span<const unsigned char> bytes) {
+  if (const auto kind = kind_of(bytes)) return *kind;
+  throw BadScene(name, "byte 0",
+                 "neither JSON (glTF, or the sidecar of an array) nor GLB, MMARRAYS, mmtr, mmdg or mmat");
+}
+
+/// By which drafts, and what a file without the extension gets.
+template <class Names, class Validate>
+void judge_gltf(Judged& judged, std::optional<Draft> draft, const Names& names, const Validate& validate) {
+  const NamesUsed used = names();
+  const auto judge = [&](Draft by) {
+    judged.drafts.push_back(by);
+    const std::vector<FileViolation> found = validate(by);
+    judged.findings.insert(judged.findings.end(), found.begin(), found.end());
+  };
+  if (draft) {
+    judge(*draft);
+  } else {
+    if (used.ext || !used.khr) judge(newest_draft);
+    if (used.khr) judge(Draft::khr);
+  }
+  const auto add = [&](const char* code, const std::string& pointer, const std::string& found) {
+    judged.findings.push_back({code, pointer, found});
+  };
+  if (!used.ext && !used.khr) {
+    if (judged.findings.empty()) add("file.no_micromaps", "", "no object has the extension");
+  } else if (draft && !(*draft == Draft::khr ? used.khr : used.ext)) {
+    add("draft.name", "/extensionsUsed",
+        std::string("draft ") + text(*draft).name + " has " + text(*draft).extension + ", the file has " +
+            text(used.khr ? Draft::khr : newest_draft).extension);
+  }
+}
+
+}  // namespace
+
+const char* name_of(FileKind kind) noexcept {
+  constexpr const char* names[] = {"sidecar", "gltf", "array", "tree", "dag", "attributes"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::uint64_t Judged::count(Severity severity) const {
+  return static_cast<std::uint64_t>(
+      std::count_if(findings.begin(), findings.end(),
+                    [severity](const FileViolation& f) { return issue_of(f.rule).severity == severity; }));
+}
+
+Judged validate_file(const std::string& name, std::span<const unsigned char> bytes,
+                     std::optional<Draft> draft, const Beside& beside) {
+  Judged judged{known_kind(name, bytes)};
+  if (judged.kind == FileKind::gltf) {
+    judge_gltf(
+        judged, draft, [&] { return names_used(name, bytes); },
+        [&](Draft by) { return validate_micromaps(name, bytes, by); });
+    return judged;
+  }
+  Report report;
+  if (judged.kind == FileKind::sidecar)
+    validate_sidecar(bytes, beside, report);
+  else
+    validate_container(judged.kind, bytes, report);
+  judged.findings = report.taken();
+  return judged;
+}
+
+Judged validate_file(const std::string& file, std::optional<Draft> draft) {
+  const Bytes bytes = read_file(file, file, "the file");
+  if (known_kind(file, bytes) == FileKind::gltf) {
+    Judged judged{FileKind::gltf};
+    judge_gltf(
+        judged, draft, [&] { return names_used(file); },
+        [&](Draft by) { return validate_micromaps(file, by); });
+    return judged;
+  }
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  return validate_file(file, bytes, draft,
+                       [&](const std::string& name) { return read_file(folder / name, file, name); });
+}
+
+}  // namespace mmverify::scene

@@ -1,0 +1,344 @@
+#include "scene/validate/sidecar.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <limits>
+#include <list>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "scene/read/bad_scene.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+namespace micromap = impl::micromap;
+using Json = nlohmann::json;
+
+constexpr std::uint64_t any = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t bits_32 = std::uint64_t{1} << 32;
+
+/// Whether a name stays in the folder that it starts from.
+bool stays(const std::string& name) {
+  if (name.empty() || name.front() == '/' || name.find('\\') != std::string::npos ||
+      name.find(':') != std::string::npos || name.find('\0') != std::string::npos)
+    return false;
+  for (std::size_t from = 0; from <= name.size();) {
+    const std::size_t to = std::min(name.find('/', from), name.size());
+    const std::string part = name.substr(from, to - from);
+    if (part.empty() || part == "." || part == "..") return false;
+    from = to + 1;
+  }
+  return true;
+}
+
+/// The JSON, and the first name that an object has twice: of its two values one would be lost.
+Json parsed(std::span<const unsigned char> bytes, std::optional<std::string>& twice) {
+  std::vector<std::set<std::string>> open;
+  return Json::parse(bytes.begin(), bytes.end(), [&](int, Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key && !open.back().insert(value.get<std::string>()).second && !twice)
+      twice = value.get<std::string>();
+    return true;
+  });
+}
+
+struct Buffer {
+  std::span<const unsigned char> bytes;
+  std::uint64_t address = 0;
+};
+
+class Sidecar {
+ public:
+  Sidecar(const Beside& beside, Report& report) : beside_(beside), report_(report) {}
+
+  void judge(const Json& json) {
+    allow(json, "", {"schema", "apis", "records", "data", "usageCounts", "geometries", "limits", "lossy"});
+    micromap::Input array;
+    bool good = apis(json, array);
+    good &= limits(json, array);
+    good &= records(json, array);
+    if (const auto buffer = buffer_of(json, "", "data", {"file", "offset", "bytes", "address"})) {
+      array.data = buffer->bytes;
+      array.data_address = buffer->address;
+    } else {
+      good = false;
+    }
+    array_counts_ = counts(json, "", good);
+    if (array_counts_) array.array_counts = *array_counts_;
+    std::vector<micromap::Input> geometries;
+    if (json.contains("geometries")) {
+      const Json& given = json["geometries"];
+      if (!given.is_array()) {
+        type("/geometries", "an array", given);
+        good = false;
+      } else {
+        for (std::size_t g = 0; g < given.size(); ++g)
+          good &= geometry(given[g], "/geometries/" + std::to_string(g), geometries);
+      }
+    }
+    if (good) validate_build(array, geometries, report_);
+  }
+
+ private:
+  // -----------------------------------------------------------------------------------------------------------------
+  // Members
+  // -----------------------------------------------------------------------------------------------------------------
+
+  void type(const std::string& pointer, const std::string& due, const Json& is) {
+    report_.add("sidecar.type", pointer, due + " is due, not " + found(is));
+  }
+
+  void allow(const Json& object, const std::string& at, std::initializer_list<const char*> names) {
+    for (const auto& [name, _] : object.items())
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        report_.add("sidecar.unknown", at, "no member is called " + shown(name));
+  }
+
+  bool is_object(const Json& json, const std::string& at) {
+    if (!json.is_object()) type(at, "an object", json);
+    return json.is_object();
+  }
+
+  bool there(const Json& object, const std::string& at, const char* name) {
+    if (!object.contains(name)) report_.add("sidecar.missing", at, std::string(name) + " is not there");
+    return object.contains(name);
+  }
+
+  /// The member, or `otherwise` where it is not there; none, and a line, where it is no number below `end`.
+  std::optional<std::uint64_t> number(const Json& object, const std::string& at, const char* name,
+                                      std::uint64_t otherwise, std::uint64_t end = any) {
+    if (!object.contains(name)) return otherwise;
+    const auto value = whole(object[name], end);
+    if (!value)
+      type(at + "/" + name,
+           "a whole number from 0" + (end == any ? "" : ", below " + std::to_string(end) + ","),
+           object[name]);
+    return value;
+  }
+
+  // -----------------------------------------------------------------------------------------------------------------
+  // Parts
+  // -----------------------------------------------------------------------------------------------------------------
+
+  bool apis(const Json& json, micromap::Input& in) {
+    constexpr std::array<std::pair<const char*, micromap::Sets>, 4> known{
+        {{"ext", micromap::EXT}, {"khr", micromap::KHR}, {"dxr", micromap::DXR}, {"gltf", micromap::glTF}}};
+    if (!there(json, "", "apis")) return false;
+    const Json& given = json["apis"];
+    if (!given.is_array() || given.empty()) {
+      report_.add("sidecar.api", "/apis", "an array of at least one is due, not " + found(given));
+      return false;
+    }
+    in.sets = 0;
+    bool good = true;
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const auto one =
+          std::find_if(known.begin(), known.end(), [&](const auto& api) { return given[k] == api.first; });
+      if (one == known.end()) {
+        report_.add("sidecar.api", "/apis/" + std::to_string(k),
+                    found(given[k]) + " is none of ext, khr, dxr, gltf");
+        good = false;
+      } else {
+        in.sets = static_cast<micromap::Sets>(in.sets | one->second);
+      }
+    }
+    return good;
+  }
+
+  bool limits(const Json& json, micromap::Input& in) {
+    bool good = true;
+    if (json.contains("lossy")) {
+      good = json["lossy"].is_boolean();
+      if (good)
+        in.lossy = json["lossy"].get<bool>();
+      else
+        type("/lossy", "true or false", json["lossy"]);
+    }
+    if (!json.contains("limits")) return good;
+    const Json& given = json["limits"];
+    if (!is_object(given, "/limits")) return false;
+    allow(given, "/limits", {"twoStateLevel", "fourStateLevel", "lossyFourStateLevel", "triangles"});
+    const auto level = [&](const char* name, std::uint32_t& to) {
+      const auto value = number(given, "/limits", name, to, bits_32);
+      if (value) to = static_cast<std::uint32_t>(*value);
+      good &= value.has_value();
+    };
+    level("twoStateLevel", in.limits.two_state_level);
+    level("fourStateLevel", in.limits.four_state_level);
+    level("lossyFourStateLevel", in.limits.lossy_four_state_level);
+    const auto triangles = number(given, "/limits", "triangles", in.limits.triangles);
+    if (triangles) in.limits.triangles = *triangles;
+    return good && triangles;
+  }
+
+  bool records(const Json& json, micromap::Input& in) {
+    const auto buffer =
+        buffer_of(json, "", "records", {"file", "offset", "bytes", "address", "stride", "count"});
+    if (!buffer) return false;
+    const auto stride = number(json["records"], "/records", "stride", micromap::record_bytes);
+    if (!stride) return false;
+    const std::uint64_t size = buffer->bytes.size();
+    const std::uint64_t fit =
+        *stride == 0 || size < micromap::record_bytes ? 0 : (size - micromap::record_bytes) / *stride + 1;
+    const auto count = number(json["records"], "/records", "count", fit, bits_32);
+    if (!count) return false;
+    in.records = buffer->bytes;
+    in.records_address = buffer->address;
+    in.record_stride = *stride;
+    in.record_count = *count;
+    return true;
+  }
+
+  /// The bytes of a member that says where they are.
+  std::optional<Buffer> buffer_of(const Json& object, const std::string& at, const char* name,
+                                  std::initializer_list<const char*> members) {
+    if (!there(object, at, name)) return {};
+    const Json& json = object[name];
+    const std::string pointer = at + "/" + name;
+    if (!is_object(json, pointer)) return {};
+    allow(json, pointer, members);
+    if (!there(json, pointer, "file")) return {};
+    if (!json["file"].is_string()) {
+      type(pointer + "/file", "a string", json["file"]);
+      return {};
+    }
+    const auto file = file_of(json["file"].get<std::string>(), pointer + "/file");
+    const auto offset = number(json, pointer, "offset", 0), address = number(json, pointer, "address", 0);
+    if (!file || !offset || !address) return {};
+    const std::uint64_t left = *offset <= file->size() ? file->size() - *offset : 0;
+    const auto bytes = number(json, pointer, "bytes", left);
+    if (!bytes) return {};
+    if (*offset > file->size() || *bytes > left) {
+      report_.add("sidecar.range", pointer,
+                  std::to_string(*bytes) + " bytes from " + std::to_string(*offset) + " on of a file of " +
+                      std::to_string(file->size()));
+      return {};
+    }
+    return Buffer{file->subspan(static_cast<std::size_t>(*offset), static_cast<std::size_t>(*bytes)),
+                  *address};
+  }
+
+  std::optional<std::span<const unsigned char>> file_of(const std::string& name, const std::string& pointer) {
+    if (!stays(name)) {
+      report_.add("sidecar.path", pointer, shown(name) + " is no name in the sidecar's folder");
+      return {};
+    }
+    if (const auto known = files_.find(name); known != files_.end()) return known->second;
+    try {
+      return files_.emplace(name, beside_(name)).first->second;
+    } catch (const BadScene& bad) {
+      report_.add("sidecar.file", pointer, bad.what());
+      return {};
+    }
+  }
+
+  /// The usage counts; none where there are none.  `good` becomes false where they cannot be read.
+  std::optional<std::vector<micromap::UsageCount>> counts(const Json& object, const std::string& at,
+                                                          bool& good) {
+    if (!object.contains("usageCounts")) return {};
+    const Json& given = object["usageCounts"];
+    const std::string pointer = at + "/usageCounts";
+    if (!given.is_array()) {
+      type(pointer, "an array", given);
+      good = false;
+      return {};
+    }
+    std::vector<micromap::UsageCount> all;
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const std::string one = pointer + "/" + std::to_string(k);
+      if (!is_object(given[k], one)) {
+        good = false;
+        continue;
+      }
+      allow(given[k], one, {"count", "level", "format"});
+      std::array<std::uint32_t, 3> values{};
+      constexpr const char* names[] = {"count", "level", "format"};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto value =
+            there(given[k], one, names[c]) ? number(given[k], one, names[c], 0, bits_32) : std::nullopt;
+        good &= value.has_value();
+        values[c] = static_cast<std::uint32_t>(value.value_or(0));
+      }
+      all.push_back({values[0], values[1], values[2]});
+    }
+    return all;
+  }
+
+  bool geometry(const Json& json, const std::string& at, std::vector<micromap::Input>& geometries) {
+    if (!is_object(json, at)) return false;
+    allow(json, at, {"triangles", "indices", "baseTriangle", "usageCounts"});
+    micromap::Input in;
+    bool good = there(json, at, "triangles");
+    const auto triangles = number(json, at, "triangles", 0, bits_32),
+               base = number(json, at, "baseTriangle", 0, bits_32);
+    good &= triangles && base;
+    in.triangles = triangles.value_or(0);
+    in.base_triangle = static_cast<std::uint32_t>(base.value_or(0));
+    if (json.contains("indices") && !json["indices"].is_null()) good &= indices(json, at, in);
+    if (auto given = counts(json, at, good))
+      in.geometry_counts = geometry_counts_.emplace_back(std::move(*given));
+    geometries.push_back(in);
+    return good;
+  }
+
+  bool indices(const Json& json, const std::string& at, micromap::Input& in) {
+    const auto buffer =
+        buffer_of(json, at, "indices", {"file", "offset", "bytes", "address", "stride", "type"});
+    if (!buffer) return false;
+    const Json& given = json["indices"];
+    const std::string pointer = at + "/indices";
+    if (!there(given, pointer, "type")) return false;
+    constexpr const char* types[] = {"u8", "u16", "u32", "i16", "i32"};
+    const auto one =
+        std::find_if(std::begin(types), std::end(types), [&](const char* t) { return given["type"] == t; });
+    if (one == std::end(types)) {
+      type(pointer + "/type", "u8, u16, u32, i16 or i32", given["type"]);
+      return false;
+    }
+    in.indexed = true;
+    in.encoding = static_cast<micromap::Encoding>(one - std::begin(types));
+    in.indices = buffer->bytes;
+    in.indices_address = buffer->address;
+    const auto stride = number(given, pointer, "stride", micromap::width(in.encoding) / 8);
+    in.index_stride = stride.value_or(0);
+    return stride.has_value();
+  }
+
+  const Beside& beside_;
+  Report& report_;
+  std::map<std::string, Bytes> files_;
+  std::optional<std::vector<micromap::UsageCount>> array_counts_;
+  std::list<std::vector<micromap::UsageCount>> geometry_counts_;  ///< each stays where it is
+};
+
+}  // namespace
+
+void validate_sidecar(std::span<const unsigned char> bytes, const Beside& beside, Report& report) {
+  Json json;
+  std::optional<std::string> twice;
+  try {
+    json = parsed(bytes, twice);
+  } catch (const Json::exception& error) {
+    report.add("sidecar.readable", "", shown(error.what()));
+    return;
+  }
+  if (!json.is_object()) {
+    report.add("sidecar.readable", "", "an object is due, not " + found(json));
+    return;
+  }
+  if (twice) {
+    report.add("sidecar.readable", "", "two members of one object are called " + shown(*twice));
+    return;
+  }
+  if (!json.contains("schema") || json["schema"] != "mmverify.array/1") {
+    report.add("sidecar.schema", "/schema", json.contains("schema") ? found(json["schema"]) : "missing");
+    return;
+  }
+  Sidecar(beside, report).judge(json);
+}
+
+}  // namespace mmverify::scene
