@@ -13,11 +13,11 @@ using Json = nlohmann::json;
 
 /// Those that change nothing that is read here, or that are read.  Shading, lights, metadata.
 bool is_read(std::string_view extension) {
-  constexpr std::string_view others[] = {"KHR_texture_transform",    "KHR_mesh_quantization",
-                                         "KHR_animation_pointer",    "KHR_lights_punctual",
-                                         "EXT_mesh_gpu_instancing",  "KHR_xmp",
-                                         "KHR_xmp_json_ld",          "EXT_lights_image_based",
-                                         "KHR_node_visibility",      "MSFT_lod",
+  constexpr std::string_view others[] = {"KHR_texture_transform",     "KHR_mesh_quantization",
+                                         "KHR_animation_pointer",     "KHR_lights_punctual",
+                                         "EXT_mesh_gpu_instancing",   "KHR_xmp",
+                                         "KHR_xmp_json_ld",           "EXT_lights_image_based",
+                                         "KHR_node_visibility",       "MSFT_lod",
                                          "EXT_mesh_opacity_micromap", "KHR_mesh_opacity_micromap"};
   return extension.starts_with("KHR_materials_") ||
          std::find(std::begin(others), std::end(others), extension) != std::end(others);
