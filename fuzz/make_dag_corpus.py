@@ -46,6 +46,8 @@ SEEDS = {
     "level_12": container(1, [(12, NODE, 21)], [1], (),
                           [1, 0, 0xFFFF, *[0] * 16, *[0xFFFF, *[5] * 16], 0xFFFF, *[39] * 16, 0xF, *[73] * 4]),
     "flat": container(1, [(4, FLAT, 0), (4, FLAT, 0)], (), [1, 2, 3, 4]),
+    "flat_though_tiles_came": container(1, [(4, FLAT, 0), *[(3, MIXED_TILE, k) for k in range(4)], (4, FLAT, 0)],
+                                        [1, 2, 4, 8], [1, 2, 4, 8]),
     "wide_too_early": container(1, [(4, NODE, 1)], [1], (), [0x00020009, 0, 0]),
     "node_before_its_child": container(1, [(7, NODE, 1)], [1], (), [0x00000001, 4, 0x00000001, 0]),
     "itself": container(1, [(7, NODE, 1)], [1], (), [0x00000001, 1]),

@@ -15,7 +15,7 @@ Bundle compacted(const Bundle& bundle);
 Bundle reordered(const Bundle& bundle);
 
 /// One array behind another; the second's bases grow by the first's records.  Data or records beyond 2^32:
-/// std::length_error.
+/// std::length_error.  Domain: as above; a base that then passes 2^32 begins anew at 0.
 Bundle concatenated(const Bundle& first, const Bundle& second);
 
 /// The 4-state map at level `most`, for a device that has none above: T for a block of T, O for a block of O, else

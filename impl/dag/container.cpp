@@ -133,10 +133,7 @@ class Replay {
   void flat(Level n, std::uint64_t value) {
     const std::uint64_t units = subtrees(n, tile_level);
     if (value < dag_.flat_.size() / b_) {
-      if (!std::binary_search(flats_.begin(), flats_.end(), std::pair{value, n}))
-        bad_record("a place in the midst of a flat map or one of another level", "where one begins");
-      dag_.records_.push_back(
-          {static_cast<std::uint8_t>(n), Kind::flat, 0, static_cast<std::uint32_t>(value)});
+      again(n, value);
       return;
     }
     if (value != dag_.flat_.size() / b_)
@@ -147,8 +144,29 @@ class Replay {
     if (dag_.records_[added].kind != Kind::flat || dag_.records_[added].value != value)
       bad(at, "flat " + number(value), "a map that takes less as tiles and nodes, or is there already",
           "a map that adding lays flat");
-    flats_.emplace_back(value, n);
+    flats_.push_back({value, n, grown_to()});
   }
+
+  /// A reference to a map that was laid flat before: what was added since could let it be nodes.
+  void again(Level n, std::uint64_t value) {
+    const auto there = std::lower_bound(flats_.begin(), flats_.end(), value,
+                                        [](const Flat& f, std::uint64_t v) { return f.value < v; });
+    if (there == flats_.end() || there->value != value || there->level != n)
+      bad_record("a place in the midst of a flat map or one of another level", "where one begins");
+    if (there->grown_to == grown_to()) {
+      dag_.records_.push_back(
+          {static_cast<std::uint8_t>(n), Kind::flat, 0, static_cast<std::uint32_t>(value)});
+      return;
+    }
+    const std::uint64_t units = subtrees(n, tile_level), at = in_.flat_at + 8 * b_ * value;
+    const std::uint32_t added = dag_.add(n, bytes_.subspan(at, 8 * b_ * units));
+    if (dag_.records_[added].kind != Kind::flat)
+      bad_record("a flat map whose tiles and nodes are there by now", "a reference to its root", 1);
+    there->grown_to = grown_to();
+  }
+
+  /// Tiles and nodes only grow.
+  std::uint64_t grown_to() const { return dag_.tiles_.size() + dag_.nodes_.size(); }
 
   // -----------------------------------------------------------------------------------------------------------------
   // Tiles
@@ -287,7 +305,13 @@ class Replay {
   std::uint32_t b_;
   std::vector<std::uint8_t> known_;  // by the word at which a node begins
   std::array<std::vector<std::uint32_t>, max_level + 1> fresh_;
-  std::vector<std::pair<std::uint64_t, Level>> flats_;
+  /// A map that was laid flat, and how many tiles and nodes there were when adding it last laid it so.
+  struct Flat {
+    std::uint64_t value;
+    Level level;
+    std::uint64_t grown_to;
+  };
+  std::vector<Flat> flats_;  // ascending
   std::uint64_t record_at_ = 0;
 };
 

@@ -43,8 +43,9 @@ class BadContainer : public std::runtime_error {
 std::vector<std::uint8_t> save(const Dag& dag);
 
 /// The graph of a container, to which maps can be added as to the one that was saved: save(load(bytes)) == bytes.
-/// Domain: any bytes; throws BadContainer for what save cannot have written.  Takes time and memory in proportion to the
-/// bytes, as long as nobody has made hashes collide on purpose.
+/// Domain: any bytes; throws BadContainer for what save cannot have written.  Takes memory in proportion to the bytes,
+/// and time, as long as nobody has made hashes collide on purpose; but a record of a flat map that was there is
+/// as much work as adding the map, where tiles or nodes were added since.
 Dag load(std::span<const std::uint8_t> bytes);
 
 }  // namespace mmverify::impl::dag

@@ -75,8 +75,10 @@ ReadMap read_map(const Answer& a, std::uint64_t record) {
 std::optional<Finding> shape(const std::optional<Answer>& a, const BuildCase& c) {
   const std::uint64_t most = maps::index_limit(c.options.encoding);
   if (!a) {
-    if (c.maps.size() + c.before.size() <= most)
-      return wrong("an array", "a refusal, though every index fits");
+    // As many as there can be, the base taken off the last.
+    const std::uint64_t indices = c.maps.size() + c.before.size() - c.options.base;
+    if (indices <= most) return wrong("an array", "a refusal, though every index fits");
+    if (!c.options.share && !c.options.special) return Finding{Hash().value()};
     Finding none;
     none.declined = true;
     return none;

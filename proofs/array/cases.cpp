@@ -172,8 +172,29 @@ BuildCase whole_small_array(std::uint64_t k) {
   return c;
 }
 
+namespace {
+
+/// About as many records as 8 bits can name: one each, with any base.
+BuildCase array_at_the_limit(Level n, Random& random) {
+  constexpr Api with_8_bits[] = {Api::KHR, Api::DXR, Api::glTF};
+  BuildCase c;
+  for (std::uint64_t left = random.below(6); left > 0; --left) c.before.push_back(any_map(n, random));
+  const std::uint64_t count = maps::index_limit(Encoding::u8) - 4 + random.below(9);
+  for (std::uint64_t left = count; left > 0; --left) c.maps.push_back(any_map(std::min<Level>(n, 2), random));
+  c.options.api = with_8_bits[random.below(3)];
+  c.options.encoding = Encoding::u8;
+  c.options.base = static_cast<std::uint32_t>(random.below(c.before.size() + 1));
+  c.options.special = c.options.share = false;
+  return c;
+}
+
+constexpr std::uint64_t one_in_at_the_limit = 50;
+
+}  // namespace
+
 BuildCase sample_array(Level n, std::uint64_t seed, std::uint64_t k, std::uint32_t bound) {
   Random random(seed, 211 + n + 100 * bound, k);
+  if (k % one_in_at_the_limit == one_in_at_the_limit - 1) return array_at_the_limit(n, random);
   BuildCase c;
   std::vector<PackedMap> all;
   const auto add = [&](std::vector<PackedMap>& to) {

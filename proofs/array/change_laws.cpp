@@ -22,7 +22,8 @@ BuildCase bundle_number(std::uint64_t k) {
   const std::uint64_t choice = k % bundle_choices, rest = k / bundle_choices;
   BuildCase c;
   c.before = {{1, Format::two_state, {0x0c}}, {0, Format::four_state, {0x02}}};
-  c.options.encoding = Encoding::u8;
+  c.options.api = Api::glTF;
+  c.options.encoding = maps::encodings[k % 5];
   c.options.special = (choice & 1) == 0;
   c.options.share = (choice & 2) == 0;
   c.options.base = (choice & 4) == 0 ? 0 : 1;
@@ -31,6 +32,22 @@ BuildCase bundle_number(std::uint64_t k) {
   else
     c.maps = {from[(rest - from.size()) / from.size()], from[(rest - from.size()) % from.size()]};
   return c;
+}
+
+/// The array of a case with a second geometry: the same triangles from the last to the first, in 16 bits, over base 0.
+Bundle shared_bundle_of(const BuildCase& c) {
+  Bundle b = bundle_of(c);
+  Part second{Encoding::u16, 0, {}};
+  const std::uint64_t triangles = spec::array::triangles(b.parts[0]);
+  for (std::uint64_t t = triangles; t-- > 0;) {
+    const Target to = spec::array::target(b, b.parts[0], t);
+    const std::uint32_t code = to.kind == Target::Kind::record ? static_cast<std::uint32_t>(to.record)
+                                                               : maps::special_code(to.state, Encoding::u16);
+    second.indices.push_back(static_cast<std::uint8_t>(code));
+    second.indices.push_back(static_cast<std::uint8_t>(code >> 8));
+  }
+  b.parts.push_back(second);
+  return b;
 }
 
 std::set<std::uint64_t> records_in_use(const Bundle& b) {
@@ -72,7 +89,7 @@ Finding judged(const Bundle& was, const Bundle& is, F more) {
 }
 
 Finding compacts(const ArraySubject& s, const BuildCase& c) {
-  const Bundle was = bundle_of(c), is = s.functions.compact(was);
+  const Bundle was = shared_bundle_of(c), is = s.functions.compact(was);
   return judged(was, is, [&]() -> std::optional<Finding> {
     const std::size_t records = records_in_use(was).size();
     if (is.array.records.size() != records)
@@ -82,7 +99,7 @@ Finding compacts(const ArraySubject& s, const BuildCase& c) {
 }
 
 Finding reorders(const ArraySubject& s, const BuildCase& c) {
-  const Bundle was = bundle_of(c), is = s.functions.reorder(was);
+  const Bundle was = shared_bundle_of(c), is = s.functions.reorder(was);
   return judged(was, is, [&]() -> std::optional<Finding> {
     if (spec::array::array_histogram(was.array) != spec::array::array_histogram(is.array))
       return wrong("the same records", "others");
@@ -128,8 +145,9 @@ Law on_bundles(Law law, const Entry& needed, BundleCheck check) {
   law.subjects = {"array-spec", "array"};
   law.source = here;
   law.domain = named_domain(
-      "1 and 2 triangles of the sorted maps of levels 0 and 1, both formats, every choice, behind two "
-      "records");
+      "1 and 2 triangles of the sorted maps of levels 0 and 1, both formats, every choice, all encodings, "
+      "behind two "
+      "records; two geometries");
   return on_cases(
       std::move(law), {needed},
       {[](Level n) { return n == 1 ? small_bundles() : 0; },

@@ -161,11 +161,18 @@ dock::Answer ask(const Library& library, Call call, std::uint32_t version, const
   return dock::ask(library, {call, 0, version, blob, 4096}, [&] { return doing(what, about); });
 }
 
+/// An answer that is no array: an odd number of bytes of indices of 16 bits, which no array has.
+Bundle no_array() {
+  Bundle b;
+  b.parts.push_back({Encoding::u16, 0, {0}});
+  return b;
+}
+
 /// An array without geometries where it refuses, which is never right.
 Bundle changed(const Library& library, Call call, const Bytes& arrays, const char* what,
                const Bundle& about) {
   const dock::Answer answer = ask(library, call, 0, arrays, what, about);
-  return answer.taken ? bundle_of_parts(answer.bytes).value_or(Bundle{}) : Bundle{};
+  return answer.taken ? bundle_of_parts(answer.bytes).value_or(no_array()) : Bundle{};
 }
 
 Bundle concatenated(const Library& library, const Bundle& first, const Bundle& second) {
@@ -184,7 +191,8 @@ std::optional<Bundle> loaded(const Library& library, std::span<const std::uint8_
   const dock::Answer answer = dock::ask(library, {Call::array_load, 0, 0, file, 4096}, [&] {
     return fmt::format("loading a file of {} bytes", file.size());
   });
-  return answer.taken ? bundle_of_parts(answer.bytes) : std::nullopt;
+  if (!answer.taken) return std::nullopt;
+  return bundle_of_parts(answer.bytes).value_or(no_array());
 }
 
 Bytes emulated(const Library& library, Level n, Level most, std::span<const std::uint8_t> map) {

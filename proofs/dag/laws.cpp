@@ -404,6 +404,13 @@ Law damage_samples_law() {
             mutant("takes one tile too many", "dag", {3, 6}, takes_too_much([](const Bytes& b) {
                      return b.size() % 8 == 0 && b[12] == 2 && b[32] == 4;
                    })),
+            mutant("takes a flat map again whatever came after it", "dag", {4, 6},
+                   takes_too_much([](const Bytes& b) {
+                     if (b.size() <= 48 || b[8] <= 4 || b[33] != 4) return false;
+                     const std::size_t last = 32 + 8 * std::size_t{b[8]} - 8;
+                     return b.size() > last + 8 && std::equal(b.begin() + 32, b.begin() + 40,
+                                                              b.begin() + static_cast<std::ptrdiff_t>(last));
+                   })),
             mutant("refuses what has two tiles", "dag", {3, 6},
                    [](Functions& functions) {
                      functions.open = [real = functions.open](Format f, std::span<const std::uint8_t> bytes) {

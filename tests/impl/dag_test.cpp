@@ -151,6 +151,32 @@ TEST(DagContainer, NodesHaveToBeTheBuilders) {
   EXPECT_THAT(complaint(with(good, 76, 0)), HasSubstr("where a node of level 5 begins"));
 }
 
+// Four tiles and a node take more than the map of level 4 flat; once the tiles are there, the node alone takes less.
+TEST(DagContainer, AFlatMapIsFlatAgainOnlyWhereItWouldBe) {
+  const std::vector<std::uint64_t> tiles{1, 2, 4, 8};
+  const auto scene = [&](bool tiles_between) {
+    Dag dag(Format::two_state);
+    dag.add(4, map_of(4, tiles));
+    for (const std::uint64_t tile : tiles)
+      if (tiles_between) dag.add(3, map_of(3, {tile}));
+    return save(dag);
+  };
+  // The first record once more, behind the last.
+  const auto again = [](Bytes bytes) {
+    std::uint32_t maps = 0;
+    std::memcpy(&maps, &bytes[8], sizeof maps);
+    const Bytes first(bytes.begin() + 32, bytes.begin() + 40);
+    bytes.insert(bytes.begin() + 32 + 8 * std::ptrdiff_t{maps}, first.begin(), first.end());
+    return with(bytes, 8, maps + 1);
+  };
+  EXPECT_EQ(load(scene(false)).records()[0].kind, Kind::flat);
+  EXPECT_EQ(complaint(again(scene(false))), "none");
+  EXPECT_EQ(complaint(scene(true)), "none");
+  EXPECT_EQ(complaint(again(scene(true))),
+            "byte 73, record 5: a flat map whose tiles and nodes are there by now; a reference to its root "
+            "would do");
+}
+
 // One node a level and 16 times the one below: ten words mean 16 million states, and none is laid out to see it.
 TEST(DagContainer, TakesNoMoreMemoryThanItsBytes) {
   Bytes map = map_of(12, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});

@@ -21,7 +21,7 @@ using namespace mmverify::proofs;
 using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
 
 /// Whoever adds an entry point that takes floats comes by here: it needs a line in `Entries`, below.  Those of
-/// attribute maps are asked by samples of floats alone, so that no proof over cells has to bring one along.
+/// attribute maps and of graphs are asked by samples of floats alone, so that no proof over cells has to bring one along.
 TEST(FloatLaws, TheHeadersEntryPointsForPointsAreThese) {
   std::ifstream file(MMVERIFY_HEADER);
   const std::string header{std::istreambuf_iterator<char>(file), {}};
@@ -31,7 +31,7 @@ TEST(FloatLaws, TheHeadersEntryPointsForPointsAreThese) {
     if (const std::string parameters = (*at)[2]; std::regex_search(parameters, floats))
       taking_floats.insert((*at)[1]);
   EXPECT_THAT(taking_floats,
-              testing::ElementsAre("attribute_triplet_f32", "attribute_weights_f32", "index_f32", "index_f64",
+              testing::ElementsAre("attribute_triplet_f32", "attribute_weights_f32", "dag_lookup_f32", "index_f32", "index_f64",
                                    "row_index_f32", "tree_lookup_f32"));
 }
 
