@@ -303,6 +303,39 @@ TEST(SceneIssues, EachCodeHasAFileThatGivesItAlone) {
   EXPECT_EQ(given, codes);
 }
 
+// The array is judged once and each geometry by itself; of each rule eight violations are kept.
+TEST(SceneIssues, ListsTheFirstEightAndCountsTheRest) {
+  constexpr std::size_t records = 20, triangles = 30;
+  const MadeFile file = plain("gltf", [&](RawArray& a) {
+    a.records.clear();
+    // The first record has the last bytes: overlaps are found from the last record on.
+    for (std::size_t r = 0; r < records; ++r) {
+      const ByteList record{static_cast<unsigned char>(records - r), 0, 0, 0, 2, 0, 2, 0};
+      a.records.insert(a.records.end(), record.begin(), record.end());
+    }
+    a.data.resize(records + 4);
+    a.indices.assign(2 * triangles, 0x7f);
+    a.geometry()["triangles"] = triangles;
+    a.json["geometries"].push_back(a.geometry());
+  });
+  const Judged judged = file.judged();
+  ASSERT_EQ(judged.findings.size(), 27u) << lines(judged);
+  const auto expect = [&](std::size_t from, const char* rule, const char* pointer, const char* thing,
+                          std::size_t all) {
+    for (std::size_t k = 0; k < 9; ++k) {
+      const FileViolation& finding = judged.findings[from + k];
+      EXPECT_EQ(finding.rule, rule);
+      EXPECT_EQ(finding.pointer, pointer);
+      const std::string begins =
+          k == 8 ? "and " + std::to_string(all - 8) + " more" : std::string(thing) + std::to_string(k) + ":";
+      EXPECT_TRUE(finding.found.starts_with(begins)) << finding.found << " for " << begins;
+    }
+  };
+  expect(0, "record.overlap", "/records", "record ", records - 1);  // all but the last, the first in the data
+  expect(9, "index.range", "/geometries/0/indices", "triangle ", triangles);
+  expect(18, "index.range", "/geometries/1/indices", "triangle ", triangles);
+}
+
 TEST(SceneIssues, EveryRuleIsAnIssue) {
   for (const auto& rule : mmverify::impl::micromap::rules) EXPECT_NO_THROW(issue_of(rule.id)) << rule.id;
   for (const FileRule& rule : file_rules()) EXPECT_NO_THROW(issue_of(rule.id)) << rule.id;
