@@ -16,11 +16,11 @@ namespace mmverify::scene {
 
 /// Told by a file's bytes, never by its name.
 enum class FileKind : std::uint8_t {
-  sidecar,     ///< JSON with a schema "mmverify.array/...": raw arrays, docs/VALIDATE.md
-  gltf,        ///< GLB, or any other JSON
-  array,       ///< "MMARRAYS": docs/ARRAYS.md, Files
-  tree,        ///< "mmtr": impl/tree/container.hpp
-  dag,         ///< "mmdg": docs/DAG.md, The container
+  sidecar,  ///< JSON with a schema "mmverify.array/...", or with records or apis and no asset: docs/VALIDATE.md
+  gltf,     ///< GLB, or any other JSON
+  array,    ///< "MMARRAYS": docs/ARRAYS.md, Files
+  tree,     ///< "mmtr": impl/tree/container.hpp
+  dag,      ///< "mmdg": docs/DAG.md, The container
   attributes,  ///< "mmat": docs/ATTRIBUTE_FORMAT.md
 };
 
