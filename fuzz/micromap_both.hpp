@@ -27,7 +27,9 @@ inline std::vector<slow::Violation> to_slow(const std::vector<fast::Violation>& 
   return out;
 }
 
-inline std::vector<fast::Violation> validate_fast(const slow::Input& in) {
+/// What `judge` says of impl's form of an input.
+template <class Judge>
+auto with_fast(const slow::Input& in, const Judge& judge) {
   fast::Input to;
   to.sets = in.sets;
   to.limits = {in.limits.two_state_level, in.limits.four_state_level, in.limits.lossy_four_state_level,
@@ -49,7 +51,11 @@ inline std::vector<fast::Violation> validate_fast(const slow::Input& in) {
   to.indices_address = in.indices_address;
   to.base_triangle = in.base_triangle;
   if (in.geometry_counts) to.geometry_counts = geometry_counts = to_fast(*in.geometry_counts);
-  return fast::validate(to);
+  return judge(to);
+}
+
+inline std::vector<fast::Violation> validate_fast(const slow::Input& in) {
+  return with_fast(in, fast::validate);
 }
 
 }  // namespace mmverify::fuzz::micromap

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -82,10 +84,19 @@ std::string findings_json(const ValidateOptions& options, const Judged& found) {
   return j.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
+Judged judged(const ValidateOptions& options) try {
+  return validate_file(options.file, options.forced());
+} catch (const std::bad_alloc&) {
+  throw EnvironmentError(options.file + ": there is not enough memory to judge it");
+}
+
 int run_validate(const ValidateOptions& options) {
+  std::error_code none;
+  if (std::filesystem::equivalent(options.file, options.json, none))
+    throw UsageError(fmt::format("--json {}: the file that is judged", options.json));
   std::optional<OutputFile> json;
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
-  const Judged found = validate_file(options.file, options.forced());
+  const Judged found = judged(options);
   if (options.forced() && found.kind != FileKind::gltf)
     throw UsageError(
         fmt::format("--draft {}: {} is no glTF; leave --draft out", options.draft, options.file));

@@ -1,6 +1,7 @@
 #include "impl/micromap/validate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <tuple>
 #include <utility>
@@ -29,43 +30,209 @@ std::uint64_t readable(std::uint64_t bytes, std::uint64_t size, std::uint64_t st
   return stride == 0 ? count : std::min(count, (bytes - size) / stride + 1);
 }
 
-class Validation {
- public:
-  explicit Validation(const Input& in) : in_(in) {}
+using Sums = std::map<Histogram::Key, std::uint64_t>;
 
-  std::vector<Violation> run() {
-    addresses_and_strides();
-    records();
-    overlap();
-    counts();
-    indices();
-    histograms();
-    std::sort(found_.begin(), found_.end());
-    return std::move(found_);
-  }
+Sums sums(std::span<const UsageCount> counts) {
+  Histogram said;
+  for (const UsageCount& c : counts) said.add(c.level, c.format, c.count);
+  return said.sums();
+}
 
- private:
+struct LevelRules {
+  Rule format, level, lossy, twelve, lossy_format;
+};
+
+/// What both halves need: the array's members of the input, and the list.
+class Part {
+ protected:
+  Part(const Input& array, std::size_t most) : of_(array), most_(most) {}
+
   void report(Rule rule, Place place, std::uint64_t where, std::uint64_t found, std::uint64_t other) {
-    if ((text(rule).sets & in_.sets) != 0) found_.push_back({rule, place, where, found, other});
+    if (!any_of(text(rule).sets)) return;
+    std::vector<Violation>& list = found_[static_cast<std::size_t>(rule)];
+    const Violation one{rule, place, where, found, other};
+    const bool all = place == Place::array_count || place == Place::geometry_count;
+    if (all || list.size() < most_) return list.push_back(one);
+    // Overlaps are not found in the order of the records.
+    if (list.size() == most_ && more_[rule]++ == 0) std::sort(list.begin(), list.end());
+    if (!list.empty() && one < list.back()) {
+      list.insert(std::upper_bound(list.begin(), list.end(), one), one);
+      list.pop_back();
+    }
   }
   void require(bool holds, Rule rule, std::uint64_t found, std::uint64_t other) {
     if (!holds) report(rule, Place::whole, 0, found, other);
   }
-  bool any_of(Sets sets) const { return (in_.sets & sets) != 0; }
+  bool any_of(Sets sets) const { return (of_.sets & sets) != 0; }
 
+  void judge(Place place, std::uint64_t where, std::uint32_t level, std::uint32_t format,
+             const LevelRules& rules) {
+    const Limits& most = of_.limits;
+    if (level > 12) report(rules.twelve, place, where, level, 12);
+    if (format == 1) {
+      if (level > most.two_state_level) report(rules.level, place, where, level, most.two_state_level);
+      if (of_.lossy) report(rules.lossy_format, place, where, format, 2);
+    } else if (format == 2) {
+      // A lossy build has a limit of its own; EXT has no lossy builds.
+      if (level > most.four_state_level && (!of_.lossy || any_of(EXT)))
+        report(rules.level, place, where, level, most.four_state_level);
+      if (level > most.lossy_four_state_level && of_.lossy)
+        report(rules.lossy, place, where, level, most.lossy_four_state_level);
+    } else {
+      report(rules.format, place, where, format, 2);
+    }
+  }
+
+  // Each difference between the counts and what there is.
+  void compare(Rule rule, const Sums& said, const Sums& there) {
+    Sums keys = said;
+    keys.insert(there.begin(), there.end());
+    for (const auto& [key, _] : keys) {
+      const auto number = [&key = key](const Sums& sums) {
+        const auto at = sums.find(key);
+        return at == sums.end() ? 0 : at->second;
+      };
+      if (number(said) != number(there))
+        report(rule, Place::level_and_format, std::uint64_t{key.first} << 32 | key.second, number(said),
+               number(there));
+    }
+  }
+
+  // Rules in their order, and of each rule the violations in theirs.
+  Violations taken() {
+    Violations all;
+    for (std::vector<Violation>& of_rule : found_) {
+      std::sort(of_rule.begin(), of_rule.end());
+      all.list.insert(all.list.end(), of_rule.begin(), of_rule.end());
+      of_rule = {};
+    }
+    all.more = std::move(more_);
+    return all;
+  }
+
+  const Input& of_;
+
+ private:
+  std::size_t most_;
+  std::array<std::vector<Violation>, static_cast<std::size_t>(Rule::count_)> found_;
+  std::map<Rule, std::uint64_t> more_;
+};
+
+constexpr LevelRules of_counts{Rule::counts_format, Rule::counts_level, Rule::counts_level_lossy,
+                               Rule::counts_level_12, Rule::counts_lossy_format};
+
+/// What geometries ask of the array.
+struct Kinds {
+  std::vector<Record> records = {};
+  bool all = false;  // every record could be read
+  Sums there = {}, said = {};
+};
+
+class ArrayPart : Part {
+ public:
+  ArrayPart(const Input& array, std::size_t most) : Part(array, most) {}
+
+  Violations run(Kinds& kinds) {
+    addresses_and_strides();
+    records(kinds);
+    overlap(kinds.records);
+    counts(kinds);
+    return taken();
+  }
+
+ private:
   void addresses_and_strides() {
     for (const auto& [rule, address, multiple] :
          std::initializer_list<std::tuple<Rule, std::uint64_t, unsigned>>{
-             {Rule::align_data_256, in_.data_address, 256},
-             {Rule::align_records_256, in_.records_address, 256},
-             {Rule::align_data_128, in_.data_address, 128},
-             {Rule::align_records_128, in_.records_address, 128},
-             {Rule::align_records_4, in_.records_address, 4}})
+             {Rule::align_data_256, of_.data_address, 256},
+             {Rule::align_records_256, of_.records_address, 256},
+             {Rule::align_data_128, of_.data_address, 128},
+             {Rule::align_records_128, of_.records_address, 128},
+             {Rule::align_records_4, of_.records_address, 4}})
       require(address % multiple == 0, rule, address, multiple);
-    require(in_.record_stride >= record_bytes, Rule::stride_least, in_.record_stride, record_bytes);
-    require(in_.record_stride % 4 == 0, Rule::stride_multiple, in_.record_stride, 4);
-    require(in_.record_stride == record_bytes, Rule::stride_tight, in_.record_stride, record_bytes);
-    require(in_.records.size() % record_bytes == 0, Rule::records_whole, in_.records.size(), record_bytes);
+    require(of_.record_stride >= record_bytes, Rule::stride_least, of_.record_stride, record_bytes);
+    require(of_.record_stride % 4 == 0, Rule::stride_multiple, of_.record_stride, 4);
+    require(of_.record_stride == record_bytes, Rule::stride_tight, of_.record_stride, record_bytes);
+    require(of_.records.size() % record_bytes == 0, Rule::records_whole, of_.records.size(), record_bytes);
+  }
+
+  void records(Kinds& kinds) {
+    if (of_.record_stride < record_bytes) return;
+    const std::uint64_t there =
+        readable(of_.records.size(), record_bytes, of_.record_stride, of_.record_count);
+    if (there < of_.record_count)
+      report(Rule::records_size, Place::record, there, of_.records.size(), of_.record_count);
+    kinds.all = there == of_.record_count;
+    kinds.records.resize(static_cast<std::size_t>(there));
+    Histogram of_array;
+    const LevelRules rules{Rule::record_format, Rule::record_level, Rule::record_level_lossy,
+                           Rule::record_level_12, Rule::record_lossy_format};
+    for (std::uint64_t r = 0; r < there; ++r) {
+      const Record record = record_at(of_.records, r * of_.record_stride);
+      kinds.records[static_cast<std::size_t>(r)] = record;
+      of_array.add(record.level, record.format, 1);
+      judge(Place::record, r, record.level, record.format, rules);
+      if (!known(record.format)) continue;
+      const std::uint64_t end = region_end(record);
+      if (end > of_.data.size()) report(Rule::record_region, Place::record, r, end, of_.data.size());
+    }
+    kinds.there = of_array.sums();
+  }
+
+  // In the order of their first bytes, each record against the furthest end of those before it.
+  void overlap(const std::vector<Record>& records) {
+    if (!any_of(text(Rule::record_overlap).sets)) return;
+    std::vector<std::uint64_t> order;  // offset, then number
+    order.reserve(records.size());
+    for (std::size_t r = 0; r < records.size(); ++r)
+      if (known(records[r].format)) order.push_back(r);
+    const auto offset = [&](std::uint64_t r) { return records[static_cast<std::size_t>(r)].offset; };
+    const auto before = [&](std::uint64_t a, std::uint64_t b) {
+      return std::pair(offset(a), a) < std::pair(offset(b), b);
+    };
+    // Bakers write their records in order.
+    if (!std::is_sorted(order.begin(), order.end(), before)) std::sort(order.begin(), order.end(), before);
+    std::uint64_t furthest = 0, by = 0;
+    for (const std::uint64_t r : order) {
+      if (offset(r) < furthest) report(Rule::record_overlap, Place::record, r, by, offset(r));
+      const std::uint64_t end = region_end(records[static_cast<std::size_t>(r)]);
+      if (end > furthest) {
+        furthest = end;
+        by = r;
+      }
+    }
+  }
+
+  void counts(Kinds& kinds) {
+    if (!of_.array_counts) return;
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < of_.array_counts->size(); ++i) {
+      const UsageCount& c = (*of_.array_counts)[i];
+      judge(Place::array_count, i, c.level, c.format, of_counts);
+      if (c.count == 0) report(Rule::counts_zero, Place::array_count, i, 0, 1);
+      sum += c.count;
+    }
+    require(sum <= of_.limits.triangles, Rule::counts_limit, sum, of_.limits.triangles);
+    kinds.said = sums(*of_.array_counts);
+    if (kinds.all) compare(Rule::counts_array, kinds.said, kinds.there);
+  }
+};
+
+class GeometryPart : Part {
+ public:
+  GeometryPart(const Input& array, const Kinds& kinds, const Input& geometry, std::size_t most)
+      : Part(array, most), kinds_(kinds), in_(geometry) {}
+
+  Violations run() {
+    addresses_and_strides();
+    counts();
+    indices();
+    histograms();
+    return taken();
+  }
+
+ private:
+  void addresses_and_strides() {
     if (!in_.indexed) return;
     const std::uint64_t size = width(in_.encoding) / 8, there = in_.indices.size() / size;
     const bool plain_ext = in_.encoding == Encoding::u16 || in_.encoding == Encoding::u32;
@@ -78,95 +245,16 @@ class Validation {
     require(there <= in_.triangles, Rule::index_count, there, in_.triangles);
   }
 
-  struct LevelRules {
-    Rule format, level, lossy, twelve, lossy_format;
-  };
-
-  void judge(Place place, std::uint64_t where, std::uint32_t level, std::uint32_t format,
-             const LevelRules& rules) {
-    const Limits& most = in_.limits;
-    if (level > 12) report(rules.twelve, place, where, level, 12);
-    if (format == 1) {
-      if (level > most.two_state_level) report(rules.level, place, where, level, most.two_state_level);
-      if (in_.lossy) report(rules.lossy_format, place, where, format, 2);
-    } else if (format == 2) {
-      // A lossy build has a limit of its own; EXT has no lossy builds.
-      if (level > most.four_state_level && (!in_.lossy || any_of(EXT)))
-        report(rules.level, place, where, level, most.four_state_level);
-      if (level > most.lossy_four_state_level && in_.lossy)
-        report(rules.lossy, place, where, level, most.lossy_four_state_level);
-    } else {
-      report(rules.format, place, where, format, 2);
-    }
-  }
-
-  void records() {
-    if (in_.record_stride < record_bytes) return;
-    const std::uint64_t there =
-        readable(in_.records.size(), record_bytes, in_.record_stride, in_.record_count);
-    if (there < in_.record_count)
-      report(Rule::records_size, Place::record, there, in_.records.size(), in_.record_count);
-    all_records_ = there == in_.record_count;
-    records_.resize(static_cast<std::size_t>(there));
-    const LevelRules rules{Rule::record_format, Rule::record_level, Rule::record_level_lossy,
-                           Rule::record_level_12, Rule::record_lossy_format};
-    for (std::uint64_t r = 0; r < there; ++r) {
-      const Record record = record_at(in_.records, r * in_.record_stride);
-      records_[static_cast<std::size_t>(r)] = record;
-      of_array_.add(record.level, record.format, 1);
-      judge(Place::record, r, record.level, record.format, rules);
-      if (!known(record.format)) continue;
-      const std::uint64_t end = region_end(record);
-      if (end > in_.data.size()) report(Rule::record_region, Place::record, r, end, in_.data.size());
-    }
-  }
-
-  // In the order of their first bytes, each record against the furthest end of those before it.
-  void overlap() {
-    if (!any_of(text(Rule::record_overlap).sets)) return;
-    std::vector<std::uint64_t> order;  // offset, then number
-    order.reserve(records_.size());
-    for (std::size_t r = 0; r < records_.size(); ++r)
-      if (known(records_[r].format)) order.push_back(r);
-    const auto offset = [this](std::uint64_t r) { return records_[static_cast<std::size_t>(r)].offset; };
-    const auto before = [&](std::uint64_t a, std::uint64_t b) {
-      return std::pair(offset(a), a) < std::pair(offset(b), b);
-    };
-    // Bakers write their records in order.
-    if (!std::is_sorted(order.begin(), order.end(), before)) std::sort(order.begin(), order.end(), before);
-    std::uint64_t furthest = 0, by = 0;
-    for (const std::uint64_t r : order) {
-      if (offset(r) < furthest) report(Rule::record_overlap, Place::record, r, by, offset(r));
-      const std::uint64_t end = region_end(records_[static_cast<std::size_t>(r)]);
-      if (end > furthest) {
-        furthest = end;
-        by = r;
-      }
-    }
-  }
-
   void counts() {
-    const LevelRules rules{Rule::counts_format, Rule::counts_level, Rule::counts_level_lossy,
-                           Rule::counts_level_12, Rule::counts_lossy_format};
-    if (in_.array_counts) {
-      std::uint64_t sum = 0;
-      for (std::size_t i = 0; i < in_.array_counts->size(); ++i) {
-        const UsageCount& c = (*in_.array_counts)[i];
-        judge(Place::array_count, i, c.level, c.format, rules);
-        if (c.count == 0) report(Rule::counts_zero, Place::array_count, i, 0, 1);
-        sum += c.count;
-      }
-      require(sum <= in_.limits.triangles, Rule::counts_limit, sum, in_.limits.triangles);
+    if (!in_.geometry_counts || !any_of(EXT)) return;
+    for (std::size_t i = 0; i < in_.geometry_counts->size(); ++i) {
+      const UsageCount& c = (*in_.geometry_counts)[i];
+      judge(Place::geometry_count, i, c.level, c.format, of_counts);
     }
-    if (in_.geometry_counts && any_of(EXT))
-      for (std::size_t i = 0; i < in_.geometry_counts->size(); ++i) {
-        const UsageCount& c = (*in_.geometry_counts)[i];
-        judge(Place::geometry_count, i, c.level, c.format, rules);
-      }
   }
 
   void indices() {
-    all_named_ = all_records_;
+    all_named_ = kinds_.all;
     if (in_.indexed) {
       switch (in_.encoding) {
         case Encoding::u8:
@@ -180,9 +268,9 @@ class Validation {
       }
     }
     const std::uint64_t base = in_.base_triangle,
-                        named = in_.record_count > base ? in_.record_count - base : 0;
+                        named = of_.record_count > base ? of_.record_count - base : 0;
     if (in_.triangles > named) {
-      report(Rule::index_range, Place::triangle, named, named + base, in_.record_count);
+      report(Rule::index_range, Place::triangle, named, named + base, of_.record_count);
       all_named_ = false;
     }
     if (!all_named_) return;
@@ -204,10 +292,10 @@ class Validation {
       std::memcpy(&code, in_.indices.data() + t * in_.index_stride, sizeof code);
       if (is_index(code, in_.encoding)) {
         const std::uint64_t record = std::uint64_t{code} + in_.base_triangle;
-        if (record >= in_.record_count) {
-          report(Rule::index_range, Place::triangle, t, record, in_.record_count);
+        if (record >= of_.record_count) {
+          report(Rule::index_range, Place::triangle, t, record, of_.record_count);
           all_named_ = false;
-        } else if (all_records_) {
+        } else if (kinds_.all) {
           refer(record, times);
         }
       } else if (!special_state(code, in_.encoding)) {
@@ -218,54 +306,57 @@ class Validation {
   }
 
   void refer(std::uint64_t record, std::uint64_t times) {
-    const Record& r = records_[static_cast<std::size_t>(record)];
+    const Record& r = kinds_.records[static_cast<std::size_t>(record)];
     of_geometry_.add(r.level, r.format, times);
   }
 
-  // Whether the counts are what there is; each difference is reported.
-  bool compare(Rule rule, std::span<const UsageCount> counts, const Histogram& is) {
-    const auto said = sums(counts), there = is.sums();
-    auto keys = said;
-    keys.insert(there.begin(), there.end());
-    for (const auto& [key, _] : keys) {
-      const auto number = [&key = key](const auto& sums) {
-        const auto at = sums.find(key);
-        return at == sums.end() ? 0 : at->second;
-      };
-      if (number(said) != number(there))
-        report(rule, Place::level_and_format, std::uint64_t{key.first} << 32 | key.second, number(said),
-               number(there));
-    }
-    return said == there;
-  }
-
-  static std::map<Histogram::Key, std::uint64_t> sums(std::span<const UsageCount> counts) {
-    Histogram said;
-    for (const UsageCount& c : counts) said.add(c.level, c.format, c.count);
-    return said.sums();
-  }
-
   void histograms() {
-    if (all_records_ && in_.array_counts && !compare(Rule::counts_array, *in_.array_counts, of_array_) &&
-        all_named_ && in_.triangles > 0 && sums(*in_.array_counts) == of_geometry_.sums())
+    if (!all_named_) return;
+    const Sums named = of_geometry_.sums();
+    if (of_.array_counts && in_.triangles > 0 && kinds_.said == named && kinds_.said != kinds_.there)
       report(Rule::counts_array_is_geometry, Place::whole, 0, 0, 0);
-    if (all_named_ && in_.geometry_counts && any_of(EXT) &&
-        !compare(Rule::counts_geometry, *in_.geometry_counts, of_geometry_) &&
-        sums(*in_.geometry_counts) == of_array_.sums())
-      report(Rule::counts_geometry_is_array, Place::whole, 0, 0, 0);
+    if (!in_.geometry_counts || !any_of(EXT)) return;
+    const Sums said = sums(*in_.geometry_counts);
+    compare(Rule::counts_geometry, said, named);
+    if (said != named && said == kinds_.there) report(Rule::counts_geometry_is_array, Place::whole, 0, 0, 0);
   }
 
+  const Kinds& kinds_;
   const Input& in_;
-  std::vector<Violation> found_;
-  std::vector<Record> records_;
-  bool all_records_ = false;  // every record could be read
-  bool all_named_ = false;    // and every triangle names one, or a state
-  Histogram of_array_, of_geometry_;
+  bool all_named_ = false;  // every record could be read, and every triangle names one, or a state
+  Histogram of_geometry_;
 };
 
 }  // namespace
 
-std::vector<Violation> validate(const Input& in) { return Validation(in).run(); }
+struct ArrayValidator::Judged {
+  Input array;
+  std::size_t most;
+  Kinds kinds = {};
+  Violations found = {};
+};
+
+ArrayValidator::ArrayValidator(const Input& array, std::size_t most) {
+  auto judged = std::make_unique<Judged>(Judged{array, most});
+  judged->found = ArrayPart(judged->array, most).run(judged->kinds);
+  judged_ = std::move(judged);
+}
+ArrayValidator::~ArrayValidator() = default;
+
+const Violations& ArrayValidator::array() const { return judged_->found; }
+
+Violations ArrayValidator::geometry(const Input& geometry) const {
+  return GeometryPart(judged_->array, judged_->kinds, geometry, judged_->most).run();
+}
+
+std::vector<Violation> validate(const Input& in) {
+  const ArrayValidator validator(in, std::numeric_limits<std::size_t>::max());
+  std::vector<Violation> all = validator.array().list;
+  const std::vector<Violation> of_geometry = validator.geometry(in).list;
+  all.insert(all.end(), of_geometry.begin(), of_geometry.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
 
 std::string describe(const Violation& v) {
   const auto n = [](std::uint64_t x) { return std::to_string(x); };

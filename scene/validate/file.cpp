@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "scene/read/bad_scene.hpp"
 #include "scene/validate/container.hpp"
@@ -16,7 +17,61 @@ bool begins(std::span<const unsigned char> bytes, std::string_view with) {
   return bytes.size() >= with.size() && std::memcmp(bytes.data(), with.data(), with.size()) == 0;
 }
 
-/// JSON may be spoilt, so it is not parsed here: a sidecar's schema stands in it, whatever else does.
+/// What the outermost object's members say of its kind.  JSON may be spoilt: what stands before the fault counts.
+class Outermost : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  bool is_sidecar() const { return schema_ || (build_ && !asset_); }
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(std::int64_t) override { return true; }
+  bool number_unsigned(std::uint64_t) override { return true; }
+  bool number_float(double, const std::string&) override { return true; }
+  bool string(std::string& value) override {
+    schema_ |= depth_ == 1 && key_ == "schema" && value.starts_with("mmverify.array/");
+    return true;
+  }
+  bool binary(nlohmann::json::binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return enter(); }
+  bool end_array() override { return leave(); }
+  bool start_object(std::size_t) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool key(std::string& key) override {
+    if (depth_ != 1) return true;
+    key_ = key;
+    asset_ |= key == "asset";
+    build_ |= key == "records" || key == "apis";
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  bool enter() {
+    ++depth_;
+    return true;
+  }
+  bool leave() {
+    --depth_;
+    return true;
+  }
+
+  std::size_t depth_ = 0;
+  std::string key_;
+  bool schema_ = false, build_ = false, asset_ = false;
+};
+
+/// A sidecar's schema may stand anywhere in it, since JSON may be spoilt; one with another schema has members of a build,
+/// and glTF's `asset` not.
+bool is_sidecar(std::span<const unsigned char> json) {
+  constexpr std::string_view name = "\"mmverify.array/";
+  if (std::search(json.begin(), json.end(), name.begin(), name.end()) != json.end()) return true;
+  Outermost outermost;
+  nlohmann::json::sax_parse(json.begin(), json.end(), &outermost);
+  return outermost.is_sidecar();
+}
+
 std::optional<FileKind> kind_of(std::span<const unsigned char> bytes) {
   if (const auto kind = container_kind(bytes)) return kind;
   if (begins(bytes, "glTF")) return FileKind::gltf;
@@ -25,9 +80,7 @@ std::optional<FileKind> kind_of(std::span<const unsigned char> bytes) {
   at = std::find_if(at, bytes.end(),
                     [](unsigned char c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; });
   if (at == bytes.end() || *at != '{') return {};
-  constexpr std::string_view name = "\"mmverify.array/";
-  return std::search(at, bytes.end(), name.begin(), name.end()) != bytes.end() ? FileKind::sidecar
-                                                                               : FileKind::gltf;
+  return is_sidecar(bytes) ? FileKind::sidecar : FileKind::gltf;
 }
 
 FileKind known_kind(const std::string& name, std::span<const unsigned char> bytes) {

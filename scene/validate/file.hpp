@@ -16,11 +16,11 @@ namespace mmverify::scene {
 
 /// Told by a file's bytes, never by its name.
 enum class FileKind : std::uint8_t {
-  sidecar,     ///< JSON with a schema "mmverify.array/...": raw arrays, docs/VALIDATE.md
-  gltf,        ///< GLB, or any other JSON
-  array,       ///< "MMARRAYS": docs/ARRAYS.md, Files
-  tree,        ///< "mmtr": impl/tree/container.hpp
-  dag,         ///< "mmdg": docs/DAG.md, The container
+  sidecar,  ///< JSON with a schema "mmverify.array/...", or with records or apis and no asset: docs/VALIDATE.md
+  gltf,     ///< GLB, or any other JSON
+  array,    ///< "MMARRAYS": docs/ARRAYS.md, Files
+  tree,     ///< "mmtr": impl/tree/container.hpp
+  dag,      ///< "mmdg": docs/DAG.md, The container
   attributes,  ///< "mmat": docs/ATTRIBUTE_FORMAT.md
 };
 
@@ -42,7 +42,8 @@ using Beside = std::function<Bytes(const std::string& name)>;
 ///   - glTF: EXT's name is judged by the newest draft, KHR's by its own, unless `draft` says which.
 ///   - A container that its reader takes is one that its writer writes; of an array file's content the rules of glTF
 ///     are asked.
-/// Domain: everything.  Linear in the bytes; a sidecar's array is looked at once more for each of its geometries.
+/// Domain: everything.  O(n log n) in the bytes; of a sidecar in those of its buffers too, counting indices once for
+/// each geometry that names them.
 /// Errors: BadScene where the file is missing, empty, too large, or of no kind that is known.
 Judged validate_file(const std::string& file, std::optional<Draft> draft = {});
 

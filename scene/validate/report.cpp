@@ -4,10 +4,12 @@
 
 namespace mmverify::scene {
 
-constexpr std::size_t most = 8;  // of one rule at one place: more says nothing new
-
 void Report::add(std::string_view rule, const std::string& pointer, const std::string& found) {
   if (++counts_[{rule, pointer}] <= most) list_.push_back({rule, pointer, found});
+}
+
+void Report::count(std::string_view rule, const std::string& pointer, std::uint64_t more) {
+  counts_[{rule, pointer}] += more;
 }
 
 void Report::add(const impl::micromap::Violation& violation, const std::string& pointer) {
@@ -21,7 +23,7 @@ std::vector<FileViolation> Report::taken() {
   std::vector<FileViolation> all;
   for (FileViolation& violation : list_) {
     const std::pair<std::string_view, std::string> key{violation.rule, violation.pointer};
-    const std::size_t number = ++listed[key], count = counts_[key];
+    const std::uint64_t number = ++listed[key], count = counts_[key];
     all.push_back(std::move(violation));
     if (number == most && count > most)
       all.push_back({key.first, key.second, "and " + std::to_string(count - most) + " more"});

@@ -23,8 +23,12 @@ class Report {
   bool newest() const { return draft_ == newest_draft; }
   const char* extension() const { return text(draft_).extension; }
 
-  /// Keeps eight of one rule at one place, and counts the rest.
+  /// So many of one rule at one place are kept, and the rest counted: more says nothing new.
+  static constexpr std::size_t most = 8;
   void add(std::string_view rule, const std::string& pointer, const std::string& found);
+
+  /// Counts some more of a rule of which `most` were added at this place.
+  void count(std::string_view rule, const std::string& pointer, std::uint64_t more);
 
   /// A violation of the array's rules, by its number's pointer.  Its words are describe()'s.
   void add(const impl::micromap::Violation& violation, const std::string& pointer);
@@ -34,7 +38,7 @@ class Report {
  private:
   Draft draft_;
   std::vector<FileViolation> list_;
-  std::map<std::pair<std::string_view, std::string>, std::size_t> counts_;
+  std::map<std::pair<std::string_view, std::string>, std::uint64_t> counts_;
 };
 
 /// The value as a message may show it.

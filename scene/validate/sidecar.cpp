@@ -34,17 +34,39 @@ bool stays(const std::string& name) {
   return true;
 }
 
-/// The JSON, and the first name that an object has twice: of its two values one would be lost.
-Json parsed(std::span<const unsigned char> bytes, std::optional<std::string>& twice) {
-  std::vector<std::set<std::string>> open;
-  return Json::parse(bytes.begin(), bytes.end(), [&](int, Json::parse_event_t event, Json& value) {
-    if (event == Json::parse_event_t::object_start) open.emplace_back();
-    if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key && !open.back().insert(value.get<std::string>()).second && !twice)
-      twice = value.get<std::string>();
+/// The first name that an object has twice: of its two values one would be lost.  Ends where the JSON does.
+class TwiceNamed : public nlohmann::json_sax<Json> {
+ public:
+  std::optional<std::string> name;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(std::int64_t) override { return true; }
+  bool number_unsigned(std::uint64_t) override { return true; }
+  bool number_float(double, const std::string&) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(Json::binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool start_object(std::size_t) override {
+    open_.emplace_back();
     return true;
-  });
-}
+  }
+  bool end_object() override {
+    open_.pop_back();
+    return true;
+  }
+  bool key(std::string& key) override {
+    if (!open_.back().insert(key).second) name = key;
+    return !name;
+  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  std::vector<std::set<std::string>> open_;
+};
 
 struct Buffer {
   std::span<const unsigned char> bytes;
@@ -108,15 +130,15 @@ class Sidecar {
     return object.contains(name);
   }
 
-  /// The member, or `otherwise` where it is not there; none, and a line, where it is no number below `end`.
+  /// The member, or `otherwise` where it is not there; none, and a line, where it is no number below `end`.  -0 is 0, as
+  /// for the schema.
   std::optional<std::uint64_t> number(const Json& object, const std::string& at, const char* name,
                                       std::uint64_t otherwise, std::uint64_t end = any) {
     if (!object.contains(name)) return otherwise;
+    if (object[name].is_number_integer() && object[name] == 0) return 0;
     const auto value = whole(object[name], end);
     if (!value)
-      type(at + "/" + name,
-           "a whole number from 0" + (end == any ? "" : ", below " + std::to_string(end) + ","),
-           object[name]);
+      type(at + "/" + name, "a whole number from 0, below " + std::to_string(end) + ",", object[name]);
     return value;
   }
 
@@ -319,9 +341,11 @@ class Sidecar {
 
 void validate_sidecar(std::span<const unsigned char> bytes, const Beside& beside, Report& report) {
   Json json;
-  std::optional<std::string> twice;
+  TwiceNamed twice;
   try {
-    json = parsed(bytes, twice);
+    // Not by parse()'s callback, which takes time quadratic in an array's elements.
+    json = Json::parse(bytes.begin(), bytes.end());
+    Json::sax_parse(bytes.begin(), bytes.end(), &twice);
   } catch (const Json::exception& error) {
     report.add("sidecar.readable", "", shown(error.what()));
     return;
@@ -330,8 +354,8 @@ void validate_sidecar(std::span<const unsigned char> bytes, const Beside& beside
     report.add("sidecar.readable", "", "an object is due, not " + found(json));
     return;
   }
-  if (twice) {
-    report.add("sidecar.readable", "", "two members of one object are called " + shown(*twice));
+  if (twice.name) {
+    report.add("sidecar.readable", "", "two members of one object are called " + shown(*twice.name));
     return;
   }
   if (!json.contains("schema") || json["schema"] != "mmverify.array/1") {

@@ -1,6 +1,7 @@
 // The array validator: each rule broken by hand, both validators with one list; then what no sane file says.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <random>
@@ -19,6 +20,26 @@ using enum State;
 namespace fast = mmverify::impl::micromap;
 
 constexpr std::uint64_t huge = std::numeric_limits<std::uint64_t>::max();
+
+// What an ArrayValidator leaves out is counted: of each rule all but the first, save at usage counts.
+void expect_counted(const fast::Input& in) {
+  const fast::ArrayValidator validator(in, 1);
+  fast::Violations is = validator.array();
+  const fast::Violations of_geometry = validator.geometry(in);
+  is.list.insert(is.list.end(), of_geometry.list.begin(), of_geometry.list.end());
+  std::sort(is.list.begin(), is.list.end());
+  is.more.insert(of_geometry.more.begin(), of_geometry.more.end());
+  fast::Violations due;
+  for (const fast::Violation& v : fast::validate(in)) {
+    const bool of_count = v.place == fast::Place::array_count || v.place == fast::Place::geometry_count;
+    if (of_count || due.list.empty() || due.list.back().rule != v.rule)
+      due.list.push_back(v);
+    else
+      ++due.more[v.rule];
+  }
+  EXPECT_EQ(is.list, due.list);
+  EXPECT_EQ(is.more, due.more);
+}
 
 // A clean array and geometry, ready to be spoilt.
 struct Subject {
@@ -53,6 +74,7 @@ struct Subject {
     if (in.geometry_counts) in.geometry_counts = geometry.counts;
     const auto got = validate(in);
     EXPECT_EQ(to_slow(validate_fast(in)), got);
+    mmverify::fuzz::micromap::with_fast(in, expect_counted);
     return got;
   }
 

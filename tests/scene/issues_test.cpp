@@ -188,6 +188,10 @@ std::vector<Case> sidecars() {
        {as_bytes("{\"schema\": \"mmverify.array/1\", \"lossy\": true, \"lossy\": false}")}},
       {"sidecar.readable", {as_bytes("{\"a\": {\"b\": 1, \"c\": {}, \"b\": \"mmverify.array/1\"}}")}},
       {"sidecar.schema", raw([](RawArray& a) { a.json["schema"] = "mmverify.array/2"; })},
+      {"sidecar.schema", raw([](RawArray& a) { a.json["schema"] = "mmverify.arrays/1"; })},
+      {"sidecar.schema", raw([](RawArray& a) { a.json.erase("schema"); })},
+      {"sidecar.schema", {as_bytes("{\"records\": {}}")}},
+      {"sidecar.schema", {as_bytes("{\"schema\": 1, \"apis\": [\"ext\"]}")}},
       {"sidecar.missing", raw([](RawArray& a) { a.json.erase("data"); })},
       {"sidecar.missing", raw([](RawArray& a) { a.geometry().erase("triangles"); })},
       {"sidecar.unknown", raw([](RawArray& a) { a.json["indexes"] = 1; })},
@@ -301,6 +305,71 @@ TEST(SceneIssues, EachCodeHasAFileThatGivesItAlone) {
   std::set<std::string_view> codes;
   for (const Issue& issue : issues()) EXPECT_TRUE(codes.insert(issue.code).second) << issue.code;
   EXPECT_EQ(given, codes);
+}
+
+// JSON's -0 is 0; 2^64-1 is no number that is taken, and the words say so.
+TEST(SceneIssues, NumbersAtTheEndsOfTheirRange) {
+  const auto with_base = [](const std::string& number) {
+    MadeFile file = RawArray().file();
+    const std::string json(file.bytes.begin(), file.bytes.end()), zero = "\"baseTriangle\":0";
+    const std::size_t at = json.find(zero);
+    file.bytes = as_bytes(json.substr(0, at) + "\"baseTriangle\":" + number + json.substr(at + zero.size()));
+    return file.judged();
+  };
+  EXPECT_TRUE(with_base("-0").findings.empty()) << lines(with_base("-0"));
+  for (const char* number : {"-1", "4294967296", "0.5"}) {
+    const Judged judged = with_base(number);
+    ASSERT_EQ(judged.findings.size(), 1u) << lines(judged);
+    EXPECT_EQ(judged.findings[0].found,
+              "a whole number from 0, below 4294967296, is due, not " + std::string(number));
+  }
+  const Judged judged = raw([](RawArray& a) { a.json["data"]["offset"] = 18446744073709551615u; }).judged();
+  ASSERT_EQ(judged.findings.size(), 1u) << lines(judged);
+  EXPECT_EQ(judged.findings[0].found,
+            "a whole number from 0, below 18446744073709551615, is due, not 18446744073709551615");
+}
+
+// Who writes one by hand, or with another program.
+TEST(SceneIssues, ASidecarIsToldByItsMembers) {
+  const auto kind = [](const std::string& json) { return MadeFile{as_bytes(json)}.judged().kind; };
+  EXPECT_EQ(kind(R"({"schema": "mmverify.array\/1"})"), FileKind::sidecar);
+  EXPECT_EQ(kind(R"({"apis": [)"), FileKind::sidecar);
+  EXPECT_EQ(kind(R"({"asset": {"version": "2.0"}, "records": 1})"), FileKind::gltf);
+  EXPECT_EQ(kind(R"({"records": 1, "asset": {"version": "2.0"}})"), FileKind::gltf);
+  EXPECT_EQ(kind(R"({"extras": {"records": 1}})"), FileKind::gltf);
+}
+
+// The array is judged once and each geometry by itself; of each rule eight violations are kept.
+TEST(SceneIssues, ListsTheFirstEightAndCountsTheRest) {
+  constexpr std::size_t records = 20, triangles = 30;
+  const MadeFile file = plain("gltf", [&](RawArray& a) {
+    a.records.clear();
+    // The first record has the last bytes: overlaps are found from the last record on.
+    for (std::size_t r = 0; r < records; ++r) {
+      const ByteList record{static_cast<unsigned char>(records - r), 0, 0, 0, 2, 0, 2, 0};
+      a.records.insert(a.records.end(), record.begin(), record.end());
+    }
+    a.data.resize(records + 4);
+    a.indices.assign(2 * triangles, 0x7f);
+    a.geometry()["triangles"] = triangles;
+    a.json["geometries"].push_back(a.geometry());
+  });
+  const Judged judged = file.judged();
+  ASSERT_EQ(judged.findings.size(), 27u) << lines(judged);
+  const auto expect = [&](std::size_t from, const char* rule, const char* pointer, const char* thing,
+                          std::size_t all) {
+    for (std::size_t k = 0; k < 9; ++k) {
+      const FileViolation& finding = judged.findings[from + k];
+      EXPECT_EQ(finding.rule, rule);
+      EXPECT_EQ(finding.pointer, pointer);
+      const std::string begins =
+          k == 8 ? "and " + std::to_string(all - 8) + " more" : std::string(thing) + std::to_string(k) + ":";
+      EXPECT_TRUE(finding.found.starts_with(begins)) << finding.found << " for " << begins;
+    }
+  };
+  expect(0, "record.overlap", "/records", "record ", records - 1);  // all but the last, the first in the data
+  expect(9, "index.range", "/geometries/0/indices", "triangle ", triangles);
+  expect(18, "index.range", "/geometries/1/indices", "triangle ", triangles);
 }
 
 TEST(SceneIssues, EveryRuleIsAnIssue) {
