@@ -31,8 +31,8 @@ TEST(FloatLaws, TheHeadersEntryPointsForPointsAreThese) {
     if (const std::string parameters = (*at)[2]; std::regex_search(parameters, floats))
       taking_floats.insert((*at)[1]);
   EXPECT_THAT(taking_floats,
-              testing::ElementsAre("attribute_triplet_f32", "attribute_weights_f32", "dag_lookup_f32", "index_f32", "index_f64",
-                                   "row_index_f32", "tree_lookup_f32"));
+              testing::ElementsAre("attribute_triplet_f32", "attribute_weights_f32", "dag_lookup_f32",
+                                   "index_f32", "index_f64", "row_index_f32", "tree_lookup_f32"));
 }
 
 /// A float subject that has every entry point, but for what is taken away.
