@@ -54,7 +54,7 @@ TEST(Statements, TheFilesAreWhatTheSpecificationGives) {
 }
 
 /// Digits (0..3), the base 4, and halves (2). Of graphs: the children of a node, which a statement on N of them numbers
-/// from 0, and the bits of a record and of a word.
+/// from 0 and counts, and the bits of a record and of a word.
 bool is_no_level(const std::string& path, const std::string& number) {
   if (std::set<std::string>({"0", "1", "2", "3", "4", "0.0", "1.0", "2.0"}).contains(number)) return true;
   if (!path.starts_with("dag/") || number.find_first_not_of("0123456789") != std::string::npos) return false;
@@ -64,7 +64,7 @@ bool is_no_level(const std::string& path, const std::string& number) {
   const std::string children = name.substr(before_children + 1);
   return before_children != std::string::npos &&
          std::set<std::string>({"4", "16", "64"}).contains(children) &&
-         std::stoi(number) < std::stoi(children);
+         std::stoi(number) <= std::stoi(children);
 }
 
 // A level, or a power of two that stands for one, would be another number.
