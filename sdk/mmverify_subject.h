@@ -239,6 +239,7 @@ typedef struct mmverify_attribute_support {
 #define MMVERIFY_TARGET_RECORD 2u
 #define MMVERIFY_TARGET_OUTSIDE 3u
 
+/* A triangle of an array that is to be built. */
 typedef struct mmverify_array_triangle {
   uint32_t level, format;
   uint32_t map; /* the first byte of its map in `maps` */
@@ -272,6 +273,8 @@ typedef struct mmverify_array_answer {
 typedef struct mmverify_array_parts {
   uint32_t records, data_bytes, geometries;
 } mmverify_array_parts_t;
+
+/* A geometry of such an array: its indices, one for each triangle, are read from its own base on. */
 typedef struct mmverify_array_geometry {
   uint32_t index_type; /* MMVERIFY_INDEX_U8, ... */
   uint32_t base_triangle, triangles;

@@ -22,6 +22,7 @@ using micromap::UsageCount;
 enum class Api : std::uint8_t { EXT, KHR, DXR, OptiX, NVAPI, glTF };
 inline constexpr std::size_t api_count = 6;
 
+/// What an API asks of arrays: docs/ARRAYS.md, "What each API asks".
 struct Requirements {
   const char* name;
   bool counts_geometry;  ///< a build of a geometry takes the histogram of its references, too

@@ -17,6 +17,7 @@ struct BuildOptions {
   std::uint32_t bound = 0;  ///< of near-duplicate merging: micro-triangles a triangle; 0: none.  It shares
 };
 
+/// What a build gives: the array, the geometry that refers to it, both histograms.
 struct Built {
   micromap::Array array;
   Part part;

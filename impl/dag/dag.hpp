@@ -35,6 +35,7 @@ enum class Kind : std::uint8_t {
   flat = 4,     ///< where its words begin, in units of a tile
 };
 
+/// Where a map is.
 struct Record {
   std::uint8_t level = 0;
   Kind kind = Kind::small;
@@ -44,6 +45,7 @@ struct Record {
 };
 static_assert(sizeof(Record) == 8);
 
+/// The graph of a scene's maps: maps are added, and looked up at any time.
 class Dag {
  public:
   explicit Dag(Format b);

@@ -16,6 +16,7 @@ enum class Api : std::uint8_t { EXT, KHR, DXR, OptiX, NVAPI, glTF };
 inline constexpr std::size_t api_count = 6;
 inline constexpr Api apis[api_count] = {Api::EXT, Api::KHR, Api::DXR, Api::OptiX, Api::NVAPI, Api::glTF};
 
+/// What an API asks of arrays: docs/ARRAYS.md, "What each API asks".
 struct Requirements {
   const char* name;
   bool counts_geometry;  ///< a build of a geometry takes the histogram of its references, too

@@ -41,6 +41,7 @@ struct Part {
 };
 using Children = std::vector<Part>;
 
+/// A larger subtree that is not of one state: its children, in the order of the curve.
 struct Node {
   Level level = 0;
   Children children;
@@ -57,6 +58,7 @@ struct Map {
   friend bool operator==(const Map&, const Map&) = default;
 };
 
+/// The graph of a scene's maps.
 struct Dag {
   Format format = Format::two_state;
   std::vector<Node> tiles, nodes;  ///< in the order in which they were added
