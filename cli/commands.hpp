@@ -29,5 +29,6 @@ Action add_report(CLI::App& program);
 Action add_gen(CLI::App& program);
 Action add_check(CLI::App& program);
 Action add_validate(CLI::App& program);
+Action add_vectors(CLI::App& program);
 
 }  // namespace mmverify::cli

@@ -32,6 +32,14 @@ if(NOT MMVERIFY_SANITIZE)
   set_tests_properties(report_page PROPERTIES SKIP_RETURN_CODE 77 LABELS report RUN_SERIAL ON TIMEOUT 600)
 endif()
 
+# The files of mmverify vectors, and their readers in C, Python and TypeScript; the last one without Node.js or npm's registry
+# skipped, and so said.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME vectors_files COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/vectors_test.py $<TARGET_FILE:mmverify>
+    ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR}/report)
+  set_tests_properties(vectors_files PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
+endif()
+
 # Functions in sources; without clang or llvm-14-dev skipped, and so said.
 if(NOT MMVERIFY_SANITIZE)
   add_test(NAME source_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR})

@@ -1,0 +1,204 @@
+#!/usr/bin/python3
+"""The files of mmverify vectors: one content in three forms, whole, the same each time; and the readers of
+examples/vectors/ on them, spoilt ones too.
+
+usage: tests/outside/vectors_test.py MMVERIFY CC CXX HOME      HOME: where report/packages has put esbuild, if it has
+Exit code 77: all is well but what Node.js or esbuild is missing for, and it says so."""
+import hashlib
+import json
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+READERS = ROOT / "examples" / "vectors"
+STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
+WIDE = {"wide", "set", "bytes", "digits", "words", "binary32s"}
+failures = []
+
+
+def need(holds, what):
+    if not holds:
+        failures.append(what)
+        print(f"FAILED: {what}")
+
+
+def run(*command, **more):
+    return subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, **more)
+
+
+def sha256(data):
+    return hashlib.sha256(data).hexdigest()
+
+
+def sections(file):
+    """(family, section) to (version, bytes of a record, bytes), in the order of the table of contents."""
+    entries, at = struct.unpack_from("<2I", file, 12)
+    found = {}
+    for k in range(entries):
+        family, section, version, size, records, start = struct.unpack_from("<16s16s4I", file, at + 64 * k)
+        name = tuple(text.rstrip(b"\0").decode() for text in (family, section))
+        found[name] = version, size, file[start : start + size * records]
+    return found
+
+
+def value_of(words, column, data, abouts):
+    """What the JSON form has to say, of a column's words in the binary form."""
+    kind, names = column["kind"], column.get("names")
+    part = data[words[0] : words[0] + words[1]] if kind in WIDE else b""
+    listed = struct.unpack(f"<{len(part) // 4}I", part[: len(part) // 4 * 4])
+    return {
+        "number": lambda: words[0],
+        "optional": lambda: None if words[0] == 0xFFFFFFFF else words[0],
+        "binary32": lambda: f"{words[0]:08x}",
+        "name": lambda: names[words[0]],
+        "about": lambda: abouts[words[0]],
+        "wide": lambda: words[0] | words[1] << 32,
+        "set": lambda: [name for k, name in enumerate(names) if (words[0] | words[1] << 32) >> k & 1],
+        "bytes": part.hex,
+        "digits": lambda: "".join(map(str, part)),
+        "words": lambda: list(listed),
+        "binary32s": lambda: [f"{word:08x}" for word in listed],
+    }[kind]()
+
+
+def same_in_json_and_binary(family, parts):
+    """Each vector of a JSON file, read out of the binary file."""
+    name = family["family"]
+    data = parts[name, "data"][2]
+    abouts = [text.rstrip(b"\0").decode() for (text,) in struct.iter_unpack("64s", parts[name, "about"][2])]
+    mine = [key for key in parts if key[0] == name]
+    need([key[1] for key in mine] == [t["table"] for t in family["tables"]] + ["data", "about"], f"{name}: tables")
+    need(sha256(b"".join(parts[key][2] for key in mine)) == family["sha256"], f"{name}: the hash of its records")
+    for table in family["tables"]:
+        version, size, records = parts[name, table["table"]]
+        need(version == family["version"], f"{name}: version")
+        need(size * len(table["vectors"]) == len(records), f"{name}.{table['table']}: how many")
+        for vector, words in zip(table["vectors"], struct.iter_unpack(f"<{size // 4}I", records)):
+            at = 0
+            for column in table["columns"]:
+                width = 2 if column["kind"] in WIDE else 1
+                said = value_of(words[at : at + width], column, data, abouts)
+                need(said == vector[column["name"]], f"{name}.{table['table']} {vector['id']}: {column['name']}")
+                at += width
+
+
+def same_in_header_and_binary(folder, families, parts, cc, cxx):
+    """A program that writes the arrays of the header, by either language: the bytes of the binary file."""
+    lines, wanted = ['#include "mmverify_vectors.h"', "#include <stdio.h>", "int main(void) {", "  size_t n = 0;"], b""
+    for family in families:
+        name = family["family"]
+        for table in family["tables"]:
+            array = f"mmverify_vectors_{name}_{table['table']}"
+            lines.append(f"  n += fwrite({array}, 1, sizeof {array}, stdout);")
+            lines.append(f"  if (sizeof {array} / sizeof {array}[0] != {array.upper()}) return 1;")
+            wanted += parts[name, table["table"]][2]
+        if parts[name, "data"][2]:
+            lines.append(f"  n += fwrite(mmverify_vectors_{name}_data, 1, sizeof mmverify_vectors_{name}_data, stdout);")
+            wanted += parts[name, "data"][2]
+    lines.append("  return n == 0;\n}\n")
+    for compiler, language, standard in (cc, "c", "c99"), (cxx, "c++", "c++11"):
+        source, program = folder / f"dump.{language}", folder / "dump"
+        source.write_text("\n".join(lines))
+        built = run(compiler, "-x", language, f"-std={standard}", "-O0", *STRICT, "-o", program, source)
+        need(built.returncode == 0, f"the header in {language}: {built.stderr[:2000]}")
+        said = subprocess.run([program], capture_output=True, check=False)
+        need(said.returncode == 0 and said.stdout == wanted, f"the arrays of the header in {language}")
+
+
+def spoilt_header(text):
+    """The published answer of the first point, changed; both answers of it, so that no dialect has all."""
+    head, row = text.split("mmverify_vectors_index_points[", 1)
+    start = row.index("  {") + 3
+    words = row[start : row.index("}")].split(", ")
+    words[6] = words[7] = "3u"
+    return head + "mmverify_vectors_index_points[" + row[:start] + ", ".join(words) + row[row.index("}") :]
+
+
+def readers(folder, points, cc, home):
+    """Each reader on whole vectors and on spoilt ones."""
+    whole = f"{points} of {points}"
+
+    def judged(what, good, bad):
+        need(good.returncode == 0 and whole in good.stdout, f"{what}: {good.stdout}{good.stderr}")
+        need(bad.returncode == 1 and f"{points - 1} of {points}" in bad.stdout and "first: level 0" in bad.stdout,
+             f"{what}, one vector spoilt: {bad.stdout}{bad.stderr}")  # fmt: skip
+
+    said = []
+    for header in (folder / "mmverify_vectors.h").read_text(), spoilt_header((folder / "mmverify_vectors.h").read_text()):
+        place = folder / f"c{len(said)}"
+        place.mkdir()
+        (place / "mmverify_vectors.h").write_text(header)
+        built = run(cc, "-std=c99", "-O2", "-ffp-contract=off", *STRICT, "-I", place, "-o", place / "read", READERS / "read.c")
+        need(built.returncode == 0, f"read.c: {built.stderr[:2000]}")
+        said.append(run(place / "read"))
+    judged("read.c", *said)
+
+    binary = bytearray((folder / "mmverify_vectors.bin").read_bytes())
+    good = run(sys.executable, READERS / "read.py", folder / "mmverify_vectors.bin")
+    at = binary.index(sections(binary)["index", "points"][2])
+    binary[at + 24] = binary[at + 28] = 3
+    (folder / "spoilt.bin").write_bytes(binary)
+    judged("read.py", good, run(sys.executable, READERS / "read.py", folder / "spoilt.bin"))
+    (folder / "cut.bin").write_bytes(binary[:-1])
+    need(run(sys.executable, READERS / "read.py", folder / "cut.bin").returncode == 1, "read.py takes a file that was cut short")
+
+    esbuild = pathlib.Path(home, "node_modules", ".bin", "esbuild")
+    if shutil.which("node") is None or not esbuild.exists():
+        print("skipped: read.ts: no Node.js, or no esbuild, which the page of mmverify report is built with")
+        return 77
+    program = folder / "read.mjs"
+    built = run(esbuild, READERS / "read.ts", f"--outfile={program}", "--log-level=warning")
+    need(built.returncode == 0, f"read.ts: {built.stderr}")
+    spoilt = json.loads((folder / "index.json").read_text())
+    spoilt["tables"][0]["vectors"][0].update(exact=3, published=3)
+    (folder / "spoilt.json").write_text(json.dumps(spoilt))
+    judged("read.ts", run("node", program, folder / "index.json"), run("node", program, folder / "spoilt.json"))
+    return 0
+
+
+def main(program, cc, cxx, home):
+    with tempfile.TemporaryDirectory() as temporary:
+        folder, again = pathlib.Path(temporary, "vectors"), pathlib.Path(temporary, "again")
+        for place in folder, again:
+            made = run(program, "vectors", "-o", place)
+            need(made.returncode == 0, f"mmverify vectors: {made.stderr}")
+        names = sorted(file.name for file in folder.iterdir())
+        need(all((folder / name).read_bytes() == (again / name).read_bytes() for name in names), "the same bytes each time")
+        manifest = json.loads((folder / "MANIFEST.json").read_text())
+        need(sorted(file["file"] for file in manifest["files"]) + ["MANIFEST.json"] == sorted(names, key=lambda n: (n == "MANIFEST.json", n)), "the manifest lists the files")
+        total = 0
+        for file in manifest["files"]:
+            data = (folder / file["file"]).read_bytes()
+            need((len(data), sha256(data)) == (file["bytes"], file["sha256"]), f"{file['file']}: size and hash")
+            total += len(data)
+        need(total < 5_000_000, f"{total} bytes, and 5 MB are the most")
+        binary = (folder / "mmverify_vectors.bin").read_bytes()
+        need(binary[:8] == b"MMVECTOR" and struct.unpack_from("<I", binary, 20) == (len(binary),), "the binary's head")
+        need(binary[96:128] == hashlib.sha256(binary[128:]).digest(), "the binary's own hash")
+        families = [json.loads((folder / (f["family"] + ".json")).read_text()) for f in manifest["families"]]
+        header = (folder / "mmverify_vectors.h").read_text()
+        for family, listed in zip(families, manifest["families"]):
+            need(family["sha256"] == listed["sha256"], f"{family['family']}: the manifest's hash")
+            need(f'_{family["family"].upper()}_SHA256 "{family["sha256"]}"' in header, f"{family['family']}: the header's hash")
+            need(family["tool"]["spec_hash"] == binary[64:96].hex(), "the hash of the specification")
+            same_in_json_and_binary(family, sections(binary))
+        same_in_header_and_binary(folder, families, sections(binary), cc, cxx)
+        checked = run(ROOT / "scripts" / "check-schema", *(folder / name for name in names if name.endswith(".json")))
+        need(checked.returncode == 0, f"docs/vectors.schema.json: {checked.stdout[:2000]}{checked.stderr[:2000]}")
+        points = len(families[0]["tables"][0]["vectors"])
+        code = readers(folder, points, cc, home)
+    if failures:
+        return 1
+    vectors = sum(len(table["vectors"]) for family in families for table in family["tables"])
+    print(f"{vectors} vectors of {len(families)} families in three forms, {total} bytes")
+    return code
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 5:
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,44 @@
+// How a family is filled: record by record, its texts and bytes laid beside.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "vectors/table.hpp"
+
+namespace mmverify::vectors {
+
+/// 2^32 - 1, which stands for no number in a column of Kind::optional.
+inline constexpr std::uint32_t none = 0xffffffff;
+
+/// The value of one column: a word, a wide number or a set, a text of Kind::about, bytes, or words.
+using Value = std::variant<std::uint32_t, std::uint64_t, std::string, Bytes, std::vector<std::uint32_t>>;
+
+/// Fills a family.  Tables are filled one after another.
+class Builder {
+ public:
+  Builder(std::string name, std::uint32_t version, std::string about);
+
+  /// Begins a table; records that are added from now on are its.
+  void table(std::string name, std::string about, std::vector<Column> columns);
+
+  /// Adds a record: a value for each column, in their order.  Equal bytes and texts are stored once.
+  /// Errors: std::logic_error for values that are not the columns'.
+  void add(std::initializer_list<Value> values);
+
+  /// Records of the table so far.
+  std::uint32_t count() const;
+
+  Family take() { return std::move(family_); }
+
+ private:
+  std::uint32_t text(const std::string& about);
+  std::uint32_t stored(std::span<const std::uint8_t> bytes);
+
+  Family family_;
+};
+
+}  // namespace mmverify::vectors
