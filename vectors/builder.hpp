@@ -1,6 +1,7 @@
 // How a family is filled: record by record, its texts and bytes laid beside.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -15,7 +16,11 @@ namespace mmverify::vectors {
 inline constexpr std::uint32_t none = 0xffffffff;
 
 /// The value of one column: a word, a wide number or a set, a text of Kind::about, bytes, or words.
-using Value = std::variant<std::uint32_t, std::uint64_t, std::string, Bytes, std::vector<std::uint32_t>>;
+struct Value : std::variant<std::uint32_t, std::uint64_t, std::string, Bytes, std::vector<std::uint32_t>> {
+  using variant::variant;
+  template <std::unsigned_integral Narrow>
+  requires(sizeof(Narrow) < sizeof(std::uint32_t)) Value(Narrow word) : variant(std::uint32_t{word}) {}
+};
 
 /// Fills a family.  Tables are filled one after another.
 class Builder {

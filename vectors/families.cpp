@@ -8,7 +8,11 @@ namespace mmverify::vectors {
 
 std::span<const FamilyRow> families() {
   static constexpr std::array rows{
-      FamilyRow{"index", index_family},
+      FamilyRow{"index", index::family},
+      FamilyRow{"corners", corners::family},
+      FamilyRow{"traverse", traverse::family},
+      FamilyRow{"packing", packing::family},
+      FamilyRow{"special", packing::special_family},
   };
   return rows;
 }

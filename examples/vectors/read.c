@@ -1,7 +1,6 @@
 /* Judges an index function by the vectors of mmverify_vectors.h: put yours in the place of index_of().
  *   mmverify vectors -o DIR && cc -O2 -ffp-contract=off -I DIR -o read read.c && ./read
  * Prints how many answers are those of each dialect, and the first that is not; exit code 1 where neither has all. */
-#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -41,19 +40,19 @@ static float number(uint32_t bits) {
 }
 
 int main(void) {
-  uint32_t exact = 0, published = 0;
-  const mmverify_vectors_index_points_t *first = NULL;
-  for (uint32_t k = 0; k < MMVERIFY_VECTORS_INDEX_POINTS; ++k) {
-    const mmverify_vectors_index_points_t *p = &mmverify_vectors_index_points[k];
+  const unsigned all = MMVERIFY_VECTORS_INDEX_POINTS;
+  unsigned exact = 0, published = 0;
+  const mmverify_vectors_index_points_t* first = NULL;
+  for (unsigned k = 0; k < all; ++k) {
+    const mmverify_vectors_index_points_t* p = &mmverify_vectors_index_points[k];
     const uint32_t answer = index_of(p->level, number(p->u), number(p->v));
     exact += answer == p->exact;
     published += answer == p->published;
     if (answer != p->published && first == NULL) first = p;
   }
-  const uint32_t all = MMVERIFY_VECTORS_INDEX_POINTS;
-  printf("published: %" PRIu32 " of %" PRIu32 ", exact: %" PRIu32 " of %" PRIu32 "\n", published, all, exact, all);
+  printf("published: %u of %u, exact: %u of %u\n", published, all, exact, all);
   if (first != NULL)
-    printf("first: level %" PRIu32 ", u %a, v %a: %s\n", first->level, (double)number(first->u),
+    printf("first: level %u, u %a, v %a: %s\n", (unsigned)first->level, (double)number(first->u),
            (double)number(first->v), mmverify_vectors_index_about[first->about]);
   return exact == all || published == all ? 0 : 1;
 }

@@ -6,6 +6,22 @@
 namespace mmverify::vectors {
 
 /// Points and the index of each, in each dialect.  Source: spec/index/index.hpp.
-Family index_family();
+namespace index {
+Family family();
+}
+/// Indices and the corners of their micro-triangles.  Source: spec/index/index.hpp.
+namespace corners {
+Family family();
+}
+/// States, substitutions, decisions.  Source: spec/micromap/, spec/traverse/decision.hpp.
+namespace traverse {
+Family family();
+}
+/// States in bytes.  Source: spec/micromap/micromap.hpp.
+namespace packing {
+Family family();
+/// Special indices.
+Family special_family();
+}  // namespace packing
 
 }  // namespace mmverify::vectors

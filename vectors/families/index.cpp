@@ -13,7 +13,7 @@
 #include "vectors/builder.hpp"
 #include "vectors/families/all.hpp"
 
-namespace mmverify::vectors {
+namespace mmverify::vectors::index {
 namespace {
 
 using spec::Level;
@@ -178,7 +178,7 @@ void add_anywhere(Points& points, Level n) {
 
 }  // namespace
 
-Family index_family() {
+Family family() {
   Builder out("index", 1,
               "the micro-triangle that holds a point: u of the second vertex, v of the third; binary32");
   out.table(
@@ -209,4 +209,4 @@ Family index_family() {
   return out.take();
 }
 
-}  // namespace mmverify::vectors
+}  // namespace mmverify::vectors::index
