@@ -13,6 +13,9 @@ std::span<const FamilyRow> families() {
       FamilyRow{"traverse", traverse::family},
       FamilyRow{"packing", packing::family},
       FamilyRow{"special", packing::special_family},
+      FamilyRow{"trees", trees::family},
+      FamilyRow{"vq", vq::family},
+      FamilyRow{"attribute", attribute::family},
   };
   return rows;
 }

@@ -24,4 +24,17 @@ Family family();
 Family special_family();
 }  // namespace packing
 
+/// Blocks of square maps.  Source: spec/vq/.
+namespace vq {
+Family family();
+}
+/// Succinct trees and graphs, their containers, and what is none.  Source: spec/tree/tree.hpp, spec/dag/.
+namespace trees {
+Family family();
+}
+/// Micro-vertices, micro-triangles and weights.  Source: spec/attribute/.
+namespace attribute {
+Family family();
+}
+
 }  // namespace mmverify::vectors
