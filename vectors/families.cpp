@@ -13,6 +13,7 @@ std::span<const FamilyRow> families() {
       FamilyRow{"traverse", traverse::family},
       FamilyRow{"packing", packing::family},
       FamilyRow{"special", packing::special_family},
+      FamilyRow{"arrays", arrays::family},
       FamilyRow{"trees", trees::family},
       FamilyRow{"vq", vq::family},
       FamilyRow{"attribute", attribute::family},

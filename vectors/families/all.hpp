@@ -24,6 +24,10 @@ Family family();
 Family special_family();
 }  // namespace packing
 
+/// Arrays that are well or broken.  Source: spec/micromap/validate.hpp.
+namespace arrays {
+Family family();
+}
 /// Blocks of square maps.  Source: spec/vq/.
 namespace vq {
 Family family();
