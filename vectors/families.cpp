@@ -16,6 +16,7 @@ std::span<const FamilyRow> families() {
       FamilyRow{"arrays", arrays::family},
       FamilyRow{"trees", trees::family},
       FamilyRow{"vq", vq::family},
+      FamilyRow{"bake", bake::family},
       FamilyRow{"attribute", attribute::family},
   };
   return rows;

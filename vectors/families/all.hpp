@@ -36,6 +36,10 @@ Family family();
 namespace trees {
 Family family();
 }
+/// Maps of textures.  Source: spec/bake/state.hpp.
+namespace bake {
+Family family();
+}
 /// Micro-vertices, micro-triangles and weights.  Source: spec/attribute/.
 namespace attribute {
 Family family();
