@@ -28,7 +28,7 @@ configure_file(sdk/mmverify_subject.h ${installed}/mmverify/mmverify_subject.h C
 file(CONFIGURE OUTPUT ${installed}/mmverify_subject.h CONTENT "#include \"mmverify/mmverify_subject.h\"\n")
 install(DIRECTORY ${installed}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h PATTERN *.hpp)
 file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*.svg ${PROJECT_SOURCE_DIR}/docs/*.png)
-install(FILES ${documents} docs/result.schema.json docs/bench.schema.json docs/validate.schema.json docs/array.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${documents} docs/result.schema.json docs/bench.schema.json docs/validate.schema.json docs/array.schema.json docs/vectors.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY proofs/statements examples docs/ci DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # find_package(mmverify)

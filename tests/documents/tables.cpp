@@ -22,6 +22,8 @@
 #include "proofs/traverse/combinations.hpp"
 #include "proofs/tree/maps.hpp"
 #include "scene/validate/issues.hpp"
+#include "vectors/families.hpp"
+#include "vectors/forms/forms.hpp"
 
 namespace {
 
@@ -192,6 +194,31 @@ std::string issues() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// What mmverify vectors writes
+// ---------------------------------------------------------------------------------------------------------------------
+
+std::string vector_families() {
+  std::string text =
+      "| family | version | tables, and their vectors | vectors | bytes |\n|---|---|---|---|---|\n";
+  std::size_t all = 0, all_bytes = 0;
+  for (const mmverify::vectors::FamilyRow& row : mmverify::vectors::families()) {
+    const mmverify::vectors::Family family = row.make();
+    std::string tables;
+    std::size_t vectors = 0;
+    for (const mmverify::vectors::Table& table : family.tables) {
+      tables += fmt::format("{}`{}` {}", tables.empty() ? "" : ", ", table.name, table.records());
+      vectors += table.records();
+    }
+    const std::size_t bytes = mmverify::vectors::payload(family).size();
+    text +=
+        fmt::format("| `{}` | {} | {} | {} | {} |\n", family.name, family.version, tables, vectors, bytes);
+    all += vectors;
+    all_bytes += bytes;
+  }
+  return text + fmt::format("| all | | | {} | {} |\n", all, all_bytes);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // Into the documents
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -203,7 +230,8 @@ constexpr Table tables[] = {{"readings", MMVERIFY_DOCS "/ERRATA.md", readings},
                             {"modes", MMVERIFY_DOCS "/MICROMAP.md", modes},
                             {"decisions", MMVERIFY_DOCS "/TRAVERSE.md", decisions},
                             {"undefined", MMVERIFY_DOCS "/TRAVERSE.md", undefined_ones},
-                            {"issues", MMVERIFY_DOCS "/ISSUES.md", issues}};
+                            {"issues", MMVERIFY_DOCS "/ISSUES.md", issues},
+                            {"vectors", MMVERIFY_DOCS "/VECTORS.md", vector_families}};
 
 std::string read(const char* path) {
   std::ifstream in(path);

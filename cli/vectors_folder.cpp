@@ -1,0 +1,93 @@
+#include "cli/vectors_folder.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/exit_code.hpp"
+#include "cli/output_file.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannot(const std::string& place, const char* what, const std::error_code& error) {
+  throw EnvironmentError(fmt::format("{}: {}: {}", place, what, error.message()));
+}
+
+/// The names that a folder's manifest lists, its own among them; none where it has no manifest of vectors.
+std::set<std::string> listed_in(const fs::path& folder) {
+  std::ifstream in(folder / vectors::manifest_name);
+  const auto manifest = nlohmann::json::parse(in, nullptr, false);
+  if (!manifest.is_object() || manifest.value("schema", nlohmann::json()) != vectors::schema_name) return {};
+  std::set<std::string> names{vectors::manifest_name};
+  const auto files = manifest.find("files");
+  if (files != manifest.end() && files->is_array())
+    for (const auto& file : *files)
+      if (file.is_object() && file.contains("file") && file["file"].is_string()) names.insert(file["file"]);
+  return names;
+}
+
+std::set<std::string> names_in(const fs::path& folder, const std::string& asked) {
+  std::error_code error;
+  std::set<std::string> found;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+    found.insert(at->path().filename().string());
+  if (error) cannot(asked, "cannot be listed", error);
+  return found;
+}
+
+}  // namespace
+
+VectorsFolder::VectorsFolder(const std::string& asked) : asked_(asked) {
+  std::error_code error;
+  const fs::path given(asked), name = given.has_filename() ? given : given.parent_path();
+  const bool there = fs::exists(name, error);
+  if (there && !fs::is_directory(name, error))
+    throw EnvironmentError(fmt::format("{}: is no folder; vectors are several files", asked));
+  folder_ = there ? fs::canonical(name, error) : fs::absolute(name, error);
+  if (error) cannot(asked, "cannot be found", error);
+  if (there) before_ = names_in(folder_, asked);
+  const std::set<std::string> listed = before_.empty() ? before_ : listed_in(folder_);
+  for (const std::string& file : before_)
+    if (!listed.contains(file))
+      throw EnvironmentError(
+          fmt::format("{}: has {}, which no earlier run has written; name a folder that is new, empty or has "
+                      "vectors alone",
+                      asked, file));
+  stage_ = fmt::format("{}.{}.part", folder_.string(), getpid());
+  fs::create_directories(stage_, error);
+  if (error) cannot(asked, "cannot be written", error);
+}
+
+VectorsFolder::~VectorsFolder() {
+  std::error_code none;
+  fs::remove_all(stage_, none);
+}
+
+void VectorsFolder::commit(std::span<const vectors::File> files) {
+  for (const auto& [file, bytes] : files) try {
+      OutputFile((stage_ / file).string()).commit(bytes);
+    } catch (const EnvironmentError& why) {
+      // Who reads it has asked for a folder, and knows nothing of another beside it.
+      throw EnvironmentError(asked_ + std::string(why.what()).substr(stage_.string().size()));
+    }
+  std::error_code error;
+  if (!fs::exists(folder_, error)) {
+    fs::rename(stage_, folder_, error);
+    if (error) cannot(asked_, "cannot be put in place", error);
+    return;
+  }
+  fs::remove(folder_ / vectors::manifest_name, error);
+  for (const auto& [file, bytes] : files) {
+    fs::rename(stage_ / file, folder_ / file, error);
+    if (error) cannot(asked_ + "/" + file, "cannot be put in place", error);
+    before_.erase(file);
+  }
+  for (const std::string& old : before_) fs::remove(folder_ / old, error);
+}
+
+}  // namespace mmverify::cli
