@@ -4,7 +4,10 @@ examples/vectors/ on them, spoilt ones too.
 
 usage: tests/outside/vectors_test.py MMVERIFY CC CXX HOME      HOME: where report/packages has put esbuild, if it has
 Exit code 77: all is well but what Node.js or esbuild is missing for, and it says so."""
+import contextlib
+import copy
 import hashlib
+import io
 import json
 import pathlib
 import shutil
@@ -84,6 +87,21 @@ def same_in_json_and_binary(family, parts):
                 said = value_of(words[at : at + width], column, data, abouts)
                 need(said == vector[column["name"]], f"{name}.{table['table']} {vector['id']}: {column['name']}")
                 at += width
+
+
+def spoilt_are_seen(family, parts):
+    """A digit, a name or a number of the first vector of each table, changed: seen by same_in_json_and_binary."""
+    for i, table in enumerate(family["tables"]):
+        for column in table["columns"]:
+            spoilt = copy.deepcopy(family)
+            vector = spoilt["tables"][i]["vectors"][0]
+            vector[column["name"]] = [vector[column["name"]], "spoilt"]
+            before = len(failures)
+            with contextlib.redirect_stdout(io.StringIO()):
+                same_in_json_and_binary(spoilt, parts)
+            found = len(failures) - before
+            del failures[before:]
+            need(found == 1, f"{family['family']}.{table['table']}: {column['name']} spoilt, {found} differences seen")
 
 
 def same_in_header_and_binary(folder, families, parts, cc, cxx):
@@ -186,6 +204,8 @@ def main(program, cc, cxx, home):
             need(f'_{family["family"].upper()}_SHA256 "{family["sha256"]}"' in header, f"{family['family']}: the header's hash")
             need(family["tool"]["spec_hash"] == binary[64:96].hex(), "the hash of the specification")
             same_in_json_and_binary(family, sections(binary))
+            if family["family"] == "packing":  # has every way in which words refer to data
+                spoilt_are_seen(family, sections(binary))
         same_in_header_and_binary(folder, families, sections(binary), cc, cxx)
         checked = run(ROOT / "scripts" / "check-schema", *(folder / name for name in names if name.endswith(".json")))
         need(checked.returncode == 0, f"docs/vectors.schema.json: {checked.stdout[:2000]}{checked.stderr[:2000]}")
