@@ -47,7 +47,7 @@ with open(sys.argv[1], "rb") as binary:
 size, points = parts["index", "points"]
 abouts = [text.rstrip(b"\0").decode() for (text,) in struct.iter_unpack("64s", parts["index", "about"][1])]
 total, exact, published, first = len(points) // size, 0, 0, ""
-for about, level, u, v, on, gap, right, in_floats, prose, rows in struct.iter_unpack("<IIffIfIIII", points):
+for about, level, u, v, on, gap, right, in_floats, *more in struct.iter_unpack("<IIffIfIIIIII", points):
     answer = index_of(level, u, v)
     exact += answer == right
     published += answer == in_floats

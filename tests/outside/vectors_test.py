@@ -204,7 +204,7 @@ def main(program, cc, cxx, home):
             need(f'_{family["family"].upper()}_SHA256 "{family["sha256"]}"' in header, f"{family['family']}: the header's hash")
             need(family["tool"]["spec_hash"] == binary[64:96].hex(), "the hash of the specification")
             same_in_json_and_binary(family, sections(binary))
-            if family["family"] == "packing":  # has every way in which words refer to data
+            if family["family"] in ("arrays", "bake"):  # between them they have each kind of column
                 spoilt_are_seen(family, sections(binary))
         same_in_header_and_binary(folder, families, sections(binary), cc, cxx)
         checked = run(ROOT / "scripts" / "check-schema", *(folder / name for name in names if name.endswith(".json")))

@@ -1,4 +1,5 @@
 // The vectors of family index, held against what did not make them: the library, and the published code in plain binary32.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -52,6 +53,48 @@ TEST(VectorsIndex, OneSpoiltWordIsSeen) {
       spoilt.tables[0].words[record * stride + column] ^= 1;
       EXPECT_EQ(disputed(spoilt), std::vector{record}) << column;
     }
+}
+
+// By the corners of the library's micro-triangles: those that are listed hold the point, and at small levels no other does.
+TEST(VectorsIndex, TouchedAreThoseThatHoldThePoint) {
+  std::size_t most = 0;
+  for (std::size_t k = 0; k < points().size(); ++k) {
+    const auto touched = points().word_list(k, "touched");
+    const auto n = points()(k, "level");
+    if (points()(k, "on") == 3) {
+      EXPECT_TRUE(touched.empty());
+      continue;
+    }
+    EXPECT_EQ(std::ranges::count(touched, points()(k, "exact")), 1) << k;
+    EXPECT_TRUE(std::ranges::is_sorted(touched));
+    if (points()(k, "on") == 0) {
+      EXPECT_EQ(touched.size(), 1u) << k;
+    }
+    most = std::max(most, touched.size());
+    const double N = std::ldexp(1.0, static_cast<int>(n)), u = points().number(k, "u") * N,
+                 v = points().number(k, "v") * N;
+    if ((u != 0 && u < 1e-6) || (v != 0 && v < 1e-6)) continue;  // sums that a double has no room for
+    const auto holds = [&](std::uint32_t index) {
+      const auto c = impl::index::corners(index, n);
+      bool inside = true;
+      double turn = 0;
+      for (std::size_t a = 0; a < 3; ++a) {
+        const auto &p = c[a], &q = c[(a + 1) % 3];
+        const double side = (double(q.i) - p.i) * (v - p.j) - (double(q.j) - p.j) * (u - p.i);
+        const auto& r = c[(a + 2) % 3];
+        turn = (double(q.i) - p.i) * (double(r.j) - p.j) - (double(q.j) - p.j) * (double(r.i) - p.i);
+        inside = inside && side * turn >= 0;
+      }
+      return inside;
+    };
+    for (const std::uint32_t index : touched) EXPECT_TRUE(holds(index)) << k << ' ' << index;
+    if (n > 4) continue;
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t index = 0; index < 1u << 2 * n; ++index)
+      if (holds(index)) all.push_back(index);
+    EXPECT_EQ(all, touched) << k << ' ' << points().about(k);
+  }
+  EXPECT_EQ(most, 6u);
 }
 
 // Ties by doubles, in which a coordinate of 24 bits times 2^16 and the sum of two of like size have room.

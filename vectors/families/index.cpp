@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "spec/attribute/order.hpp"
 #include "vectors/binary32.hpp"
 #include "vectors/builder.hpp"
 #include "vectors/families/all.hpp"
@@ -30,6 +31,26 @@ Rational from_whole(const Rational& x) {
   return std::min(part, Rational(1) - part);
 }
 
+/// The micro-triangles that a point touches, edges and corners included, in the order of their numbers.
+/// Domain: a point of the triangle.
+std::vector<std::uint32_t> touched(const RationalPoint& p, Level n) {
+  const auto N = static_cast<std::int64_t>(spec::side(n));
+  const Rational x = p.u * Rational(N), y = p.v * Rational(N);
+  const auto i = static_cast<std::int64_t>(spec::whole(x)), j = static_cast<std::int64_t>(spec::whole(y));
+  std::vector<std::uint32_t> found;
+  for (std::int64_t iu = std::max<std::int64_t>(i - 1, 0); iu <= i; ++iu)
+    for (std::int64_t iv = std::max<std::int64_t>(j - 1, 0); iv <= j; ++iv) {
+      const Rational a = x - Rational(iu), b = y - Rational(iv);
+      if (a > 1 || b > 1) continue;
+      for (const bool upper : {false, true})
+        if (iu + iv + (upper ? 1 : 0) < N && (upper ? a + b >= 1 : a + b <= 1))
+          found.push_back(static_cast<std::uint32_t>(spec::attribute::curve_index(
+              {static_cast<std::uint32_t>(iu), static_cast<std::uint32_t>(iv), upper}, n)));
+    }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 class Points {
  public:
   explicit Points(Builder& out) : out_(out) {}
@@ -49,7 +70,8 @@ class Points {
     const spec::Point<float> rounded{std::bit_cast<float>(u), std::bit_cast<float>(v)};
     out_.add({about, n, u, v, static_cast<std::uint32_t>(on), rounded_down(gap), spec::index::reference(p, n),
               spec::index::reference(rounded, n), inside ? spec::index::as_the_prose_says(p, n) : none,
-              inside ? spec::index::w_minor(p, n) : none});
+              inside ? spec::index::w_minor(p, n) : none,
+              inside ? touched(p, n) : std::vector<std::uint32_t>()});
   }
 
   /// The point and its eight neighbours among pairs of binary32 numbers, up to a step beyond the hypotenuse.
@@ -193,7 +215,8 @@ Family family() {
        {"published", Kind::number, "the same code in binary32, each operation rounded to nearest"},
        {"prose", Kind::optional,
         "Vulkan's chapter on traversal to the letter, exact; may exceed 4^n; none outside"},
-       {"rows", Kind::optional, "row order, exact; none outside"}});
+       {"rows", Kind::optional, "row order, exact; none outside"},
+       {"touched", Kind::words, "all micro-triangles that the point touches; none outside"}});
   Points points(out);
   for (Level n = 0; n <= last_whole; ++n) add_whole_level(points, n);
   for (Level n = 1; n <= highest; ++n) {
