@@ -62,6 +62,10 @@ bool has_format(Call call) {
 
 }  // namespace
 
+// What a process prints, and its bounds.
+Printed::~Printed() = default;
+Bounds bounds() { return {}; }
+
 Worker::Worker(std::string library, const Options& options, QuestionCounts asked)
     : library_(std::move(library)), options_(options), layout_(64), asked_(std::move(asked)) {
   start();

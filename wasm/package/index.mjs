@@ -16,6 +16,16 @@ export function compile(source) {
   return compiled;
 }
 
+/** What emscripten's module expects of Node.js, and modules do not have. */
+async function nodeGlobals() {
+  if (!inNode || globalThis.require !== undefined) return;
+  const { createRequire } = await import("node:module");
+  const { dirname } = await import("node:path");
+  const { fileURLToPath } = await import("node:url");
+  globalThis.require = createRequire(import.meta.url);
+  globalThis.__dirname = dirname(fileURLToPath(import.meta.url));
+}
+
 /** Bytes of a stream: told in pieces as they come, or kept, and their text in the end. */
 function collector(tell) {
   const pieces = [];
@@ -52,6 +62,7 @@ function collector(tell) {
  */
 export async function run(args, options = {}) {
   const module = await (options.module ?? compile());
+  await nodeGlobals();
   const out = collector(options.onStdout);
   const errors = collector(options.onStderr);
   let given = 0;

@@ -131,7 +131,7 @@ async function inThreads(args, threads) {
       writeAll(2, new TextEncoder().encode(bad.stderr));
       return bad.code;
     }
-    return await one(["merge", ...shards, ...(json === undefined ? [] : ["-o", json])]);
+    return await one(["merge", ...shards, "-o", json ?? join(folder, "all.json")]);
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
