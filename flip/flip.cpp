@@ -57,7 +57,7 @@ class Planes {
       : margin_(margin),
         stride_((a.width + piece - 1) / piece * piece + 2 * margin),
         height_(a.height),
-        values_(std::make_unique_for_overwrite<float[]>(std::size_t{parts} * opponents * stride_ * height_)) {
+        values_(new float[std::size_t{parts} * opponents * stride_ * height_]) {
     static const OpponentTable table;
     oneapi::tbb::parallel_for(std::size_t{0}, height_, [&](std::size_t y) {
       const std::size_t at = std::size_t{3} * a.width * y;

@@ -2,15 +2,30 @@
 
 #include <algorithm>
 
+#include "proofs/induction/prover.hpp"
 #include "proofs/topics.hpp"
 
 namespace mmverify::proofs {
+
+namespace {
+
+/// A prover's law where there is none: it says so of each subject, and cannot fail.
+void without_prover(Law& law) {
+  law.unfit = [](const Subject&, Level) { return std::optional(induction::no_prover_text()); };
+  law.mutants.clear();
+}
+
+}  // namespace
 
 const std::vector<Law>& laws() {
   static const std::vector<Law> all = [] {
     std::vector<Law> of_all_topics;
     for (const Topic& topic : topics())
-      for (Law& law : topic.laws()) of_all_topics.push_back(std::move(law));
+      for (Law& law : topic.laws()) {
+        const bool of_prover = law.method == Method::induction || law.method == Method::bit_vectors;
+        if (of_prover && !induction::has_prover()) without_prover(law);
+        of_all_topics.push_back(std::move(law));
+      }
     return of_all_topics;
   }();
   return all;

@@ -148,7 +148,7 @@ std::unique_ptr<std::uint8_t[]> encode_form(Level n, Format b, std::span<const s
   put_blocks(pyramid.mixed(m), map.data(), (std::uint64_t{1} << layout.in_block) * width,
              work + layout.blocks_at());
 
-  auto memory = std::make_unique_for_overwrite<std::uint8_t[]>(size);
+  auto memory = std::unique_ptr<std::uint8_t[]>(new std::uint8_t[size]);
   std::memcpy(memory.get(), work, size);
   return memory;
 }

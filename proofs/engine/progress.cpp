@@ -5,13 +5,19 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <system_error>
 
 namespace mmverify::proofs {
 using namespace std::chrono_literals;
 
 Progress::Progress(std::uint64_t total, bool shown)
     : total_(total), terminal_(isatty(STDERR_FILENO) != 0), start_(std::chrono::steady_clock::now()) {
-  if (shown) watcher_ = std::thread([this] { watch(); });
+  if (!shown) return;
+  try {
+    watcher_ = std::thread([this] { watch(); });
+  } catch (const std::system_error&) {
+    // Without a thread for it, as in WebAssembly, nothing is shown.
+  }
 }
 
 Progress::~Progress() {

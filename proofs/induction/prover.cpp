@@ -68,6 +68,9 @@ Found ask_anew(const Statement& statement, const Effort& effort) {
 
 }  // namespace
 
+bool has_prover() { return true; }
+std::string no_prover_text() { return {}; }
+
 Found ask_z3(const Statement& statement, const Effort& effort) {
   // Whether another effort settles it is a question of its own.
   constexpr Effort usual;

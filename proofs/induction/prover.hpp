@@ -9,6 +9,10 @@
 
 namespace mmverify::proofs::induction {
 
+/// Whether this build has z3; why not, for a message.
+bool has_prover();
+std::string no_prover_text();
+
 /// What the prover may spend on one statement.
 struct Effort {
   unsigned milliseconds = 60'000;

@@ -207,10 +207,10 @@ Finding stream_is_specified(const TreeSubject& s, const Map& map) {
   const Bytes expected = spec::tree::bytes(spec::tree::encode(states, map.level), map.format),
               got = s.functions.bytes(s.functions.encode(map));
   if (got == expected) return {hash_of(got)};
-  const auto [at, other] = std::mismatch(expected.begin(), expected.end(), got.begin(), got.end());
-  const auto byte = at - expected.begin();
-  return wrong(fmt::format("bytes from {} on", byte), hex({at, expected.end()}, " ").substr(0, 64),
-               hex({other, got.end()}, " ").substr(0, 64));
+  const auto at = std::mismatch(expected.begin(), expected.end(), got.begin(), got.end()).first;
+  const auto byte = static_cast<std::size_t>(at - expected.begin());
+  const auto from = [byte](const Bytes& all) { return hex(std::span(all).subspan(byte), " ").substr(0, 64); };
+  return wrong(fmt::format("bytes from {} on", byte), from(expected), from(got));
 }
 
 Finding sizes(const TreeSubject& s, const Map& map) {

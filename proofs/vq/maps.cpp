@@ -95,7 +95,8 @@ Map<Format> repeated(Random& random, std::uint64_t kinds, bool turned) {
 
 template <class Format>
 Map<Format> few_vectors(Random& random) {
-  return repeated<Format>(random, 1 + random.below(12), random.below(2) != 0);
+  const bool last = random.below(2) != 0;
+  return repeated<Format>(random, 1 + random.below(12), last);
 }
 
 /// What the format is made for: vectors of TL come again in each quadrant, under its transform.

@@ -1,5 +1,5 @@
-// tinygltf and stb, which are headers, compiled with the flags of the fuzz targets (MMVERIFY_ONLY_FUZZ):
-// sanitizers and the fuzzer see into them, and no library of another C++ standard library is linked.
+// tinygltf and stb, which are headers, compiled here where no distribution has them as libraries: with the flags of the fuzz
+// targets (MMVERIFY_ONLY_FUZZ), so that sanitizers and the fuzzer see into them, and for WebAssembly.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define TINYGLTF_IMPLEMENTATION

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,7 +38,10 @@ struct Part {
   std::optional<State> one_state = {};
   std::uint64_t number = 0;
   bool mixed() const { return !one_state; }
-  friend auto operator<=>(const Part&, const Part&) = default;
+  friend bool operator==(const Part&, const Part&) = default;
+  friend bool operator<(const Part& a, const Part& b) {
+    return std::tie(a.one_state, a.number) < std::tie(b.one_state, b.number);
+  }
 };
 using Children = std::vector<Part>;
 
@@ -45,7 +49,10 @@ using Children = std::vector<Part>;
 struct Node {
   Level level = 0;
   Children children;
-  friend auto operator<=>(const Node&, const Node&) = default;
+  friend bool operator==(const Node&, const Node&) = default;
+  friend bool operator<(const Node& a, const Node& b) {
+    return std::tie(a.level, a.children) < std::tie(b.level, b.children);
+  }
 };
 
 /// A map of the graph.

@@ -203,9 +203,9 @@ BakeCase near_half_case(std::uint64_t seed, Level n, std::uint64_t k) {
   const auto coarse = [&](std::int64_t from, std::int64_t to) {
     return static_cast<float>(random.between(from, to)) / 64;
   };
-  const float side = coarse(8, 32), base = coarse(0, 32), top = base + coarse(16, 64),
-              off =
-                  std::ldexp(random.below(2) == 0 ? 1.0f : -1.0f, static_cast<int>(-random.between(32, 36)));
+  const float side = coarse(8, 32), base = coarse(0, 32), top = base + coarse(16, 64);
+  const auto power = static_cast<int>(-random.between(32, 36));
+  const float off = std::ldexp(random.below(2) == 0 ? 1.0f : -1.0f, power);
   one.uv = {-side, base, side, base, off, top};
   std::rotate(one.uv.begin(), one.uv.begin() + static_cast<std::ptrdiff_t>(2 * random.below(3)),
               one.uv.end());

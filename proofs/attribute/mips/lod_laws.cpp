@@ -60,8 +60,10 @@ Areas hard_areas(Level n, std::uint64_t k, std::uint64_t seed) {
   };
   const int e = static_cast<int>(random.between(k % 5 == 0 ? -149 : -20, 20));
   const float cone = std::max(static_cast<float>(std::ldexp(significand(), e)), 0x1p-149f);
-  if (k % 7 == 0)
-    return {cone, static_cast<float>(std::ldexp(significand(), static_cast<int>(random.between(-20, 40))))};
+  if (k % 7 == 0) {
+    const auto power = static_cast<int>(random.between(-20, 40));
+    return {cone, static_cast<float>(std::ldexp(significand(), power))};
+  }
   const int m = static_cast<int>(random.between(-1, static_cast<std::int64_t>(n) + 1));
   float triangle = std::ldexp(cone, 2 * m);
   for (std::int64_t ulps = random.between(-2, 2); ulps != 0; ulps += ulps < 0 ? 1 : -1)

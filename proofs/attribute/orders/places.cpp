@@ -60,7 +60,8 @@ Vertex drawn_vertex(Level n, std::uint64_t k, std::uint64_t seed) {
     }
     case 2: {
       const auto off = static_cast<std::uint32_t>(random.below(std::min<std::uint32_t>(N, 3) + 1));
-      return from_corner(random.below(3), N, off, number(random, N - off));
+      const std::uint32_t along = number(random, N - off);
+      return from_corner(random.below(3), N, off, along);
     }
     case 3: {
       // Of row r = i + j, or of column i.
@@ -71,7 +72,8 @@ Vertex drawn_vertex(Level n, std::uint64_t k, std::uint64_t seed) {
     }
     case 4: {
       const std::uint32_t a = number(random, N);
-      return from_corner(random.below(3), N, a, number(random, N - a));
+      const std::uint32_t b = number(random, N - a);
+      return from_corner(random.below(3), N, a, b);
     }
     case 5:
     case 6:

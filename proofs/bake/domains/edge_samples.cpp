@@ -59,10 +59,10 @@ void cross_a_line_by_a_step(Random& random, Case& one) {
 void reach_a_line_by_the_margin(Random& random, Case& one) {
   const std::size_t axis = draw_stripes(random, one);
   const std::uint32_t size = axis == 0 ? one.width : one.height;
-  one.margin = std::ldexp(1 + static_cast<float>(random.below(1u << 23)) * 0x1p-23f,
-                          -static_cast<int>(random.between(3, 7)));
-  const int over = any_sign(random);
-  const double hair = std::ldexp(any_sign(random), -static_cast<int>(random.between(9, 18))),
+  const int size_of_margin = -static_cast<int>(random.between(3, 7));
+  one.margin = std::ldexp(1 + static_cast<float>(random.below(1u << 23)) * 0x1p-23f, size_of_margin);
+  const int over = any_sign(random), size_of_hair = -static_cast<int>(random.between(9, 18));
+  const double hair = std::ldexp(any_sign(random), size_of_hair),
                first = static_cast<double>(any_line(random, size)) - over * (one.margin + hair);
   place(random, one, axis, static_cast<float>(first / size), first, -over * 0.5 * (1 - 2 * one.margin));
 }

@@ -96,9 +96,9 @@ void place_a_hair_beside_lines(Random& random, Case& one) {
       one.alpha[k] = (kind == 0 ? k % one.width : k / one.width) % 2 == 0 ? less : less + span;
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
+    const int power = -static_cast<int>(9 + random.below(12));
     const double size = axis == 0 ? one.width : one.height,
-                 hair =
-                     std::ldexp(random.below(2) != 0 ? 1.0 : -1.0, -static_cast<int>(9 + random.below(12)));
+                 hair = std::ldexp(random.below(2) != 0 ? 1.0 : -1.0, power);
     for (std::size_t k = axis; k < 6; k += 2) {
       const double near = line[axis] ? 2 * static_cast<double>(random.between(-1, 3)) + *line[axis]
                                      : static_cast<double>(random.between(-4, 12)) / 2;

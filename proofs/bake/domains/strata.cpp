@@ -299,8 +299,8 @@ void move_away(Case& one, Random& random) {
     const float extent = std::max(most - least, 0x1p-12f);
     int power = 0;
     while (power < 19 && std::ldexp(1.0f, power - 19) < extent) ++power;
-    const float away = std::ldexp(random.below(2) != 0 ? 1.0f : -1.0f,
-                                  static_cast<int>(random.between(1, std::max(1, power))));
+    const auto distance = static_cast<int>(random.between(1, std::max(1, power)));
+    const float away = std::ldexp(random.below(2) != 0 ? 1.0f : -1.0f, distance);
     for (std::size_t k = axis; k < 6; k += 2) one.uv[k] += away;
   }
 }

@@ -52,8 +52,8 @@ FloatPair near_column(Level n, Random& random) {
 
 FloatPair beside_nothing(Level n, Random& random) {
   const double v = line(n, random);
-  const auto u =
-      static_cast<float>(std::ldexp(1 + fraction(random), -static_cast<int>(23 + random.below(127))));
+  const int power = -static_cast<int>(23 + random.below(127));
+  const auto u = static_cast<float>(std::ldexp(1 + fraction(random), power));
   return {u, nudged(v, random)};
 }
 

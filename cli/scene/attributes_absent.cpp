@@ -1,0 +1,11 @@
+// In the place of attributes.cpp where there are no coders to compare with, as in WebAssembly.
+#include "cli/exit_code.hpp"
+#include "cli/scene/attributes.hpp"
+
+namespace mmverify::cli {
+
+int scene_attributes(const AttributeArguments&) {
+  throw EnvironmentError("scene --attributes is not in this build; the native mmverify has it");
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "dock/worker.hpp"
+
+namespace mmverify::dock {
+
+std::unique_ptr<Worker> Pool::take() {
+  {
+    const std::lock_guard hold(lock_);
+    // The last one that this thread gave back, or else the last of all.
+    const auto own = std::find_if(idle_.rbegin(), idle_.rend(),
+                                  [](const Idle& idle) { return idle.by == std::this_thread::get_id(); });
+    if (!idle_.empty()) {
+      const auto taken = own != idle_.rend() ? own.base() - 1 : idle_.end() - 1;
+      auto worker = std::move(taken->worker);
+      idle_.erase(taken);
+      return worker;
+    }
+  }
+  return fresh();
+}
+
+std::unique_ptr<Worker> Pool::fresh() {
+  QuestionCounts asked;
+  {
+    const std::lock_guard hold(lock_);
+    asked = asked_;
+  }
+  return std::make_unique<Worker>(library_, options_, std::move(asked));
+}
+
+void Pool::replace(std::unique_ptr<Worker> worker) {
+  const std::lock_guard hold(lock_);
+  for (const auto& [kind, count] : worker->asked()) asked_[kind] = std::max(asked_[kind], count);
+}
+
+void Pool::give_back(std::unique_ptr<Worker> worker) {
+  const std::lock_guard hold(lock_);
+  idle_.push_back({std::move(worker), std::this_thread::get_id()});
+}
+
+}  // namespace mmverify::dock

@@ -1,0 +1,13 @@
+// In the place of prover.cpp where z3 is not there, as in WebAssembly.
+#include "proofs/induction/prover.hpp"
+
+namespace mmverify::proofs::induction {
+
+bool has_prover() { return false; }
+std::string no_prover_text() { return "built without z3, which proves it; the native mmverify has it"; }
+
+Found ask_z3(const Statement&, const Effort&) { return {Answer::unknown, no_prover_text()}; }
+Solved ask_words(const Statement&, const Effort&) { return {Answer::unknown, no_prover_text()}; }
+std::string prover_name() { return "no prover"; }
+
+}  // namespace mmverify::proofs::induction

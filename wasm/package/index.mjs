@@ -1,0 +1,122 @@
+// mmverify as a module: each call is one run of the program, in an instance of its own.
+import createProgram from "./program.mjs";
+
+const inNode = typeof process === "object" && process.versions?.node !== undefined;
+let compiled;
+
+/** The compiled program, once a process.  `source`: its bytes, where they do not lie beside this file. */
+export function compile(source) {
+  compiled ??= (async () => {
+    if (source !== undefined) return WebAssembly.compile(await source);
+    const address = new URL("./mmverify.wasm", import.meta.url);
+    if (!inNode) return WebAssembly.compile(await (await fetch(address)).arrayBuffer());
+    const { readFile } = await import("node:fs/promises");
+    return WebAssembly.compile(await readFile(address));
+  })();
+  return compiled;
+}
+
+/** What emscripten's module expects of Node.js, and modules do not have. */
+async function nodeGlobals() {
+  if (!inNode || globalThis.require !== undefined) return;
+  const { createRequire } = await import("node:module");
+  const { dirname } = await import("node:path");
+  const { fileURLToPath } = await import("node:url");
+  globalThis.require = createRequire(import.meta.url);
+  globalThis.__dirname = dirname(fileURLToPath(import.meta.url));
+}
+
+/** Bytes of a stream: told in pieces as they come, or kept, and their text in the end. */
+function collector(tell) {
+  const pieces = [];
+  let piece = new Uint8Array(1 << 15);
+  let size = 0;
+  let last = 0;
+  const flush = () => {
+    if (size === 0) return;
+    (tell ?? ((bytes) => pieces.push(bytes)))(piece.slice(0, size));
+    size = 0;
+    last = Date.now();
+  };
+  return {
+    put(byte) {
+      if (byte === null) return;
+      piece[size++] = byte;
+      // Lines are told at once, unless there are thousands of them.
+      if (size === piece.length || (tell && byte === 10 && Date.now() - last > 20)) flush();
+    },
+    flush,
+    text() {
+      const decoder = new TextDecoder();
+      return pieces.map((bytes) => decoder.decode(bytes, { stream: true })).join("") + decoder.decode();
+    },
+  };
+}
+
+/**
+ * Runs `mmverify ARGS`.
+ *
+ * Resolves to { code, stdout, stderr, files }: the exit code of the command line's contract, what was said, unless
+ * onStdout or onStderr were told, and the contents of those files that `wanted` names.
+ * Rejects where WebAssembly cannot run or the program aborts, for want of memory for instance.
+ */
+export async function run(args, options = {}) {
+  const module = await (options.module ?? compile());
+  await nodeGlobals();
+  const out = collector(options.onStdout);
+  const errors = collector(options.onStderr);
+  let given = 0;
+  const input = options.stdin === undefined ? undefined : new TextEncoder().encode(options.stdin);
+  const program = await createProgram({
+    noInitialRun: true,
+    thisProgram: "mmverify",
+    subject: options.subject,
+    instantiateWasm(imports, receive) {
+      WebAssembly.instantiate(module, imports).then((instance) => receive(instance, module));
+      return {};
+    },
+    preRun: [(its) => its.FS.init(options.readStdin ?? (() => (input && given < input.length ? input[given++] : null)),
+      out.put, errors.put)],
+  });
+  const { FS } = program;
+  options.mount?.(program);
+  for (const [name, contents] of Object.entries(options.files ?? {})) {
+    const folder = name.slice(0, name.lastIndexOf("/"));
+    if (folder !== "") FS.mkdirTree(folder);
+    FS.writeFile(name, contents);
+  }
+  const code = program.callMain([...args]);
+  out.flush();
+  errors.flush();
+  const files = {};
+  for (const name of options.wanted ?? []) if (FS.analyzePath(name).exists) files[name] = FS.readFile(name);
+  return { code, stdout: out.text(), stderr: errors.text(), files };
+}
+
+async function runForJson(args, options) {
+  const json = "/tmp/result.json";
+  const ended = await run([...args, "--json", json], { ...options, wanted: [json] });
+  const bytes = ended.files[json];
+  if (bytes === undefined) throw new Error(ended.stderr.trim() || `mmverify ended with exit code ${ended.code}`);
+  return { code: ended.code, text: ended.stdout, result: JSON.parse(new TextDecoder().decode(bytes)) };
+}
+
+/** Proves laws; `what` are laws or topics.  The result follows docs/result.schema.json. */
+export function prove(what = [], options = {}) {
+  const args = ["prove", ...what, "--quiet"];
+  if (options.levels !== undefined) args.push("--levels", options.levels);
+  if (options.subject !== undefined) args.push("--subject", options.subject.path);
+  if (options.mutants === false) args.push("--no-mutants");
+  return runForJson(args, options);
+}
+
+/** What is wrong with a file; see docs/VALIDATE.md.  The result follows docs/validate.schema.json. */
+export function validate(bytes, name = "scene.glb", options = {}) {
+  return runForJson(["validate", `/tmp/${name}`], { ...options, files: { [`/tmp/${name}`]: bytes } });
+}
+
+/** The plan of a scene and what its micromaps save; see docs/SCENE.md. */
+export function scene(bytes, name = "scene.glb", options = {}) {
+  return runForJson(["scene", `/tmp/${name}`, "--quiet", ...(options.arguments ?? [])],
+    { ...options, files: { [`/tmp/${name}`]: bytes, ...options.files } });
+}

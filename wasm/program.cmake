@@ -1,0 +1,18 @@
+# mmverify.wasm, and the JavaScript that emscripten makes for it; included by cli/CMakeLists.txt, in whose folder names
+# are.
+file(GLOB sources CONFIGURE_DEPENDS scene/*.cpp)
+list(FILTER sources EXCLUDE REGEX "/attributes[.]cpp$")
+add_executable(mmverify ${sources} bench/axes.cpp bench/labels.cpp bench/plot.cpp check_attributes.cpp gate.cpp gnuplot.cpp
+  merge.cpp pipe.cpp read_json.cpp wasm_commands.cpp)
+target_link_libraries(mmverify PRIVATE mmverify_cli mmverify::gate mmverify::impl mmverify::scene mmverify::scene_laws
+  mmverify::program)
+foreach(part mmverify_cli mmverify)
+  mmverify_unite(${part})
+  target_compile_options(${part} PRIVATE ${quick_to_compile})
+endforeach()
+# One program for Node.js and for pages: its caller says where files are, and starts main as often as it likes.
+target_link_options(mmverify PRIVATE -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sEXPORT_NAME=createProgram
+  -sENVIRONMENT=web,worker,node -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB -sTOTAL_STACK=4MB -sINVOKE_RUN=0 -sEXIT_RUNTIME=0
+  -sFORCE_FILESYSTEM=1 -sEXPORTED_RUNTIME_METHODS=FS,callMain,NODEFS -sINCOMING_MODULE_JS_API=instantiateWasm,preRun,noInitialRun,thisProgram -lnodefs.js)
+# Debian's packages for Node.js lie where a Node.js that is not Debian's does not look.
+set_property(TARGET mmverify PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")

@@ -1,0 +1,20 @@
+// A range of numbers, as oneTBB names it.  WebAssembly has no oneTBB: these headers stand in its place.
+#pragma once
+
+#include <cstddef>
+
+namespace oneapi::tbb {
+
+/// [begin, end).
+template <class Value>
+class blocked_range {
+ public:
+  blocked_range(Value begin, Value end, std::size_t = 1) : begin_(begin), end_(end) {}
+  Value begin() const { return begin_; }
+  Value end() const { return end_; }
+
+ private:
+  Value begin_, end_;
+};
+
+}  // namespace oneapi::tbb

@@ -1,0 +1,22 @@
+// One after another: a program of WebAssembly has one thread.  More of them are more programs, each with its shard.
+#pragma once
+
+#include "oneapi/tbb/blocked_range.h"
+
+namespace oneapi::tbb {
+
+struct simple_partitioner {};
+
+/// body(k) for each k of [first, last).
+template <class Index, class Body>
+void parallel_for(Index first, Index last, const Body& body, simple_partitioner = {}) {
+  for (Index k = first; k < last; ++k) body(k);
+}
+
+/// body(range), the whole range at once.
+template <class Value, class Body>
+void parallel_for(const blocked_range<Value>& range, const Body& body, simple_partitioner = {}) {
+  body(range);
+}
+
+}  // namespace oneapi::tbb

@@ -1,0 +1,16 @@
+// One after another, as in parallel_for.h.
+#pragma once
+
+#include <utility>
+
+#include "oneapi/tbb/blocked_range.h"
+
+namespace oneapi::tbb {
+
+/// body(range, identity); there are no parts to join.
+template <class Range, class Value, class Body, class Join>
+Value parallel_reduce(const Range& range, Value identity, const Body& body, const Join&) {
+  return body(range, std::move(identity));
+}
+
+}  // namespace oneapi::tbb
