@@ -75,9 +75,10 @@ Worker::~Worker() { stop(); }
 
 void Worker::start() {
   if (mmverify_script_is(library_.c_str()) == 0)
-    throw CannotLoad(fmt::format(
-        "{}: shared libraries need the native mmverify: WebAssembly has no processes. A script of JavaScript will do",
-        library_));
+    throw CannotLoad(
+        fmt::format("{}: shared libraries need the native mmverify: WebAssembly has no processes. A script "
+                    "of JavaScript will do",
+                    library_));
   base_ = static_cast<std::byte*>(std::calloc(layout_.total(), 1));
   if (base_ == nullptr) throw NoResources("no memory for a subject");
   mailbox_ = new (base_) Mailbox{};
@@ -119,11 +120,12 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint3
       inputs[a] = static_cast<int>(reinterpret_cast<std::uintptr_t>(input(call, a, count, from)));
     auto* out = const_cast<std::byte*>(answer(call, count, from));
     std::memset(out, before, some * entry.answer_bytes);
-    return mmverify_script_call(entry.name, static_cast<int>(level), has_format(call) ? static_cast<int>(format) : -1,
-                                inputs.data(), static_cast<int>(s.arrays), kind,
+    return mmverify_script_call(entry.name, static_cast<int>(level),
+                                has_format(call) ? static_cast<int>(format) : -1, inputs.data(),
+                                static_cast<int>(s.arrays), kind,
                                 static_cast<int>(reinterpret_cast<std::uintptr_t>(out)),
-                                static_cast<int>(entry.answer_bytes / s.value_bytes), numbers, static_cast<int>(some),
-                                mailbox_->message, sizeof mailbox_->message) != 0;
+                                static_cast<int>(entry.answer_bytes / s.value_bytes), numbers,
+                                static_cast<int>(some), mailbox_->message, sizeof mailbox_->message) != 0;
   };
   for (std::uint64_t from = 0; from < count; from += batch_size) {
     options_.stop_if_asked();

@@ -3,9 +3,9 @@
 file(GLOB sources CONFIGURE_DEPENDS scene/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/attributes[.]cpp$")
 add_executable(mmverify ${sources} bench/axes.cpp bench/labels.cpp bench/plot.cpp check_attributes.cpp gate.cpp gnuplot.cpp
-  merge.cpp pipe.cpp read_json.cpp wasm_commands.cpp)
+  merge.cpp pipe.cpp read_json.cpp vectors.cpp vectors_folder.cpp wasm_commands.cpp)
 target_link_libraries(mmverify PRIVATE mmverify_cli mmverify::gate mmverify::impl mmverify::scene mmverify::scene_laws
-  mmverify::program)
+  mmverify::program mmverify::vectors)
 foreach(part mmverify_cli mmverify)
   mmverify_unite(${part})
   target_compile_options(${part} PRIVATE ${quick_to_compile})

@@ -102,7 +102,8 @@ std::uint32_t number_of(const std::string& text, std::size_t from) {
 PackedMap any_map(Level n, Random& random) {
   const Level level = static_cast<Level>(random.below(n + 1));
   if (random.below(6) == 0)
-    return taken(tree::map_of(level, tree::chosen_apart(level, random.below(tree::chosen_apart_count(level)))));
+    return taken(
+        tree::map_of(level, tree::chosen_apart(level, random.below(tree::chosen_apart_count(level)))));
   const std::uint64_t kind = random.below(10);
   return taken(tree::sample_map(level, random.next() >> 32, kind));
 }

@@ -15,7 +15,8 @@ PackedMap any_map(Level n, Random& random) {
   const Level level = static_cast<Level>(random.below(n + 1));
   const auto taken = [](const tree::Map& map) { return PackedMap{map.level, map.format, map.packed}; };
   if (random.below(6) == 0)
-    return taken(tree::map_of(level, tree::chosen_apart(level, random.below(tree::chosen_apart_count(level)))));
+    return taken(
+        tree::map_of(level, tree::chosen_apart(level, random.below(tree::chosen_apart_count(level)))));
   const std::uint64_t kind = random.below(10);
   return taken(tree::sample_map(level, random.next() >> 32, kind));
 }

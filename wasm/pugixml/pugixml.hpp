@@ -22,12 +22,19 @@ struct Node {
 
 inline std::string escaped(const std::string& text, bool attribute) {
   std::string out;
-  for (const char c : text)
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += attribute ? "&quot;" : "\""; break;
+  for (const char c : text) switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += attribute ? "&quot;" : "\"";
+        break;
       default:
         if (static_cast<unsigned char>(c) < 32 && (attribute || (c != '\n' && c != '\t' && c != '\r'))) {
           char number[8];
@@ -42,7 +49,8 @@ inline std::string escaped(const std::string& text, bool attribute) {
 
 inline void write(std::ostream& out, const Node& node, const std::string& indent, const std::string& before) {
   out << before << '<' << node.name;
-  for (const auto& [name, value] : node.attributes) out << ' ' << name << "=\"" << escaped(value, true) << '"';
+  for (const auto& [name, value] : node.attributes)
+    out << ' ' << name << "=\"" << escaped(value, true) << '"';
   if (node.children.empty() && node.text.empty()) {
     out << " />\n";
   } else if (node.children.empty()) {
