@@ -1,7 +1,7 @@
 // One after another: a program of WebAssembly has one thread.  More of them are more programs, each with its shard.
 #pragma once
 
-#include "oneapi/tbb/blocked_range.h"
+#include <oneapi/tbb/blocked_range.h>
 
 namespace oneapi::tbb {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "oneapi/tbb/blocked_range.h"
+#include <oneapi/tbb/blocked_range.h>
 
 namespace oneapi::tbb {
 
