@@ -1,5 +1,4 @@
-# mmverify.wasm, and the JavaScript that emscripten makes for it; included by cli/CMakeLists.txt, in whose folder names
-# are.
+# mmverify.wasm, and the JavaScript that emscripten makes for it; in the place of what else cli/CMakeLists.txt makes.
 file(GLOB sources CONFIGURE_DEPENDS scene/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/attributes[.]cpp$")
 add_executable(mmverify ${sources} bench/axes.cpp bench/labels.cpp bench/plot.cpp check_attributes.cpp gate.cpp gnuplot.cpp
