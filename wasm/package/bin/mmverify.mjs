@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // mmverify on the command line of any system with Node.js: the arguments and exit codes of the native program.
 import { existsSync, mkdtempSync, readdirSync, readSync, rmSync, statSync, writeSync } from "node:fs";
-import { availableParallelism, cpus, tmpdir } from "node:os";
+import os from "node:os";
 import { isAbsolute, join, parse, resolve, sep } from "node:path";
 import { pathToFileURL } from "node:url";
 import { isMainThread, parentPort, Worker, workerData } from "node:worker_threads";
@@ -103,7 +103,7 @@ function threadsOf(args) {
   if (args[0] !== "prove" || at < 0) return undefined;
   const text = args[at] === "--threads" ? args[at + 1] : args[at].slice("--threads=".length);
   const rest = args.filter((_, k) => k !== at && !(args[at] === "--threads" && k === at + 1));
-  const cores = availableParallelism?.() ?? cpus().length;
+  const cores = os.availableParallelism?.() ?? os.cpus().length;
   const threads = text === "0" ? cores : Number(text);
   if (!Number.isInteger(threads) || threads < 1 || threads > 4 * cores) return undefined; // the program says what is wrong
   const alone = ["--shard", "--journal", "--junit", "--source", "--case", "--help"];
@@ -113,7 +113,7 @@ function threadsOf(args) {
 
 /** A shard a thread, put together by `mmverify merge`. */
 async function inThreads(args, threads) {
-  const folder = mkdtempSync(join(tmpdir(), "mmverify-"));
+  const folder = mkdtempSync(join(os.tmpdir(), "mmverify-"));
   const jsonAt = args.findIndex((word) => word === "--json" || word.startsWith("--json="));
   const json = jsonAt < 0 ? undefined : args[jsonAt].startsWith("--json=") ? args[jsonAt].slice(7) : args[jsonAt + 1];
   const rest = args.filter((_, k) => jsonAt < 0 || (k !== jsonAt && !(args[jsonAt] === "--json" && k === jsonAt + 1)));
