@@ -28,6 +28,8 @@ class Builder:
         log.write_text("", encoding="utf-8")
         library.unlink(missing_ok=True)
         common = ["c++", "-std=c++20", "-O2", "-fPIC", "-w", f"-I{ROOT / 'sdk'}"]
+        if recipe["extract"]:
+            common.append(f"-I{self.extracted(recipe, base, log)}")
         common += [flag.replace("{}", str(base)).replace("{0}", str(base)) for flag in recipe["flags"].split()]
         objects = []
         for pattern in recipe["source"].split():
@@ -47,6 +49,23 @@ class Builder:
         if not self.run(log, command):
             raise self.failed(recipe, log)
         return library
+
+    def extracted(self, recipe, base, log):
+        """The parts of the checkout's files that a recipe names, by sed, in a folder of their own."""
+        folder = self.work / f"{recipe['id']}.extracted"
+        folder.mkdir(exist_ok=True)
+        for old in folder.iterdir():
+            old.unlink()
+        for line in recipe["extract"].splitlines():
+            to, source, script = line.split(" ", 2)
+            got = subprocess.run(["sed", "-n", script, base / source], capture_output=True)
+            if got.returncode != 0 or not got.stdout:
+                with open(log, "ab") as out:
+                    out.write(f"nothing of {base / source} by {script}\n".encode() + got.stderr)
+                raise self.failed(recipe, log)
+            with open(folder / to, "ab") as out:
+                out.write(got.stdout)
+        return folder
 
     @staticmethod
     def failed(recipe, log):

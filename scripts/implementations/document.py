@@ -1,5 +1,6 @@
 """docs/IMPLEMENTATIONS.md of what was found."""
 import re
+import textwrap
 
 WEAKEST_FIRST = ["broken", "refuted", "incomplete", "checked", "proved", "not_applicable"]
 
@@ -16,26 +17,24 @@ def weakest(results):
 
 
 def broken_case(one):
-    """The replay line of a case that a reason names."""
+    """The replay line of the case that a reason names, where it names one."""
     at = re.search(r"at level (\d+) (?:baking|on case) (\S+)", one.get("reason", ""))
     if not at:
-        return None
-    return f"mmverify replay {one['law']} --level {at[1]} --case {at[2]} --subject {one['subject']}"
+        return []
+    return [f"mmverify replay {one['law']} --level {at[1]} --case {at[2]} --subject {one['subject']}"]
 
 
 def simplest(results):
-    """The shortest refuted case of the lowest level and the shortest broken one, each as lines of text."""
+    """The case that refutes, and one without an answer, of the first such law at its lowest level: lines of text."""
     found = []
-    refuted = [r for r in results if r["verdict"] == "refuted" and "counterexample" in r]
-    if refuted:
-        one = min(refuted, key=lambda r: (r["level"], len(r["counterexample"]["case"]), r["law"]))
-        case = one["counterexample"]
-        found.append(f"{one['law']} level {case['level']}: expected {case['expected']}; got {case['got']}\n{case['replay']}")
-    broken = [r for r in results if r["verdict"] == "broken"]
-    if broken:
-        one = min(broken, key=lambda r: (r["level"], len(r.get("reason", "")), r["law"]))
-        replay = broken_case(one)
-        found.append(f"{one['law']}: {one['reason']}" + (f"\n{replay}" if replay else ""))
+    for verdict in ("refuted", "broken"):
+        one = next((r for r in results if r["verdict"] == verdict), None)
+        case = one and one.get("counterexample")
+        if case:
+            told = f"{one['law']} level {case['level']}: expected {case['expected']}; got {case['got']}"
+            found.append([told, case["replay"]])
+        elif one:
+            found.append([f"{one['law']}: {one.get('reason', verdict)}", *broken_case(one)])
     return found
 
 
@@ -121,13 +120,17 @@ def indices_of(found_all):
 
 def sections(found):
     recipe = found["recipe"]
-    lines = ["", f"## {recipe['name']}", "", f"- Version: {found['version']}.", f"- Asked: {recipe['asked']}.",
-             f"- Within: {recipe['limits']}.", f"- What it says of itself: {recipe['says']}.",
-             f"- Adapter: [{recipe['id']}](../examples/adapters/{recipe['id']}/recipe).", "", *laws_of(found)]
+    points = [f"Version: {found['version']}.", f"Asked: {recipe['asked']}.", f"Within: {recipe['limits']}.",
+              f"What it says of itself: {recipe['says']}.",
+              f"Adapter: [{recipe['id']}](../examples/adapters/{recipe['id']}/recipe)."]
+    lines = ["", f"## {recipe['name']}", ""]
+    for point in points:
+        lines += textwrap.wrap("- " + point, 120, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
+    lines += ["", *laws_of(found)]
     if not found["whole"]:
         lines += ["", "The time limit came before the last of the laws."]
     for text in simplest(found["results"]):
-        lines += ["", "```", text, "```"]
+        lines += ["", "```", *text, "```"]
     if found["diagnoses"]:
         lines += ["", "```", *found["diagnoses"], "```"]
     return lines

@@ -2,7 +2,7 @@
 import re
 import subprocess
 
-KEYS = {"name", "marker", "below", "version", "asked", "says", "limits", "source", "flags", "adapter", "adapter_flags",
+KEYS = {"name", "marker", "below", "version", "extract", "asked", "says", "limits", "source", "flags", "adapter", "adapter_flags",
         "scene", "libraries", "debian"}
 
 
@@ -15,7 +15,7 @@ class Trouble(Exception):
 
 
 def recipe_of(folder):
-    """The file `recipe` of an adapter: lines KEY: VALUE; `flags` may stand twice."""
+    """The file `recipe` of an adapter: lines KEY: VALUE; a key may stand again, for more of it."""
     found = {key: "" for key in KEYS}
     for number, line in enumerate((folder / "recipe").read_text(encoding="utf-8").splitlines(), 1):
         if not line.strip() or line.startswith("#"):
@@ -23,7 +23,7 @@ def recipe_of(folder):
         key, colon, value = line.partition(":")
         if not colon or key not in KEYS:
             raise Trouble(2, f"{folder / 'recipe'}:{number}: not one of the keys {', '.join(sorted(KEYS))}")
-        found[key] = f"{found[key]} {value.strip()}".strip()
+        found[key] = f"{found[key]}\n{value.strip()}".strip()
     found["id"] = folder.name
     found["folder"] = folder if not found["adapter"] else folder.parent / found["adapter"]
     return found
