@@ -33,12 +33,14 @@ const uint8_t* each_mip(const mmverify_bake_case_t& c, F f) {
 /// whole meshes makes its texture once for all of their triangles.
 inline bool same_texture_as_before(const mmverify_bake_case_t& c) {
   static thread_local std::vector<uint8_t> before;
-  const uint32_t shape[] = {c.width, c.height, c.mips};
-  std::vector<uint8_t> now(sizeof shape);
-  std::memcpy(now.data(), shape, sizeof shape);
-  now.insert(now.end(), static_cast<const uint8_t*>(c.texels), each_mip(c, [](auto...) {}));
-  if (now == before) return true;
-  before.swap(now);
+  static thread_local uint32_t shape[3] = {};
+  const uint8_t *const first = static_cast<const uint8_t*>(c.texels), *const end =
+                                                                          each_mip(c, [](auto...) {});
+  if (shape[0] == c.width && shape[1] == c.height && shape[2] == c.mips &&
+      std::equal(first, end, before.begin()))
+    return true;
+  before.assign(first, end);
+  shape[0] = c.width, shape[1] = c.height, shape[2] = c.mips;
   return false;
 }
 

@@ -20,14 +20,14 @@ class Builder:
     def run(self, log, command):
         with open(log, "a", encoding="utf-8") as out:
             print("$", " ".join(map(str, command)), file=out, flush=True)
-            return subprocess.run(command, stdout=out, stderr=out).returncode == 0
+            return subprocess.run(command, stdout=out, stderr=out, cwd=ROOT).returncode == 0
 
     def library(self, recipe, base, suffix, flags):
         name = recipe["id"] + suffix
         log, library = self.work / f"{name}.log", self.work / f"{name}.so"
         log.write_text("", encoding="utf-8")
         library.unlink(missing_ok=True)
-        common = ["c++", "-std=c++20", "-O2", "-fPIC", "-w", f"-I{ROOT / 'sdk'}"]
+        common = ["c++", "-std=c++20", "-O2", "-fPIC", "-w", f"-I{ROOT / 'sdk'}", f"-I{ROOT}"]
         if recipe["extract"]:
             common.append(f"-I{self.extracted(recipe, base, log)}")
         common += [flag.replace("{}", str(base)).replace("{0}", str(base)) for flag in recipe["flags"].split()]
@@ -49,6 +49,21 @@ class Builder:
         if not self.run(log, command):
             raise self.failed(recipe, log)
         return library
+
+    def bake_times(self, library, levels):
+        """Nanoseconds of a state at each level that the baker has, {level: ns}."""
+        timer, log = self.work / "time_bakes", library.with_suffix(".log")
+        if timer not in self.objects:
+            source = pathlib.Path(__file__).with_name("time_bakes.cpp")
+            if not self.run(log, ["c++", "-std=c++20", "-O2", f"-I{ROOT / 'sdk'}", source, "-o", timer]):
+                raise Trouble(4, f"{source} does not build, see {log}")
+            self.objects[timer] = timer
+        told = subprocess.run([timer, library, *map(str, levels)], capture_output=True, text=True, timeout=600)
+        if told.returncode != 0:
+            with open(log, "a", encoding="utf-8") as out:
+                out.write(told.stderr)
+            return {}
+        return {int(level): float(ns) for level, ns in (line.split() for line in told.stdout.splitlines())}
 
     def extracted(self, recipe, base, log):
         """The parts of the checkout's files that a recipe names, by sed, in a folder of their own."""

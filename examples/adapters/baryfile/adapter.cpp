@@ -2,7 +2,7 @@
 // a level.  It has the bird order and U-major.  W-minor and the rows of faces, which are asked as well, are this file's.
 #include <bary/bary_core.h>
 
-#include "../subject.hpp"
+#include "examples/adapters/subject.hpp"
 
 using bary::ValueFrequency;
 using bary::ValueLayout;

@@ -5,7 +5,7 @@
 // with it all the same, so ADAPTER_SCENE has it asked for repeated textures, too.
 #include <meshoptimizer.h>
 
-#include "../subject.hpp"
+#include "examples/adapters/subject.hpp"
 
 static int bake(const mmverify_bake_case_t* c, uint8_t* map) {
   const int level = static_cast<int>(c->level), states = c->format == MMVERIFY_2_STATE ? 2 : 4;

@@ -1,8 +1,8 @@
 // The curve of the nvpro sample mm_opacity as a subject: micro2bary says where micro-triangles lie.
 #include <glm/glm.hpp>
 
-#include "../subject.hpp"
 #include "bird_curve_helper.hpp"
+#include "examples/adapters/subject.hpp"
 
 static void corners(uint32_t level, const uint32_t* index, uint32_t* out, size_t count) {
   const float steps = static_cast<float>(1U << level);

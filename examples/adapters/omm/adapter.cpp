@@ -2,7 +2,7 @@
 // mixed is UO.  States count as right within 8 bits of a texel's fraction, as devices filter.
 #include <omm.h>
 
-#include "../subject.hpp"
+#include "examples/adapters/subject.hpp"
 
 static ommBaker baker = nullptr;
 

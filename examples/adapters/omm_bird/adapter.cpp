@@ -1,8 +1,8 @@
 // The curve of NVIDIA's Opacity Micro-Map SDK as a subject: bird.h, index to micro-triangle and barycentrics to index.
 #include <omm.h>
 
-#include "../subject.hpp"
 #include "defines.h"
+#include "examples/adapters/subject.hpp"
 #include "util/bird.h"
 
 static void index(uint32_t level, const float* u, const float* v, uint32_t* out, size_t count) {

@@ -8,8 +8,8 @@
 #include <future>
 #include <glm/glm.hpp>
 
-#include "../subject.hpp"
 #include "config.inc"
+#include "examples/adapters/subject.hpp"
 
 struct Vertex {
   glm::vec2 texCoord;

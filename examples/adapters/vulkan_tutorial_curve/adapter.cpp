@@ -2,9 +2,10 @@
 #include <array>
 #include <cassert>
 #include <glm/glm.hpp>
+#include <vector>
 
-#include "../subject.hpp"
 #include "curve.inc"
+#include "examples/adapters/subject.hpp"
 
 static void corners(uint32_t level, const uint32_t* index, uint32_t* out, size_t count) {
   static thread_local std::vector<std::array<float, 2>> centroids;
