@@ -46,6 +46,13 @@ if(NOT MMVERIFY_SANITIZE)
   set_tests_properties(source_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
 endif()
 
+# Implementations of others, by stand-ins of the same shape.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME implementations_test
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/implementations_test.sh $<TARGET_FILE:mmverify> ${PROJECT_SOURCE_DIR})
+  set_tests_properties(implementations_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
+endif()
+
 # Every harness on its corpus.
 if(MMVERIFY_FUZZ)
   foreach(name ${MMVERIFY_HARNESSES})

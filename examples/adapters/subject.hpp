@@ -1,0 +1,70 @@
+// What adapters share: a subject, or a baker and what it supports, with the fields that one fills in; the rest is zero.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "mmverify_subject.h"
+
+inline size_t bytes_of(const mmverify_bake_case_t& c) { return ((size_t{c.format} << 2 * c.level) + 7) / 8; }
+
+/// The map of a special index: every micro-triangle has one state, T 0, O 1, UT 2, UO 3; in 2-state T or O of it.
+inline void uniform(const mmverify_bake_case_t& c, int state, uint8_t* map) {
+  const int bits = c.format == MMVERIFY_2_STATE ? (state & 1) * 0xff : state * 0x55;
+  const size_t used = size_t{c.format} << 2 * c.level;
+  std::memset(map, bits, bytes_of(c));
+  if (used < 8) map[0] = static_cast<uint8_t>(map[0] & ((1U << used) - 1));
+}
+
+/// Calls f(width, height, texels) for each mip of a case whose texels are bytes; returns the end of the last.
+template <typename F>
+const uint8_t* each_mip(const mmverify_bake_case_t& c, F f) {
+  const uint8_t* texels = static_cast<const uint8_t*>(c.texels);
+  for (uint32_t m = 0; m < c.mips; ++m) {
+    const uint32_t width = std::max(1U, c.width >> m), height = std::max(1U, c.height >> m);
+    f(width, height, texels);
+    texels += size_t{width} * height;
+  }
+  return texels;
+}
+
+/// Whether this thread's last call was about the same texels of a byte each, in the same shape: a peer that is handed
+/// whole meshes makes its texture once for all of their triangles.
+inline bool same_texture_as_before(const mmverify_bake_case_t& c) {
+  static thread_local std::vector<uint8_t> before;
+  static thread_local uint32_t shape[3] = {};
+  const uint8_t *const first = static_cast<const uint8_t*>(c.texels), *const end =
+                                                                          each_mip(c, [](auto...) {});
+  if (shape[0] == c.width && shape[1] == c.height && shape[2] == c.mips &&
+      std::equal(first, end, before.begin()))
+    return true;
+  before.assign(first, end);
+  shape[0] = c.width, shape[1] = c.height, shape[2] = c.mips;
+  return false;
+}
+
+template <typename Fill>
+const mmverify_subject_t* subject(const char* name, Fill fill) {
+  static const mmverify_subject_t made = [=] {
+    mmverify_subject_t it = {};
+    it.abi = MMVERIFY_SUBJECT_ABI;
+    it.size = sizeof it;
+    it.name = name;
+    fill(it);
+    return it;
+  }();
+  return &made;
+}
+
+template <typename Fill>
+const mmverify_subject_t* baker_subject(const char* name, int (*bake)(const mmverify_bake_case_t*, uint8_t*),
+                                        Fill fill) {
+  static const mmverify_bake_support_t support = [=] {
+    mmverify_bake_support_t it = {};
+    it.size = sizeof it;
+    fill(it);
+    return it;
+  }();
+  return subject(name, [=](mmverify_subject_t& it) { it.bake = bake, it.bake_support = &support; });
+}
