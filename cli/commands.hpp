@@ -29,5 +29,7 @@ Action add_report(CLI::App& program);
 Action add_gen(CLI::App& program);
 Action add_check(CLI::App& program);
 Action add_validate(CLI::App& program);
+Action add_completion(CLI::App& program);
+Action add_man(CLI::App& program);
 
 }  // namespace mmverify::cli
