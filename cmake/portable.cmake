@@ -8,7 +8,7 @@ add_compile_options(-ffile-prefix-map=${PROJECT_BINARY_DIR}=build -ffile-prefix-
 set(MMVERIFY_SOURCES_AT "/nowhere")
 # What is rewritten while it is installed keeps room for the longer path.
 set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
-set(CMAKE_INSTALL_RPATH $ORIGIN/../lib/mmverify)
+set(CMAKE_INSTALL_RPATH $ORIGIN/../lib/mmverify $ORIGIN/../../lib/mmverify)  # of bin/ and of libexec/mmverify/
 # Also for what the bundled libraries need themselves: DT_RPATH, not DT_RUNPATH.
 add_link_options(-Wl,--disable-new-dtags -Wl,--build-id=none)
 # For those that are found by path, and for those that are linked by name.
