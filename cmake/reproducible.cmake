@@ -5,3 +5,4 @@ set(MMVERIFY_SOURCES_AT "/nowhere")
 # What is rewritten while it is installed keeps room for the longer path.
 set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
 add_link_options(-Wl,--build-id=none)
+set(MMVERIFY_SDSL OFF)
