@@ -14,6 +14,9 @@ fail() { echo "FAILED: $*"; exit 1; }
 
 DESTDIR='' cmake --install "$build" --prefix "$folder/installed" >"$folder/install.log" || { cat "$folder/install.log"; exit 1; }
 "$folder/installed/bin/mmverify" --version
+for described in man/man1/mmverify.1 bash-completion/completions/mmverify zsh/site-functions/_mmverify fish/vendor_completions.d/mmverify.fish; do
+  grep -q -- validate "$folder/installed/share/$described" || fail "no share/$described, or not this program's"
+done
 
 # As the user's project: the example's source is theirs.
 cp -r "$tests/consumer" "$folder/consumer"
@@ -53,6 +56,7 @@ target_link_libraries(my_index PRIVATE mmverify::subject)
 mmverify_add_proof(my_index_is_right SUBJECT my_index LAWS index.in_range LEVELS 0..2)
 CMAKE
 PKG_CONFIG_LIBDIR=/nowhere cmake -S "$folder/without" -B "$folder/without/build" -D CMAKE_PREFIX_PATH="$folder/installed" \
+  -D CMAKE_DISABLE_FIND_PACKAGE_hwy=ON \
   >"$folder/configure.log" 2>&1 || { cat "$folder/configure.log"; exit 1; }
 grep 'mmverify::impl is left out' "$folder/configure.log"
 cmake --build "$folder/without/build" >"$folder/build.log" || { cat "$folder/build.log"; exit 1; }
@@ -82,6 +86,7 @@ deb=$(find "$folder" -maxdepth 1 -name 'mmverify_*.deb')
 [[ -n $deb ]] || fail "cpack left no package"
 dpkg-deb --info "$deb" | grep -E ' (Package|Version|Depends):'
 dpkg-deb -x "$deb" "$folder/root"
+[[ -s $folder/root/usr/share/man/man1/mmverify.1 ]] || fail "the package has no manual page"
 "$folder/root/usr/bin/mmverify" prove index.in_range --levels 0..2 --quiet | tail -1
 # And that one finds the worker that a library is run in.
 code=0

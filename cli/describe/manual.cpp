@@ -1,0 +1,93 @@
+#include "cli/describe/manual.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace mmverify::cli::describe {
+namespace {
+
+/// A hyphen that is typed is \-; a line that begins with a dot or an apostrophe would be a request.
+std::string roff(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if ((c == '.' || c == '\'') && (out.empty() || out.back() == '\n')) out += "\\&";
+    if (c == '\\')
+      out += "\\e";
+    else if (c == '-')
+      out += "\\-";
+    else if (c == '\'')
+      out += "\\(aq";
+    else if (c == '`')
+      out += "\\(ga";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string manual_option(const Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.names) names.push_back(fmt::format("\\fB{}\\fR", roff(name)));
+  std::string text = fmt::format(".TP\n{}", fmt::join(names, ", "));
+  if (!option.value.empty()) text += fmt::format(" \\fI{}\\fR", roff(option.value));
+  if (option.many) text += " ...";
+  if (option.required) text += " (required)";
+  text += "\n" + roff(option.says);
+  if (!option.words.empty()) {
+    std::vector<std::string> words;
+    for (const std::string& word : option.words) words.push_back(fmt::format("\\fB{}\\fR", roff(word)));
+    text += fmt::format(" [{}]", fmt::join(words, ", "));
+  }
+  return text + "\n";
+}
+
+std::string manual_command(const std::string& program, const Command& command) {
+  std::string text = fmt::format(".SS {} {}\n{}.\n.PP\n\\fB{} {}\\fR", program, command.name,
+                                 roff(command.says), program, command.name);
+  if (!command.options.empty()) text += " [\\fIoption\\fR ...]";
+  for (const Option& p : command.positionals)
+    text += fmt::format(" {}\\fI{}\\fR{}{}", p.required ? "" : "[", roff(p.names[0]), p.many ? " ..." : "",
+                        p.required ? "" : "]");
+  text += "\n";
+  for (const Option& option : command.positionals) text += manual_option(option);
+  for (const Option& option : command.options) text += manual_option(option);
+  if (!command.more.empty()) text += ".PP\n" + roff(command.more) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string manual(const Program& program, const std::string& version, const std::string& date) {
+  const std::size_t colon = program.says.find(": ");
+  std::string text = fmt::format(
+      ".\\\" Written by `{0} man`.\n.TH {1} 1 \"{2}\" \"{0} {3}\" \"User Commands\"\n"
+      ".SH NAME\n{0} \\- {4}\n.SH SYNOPSIS\n\\fB{0}\\fR \\fIcommand\\fR [\\fIoption\\fR ...] "
+      "[\\fIargument\\fR ...]\n"
+      ".SH DESCRIPTION\n"
+      "An opacity micromap cuts a triangle into micro\\-triangles and stores a state for each.\n"
+      "{0} has each of its algorithms twice, as a specification in rational numbers and as a fast library.\n"
+      "Laws compare the two, or your own code with them.\n"
+      "A law is \\fBproved\\fR where every case of its domain was run or a prover settled it.\n"
+      "A sample that passes is \\fBchecked\\fR.\n"
+      "What is wrong is \\fBrefuted\\fR, with the simplest input that shows it.\n"
+      ".SH OPTIONS\n",
+      program.name, "MMVERIFY", date, version,
+      colon == std::string::npos ? program.says : program.says.substr(colon + 2));
+  for (const Option& option : program.options) text += manual_option(option);
+  text += ".SH COMMANDS\n";
+  for (const Command& command : program.commands) text += manual_command(program.name, command);
+  text +=
+      ".SH EXIT STATUS\n"
+      ".TP\n.B 0\nComplete; nothing is refuted or broken.\n"
+      ".TP\n.B 1\nRefuted, broken, or a mutant survived.\n"
+      ".TP\n.B 2\nUsage, or nothing to run.\n"
+      ".TP\n.B 3\nInterrupted.\n"
+      ".TP\n.B 4\nThe environment, or a bad file.\n"
+      ".SH EXAMPLES\n.nf\n"
+      "mmverify prove index \\-\\-subject ./mine.so \\-\\-no\\-mutants\n"
+      "mmverify gen index \\-\\-level 5 | my\\-program | mmverify check index \\-\\-level 5\n"
+      "mmverify validate leaves.glb\n.fi\n";
+  return text;
+}
+
+}  // namespace mmverify::cli::describe

@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# action.yml and the workflow of releases: valid YAML, each command is bash, each input is used; and the action's two steps on a
+# release of files, green, and red: another checksum, a wrong function, a baseline that is another.
+# usage: tests/outside/action_test.sh MMVERIFY
+set -euo pipefail
+
+(($# == 1)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
+program=$(readlink -f -- "$1")
+root=$(readlink -f -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../..")
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+fail() { echo "FAILED: $*"; exit 1; }
+
+python3 - "$root" "$folder" <<'PYTHON'
+import pathlib, re, sys
+import yaml
+root, folder = map(pathlib.Path, sys.argv[1:])
+action = yaml.safe_load((root / "action.yml").read_text())
+text = (root / "action.yml").read_text()
+for name in action["inputs"]:
+    assert re.search(rf"\binputs\.{name}\b", text), f"input {name} is not used"
+for name in re.findall(r"\binputs\.([a-z0-9]+)", text):
+    assert name in action["inputs"], f"input {name} is not declared"
+steps = action["runs"]["steps"]
+assert all(("uses" in s) != ("run" in s) and ("run" not in s or s["shell"] == "bash") for s in steps)
+for output in action["outputs"].values():
+    step, _ = re.fullmatch(r"\$\{\{ steps\.(\w+)\.outputs\.(\w+) \}\}", output["value"]).groups()
+    assert step in [s.get("id") for s in steps], step
+for index, step in enumerate(s for s in steps if "run" in s):
+    (folder / f"action-{index}.sh").write_text("#!/usr/bin/env bash\n" + step["run"] + "\n")
+workflow = yaml.safe_load((root / ".github/workflows/release.yml").read_text())
+# YAML 1.1 reads the key `on` as true.
+assert workflow[True]["push"]["tags"] == ["v*"]
+for name, job in workflow["jobs"].items():
+    for index, step in enumerate(job["steps"]):
+        assert ("uses" in step) != ("run" in step), step
+        if "run" in step:
+            (folder / f"workflow-{name}-{index}.sh").write_text("#!/usr/bin/env bash\n" + step["run"] + "\n")
+PYTHON
+for script in "$folder"/*.sh "$root"/packaging/action/* "$root"/scripts/release/{bundle,deb,make,notes,sysroot,tarball,try}; do
+  bash -n "$script"
+  ! command -v shellcheck >/dev/null || shellcheck --severity=warning "$script"
+done
+
+# A release of files: the built program, in the archive's form.
+version=$("$program" --version | sed -n '1s/mmverify //p')
+case $(uname -m) in x86_64) machine=x86-64 ;; aarch64) machine=arm64 ;; *) echo "no release for $(uname -m)"; exit 0 ;; esac
+name=mmverify-$version-linux-$machine
+mkdir -p "$folder/release" "$folder/$name/bin" "$folder/$name/libexec/mmverify"
+ln "$program" "$folder/$name/bin/mmverify" 2>/dev/null || cp "$program" "$folder/$name/bin/mmverify"
+cp "$(dirname "$program")/mmverify-worker" "$folder/$name/libexec/mmverify/"
+tar -C "$folder" -cf - "$name" | gzip -1 >"$folder/release/$name.tar.gz"
+(cd "$folder/release" && sha256sum -- *.gz >SHA256SUMS)
+
+mkdir "$folder/project" "$folder/temp"
+cd "$folder/project"
+cp "$root/examples/subject/subject.c" mine.c
+build() { "${CC:-cc}" -O2 -shared -fPIC -I "$root/sdk" -o mine.so mine.c; }
+build
+export GITHUB_ACTION_PATH=$root RUNNER_TEMP=$folder/temp GITHUB_OUTPUT=$folder/output GITHUB_PATH=$folder/path
+export MMVERIFY_VERSION=$version MMVERIFY_FROM=file://$folder/release MMVERIFY_SHA256=''
+# step NUMBER: as the runner does it; its exit code.
+step() {
+  local code=0
+  : >"$GITHUB_OUTPUT"
+  bash -e "$folder/action-$1.sh" >"$folder/log" 2>&1 || code=$?
+  echo "$code"
+}
+code=$(step 0)
+((code == 0)) || { cat "$folder/log"; fail "the first step gives exit code $code"; }
+MMVERIFY_PROGRAM=$(sed -n 's/^program=//p' "$GITHUB_OUTPUT")
+export MMVERIFY_PROGRAM MMVERIFY_SUBJECT=mine.so MMVERIFY_LAWS='index.equals_reference index.in_range'
+export MMVERIFY_ARGS='--no-mutants --levels 0..5' MMVERIFY_BASELINE='' MMVERIFY_RESULTS=results GITHUB_STEP_SUMMARY=$folder/summary
+[[ -x $MMVERIFY_PROGRAM && $(<"$GITHUB_PATH") == "${MMVERIFY_PROGRAM%/*}" ]] || fail "no program: $MMVERIFY_PROGRAM"
+code=$(step 1)
+((code == 0)) || { cat "$folder/log"; fail "the second step gives exit code $code"; }
+for output in json junit; do
+  [[ -s $(sed -n "s/^$output=//p" "$GITHUB_OUTPUT") ]] || fail "no output $output"
+done
+grep -q 'proved' "$GITHUB_STEP_SUMMARY" || fail "the summary says nothing"
+"$program" gate --baseline baseline.json results/result.json --bless >/dev/null
+MMVERIFY_BASELINE=baseline.json
+code=$(step 1)
+((code == 0)) || { cat "$folder/log"; fail "the gate on its own baseline gives exit code $code"; }
+
+# Red.
+sed -i 's/if (j > n - 1) j = n - 1;/if (level == 5 \&\& j == 3) i ^= 1;/' mine.c
+build
+for MMVERIFY_BASELINE in '' baseline.json; do
+  code=$(step 1)
+  ((code == 1)) || fail "a wrong function gives exit code $code, baseline '$MMVERIFY_BASELINE'"
+  grep -q '^::error::refuted index.equals_reference level 0 case v:u=0,v=1 .* replay: ' "$folder/log" || fail "the counterexample is not shown"
+done
+MMVERIFY_SUBJECT=missing.so
+[[ $(step 1) == 4 ]] || fail "a library that is missing"
+# expect CODE WORDS: the first step, and what it complains of.
+refused() {
+  [[ $(step 0) == 4 ]] || fail "not refused: $1"
+  grep -q "$1" "$folder/log" || { cat "$folder/log"; fail "it does not say: $1"; }
+  [[ ! -s $GITHUB_OUTPUT ]] || fail "refused, and named all the same: $1"
+}
+MMVERIFY_SHA256=$(printf 'a%.0s' {1..64}) refused 'has SHA-256'
+MMVERIFY_VERSION=9.9.9 refused 'cannot fetch'
+MMVERIFY_VERSION=latest refused 'not one such as'
+echo x >>"$folder/release/$name.tar.gz"
+refused 'has SHA-256'
+: >"$folder/release/SHA256SUMS"
+refused 'has no SHA-256'
+echo "action.yml: two steps on a release of files; what is wrong is refused"
