@@ -54,7 +54,7 @@ class Builder:
         """Nanoseconds of a state at each level that the baker has, {level: ns}."""
         timer, log = self.work / "time_bakes", library.with_suffix(".log")
         if timer not in self.objects:
-            source = pathlib.Path(__file__).with_name("time_bakes.cpp")
+            source = ROOT / "examples/adapters/time_bakes.cpp"
             if not self.run(log, ["c++", "-std=c++20", "-O2", f"-I{ROOT / 'sdk'}", source, "-o", timer]):
                 raise Trouble(4, f"{source} does not build, see {log}")
             self.objects[timer] = timer

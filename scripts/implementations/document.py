@@ -106,7 +106,7 @@ def speeds_of(found_all, ours):
     lines = []
     bakers = [found for found in found_all if found["times"]]
     if bakers:
-        lines += ["", "## Speed", "", "Of bakers: nanoseconds of a state, one thread, in one process with the library, 128 triangles of a texture",
+        lines += ["", "## Speed", "", "Of bakers: processor time of a state, one thread, in one process with the library, 128 triangles of a texture",
                   "of 128 x 128 texels; ours is exact. Speeds differ from run to run; all else in this document does not.", "",
                   "| implementation | level | ns a state | ours | x ours |", "|---|---|---|---|---|"]
         for found in bakers:
@@ -143,8 +143,10 @@ def sections(found):
     return lines
 
 
-def document(found_all, tool, scenes, ours):
-    names = " ".join(f"--scene {scene.name}" for scene in scenes)
+def document(found_all, tool, options, ours):
+    words = [f"--limit {options.limit:g}", *(f"--scene {scene.name}" for scene in options.scene)]
+    if options.scene:
+        words.insert(1, f"--levels {options.levels}")
     lines = ["# Implementations that exist", "",
              "What the laws say of implementations by others, each built from a checkout and asked through an adapter of",
              "[examples/adapters](../examples/adapters). This file is written by `./run implementations`; a verdict is about",
@@ -152,7 +154,7 @@ def document(found_all, tool, scenes, ours):
              "implementation promises: what each says of itself stands with it. How to add one, and what a recipe is:",
              "[SUBJECTS.md](SUBJECTS.md#implementations-that-exist).", "",
              f"mmverify {tool['version']}, specification `{tool['spec_hash'][:16]}`, {tool['cpu']}, {tool['compiler']}.", "",
-             "```", f"./run implementations {names + ' ' if names else ''}DIR...", "```", "",
+             "```", f"./run implementations {' '.join(words)} DIR...", "```", "",
              "The replay lines hold from the checkout's root, once that has run.", "", *summary(found_all)]
     lines += scenes_of(found_all) + speeds_of(found_all, ours)
     for found in found_all:

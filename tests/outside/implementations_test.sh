@@ -100,10 +100,14 @@ grep -q 'not this time' work/baryfile.log || fail "the log does not say why"
 # An interrupted run leaves the document that was there.
 echo before >told.md
 "$root/scripts/implementations/judge" --mmverify "$mmverify" --work "$folder/work" -o told.md right >said 2>&1 &
-sleep 1
-kill -INT $!
+judge=$!
+for ((i = 0; i < 600; ++i)); do
+  ! grep -q 'the laws' said || break
+  sleep 0.1
+done
+kill -INT "$judge"
 code=0
-wait $! || code=$?
+wait "$judge" || code=$?
 ((code == 3)) || { cat said; fail "interrupted: exit code $code, not 3"; }
 [[ $(<told.md) == before && ! -e told.md.part ]] || fail "the document was touched"
 

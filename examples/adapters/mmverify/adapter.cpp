@@ -1,6 +1,7 @@
 // This project's own baker, by its interface in C, as a subject: what the others are timed beside, through the same door.
+#include <mmverify/mmverify.h>
+
 #include "examples/adapters/subject.hpp"
-#include "impl/mmverify.h"
 
 static mmverify_baker* baker_of(const mmverify_bake_case_t& c) {
   static thread_local std::vector<uint8_t> texels;
