@@ -1,0 +1,2 @@
+/** What the function under test is called in verdicts. */
+export const subjectName = "your-index.js";
