@@ -2,7 +2,7 @@
 //   node build.mjs PACKAGE OUT.html        PACKAGE: the folder of mmverify's npm package, with mmverify.wasm
 // Node.js packages are looked for in NODE_PATH, as report/packages installs them.
 import { createHash } from "node:crypto";
-import { createRequire } from "node:module";
+import { builtinModules, createRequire } from "node:module";
 import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -43,7 +43,7 @@ const worker = text(
     entryPoints: [join(here, "src/program/worker.ts")],
     format: "iife",
     // What the package does in Node.js alone is never reached.
-    external: ["node:*"],
+    external: ["node:*", ...builtinModules],
     define: { "import.meta.url": '"file:///mmverify/index.mjs"' },
   }),
 );

@@ -29,11 +29,11 @@ function verdict(judged: Judged): Node[] {
 
 function functionPart(): HTMLElement {
   const code = area("The function", 16);
-  code.text.classList.add("code");
+  code.text.wrap = "off";
   const words = el("p", { class: "note" });
   const gpuWords = el("p", { class: "note", role: "status" });
   const highest = whole("Levels 0 to", 5, 0, 9);
-  const seconds = whole("Time limit", 10, 1, 600, " s");
+  const seconds = whole("Time limit", 20, 1, 600, " s");
   const floats = check("also a million floats near ties a level");
   const box = new TaskBox();
 

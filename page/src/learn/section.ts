@@ -24,7 +24,7 @@ function order(): HTMLElement {
     const all = digits(at, level);
     const sum = all.map((d, k) => `${d} x ${4 ** (level - 1 - k)}`).join(" + ");
     path.textContent = level === 0 ? "Level 0: the triangle is not cut, and its index is 0." : `From the whole triangle down, the child is ${all.join(", then ")}: ${sum} = ${all.reduce((x, d) => 4 * x + d, 0)}.`;
-    steps.replaceChildren(plainTable("The reference code at this point", ["", "", "what it is"], formula(at, level).map((s) => [s.name, el("code", {}, s.value), el("span", { class: "wide-words" }, s.says)])));
+    steps.replaceChildren(plainTable("The reference code at this point", ["", "Value", "What it is"], formula(at, level).map((s) => [s.name, el("code", {}, s.value), s.says])));
   };
   const walker = new Walker(orderGround("curve", moved), 2);
   const choose = select("Order", [{ value: "curve", words: "the curve of opacity micromaps" }, { value: "rows", words: "rows, of attribute micromaps" }], (value) => {

@@ -3,7 +3,7 @@ import { run } from "mmverify-package";
 
 import type { Subject } from "../../../wasm/package/index";
 import { wrongCells } from "./cells";
-import { subjectName } from "./names";
+import { subjectFile, subjectName } from "./names";
 import type { Ask, Ended, Judge, Judged, Reply, Run } from "./messages";
 import { Table } from "./table";
 
@@ -38,7 +38,7 @@ async function judge(ask: Judge, module: WebAssembly.Module): Promise<Judged> {
     },
   };
   const json = "/tmp/result.json";
-  const ended = await program({ kind: "run", args: [...ask.args, "--json", json], wanted: [json] }, module, subject);
+  const ended = await program({ kind: "run", args: [...ask.args, "--json", json], files: { [subjectFile]: new Uint8Array() }, wanted: [json] }, module, subject);
   const cells = [];
   try {
     for (let level = 0; level <= ask.highest; ++level) cells.push(wrongCells(level, (u, v) => index(level, u, v)));

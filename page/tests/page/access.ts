@@ -12,6 +12,7 @@ async function filled(options: { width?: number; dark?: boolean } = {}): Promise
   const page = await open(options);
   await page.getByRole("button", { name: "Use the suite's own scene" }).click();
   await page.getByLabel("Example").selectOption({ label: "wrong: breaks ties otherwise" });
+  await page.getByLabel("Time limit").fill("200");
   await page.getByRole("button", { name: "Judge it" }).click();
   await page.locator(".law summary").first().click();
   await page.locator(".law[open]").getByRole("button", { name: /^Run/ }).click();

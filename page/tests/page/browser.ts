@@ -13,7 +13,7 @@ export const folder = mkdtempSync(join(tmpdir(), "mmverify-page-"));
 const url = pathToFileURL(process.env["MMVERIFY_PAGE"]!).href;
 let browser: Browser;
 /** What a task may take on a machine that others share. */
-export const patience = 120_000;
+export const patience = 300_000;
 
 export function native(...args: string[]): string {
   const made = spawnSync(process.env["MMVERIFY_PROGRAM"]!, args, { cwd: folder, encoding: "utf8", maxBuffer: 1 << 28 });
@@ -41,7 +41,10 @@ export async function open(options: { width?: number; dark?: boolean } = {}): Pr
 
 /** Waits until the task of a section has ended; fails where it ended with a complaint. */
 export async function done(of: Locator): Promise<void> {
-  await of.locator(".task .status", { hasText: "Done in" }).first().waitFor();
+  const ended = of.locator(".task .status", { hasText: "Done in" }).first();
+  const complaint = of.getByRole("alert").first();
+  await ended.or(complaint).first().waitFor();
+  assert.equal(await complaint.count(), 0, (await complaint.allTextContents()).join());
 }
 
 export const verdictsIn = (of: Locator): Promise<Record<string, string>> =>

@@ -6,8 +6,9 @@ import type { Page } from "playwright-core";
 
 import { native, done, open, verdictsIn } from "./browser";
 
-async function judge(page: Page, code?: string): Promise<void> {
+async function judge(page: Page, code?: string, seconds = 200): Promise<void> {
   const section = page.locator("#function");
+  await section.getByLabel("Time limit").fill(String(seconds));
   if (code !== undefined) await section.getByLabel("The function").fill(code);
   await section.getByRole("button", { name: "Judge it" }).click();
 }
@@ -56,12 +57,10 @@ test("one that never ends is ended at its time limit, and the page says so", asy
   const page = await open();
   const section = page.locator("#function");
   await section.getByLabel("Example").selectOption({ label: "wrong: never ends at level 3" });
-  await section.getByLabel("Time limit").fill("2");
-  await judge(page);
+  await judge(page, undefined, 2);
   assert.match((await section.getByRole("alert").textContent())!, /stopped after 2 s, which is the time limit: does the function end/);
   // And the page goes on.
   await section.getByLabel("Example").selectOption({ label: "right: Vulkan's reference" });
-  await section.getByLabel("Time limit").fill("60");
   await judge(page);
   await done(section);
   await page.context().close();
@@ -70,7 +69,6 @@ test("one that never ends is ended at its time limit, and the page says so", asy
 test("Stop stops", async () => {
   const page = await open();
   const section = page.locator("#function");
-  await section.getByLabel("Time limit").fill("600");
   await judge(page, "function index() { for (;;); }");
   await section.getByRole("button", { name: "Stop" }).first().click();
   assert.match((await section.getByRole("alert").textContent())!, /as you asked/);
@@ -104,7 +102,6 @@ test("WGSL: judged where there is WebGPU, else the page says that there is none 
     await page.context().close();
     return;
   }
-  await section.getByLabel("Time limit").fill("100");
   await judge(page);
   await done(section);
   assert.equal((await verdictsIn(section))["index.equals_reference"], "proved");
