@@ -41,7 +41,7 @@ function lawBody(law: Law, mutants: () => boolean): HTMLElement {
   const rows: [string, string][] = [
     ["From", law.source],
     ["Over", law.domain],
-    ["How", `${law.method}${law.tiers.fast ? `; natively, levels ${law.tiers.fast.levels.replace(/^levels /, "")} in about ${law.tiers.fast.expected_seconds} s` : ""}`],
+    ["How", `${law.method}${law.tiers.fast ? `; natively, ${law.tiers.fast.levels.replace(/^(?=\d)/, "levels ")} in about ${law.tiers.fast.expected_seconds} s` : ""}`],
     ["Asked of", law.subjects.join(", ")],
   ];
   if (law.mutants.length > 0) rows.push(["Wrong on purpose, to be caught", law.mutants.join("; ")]);
