@@ -1,9 +1,10 @@
-// Bundles the tests and runs them: node test.mjs unit|page [FOLDER], as tests/outside/report_page_test.sh does.
+// Bundles the tests and runs them: node test.mjs unit|page [WING], as tests/outside/report_page_test.sh does.
+// WING: whose tests/ are run; this one's where it is not given.
 import { createRequire } from "node:module";
 import { mkdtempSync, readdirSync, rmSync } from "node:fs";
 import { spawnSync } from "node:child_process";
 import { tmpdir } from "node:os";
-import { dirname, join } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -12,12 +13,13 @@ const require = createRequire(elsewhere.length > 0 ? join(elsewhere[0], "..", "p
 const esbuild = require("esbuild");
 
 const kind = process.argv[2] === "page" ? ".page.ts" : ".test.ts";
-const files = readdirSync(join(here, "tests")).filter((name) => name.endsWith(kind));
+const tests = join(resolve(process.argv[3] ?? here), "tests");
+const files = readdirSync(tests).filter((name) => name.endsWith(kind));
 if (files.length === 0) throw new Error(`no tests end in ${kind}`);
 const out = mkdtempSync(join(tmpdir(), "mmverify-report-"));
 try {
   await esbuild.build({
-    entryPoints: files.map((name) => join(here, "tests", name)),
+    entryPoints: files.map((name) => join(tests, name)),
     outdir: out,
     outExtension: { ".js": ".cjs" },
     bundle: true,

@@ -1,0 +1,138 @@
+// An index function, pasted.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import type { Page } from "playwright-core";
+
+import { native, done, open, verdictsIn } from "./browser";
+
+async function judge(page: Page, code?: string, seconds = 200): Promise<void> {
+  const section = page.locator("#function");
+  await section.getByLabel("Time limit").fill(String(seconds));
+  if (code !== undefined) await section.getByLabel("The function").fill(code);
+  await section.getByRole("button", { name: "Judge it" }).click();
+}
+
+test("the right function is proved, level by level", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  await judge(page);
+  await done(section);
+  const verdicts = await verdictsIn(section);
+  assert.equal(Object.keys(verdicts).length, 6);
+  assert.ok(Object.values(verdicts).every((v) => v === "proved"), JSON.stringify(verdicts));
+  assert.equal(await section.locator("canvas.triangle").count(), 0);
+  await page.context().close();
+});
+
+test("ties broken otherwise: refuted on edges and corners alone, with the picture", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  await section.getByLabel("Example").selectOption({ label: "wrong: breaks ties otherwise" });
+  await judge(page);
+  await done(section);
+  const verdicts = await verdictsIn(section);
+  assert.equal(verdicts["index.equals_reference"], "refuted");
+  assert.equal(verdicts["index.rounding"], "refuted");
+  assert.equal(verdicts["index.bijective"], "proved");
+  assert.match((await section.locator(".about").textContent())!, /simplest counterexample/);
+  assert.match((await section.locator(".viewer > .note").textContent())!, /asked on \d+ cells, \d+ wrong: 0 micro-triangles, [1-9]/);
+  await page.context().close();
+});
+
+test("a mirrored function: refuted inside micro-triangles", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  await section.getByLabel("Example").selectOption({ label: "wrong: mirrored" });
+  await judge(page);
+  await done(section);
+  const verdicts = await verdictsIn(section);
+  assert.equal(verdicts["index.equals_reference"], "refuted");
+  assert.equal(verdicts["index.bijective"], "proved");
+  assert.match((await section.locator(".viewer > .note").textContent())!, /wrong: [1-9]\d* micro-triangle/);
+  await page.context().close();
+});
+
+test("one that never ends is ended at its time limit, and the page says so", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  await section.getByLabel("Example").selectOption({ label: "wrong: never ends at level 3" });
+  await judge(page, undefined, 2);
+  assert.match((await section.getByRole("alert").textContent())!, /stopped after 2 s, which is the time limit: does the function end/);
+  // And the page goes on.
+  await section.getByLabel("Example").selectOption({ label: "right: Vulkan's reference" });
+  await judge(page);
+  await done(section);
+  await page.context().close();
+});
+
+test("Stop stops", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  await judge(page, "function index() { for (;;); }");
+  await section.getByRole("button", { name: "Stop" }).first().click();
+  assert.match((await section.getByRole("alert").textContent())!, /as you asked/);
+  await page.context().close();
+});
+
+test("what is wrong with the text, or with an answer, is said", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  await judge(page, "function index(level, u, v) {\n  return level +* u;\n}");
+  assert.match((await section.getByRole("alert").textContent())!, /^line 2: SyntaxError/);
+  await judge(page, "const other = 1;");
+  await section.getByRole("alert").filter({ hasText: "no function of the name index" }).waitFor();
+  await judge(page, "function index(level, u, v) { return u === 0.5 ? undefined : 0; }");
+  await done(section);
+  assert.ok(Object.values(await verdictsIn(section)).includes("broken"));
+  await section.locator(".verdicts tr[data-verdict=broken] .more").first().click();
+  assert.match((await section.locator(".below").textContent())!, /returned undefined, which is no whole number/);
+  await page.context().close();
+});
+
+test("WGSL: judged where there is WebGPU, else the page says that there is none and names the table", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  page.removeAllListeners("console"); // Chromium warns of drivers
+  await section.getByLabel("Language").selectOption("WGSL");
+  const has = await page.evaluate(async () => (await (navigator as { gpu?: { requestAdapter(): Promise<unknown> } }).gpu?.requestAdapter()) != null);
+  console.log(`# WebGPU: ${has ? "there" : "not there"}`);
+  if (!has) {
+    await section.getByText(/WebGPU.*A table of answers/).first().waitFor();
+    await page.context().close();
+    return;
+  }
+  await judge(page);
+  await done(section);
+  assert.equal((await verdictsIn(section))["index.equals_reference"], "proved");
+  await section.getByLabel("Example").selectOption({ label: "wrong: mirrored" });
+  await judge(page);
+  await section.locator("canvas.triangle").waitFor();
+  assert.equal((await verdictsIn(section))["index.equals_reference"], "refuted");
+  await judge(page, "fn index(level: u32, u: f32, v: f32) -> u32 {\n  return nothing;\n}");
+  assert.match((await section.getByRole("alert").textContent())!, /^line 2: .*nothing/);
+  await page.context().close();
+});
+
+test("a table of answers: the points are the native program's, right and wrong answers are told apart", async () => {
+  const page = await open();
+  const part = page.locator("#answers");
+  await page.getByText("A table of answers, for a function").click();
+  await part.getByRole("button", { name: "Write the points" }).click();
+  await done(part);
+  assert.equal(await part.getByLabel("Points").inputValue(), native("gen", "index", "--level", "2"));
+  // Right answers: the reference at the points, known by the curve of level 0: 0 everywhere.
+  await part.getByLabel("Level").fill("0");
+  await part.getByRole("button", { name: "Write the points" }).click();
+  await done(part);
+  const zeros = Array.from({ length: 7 }, (_, k) => `${k} 0`).join("\n");
+  await part.getByLabel("Answers").fill(zeros);
+  await part.getByRole("button", { name: "Judge the answers" }).click();
+  await part.locator(".verdicts").waitFor();
+  assert.deepEqual(Object.values(await verdictsIn(part)), ["proved"]);
+  await part.getByLabel("Answers").fill(zeros.replace("3 0", "3 1"));
+  await part.getByRole("button", { name: "Judge the answers" }).click();
+  await part.locator("canvas.triangle").waitFor();
+  assert.deepEqual(Object.values(await verdictsIn(part)), ["refuted"]);
+  await page.context().close();
+});

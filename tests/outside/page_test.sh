@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# The page of page/: types, unit tests, and the page itself in a headless Chromium, opened from disk, offline.
+# usage: tests/outside/page_test.sh MMVERIFY PACKAGE HOME
+#   PACKAGE: the folder of mmverify's npm package, with mmverify.wasm      HOME: a folder for npm's packages and the page
+# Exit code 77: skipped, and why.
+set -euo pipefail
+
+(($# == 3)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
+program=$(readlink -f -- "$1") package=$(readlink -m -- "$2") home=$(readlink -m -- "$3")
+root=$(readlink -f -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../..")
+skip() {
+  printf 'skipped: %s\n' "$*"
+  exit 77
+}
+
+[[ -f $package/mmverify.wasm ]] || skip "$package has no mmverify.wasm: emscripten makes it, ./run page builds it"
+code=0
+why=$("$root/report/packages" "$home" --test) || code=$?
+((code != 77)) || skip "$why"
+((code == 0)) || exit 1
+export NODE_PATH=$home/node_modules
+
+node "$root/report/types.mjs" "$home/node_modules/mmverify"
+"$home/node_modules/.bin/tsc" --project "$root/page" --typeRoots "$home/node_modules/@types" --paths null --baseUrl "$home/node_modules"
+node "$root/report/test.mjs" unit "$root/page"
+
+chromium=${CHROMIUM:-$(command -v chromium || true)}
+[[ -n $chromium ]] || skip "no chromium to open the page in: ./run page-test installs it"
+node "$root/page/build.mjs" "$package" "$home/mmverify.html"
+MMVERIFY_PAGE=$home/mmverify.html MMVERIFY_PROGRAM=$program CHROMIUM=$chromium node "$root/report/test.mjs" page "$root/page"
