@@ -82,7 +82,8 @@ std::uint32_t Dag::part_of_children(Level m, const std::uint32_t* parts) {
 std::uint32_t Dag::number_of_flat(Level n, std::span<const std::uint64_t> words) {
   const std::uint32_t hash = hash_of(words);
   const std::uint32_t there = known_->flat[n].find(hash, [&](std::uint32_t number) {
-    return std::equal(words.begin(), words.end(), flat_.begin() + static_cast<std::ptrdiff_t>(std::size_t{number} * b_));
+    return std::equal(words.begin(), words.end(),
+                      flat_.begin() + static_cast<std::ptrdiff_t>(std::size_t{number} * b_));
   });
   if (there != Table::none) return there;
   if (flat_.size() + words.size() > most_words) throw std::length_error("dag: no room for another flat map");

@@ -1,9 +1,9 @@
 // One after another, as in parallel_for.h.
 #pragma once
 
-#include <utility>
-
 #include <oneapi/tbb/blocked_range.h>
+
+#include <utility>
 
 namespace oneapi::tbb {
 
