@@ -40,7 +40,8 @@ int run_vectors(const VectorsOptions& options) {
   VectorsFolder folder(options.folder);
   std::vector<vectors::Family> made;
   for (const vectors::FamilyRow& row : vectors::families())
-    if (options.families.empty() || std::ranges::find(options.families, row.name) != options.families.end())
+    if (options.families.empty() ||
+        std::find(options.families.begin(), options.families.end(), row.name) != options.families.end())
       made.push_back(row.make());
   const auto files = vectors::files_of(made, {build::version, build::spec_hash, shaders::sha256});
   if (proofs::interrupted()) throw proofs::Interrupted{};
