@@ -69,6 +69,8 @@ for command in "scene sample.glb --quiet" "validate sample.glb" "gen index --lev
     head -n 10 differences
   fi
 done
+"$native" vectors -o native-vectors >/dev/null && "$mmverify" vectors -o wasm-vectors >/dev/null || fail "vectors"
+diff -r native-vectors wasm-vectors >differences || { fail "the vectors differ"; head -n 5 differences; }
 expect 4 "$mmverify" scene missing.glb
 says missing.glb
 expect 2 "$mmverify" prove no.such_law
