@@ -29,3 +29,15 @@ target_include_directories(TBB::tbb SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/wasm/
 add_library(pugixml::pugixml INTERFACE IMPORTED GLOBAL)
 target_include_directories(pugixml::pugixml SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/wasm/pugixml)
 mmverify_headers(stb stb)
+
+# For --version: which package each set of headers is of.
+foreach(name Boost_VERSION_STRING=libboost1.81-dev hwy_VERSION=libhwy-dev fmt_VERSION=libfmt-dev CLI11_VERSION=libcli11-dev
+    nlohmann_json_VERSION=nlohmann-json3-dev)
+  string(REPLACE "=" ";" name ${name})
+  list(GET name 1 of_package)
+  list(GET name 0 name)
+  execute_process(COMMAND dpkg-query -W -f "\${Version}" ${of_package} OUTPUT_VARIABLE version ERROR_QUIET)
+  string(REGEX REPLACE "[-+].*" "" ${name} "${version}")
+endforeach()
+set(TBB_VERSION "none")
+set(z3_VERSION "none")
