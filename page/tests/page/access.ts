@@ -7,37 +7,48 @@ import type { Page } from "playwright-core";
 
 import { done, open } from "./browser";
 
-/** A scene judged, a function refuted, a law run. */
-async function filled(options: { width?: number; dark?: boolean } = {}): Promise<Page> {
-  const page = await open(options);
+/** A scene judged, a function refuted, a law run: once, and looked at in all ways. */
+async function fill(): Promise<Page> {
+  const page = await open();
   await page.getByRole("button", { name: "Use the suite's own scene" }).click();
-  await page.getByLabel("Example").selectOption({ label: "wrong: breaks ties otherwise" });
+  await done(page.locator("#scene"));
   await page.getByLabel("Time limit").fill("200");
+  await page.getByLabel("Levels 0 to").fill("3");
+  await page.getByLabel("Example").selectOption({ label: "wrong: breaks ties otherwise" });
   await page.getByRole("button", { name: "Judge it" }).click();
-  await page.locator(".law summary").first().click();
+  await done(page.locator("#function"));
+  await page.getByLabel("Filter").last().fill("index.bijective");
+  await page.locator(".law:not([hidden]) summary").first().click();
   await page.locator(".law[open]").getByRole("button", { name: /^Run/ }).click();
-  for (const of of ["#scene", "#function", ".law[open]"]) await done(page.locator(of));
+  await done(page.locator(".law[open]"));
   await page.locator("details.other summary").click();
-  await page.waitForTimeout(300);
   return page;
+}
+let made: Promise<Page> | undefined;
+const filled = (): Promise<Page> => (made ??= fill());
+
+async function become(page: Page, width: number, colorScheme: "light" | "dark"): Promise<void> {
+  await page.setViewportSize({ width, height: 900 });
+  await page.emulateMedia({ colorScheme });
+  await page.waitForFunction((scheme) => document.documentElement.dataset["theme"] === scheme, colorScheme);
+  await page.waitForTimeout(300);
 }
 
 test("narrow and wide, light and dark: nothing scrolls sideways but tables within their boxes", async () => {
+  const page = await filled();
   for (const width of [400, 1280])
-    for (const dark of [false, true]) {
-      const page = await filled({ width, dark });
+    for (const scheme of ["light", "dark"] as const) {
+      await become(page, width, scheme);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
       const shots = process.env["MMVERIFY_SHOTS"];
       if (shots)
         for (const id of ["header", "#scene", "#function", "#laws", "#curves"])
-          await page.locator(id).first().screenshot({ path: join(shots, `${id.replace("#", "")}-${width}-${dark ? "dark" : "light"}.png`) });
-      await page.context().close();
+          await page.locator(id).first().screenshot({ path: join(shots, `${id.replace("#", "")}-${width}-${scheme}.png`) });
     }
 });
 
 test("keys reach everything, and every control has a name", async () => {
   const page = await filled();
-  await page.getByLabel("Filter").last().fill("index.bijective");
   const wanted = await page.$$eval("button, select, input, textarea, summary, a[href], canvas[tabindex], .scrolls", (all) =>
     all.filter((e) => (e as HTMLElement).checkVisibility()).map((e) => ((e as HTMLElement).dataset["reached"] = "no")).length,
   );
@@ -51,12 +62,12 @@ test("keys reach everything, and every control has a name", async () => {
     all.filter((e) => !(e.getAttribute("aria-label") ?? e.textContent ?? "").trim() && !(e.id && document.querySelector(`label[for="${e.id}"]`))).map((e) => e.outerHTML),
   );
   assert.deepEqual(nameless, []);
-  await page.context().close();
 });
 
 test("words have contrast of 4.5 to 1, light and dark", async () => {
-  for (const dark of [false, true]) {
-    const page = await filled({ dark });
+  const page = await filled();
+  for (const scheme of ["light", "dark"] as const) {
+    await become(page, 1280, scheme);
     const poor = await page.evaluate(() => {
       const channels = (colour: string) => /rgba?\(([^)]+)\)/.exec(colour)?.[1]!.split(/[ ,/]+/).map(Number);
       const luminance = (c: number[]) => {
@@ -79,6 +90,5 @@ test("words have contrast of 4.5 to 1, light and dark", async () => {
       return found;
     });
     assert.deepEqual(poor, []);
-    await page.context().close();
   }
 });
