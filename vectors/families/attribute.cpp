@@ -36,8 +36,10 @@ void for_each_index(Count count, Each each) {
     once("end of the first row or strip", N);
     once("begin of the second row or strip", N + 1);
     Mixed mixed(n);
-    for (unsigned k = 0; k < 8; ++k)
-      once("anywhere", (std::uint64_t{mixed.bits(24)} << 16 | mixed.bits(16)) % all);
+    for (unsigned k = 0; k < 8; ++k) {
+      const std::uint64_t high = mixed.bits(24);
+      once("anywhere", (high << 16 | mixed.bits(16)) % all);
+    }
   }
 }
 
@@ -129,8 +131,10 @@ void add_hits(Builder& out) {
                                {2 * N - 1, N + 1}})
       hits.add_around(n, dyadic(a, n + 2), dyadic(b, n + 2));
     Mixed mixed(n);
-    for (unsigned k = 0; k < 12; ++k)
-      hits.add("anywhere", n, dyadic(mixed.bits(23), 24), dyadic(mixed.bits(23), 24));
+    for (unsigned k = 0; k < 12; ++k) {
+      const auto v = dyadic(mixed.bits(23), 24);
+      hits.add("anywhere", n, dyadic(mixed.bits(23), 24), v);
+    }
   }
 }
 
