@@ -39,7 +39,8 @@ EM_JS(int, mmverify_script_call, (const char* name, int level, int format, const
   try {
     const entry = UTF8ToString(name);
     const before = format < 0 ? [level] : [level, format];
-    Module.subject[entry](...before, ...numbers, answer);
+    const returned = Module.subject[entry](...before, ...numbers, answer);
+    if (returned && typeof returned.then === "function") throw new Error(entry + " returned a promise; it has to answer at once");
   } catch (error) {
     stringToUTF8(String(error && error.message || error), message, room);
     return 0;

@@ -13,6 +13,7 @@ export function compile(source) {
     const { readFile } = await import("node:fs/promises");
     return WebAssembly.compile(await readFile(address));
   })();
+  compiled.catch(() => (compiled = undefined)); // another try may do better
   return compiled;
 }
 
@@ -62,22 +63,26 @@ function collector(tell) {
  */
 export async function run(args, options = {}) {
   const module = await (options.module ?? compile());
+  if (!(module instanceof WebAssembly.Module)) throw new TypeError("run: options.module is no WebAssembly.Module");
   await nodeGlobals();
   const out = collector(options.onStdout);
   const errors = collector(options.onStderr);
   let given = 0;
   const input = options.stdin === undefined ? undefined : new TextEncoder().encode(options.stdin);
-  const program = await createProgram({
+  const failed = {};
+  const failure = new Promise((_, reject) => (failed.with = reject));
+  failure.catch(() => {});
+  const program = await Promise.race([failure, createProgram({
     noInitialRun: true,
     thisProgram: "mmverify",
     subject: options.subject,
     instantiateWasm(imports, receive) {
-      WebAssembly.instantiate(module, imports).then((instance) => receive(instance, module));
+      WebAssembly.instantiate(module, imports).then((instance) => receive(instance, module), failed.with);
       return {};
     },
     preRun: [(its) => its.FS.init(options.readStdin ?? (() => (input && given < input.length ? input[given++] : null)),
       out.put, errors.put)],
-  });
+  })]);
   const { FS } = program;
   options.mount?.(program);
   for (const [name, contents] of Object.entries(options.files ?? {})) {
@@ -85,7 +90,7 @@ export async function run(args, options = {}) {
     if (folder !== "") FS.mkdirTree(folder);
     FS.writeFile(name, contents);
   }
-  const code = program.callMain([...args]);
+  const code = program.callMain(args.map(String));
   out.flush();
   errors.flush();
   const files = {};
@@ -93,30 +98,45 @@ export async function run(args, options = {}) {
   return { code, stdout: out.text(), stderr: errors.text(), files };
 }
 
+/** The last part of a name, where a file of such bytes lies for the program. */
+function given(bytes, name) {
+  if (!(bytes instanceof Uint8Array)) throw new TypeError("the file's contents have to be a Uint8Array");
+  return `/tmp/given/${String(name).split(/[\\/]/).pop() || "file"}`;
+}
+
 async function runForJson(args, options) {
-  const json = "/tmp/result.json";
-  const ended = await run([...args, "--json", json], { ...options, wanted: [json] });
+  const json = "/tmp/answer/result.json";
+  const ended = await run([...args, "--json", json], {
+    ...options,
+    files: { "/tmp/answer/.keep": "", ...options.files },
+    wanted: [json],
+  });
   const bytes = ended.files[json];
   if (bytes === undefined) throw new Error(ended.stderr.trim() || `mmverify ended with exit code ${ended.code}`);
   return { code: ended.code, text: ended.stdout, result: JSON.parse(new TextDecoder().decode(bytes)) };
 }
 
 /** Proves laws; `what` are laws or topics.  The result follows docs/result.schema.json. */
-export function prove(what = [], options = {}) {
+export async function prove(what = [], options = {}) {
   const args = ["prove", ...what, "--quiet"];
-  if (options.levels !== undefined) args.push("--levels", options.levels);
-  if (options.subject !== undefined) args.push("--subject", options.subject.path);
+  if (options.levels !== undefined) args.push("--levels", String(options.levels));
+  if (options.subject !== undefined) {
+    if (typeof options.subject.path !== "string") throw new TypeError("prove: options.subject has no path, by which it is named");
+    args.push("--subject", options.subject.path);
+  }
   if (options.mutants === false) args.push("--no-mutants");
   return runForJson(args, options);
 }
 
 /** What is wrong with a file; see docs/VALIDATE.md.  The result follows docs/validate.schema.json. */
-export function validate(bytes, name = "scene.glb", options = {}) {
-  return runForJson(["validate", `/tmp/${name}`], { ...options, files: { [`/tmp/${name}`]: bytes } });
+export async function validate(bytes, name = "scene.glb", options = {}) {
+  const file = given(bytes, name);
+  return runForJson(["validate", file], { ...options, files: { ...options.files, [file]: bytes } });
 }
 
 /** The plan of a scene and what its micromaps save; see docs/SCENE.md. */
-export function scene(bytes, name = "scene.glb", options = {}) {
-  return runForJson(["scene", `/tmp/${name}`, "--quiet", ...(options.arguments ?? [])],
-    { ...options, files: { [`/tmp/${name}`]: bytes, ...options.files } });
+export async function scene(bytes, name = "scene.glb", options = {}) {
+  const file = given(bytes, name);
+  return runForJson(["scene", file, "--quiet", ...(options.arguments ?? [])],
+    { ...options, files: { ...options.files, [file]: bytes } });
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // mmverify on the command line of any system with Node.js: the arguments and exit codes of the native program.
-import { existsSync, mkdtempSync, readdirSync, readSync, rmSync, statSync, writeSync } from "node:fs";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, readSync, rmSync, statSync, writeSync } from "node:fs";
 import os from "node:os";
 import { isAbsolute, join, parse, resolve, sep } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -10,6 +10,7 @@ import { compile, run } from "../index.mjs";
 
 const usage = 2;
 const environment = 4;
+const oneScript = "--subject: one script at a time";
 
 /** The program's files are the machine's: what lies in the root folder is mounted under its own name. */
 function mountMachine({ FS, NODEFS }) {
@@ -81,9 +82,13 @@ async function subjectOf(args) {
   const scripts = names.filter((name) => /\.[cm]?js$/.test(name.replace(/:[a-z0-9]+$/, "")));
   if (scripts.length === 0) return undefined;
   const path = scripts[0].replace(/:[a-z0-9]+$/, "");
-  if (scripts.some((name) => name.replace(/:[a-z0-9]+$/, "") !== path)) throw new Error("one script at a time");
-  if (!existsSync(path)) throw new Error(`${path}: no such file`);
-  return { ...(await import(pathToFileURL(resolve(path)))), path };
+  if (scripts.some((name) => name.replace(/:[a-z0-9]+$/, "") !== path)) throw new Error(oneScript);
+  if (!existsSync(path)) throw new Error(`--subject ${path}: no such file`);
+  try {
+    return { ...(await import(pathToFileURL(resolve(path)))), path };
+  } catch (error) {
+    throw new Error(`--subject ${path}: it cannot be loaded: ${error?.message ?? error}`);
+  }
 }
 
 const here = {
@@ -105,7 +110,9 @@ function threadsOf(args) {
   const rest = args.filter((_, k) => k !== at && !(args[at] === "--threads" && k === at + 1));
   const cores = os.availableParallelism?.() ?? os.cpus().length;
   const threads = text === "0" ? cores : Number(text);
-  if (!Number.isInteger(threads) || threads < 1 || threads > 4 * cores) return undefined; // the program says what is wrong
+  // The program says what is wrong with others.
+  if (!/^[0-9]+$/.test(text ?? "") || threads < 1 || threads > 4 * cores) return undefined;
+  if (rest.some((word) => word === "--threads" || word.startsWith("--threads="))) return undefined;
   const alone = ["--shard", "--journal", "--junit", "--source", "--case", "--help"];
   if (threads === 1 || rest.some((word) => alone.includes(word.split("=")[0]))) return { rest, threads: 1 };
   return { rest, threads };
@@ -125,31 +132,59 @@ async function inThreads(args, threads) {
       const worker = new Worker(new URL(import.meta.url), { workerData: { args: mine, module } });
       worker.on("message", done);
       worker.on("error", failed);
+      worker.on("exit", () => failed(new Error(`shard ${k + 1} of ${threads} ended without a verdict`)));
     })));
     const bad = ended.find(({ code }) => code !== 0 && code !== 1 && code !== 3);
     if (bad !== undefined) {
       writeAll(2, new TextEncoder().encode(bad.stderr));
       return bad.code;
     }
-    return await one(["merge", ...shards, "-o", json ?? join(folder, "all.json")]);
+    const out = json === undefined || json === "-" ? join(folder, "all.json") : json;
+    // Where JSON goes to standard output, the text does not.
+    const told = json === "-" ? { ...here, onStdout: here.onStderr } : here;
+    const code = await one(["merge", ...shards, "-o", out], told);
+    if (json === "-" && existsSync(out)) writeAll(1, readFileSync(out));
+    return code;
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
 }
 
+const leftOut = ["bench", "render", "report", "man", "completion"];
+
+/** Files that lie in the root folder itself are not the program's to see: it has a root folder of its own. */
+function checkPlaces(args) {
+  if (sep === "\\") return;
+  if (process.cwd() === "/") throw new Error("it cannot work in the folder /; change into another one");
+  const there = args.map((text) => text.slice(text.startsWith("--") ? text.indexOf("=") + 1 : 0))
+    .find((text) => /^\/[^/]+$/.test(text) && !(existsSync(text) && statSync(text).isDirectory()));
+  if (there !== undefined) throw new Error(`${there}: files that lie in the folder / itself cannot be had; use another folder`);
+}
+
 async function main(args) {
+  if (leftOut.includes(args[0])) throw new Error(`${args[0]} is not in this package; the native mmverify has it`);
+  checkPlaces(args);
   const divided = threadsOf(args);
   if (divided === undefined) return one(args);
   return divided.threads === 1 ? one([...divided.rest, "--threads", "1"]) : inThreads(divided.rest, divided.threads);
 }
 
 if (isMainThread) {
+  let ended = false;
+  // A script under test that ends the process has not passed.
+  process.on("exit", () => {
+    if (ended) return;
+    writeAll(2, new TextEncoder().encode("mmverify: the process was ended before there was a verdict\n"));
+    process.exitCode = environment;
+  });
   try {
     process.exitCode = await main(process.argv.slice(2));
   } catch (error) {
-    writeAll(2, new TextEncoder().encode(`mmverify: ${error.message}\n`));
-    process.exitCode = /no such file|one script/.test(error.message) ? usage : environment;
+    const message = error?.message ?? String(error);
+    writeAll(2, new TextEncoder().encode(`mmverify: ${message}\n`));
+    process.exitCode = message === oneScript ? usage : environment;
   }
+  ended = true;
 } else {
   const { args, module } = workerData;
   const ended = await run(args, { module, mount: mountMachine, subject: await subjectOf(args) });
