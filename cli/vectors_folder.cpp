@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
+#include "vectors/families.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -16,6 +18,14 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void cannot(const std::string& place, const char* what, const std::error_code& error) {
   throw EnvironmentError(fmt::format("{}: {}: {}", place, what, error.message()));
+}
+
+/// Whether a folder of vectors can have a file of this name: a manifest that somebody wrote names others in vain.
+bool is_of_vectors(const std::string& name) {
+  if (name == vectors::header_name || name == vectors::binary_name) return true;
+  const auto& all = vectors::families();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const auto& family) { return name == std::string(family.name) + ".json"; });
 }
 
 /// The names that a folder's manifest lists, its own among them; none where it has no manifest of vectors.
@@ -27,7 +37,9 @@ std::set<std::string> listed_in(const fs::path& folder) {
   const auto files = manifest.find("files");
   if (files != manifest.end() && files->is_array())
     for (const auto& file : *files)
-      if (file.is_object() && file.contains("file") && file["file"].is_string()) names.insert(file["file"]);
+      if (file.is_object() && file.contains("file") && file["file"].is_string() &&
+          is_of_vectors(file["file"]))
+        names.insert(file["file"]);
   return names;
 }
 

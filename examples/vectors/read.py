@@ -14,9 +14,11 @@ def sections(file):
     if magic != b"MMVECTOR" or version != 1 or size != len(file):
         sys.exit("no vectors of mmverify, or not all of them")
     found = {}
-    for k in range(entries):
+    for k in range(entries if at + 64 * entries <= len(file) else 0):
         family, section, _, record, records, start = struct.unpack_from("<16s16s4I", file, at + 64 * k)
         name = tuple(text.rstrip(b"\0").decode() for text in (family, section))
+        if record == 0 or records == 0 or start + record * records > len(file):
+            sys.exit(f"{name}: it does not say where its records are")
         found[name] = record, file[start : start + record * records]
     return found
 
@@ -53,6 +55,5 @@ for about, level, u, v, on, gap, right, in_floats, *more in struct.iter_unpack("
     published += answer == in_floats
     if answer != right and not first:
         first = f"first: level {level}, u {u.hex()}, v {v.hex()}: {abouts[about]}"
-print(f"published: {published} of {total}, exact: {exact} of {total}")
-print(first, end="\n" if first else "")
+print(f"published: {published} of {total}, exact: {exact} of {total}", *filter(None, [first]), sep="\n")
 sys.exit(total not in (exact, published))

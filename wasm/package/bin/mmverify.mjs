@@ -10,6 +10,7 @@ import { compile, run } from "../index.mjs";
 
 const usage = 2;
 const environment = 4;
+let ended = false;
 const oneScript = "--subject: one script at a time";
 
 /** The program's files are the machine's: what lies in the root folder is mounted under its own name. */
@@ -50,7 +51,10 @@ function writeAll(file, bytes) {
     try {
       at += writeSync(file, bytes, at);
     } catch (error) {
-      if (error.code === "EPIPE") process.exit(0); // nobody reads any more
+      if (error.code === "EPIPE") {
+        ended = true; // nobody reads any more
+        process.exit(0);
+      }
       if (error.code !== "EAGAIN") throw error;
     }
   }
@@ -170,7 +174,6 @@ async function main(args) {
 }
 
 if (isMainThread) {
-  let ended = false;
   // A script under test that ends the process has not passed.
   process.on("exit", () => {
     if (ended) return;
