@@ -4,6 +4,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { before, test } from "node:test";
 
+import { percent } from "../../../report/src/format";
 import { done, folder, native, open, verdictsIn } from "./browser";
 
 const json = (name: string) => JSON.parse(readFileSync(join(folder, name), "utf8"));
@@ -30,9 +31,11 @@ test("a dropped .glb: findings, plan, footprint, savings, micromaps; the figures
   await done(section);
   const text = (await section.textContent())!;
   assert.match(text, /gltf \(draft ext-2\): 0 errors, 0 warnings/);
-  const { plan, footprint } = json("garden.json").scene;
+  const { plan, footprint, vq2 } = json("garden.json").scene;
   assert.ok(text.includes(`${plan.triangles} triangles, ${plan.triangles_placed} as nodes place them`));
   assert.ok(text.includes(`${footprint.micromaps} micromaps, ${footprint.special_indices} special indices`));
+  // What an encoder makes of it: a compiler's mistake would show here.
+  assert.ok(text.includes(percent(1 - (vq2.unknown + vq2.substitutions) / vq2.regions)));
   assert.equal(await section.locator(".plot canvas").count(), 2);
   const verdicts = Object.values(await verdictsIn(section));
   assert.ok(verdicts.length >= 5 && verdicts.every((v) => v === "proved" || v === "checked"));
