@@ -40,6 +40,10 @@ printf 'the first verdict: %d ms after the start; the package: %s\n' $((($(date 
 "$native" prove --quiet --no-mutants --levels 0..2 --json native.json >/dev/null || fail "native prove"
 "$mmverify" prove --quiet --no-mutants --levels 0..2 --json wasm.json >/dev/null || fail "prove as WebAssembly"
 python3 "$here/same_results.py" native.json wasm.json || fail "the results differ"
+# Loops of encoders that a compiler once made wrong vectors of.
+"$native" prove vq2.optimum vq2.effort --quiet --no-mutants --json native.json >/dev/null || fail "native vq2"
+"$mmverify" prove vq2.optimum vq2.effort --quiet --no-mutants --json wasm.json >/dev/null || fail "vq2 as WebAssembly"
+python3 "$here/same_results.py" native.json wasm.json || fail "the results of vq2 differ"
 # Mutants: of one law a topic.
 laws=(index.in_range tree.round_trip micromap.pack_round_trip dag.as_flat)
 known=$("$native" list --quiet 2>/dev/null || "$native" list)
