@@ -41,3 +41,7 @@ foreach(name Boost_VERSION_STRING=libboost1.81-dev hwy_VERSION=libhwy-dev fmt_VE
 endforeach()
 set(TBB_VERSION "none")
 set(z3_VERSION "none")
+
+# A package is carried to other machines: no path of the building one is left in it.
+add_compile_options(-ffile-prefix-map=${PROJECT_BINARY_DIR}=build -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.)
+set(MMVERIFY_SOURCES_AT "/nowhere")
