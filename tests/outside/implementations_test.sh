@@ -114,7 +114,7 @@ wait "$judge" || code=$?
 # Adapters are short, and each has a recipe.
 for adapter in "$root"/examples/adapters/*/; do
   [[ -f $adapter/recipe ]] || fail "$adapter has no recipe"
-  lines=$(find "$adapter" -name "*.cpp" -exec cat {} + | wc -l)
+  lines=$(find "$adapter" \( -name "*.cpp" -o -name "*.hpp" \) -exec cat {} + | wc -l)
   ((lines < 60)) || fail "$adapter: $lines lines, 60 or more"
 done
 "$root/scripts/implementations/judge" --list >listed

@@ -1,0 +1,23 @@
+// What meshopt_opacityMapRasterize supports, whoever calls it.
+//
+// It compares with 1/2, and rounds coordinates to 1/256 of a texel.  Coordinates outside of [0, 1] it takes into it
+// without filtering across the border, which is none of Vulkan's addressing modes: inside it clamps.  Scenes are baked
+// with it all the same, so ADAPTER_SCENE has it asked for repeated textures, too.
+#pragma once
+
+#include "examples/adapters/subject.hpp"
+
+inline void rasterizer_supports(mmverify_bake_support_t& support) {
+  support.texels = 1U << MMVERIFY_UNORM8;
+  support.filters = 1U << MMVERIFY_BILINEAR;
+  support.alpha_modes = 1U << MMVERIFY_MASK;
+  support.max_mips = 1;
+  support.restrictions = MMVERIFY_BAKE_NO_FACTORS | MMVERIFY_BAKE_NO_MARGIN;
+  support.fixed_cutoff = 0.5F;
+  support.unknown = MMVERIFY_UNKNOWN_BY_COVERAGE;
+#ifndef ADAPTER_SCENE
+  support.wraps = 1U << MMVERIFY_CLAMP_TO_EDGE;
+  support.uv_max = 1;
+#endif
+  support.coordinate_bits = 8;
+}
