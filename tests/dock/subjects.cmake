@@ -41,10 +41,12 @@ target_link_libraries(subject_c_face PRIVATE mmverify::impl)
 set_target_properties(subject_c_face PROPERTIES LINKER_LANGUAGE CXX)
 # What an engine in another language calls is what the laws are true of.
 set(judging_c_face mmverify prove --subject ${subjects_dir}/c_face.so --no-mutants --quiet)
-add_test(NAME c_face_of_maps COMMAND ${judging_c_face} index micromap tree --levels 0..$<IF:$<BOOL:${MMVERIFY_SANITIZE}>,1,3>)
-add_test(NAME c_face_of_blocks COMMAND ${judging_c_face} vq2.region_is_map vq4.region_is_map vq2.conservative)
-# Under sanitizers each of its cases takes ten times as long.
-add_test(NAME c_face_of_bakers COMMAND ${judging_c_face} bake.conservative bake.tight --levels 0..$<IF:$<BOOL:${MMVERIFY_SANITIZE}>,0,2>)
+if(whole_program)
+  add_test(NAME c_face_of_maps COMMAND ${judging_c_face} index micromap tree --levels 0..$<IF:$<BOOL:${MMVERIFY_SANITIZE}>,1,3>)
+  add_test(NAME c_face_of_blocks COMMAND ${judging_c_face} vq2.region_is_map vq4.region_is_map vq2.conservative)
+  # Under sanitizers each of its cases takes ten times as long.
+  add_test(NAME c_face_of_bakers COMMAND ${judging_c_face} bake.conservative bake.tight --levels 0..$<IF:$<BOOL:${MMVERIFY_SANITIZE}>,0,2>)
+endif()
 # As docs/SUBJECTS.md builds them; a sanitized worker has its own runtime.
 if(NOT MMVERIFY_SANITIZE AND CMAKE_C_COMPILER_ID STREQUAL GNU)
   mmverify_add_subject(address_sanitized subjects/sanitized.c READS_PAST_ITS_TABLE)

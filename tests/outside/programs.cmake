@@ -14,6 +14,9 @@ endif()
 # The built program, from outside, as a user has it before him: tests/transcripts/README.md.
 add_test(NAME transcript_self_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/transcript --self-test)
 file(GLOB transcripts CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/transcripts transcripts/*/*.txt)
+if(NOT whole_program)
+  set(transcripts "")
+endif()
 if(MMVERIFY_SANITIZE AND NOT MMVERIFY_EVERY_TEST)
   # What the program is handed from outside, and how it ends.
   list(FILTER transcripts INCLUDE REGEX "/(complaints|bad_files|full_disk|hostile_texts|interrupted|journal|wrong_shards|cases)[.]txt$")
