@@ -7,6 +7,12 @@
 
 #include "examples/adapters/subject.hpp"
 
+#ifdef ADAPTER_SCENE
+inline constexpr bool bakes_scenes = true;
+#else
+inline constexpr bool bakes_scenes = false;
+#endif
+
 inline void rasterizer_supports(mmverify_bake_support_t& support) {
   support.texels = 1U << MMVERIFY_UNORM8;
   support.filters = 1U << MMVERIFY_BILINEAR;
@@ -15,9 +21,6 @@ inline void rasterizer_supports(mmverify_bake_support_t& support) {
   support.restrictions = MMVERIFY_BAKE_NO_FACTORS | MMVERIFY_BAKE_NO_MARGIN;
   support.fixed_cutoff = 0.5F;
   support.unknown = MMVERIFY_UNKNOWN_BY_COVERAGE;
-#ifndef ADAPTER_SCENE
-  support.wraps = 1U << MMVERIFY_CLAMP_TO_EDGE;
-  support.uv_max = 1;
-#endif
+  if (!bakes_scenes) support.wraps = 1U << MMVERIFY_CLAMP_TO_EDGE, support.uv_max = 1;
   support.coordinate_bits = 8;
 }
