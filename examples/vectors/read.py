@@ -44,8 +44,8 @@ def index_of(level, u, v):
     return spread(b0) | spread((f ^ iu) & ~b0 & n - 1 | t) << 1
 
 
-with open(sys.argv[1], "rb") as binary:
-    parts = sections(binary.read())
+(path,) = sys.argv[1:] or sys.exit("usage: read.py mmverify_vectors.bin")
+parts = sections(open(path, "rb").read())
 size, points = parts["index", "points"]
 abouts = [text.rstrip(b"\0").decode() for (text,) in struct.iter_unpack("64s", parts["index", "about"][1])]
 total, exact, published, first = len(points) // size, 0, 0, ""

@@ -79,7 +79,7 @@ def laws_of(found):
     return lines
 
 
-def scenes_of(found_all):
+def scenes_of(found_all, levels):
     rows = [(found["recipe"]["name"], *scene) for found in found_all for scene in found["scenes"]]
     if not rows:
         return []
@@ -97,7 +97,7 @@ def scenes_of(found_all):
             f"{100 * row['needless_share']:.3f} %" if judged else "-"])) + " |")
     subjects = list(dict.fromkeys((scene, subject) for _, scene, _, subject in rows))
     lines += ["", "Again, with the scene's own path:", "", "```"]
-    lines += [f"mmverify bench bake --scene {scene} --subject {subject}" for scene, subject in subjects]
+    lines += [f"mmverify bench bake --scene {scene} --levels {levels} --subject {subject}" for scene, subject in subjects]
     return lines + ["```"]
 
 
@@ -107,7 +107,8 @@ def speeds_of(found_all, ours):
     bakers = [found for found in found_all if found["times"]]
     if bakers:
         lines += ["", "## Speed", "", "Of bakers: processor time of a state, one thread, in one process with the library, 128 triangles of a texture",
-                  "of 128 x 128 texels; ours is exact. Speeds differ from run to run; all else in this document does not.", "",
+                  "of 128 x 128 texels; ours is exact. Speeds differ from run to run, and so does where the time limit stops a law;",
+                  "nothing else in this document does.", "",
                   "| implementation | level | ns a state | ours | x ours |", "|---|---|---|---|---|"]
         for found in bakers:
             for level, ns in found["times"].items():
@@ -156,7 +157,7 @@ def document(found_all, tool, options, ours):
              f"mmverify {tool['version']}, specification `{tool['spec_hash'][:16]}`, {tool['cpu']}, {tool['compiler']}.", "",
              "```", f"./run implementations {' '.join(words)} DIR...", "```", "",
              "The replay lines hold from the checkout's root, once that has run.", "", *summary(found_all)]
-    lines += scenes_of(found_all) + speeds_of(found_all, ours)
+    lines += scenes_of(found_all, options.levels) + speeds_of(found_all, ours)
     for found in found_all:
         lines += sections(found)
     return "\n".join(lines) + "\n"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# action.yml and the workflow of releases: valid YAML, each command is bash, each input is used; and the action's two steps on a
-# release of files, green, and red: another checksum, a wrong function, a baseline that is another.
+# action.yml and the workflows: valid YAML, each command is bash and one that is here, each input is used; and the action's two
+# steps on a release of files, green, and red: another checksum, a wrong function, a baseline that is another.
 # usage: tests/outside/action_test.sh MMVERIFY
 set -euo pipefail
 
@@ -30,13 +30,26 @@ for index, step in enumerate(s for s in steps if "run" in s):
     (folder / f"action-{index}.sh").write_text("#!/usr/bin/env bash\n" + step["run"] + "\n")
 workflow = yaml.safe_load((root / ".github/workflows/release.yml").read_text())
 # YAML 1.1 reads the key `on` as true.
-assert workflow[True]["push"]["tags"] == ["v*"]
+assert workflow[True]["push"]["tags"] == ["v[0-9]+.[0-9]+.[0-9]+"]
+# By night and for each change: a command of `run` or a file.
+doors = re.findall(r"^  ([a-z-]+)\)", (root / "run").read_text(), re.M)
+commands = [job["command"] for job in yaml.safe_load((root / ".github/workflows/nightly.yml").read_text())
+            ["jobs"]["run"]["strategy"]["matrix"]["include"]]
+commands += [step["run"] for step in yaml.safe_load((root / ".github/workflows/change.yml").read_text())
+             ["jobs"]["checks"]["steps"] if "run" in step]
+for index, command in enumerate(commands):
+    (folder / f"command-{index}.sh").write_text("#!/usr/bin/env bash\n" + command + "\n")
+    for door in re.findall(r"[.]/run ([a-z-]+)", command):
+        assert door in doors, f"./run has no {door}"
+    for file in re.findall(r"(?:^|&& )((?:scripts|tests|[.]ci)/\S+)", command):
+        assert (root / file).is_file(), f"no {file}"
 for name, job in workflow["jobs"].items():
     for index, step in enumerate(job["steps"]):
         assert ("uses" in step) != ("run" in step), step
         if "run" in step:
             (folder / f"workflow-{name}-{index}.sh").write_text("#!/usr/bin/env bash\n" + step["run"] + "\n")
 PYTHON
+grep -qx impl_index_test < <("$root/scripts/arm64-tests" --list) || fail "scripts/arm64-tests does not know impl_index_test"
 for script in "$folder"/*.sh "$root"/packaging/action/* "$root"/scripts/release/{bundle,deb,make,notes,sysroot,tarball,try}; do
   bash -n "$script"
   ! command -v shellcheck >/dev/null || shellcheck --severity=warning "$script"

@@ -7,7 +7,7 @@ if(NOT MMVERIFY_SANITIZE)
   add_test(NAME corpora_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/corpora_test.sh)
   add_test(NAME contributing_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/contributing_test.sh)
 endif()
-if(NOT MMVERIFY_SANITIZE AND NOT MMVERIFY_BRIEF)
+if(NOT MMVERIFY_SANITIZE AND NOT MMVERIFY_BRIEF)  # a minute of a processor each
   add_test(NAME install_test
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/install_test.sh ${PROJECT_BINARY_DIR} ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER})
   set_tests_properties(install_test PROPERTIES TIMEOUT 300)
