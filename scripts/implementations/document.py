@@ -25,16 +25,17 @@ def broken_case(one):
 
 
 def simplest(results):
-    """The case that refutes, and one without an answer, of the first such law at its lowest level: lines of text."""
+    """Of each law the case that refutes it, and one without an answer, at its lowest such level: lines of text."""
     found = []
-    for verdict in ("refuted", "broken"):
-        one = next((r for r in results if r["verdict"] == verdict), None)
-        case = one and one.get("counterexample")
-        if case:
-            told = f"{one['law']} level {case['level']}: expected {case['expected']}; got {case['got']}"
-            found.append([told, case["replay"]])
-        elif one:
-            found.append([f"{one['law']}: {one.get('reason', verdict)}", *broken_case(one)])
+    for of_law in by_law(results).values():
+        for verdict in ("refuted", "broken"):
+            one = next((r for r in of_law if r["verdict"] == verdict), None)
+            case = one and one.get("counterexample")
+            if case:
+                told = f"{one['law']} level {case['level']}: expected {case['expected']}; got {case['got']}"
+                found.append([told, case["replay"]])
+            elif one:
+                found.append([f"{one['law']}: {one.get('reason', verdict)}", *broken_case(one)])
     return found
 
 
@@ -108,7 +109,7 @@ def speeds_of(found_all, ours):
     if bakers:
         lines += ["", "## Speed", "", "Of bakers: processor time of a state, one thread, in one process with the library, 128 triangles of a texture",
                   "of 128 x 128 texels; ours is exact. Speeds differ from run to run, and so does where the time limit stops a law;",
-                  "nothing else in this document does.", "",
+                  "nothing else in this document does. The command above takes them again.", "",
                   "| implementation | level | ns a state | ours | x ours |", "|---|---|---|---|---|"]
         for found in bakers:
             for level, ns in found["times"].items():
@@ -123,6 +124,8 @@ def speeds_of(found_all, ours):
         ns = {row["subject"]: row["ns_per_index"] for row in own["rows"]}
         lines.append(f"| {cell(found['recipe']['name'])} | {theirs['bare_ns']:.1f} | {ns['impl-scalar']:.1f} | "
                      f"{ns['impl-batched']:.1f} |")
+    if timed:
+        lines += ["", "```", *(f"mmverify bench index --levels 9 --subject {found['subject']}" for found in timed), "```"]
     return lines
 
 
