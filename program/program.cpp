@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,8 +13,6 @@
 #include <cstring>
 #include <memory>
 #include <thread>
-
-extern char** environ;
 
 namespace mmverify::program {
 namespace {
@@ -42,14 +39,66 @@ std::string contents(const File& file) {
   return text;
 }
 
-void bound(pid_t child, const Bounds& bounds) {
-  const auto at_most = [child](auto resource, rlim_t most) {
+void bound(const Bounds& bounds) {
+  const auto at_most = [](auto resource, rlim_t most) {
     const rlimit limit{most, most};
-    prlimit(child, resource, &limit, nullptr);
+    setrlimit(resource, &limit);
   };
   at_most(RLIMIT_AS, bounds.memory);
   at_most(RLIMIT_FSIZE, bounds.a_file);
   at_most(RLIMIT_CORE, 0);
+}
+
+/// A pipe whose ends no other program inherits.
+class Pipe {
+ public:
+  Pipe() {
+    if (pipe2(ends_, O_CLOEXEC) != 0) throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
+  }
+  ~Pipe() {
+    close(ends_[0]);
+    if (ends_[1] >= 0) close(ends_[1]);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  void tell(int number) const {
+    while (write(ends_[1], &number, sizeof number) < 0 && errno == EINTR) continue;
+  }
+  /// What was told, or 0 where the other end was closed without a word.
+  int told() {
+    close(ends_[1]);
+    ends_[1] = -1;
+    int number = 0;
+    while (read(ends_[0], &number, sizeof number) < 0 && errno == EINTR) continue;
+    return number;
+  }
+
+ private:
+  int ends_[2];
+};
+
+/// Starts a program with its three streams, bounded before its first instruction: 0, or why there is none (errno).
+/// After fork(), calls of the system alone: another thread may have held a lock.
+int start(char* const* argv, const std::array<int, 3>& streams, const Bounds& bounds, pid_t& child) {
+  Pipe failure;
+  child = fork();
+  if (child < 0) return errno;
+  if (child == 0) {
+    bool placed = true;
+    for (int stream = 0; stream < 3; ++stream)
+      placed = placed && dup2(streams[static_cast<std::size_t>(stream)], stream) >= 0;
+    if (placed) {
+      bound(bounds);
+      execvp(argv[0], argv);
+    }
+    failure.tell(errno);
+    _exit(127);
+  }
+  const int error = failure.told();
+  if (error != 0)
+    while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
+  return error;
 }
 
 /// A program that runs; it is ended where nobody has waited for it.
@@ -97,19 +146,13 @@ ProgramEnd run_program(const std::vector<std::string>& arguments, const std::str
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, fileno(in.get()), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&files, fileno(out.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, fileno(errors.get()), STDERR_FILENO);
   pid_t child = 0;
-  const int spawned = posix_spawnp(&child, argv[0], &files, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (spawned == ENOENT) throw NoProgram(program + ": there is no program of that name");
-  if (spawned != 0) throw std::runtime_error(program + ": " + std::strerror(spawned));
+  const int error =
+      start(argv.data(), {fileno(in.get()), fileno(out.get()), fileno(errors.get())}, bounds, child);
+  if (error == ENOENT) throw NoProgram(program + ": there is no program of that name");
+  if (error != 0) throw std::runtime_error(program + ": " + std::strerror(error));
 
   Running running(child);
-  bound(child, bounds);
   const auto begun = std::chrono::steady_clock::now();
   int status = 0;
   while (!running.ended(status)) {
