@@ -86,8 +86,11 @@ int start(char* const* argv, const std::array<int, 3>& streams, const Bounds& bo
   if (child < 0) return errno;
   if (child == 0) {
     bool placed = true;
-    for (int stream = 0; stream < 3; ++stream)
-      placed = placed && dup2(streams[static_cast<std::size_t>(stream)], stream) >= 0;
+    for (int stream = 0; stream < 3; ++stream) {
+      const int file = streams[static_cast<std::size_t>(stream)];
+      // Whose own stream was closed has the file in its place, which exec would close.
+      placed = placed && (file == stream ? fcntl(file, F_SETFD, 0) == 0 : dup2(file, stream) >= 0);
+    }
     if (placed) {
       bound(bounds);
       execvp(argv[0], argv);
