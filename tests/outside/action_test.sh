@@ -114,6 +114,10 @@ refused() {
 }
 MMVERIFY_SHA256=$(printf 'a%.0s' {1..64}) refused 'has SHA-256'
 MMVERIFY_VERSION=9.9.9 refused 'cannot fetch'
+MMVERIFY_FROM='' MMVERIFY_REPOSITORY=https://github.com/ refused 'names no repository'
+# Of v1.2.3 and of 1.2.3 the same address; nothing answers at this one.
+MMVERIFY_FROM='' MMVERIFY_REPOSITORY=http://localhost:1/owner/name MMVERIFY_VERSION=v$version \
+  refused "cannot fetch http://localhost:1/owner/name/releases/download/v$version/"
 MMVERIFY_VERSION=latest refused 'not one such as'
 echo x >>"$folder/release/$name.tar.gz"
 refused 'has SHA-256'
