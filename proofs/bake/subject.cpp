@@ -7,8 +7,8 @@
 
 #include "impl/bake/triangles.hpp"
 #include "proofs/bake/truth/exact_texture.hpp"
-#include "proofs/bake/truth/narrow.hpp"
 #include "proofs/bake/truth/truth.hpp"
+#include "proofs/narrow.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 #include <variant>
 
+#include "proofs/narrow.hpp"
 #include "spec/bake/state.hpp"
 
 namespace mmverify::proofs::scene {
@@ -52,16 +52,10 @@ TextureOf<Texel> texture_of(const scene::Image& image, const scene::Surface& sur
   return t;
 }
 
-/// The answer of the narrow number where it can give one, else of the wide.
-template <class Answer>
-auto narrow_first(Answer answer) {
-  try {
-    return answer(spec::Rational128());
-  } catch (const std::overflow_error&) {
-    return answer(spec::Rational());
-  } catch (const std::range_error&) {
-    return answer(spec::Rational());
-  }
+/// f.operator()<Q>() over the first of these rationals that holds all numbers on the way.
+template <class F>
+auto in_few_bits(F f) {
+  return in_first_of<Rational64, spec::Rational128, spec::Rational>(f);
 }
 
 }  // namespace
@@ -160,8 +154,7 @@ const ExactSurfaces::OfSurface& ExactSurfaces::of(std::size_t triangle) const {
 
 State ExactSurfaces::state(std::size_t triangle, Level n, std::uint32_t index) const {
   const OfSurface& surface = of(triangle);
-  return narrow_first([&](auto q) {
-    using Q = decltype(q);
+  return in_few_bits([&]<class Q>() {
     const Range<Q> alpha = surface.range<Q>(plan_.triangles[triangle].uvs, n, index);
     return surface.in_mode<Q>([&](const auto& mode) { return state_in(mode, alpha); });
   });
@@ -169,8 +162,7 @@ State ExactSurfaces::state(std::size_t triangle, Level n, std::uint32_t index) c
 
 bool ExactSurfaces::rather_opaque(std::size_t triangle, Level n, std::uint32_t index) const {
   const OfSurface& surface = of(triangle);
-  return narrow_first([&](auto q) {
-    using Q = decltype(q);
+  return in_few_bits([&]<class Q>() {
     const Q alpha = surface.at_centroid<Q>(plan_.triangles[triangle].uvs, n, index);
     return surface.in_mode<Q>([&](const auto& mode) { return mode.rather_opaque(alpha); });
   });

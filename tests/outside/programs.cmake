@@ -22,7 +22,8 @@ if(NOT whole_program)
 endif()
 if(MMVERIFY_BRIEF)
   # Each checks or proves much: 10 to 30 seconds of a processor.
-  list(FILTER transcripts EXCLUDE REGEX "^(check/(bake|maps|tree)|prove/every_float|scene/exhaustive)[.]txt$")
+  list(FILTER transcripts EXCLUDE REGEX
+    "^(check/(bake|maps|tree)|gate/every_command|prove/every_float|report/asked_again_by_other_laws|scene/exhaustive)[.]txt$")
 endif()
 if(MMVERIFY_SANITIZE AND NOT MMVERIFY_EVERY_TEST)
   # What the program is handed from outside, and how it ends.
@@ -54,7 +55,8 @@ endif()
 
 # Functions in sources; without clang or llvm-14-dev skipped, and so said.
 if(NOT MMVERIFY_SANITIZE)
-  add_test(NAME source_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR})
+  add_test(NAME source_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR}
+    $<$<BOOL:${MMVERIFY_BRIEF}>:--brief> COMMAND_EXPAND_LISTS)
   set_tests_properties(source_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
 endif()
 

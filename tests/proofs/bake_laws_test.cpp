@@ -14,11 +14,11 @@
 #include "proofs/bake/domains/samples.hpp"
 #include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/subject.hpp"
-#include "proofs/bake/truth/narrow.hpp"
 #include "proofs/bake/truth/offender.hpp"
 #include "proofs/bake/truth/truth.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/runner.hpp"
+#include "proofs/narrow.hpp"
 #include "proofs/registry.hpp"
 #include "tests/sanitized.hpp"
 

@@ -61,8 +61,7 @@ Q difference_in(const BakeCase& one, Level n, MapForm form, const std::vector<Rg
 /// At u = a / side, v = b / side.
 Rational difference(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map, std::size_t c,
                     std::int64_t a, std::int64_t b, std::int64_t side) {
-  return in_few_bits([&](auto q) {
-    using Q = decltype(q);
+  return in_few_bits([&]<class Q>() {
     return wide(
         difference_in<Q>(one, n, form, map, c, slow::fraction<Q>(a, side), slow::fraction<Q>(b, side)));
   });

@@ -39,7 +39,7 @@ std::array<ChannelError, 4> specified_error(const BakeCase& one, Level n, MapFor
                                             const std::vector<Rgba>& map) {
   std::array<ChannelError, 4> error;
   const auto judge = [&](std::size_t c, const auto& texture) {
-    error[c] = in_few_bits([&](auto q) { return channel_error<decltype(q)>(one, n, form, map, c, texture); });
+    error[c] = in_few_bits([&]<class Q>() { return channel_error<Q>(one, n, form, map, c, texture); });
   };
   for (std::size_t c = 0; c < 4; ++c)
     if (one.picture.meaning == Meaning::srgb && c < 3)
@@ -51,10 +51,8 @@ std::array<ChannelError, 4> specified_error(const BakeCase& one, Level n, MapFor
 
 Rational specified_mean(const BakeCase& one, Level n, std::size_t c, std::uint32_t index) {
   const auto mean = [&](const auto& texture) {
-    return in_few_bits([&](auto q) {
-      using Q = decltype(q);
-      return wide(slow::face_value(texture, base_triangle<Q>(one.uv), n, index));
-    });
+    return in_few_bits(
+        [&]<class Q>() { return wide(slow::face_value(texture, base_triangle<Q>(one.uv), n, index)); });
   };
   const Picture& p = one.picture;
   return p.meaning == Meaning::srgb && c < 3 ? mean(channel_of<slow::Srgb8>(p, c, p.filter))

@@ -51,12 +51,11 @@ template std::vector<slow::Shares<spec::Rational128>> face_shares(const BakeCase
 
 std::vector<Rgba> true_vertices(const BakeCase& one, Level n) {
   return in_few_bits(
-      [&](auto q) { return from_shares(one, one.picture.filter, vertex_shares<decltype(q)>(one, n)); });
+      [&]<class Q>() { return from_shares(one, one.picture.filter, vertex_shares<Q>(one, n)); });
 }
 
 std::vector<Rgba> true_faces(const BakeCase& one, Level n) {
-  return in_few_bits(
-      [&](auto q) { return from_shares(one, Filter::nearest, face_shares<decltype(q)>(one, n)); });
+  return in_few_bits([&]<class Q>() { return from_shares(one, Filter::nearest, face_shares<Q>(one, n)); });
 }
 
 template <class Channel>

@@ -4,10 +4,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <stdexcept>
 #include <type_traits>
 
 #include "proofs/attribute/bake/functions.hpp"
+#include "proofs/narrow.hpp"
 #include "spec/attribute/normal.hpp"
 #include "spec/attribute/order.hpp"
 
@@ -111,20 +111,16 @@ std::vector<spec::attribute::Shares<Q>> vertex_shares(const BakeCase& one, Level
 template <class Q>
 std::vector<spec::attribute::Shares<Q>> face_shares(const BakeCase& one, Level n);
 
-/// f(Q()), in 127 bits where they hold what it makes, else in as many as it takes.
+/// f.operator()<Q>() in 127 bits where they hold all numbers on the way, else in as many as it takes.
 template <class F>
 auto in_few_bits(F f) {
-  try {
-    return f(spec::Rational128());
-  } catch (const std::overflow_error&) {
-    return f(Rational());
-  }
+  return in_first_of<spec::Rational128, Rational>(f);
 }
 /// true_at, in as many bits as it takes.
 template <class Channel>
 RgbaOf<Channel> exact_at(MapForm form, const BakeCaseOf<Channel>& one, Level n, std::uint32_t k) {
   if constexpr (std::is_same_v<Channel, float>) return true_at<Rational>(form, one, n, k);
-  return in_few_bits([&](auto q) { return true_at<decltype(q)>(form, one, n, k); });
+  return in_few_bits([&]<class Q>() { return true_at<Q>(form, one, n, k); });
 }
 /// How many elements a map has.
 inline std::uint64_t map_size(MapForm form, Level n) {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "proofs/bake/truth/exact_texture.hpp"
-#include "proofs/bake/truth/narrow.hpp"
 #include "proofs/canvas.hpp"
 #include "proofs/index/grid/point.hpp"
+#include "proofs/narrow.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

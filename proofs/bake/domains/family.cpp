@@ -10,7 +10,7 @@
 
 #include "proofs/bake/cases/resize.hpp"
 #include "proofs/bake/truth/exact_texture.hpp"
-#include "proofs/bake/truth/narrow.hpp"
+#include "proofs/narrow.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

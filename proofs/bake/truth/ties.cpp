@@ -1,7 +1,7 @@
 #include "proofs/bake/truth/ties.hpp"
 
 #include "proofs/bake/truth/exact_texture.hpp"
-#include "proofs/bake/truth/narrow.hpp"
+#include "proofs/narrow.hpp"
 
 namespace mmverify::proofs::bake {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "proofs/bake/truth/exact_texture.hpp"
-#include "proofs/bake/truth/narrow.hpp"
 #include "proofs/engine/random.hpp"
+#include "proofs/narrow.hpp"
 #include "spec/index/index.hpp"
 
 namespace mmverify::proofs::bake {

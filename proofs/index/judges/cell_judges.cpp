@@ -3,6 +3,7 @@
 
 #include "proofs/index/floats/published.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
+#include "proofs/index/in_rationals.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/index/options.hpp"
@@ -61,8 +62,9 @@ RationalPoint received_point(const IndexSubject& s, const std::string& at) {
 
 Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
   if (s.exact() && !has(run.options, in_fixed_point_alone) && n <= rational_levels) {
-    const Answers oracle =
-        one_by_one([n](const GridPoint& p) { return spec::index::reference(rational(p), n); });
+    const Answers oracle = one_by_one([n](const GridPoint& p) {
+      return in_rationals(rational(p), [n](const auto& q) { return spec::index::reference(q, n); });
+    });
     return compare_on_cells(s, n, run, oracle, asked_in_rationals(s, n));
   }
   const Answers oracle{

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "proofs/index/floats/exact_float.hpp"
+#include "proofs/index/in_rationals.hpp"
 #include "proofs/index/subject.hpp"
 
 namespace mmverify::proofs::index {
@@ -20,7 +21,9 @@ Functions exactly() {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] = on_exact(batch.u[t], batch.v[t], [n](const auto& p) { return Algorithm::at(p, n); });
   };
-  f.index_at = [](Level n, const RationalPoint& p) { return Algorithm::at(p, n); };
+  f.index_at = [](Level n, const RationalPoint& p) {
+    return in_rationals(p, [n](const auto& q) { return Algorithm::at(q, n); });
+  };
   f.corner_order = CornerOrder::of_children;
   f.corners = [](Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = spec::index::corners(indices[t], n);
@@ -30,7 +33,9 @@ Functions exactly() {
     f.wide_index = [](Level n, const Row& row, std::span<std::uint64_t> out) {
       for (std::uint64_t t = 0; t < row.count; ++t) out[t] = Algorithm::wide_at(representative(row, t, n), n);
     };
-    f.wide_index_at = [](Level n, const RationalPoint& p) { return Algorithm::wide_at(p, n); };
+    f.wide_index_at = [](Level n, const RationalPoint& p) {
+      return in_rationals(p, [n](const auto& q) { return Algorithm::wide_at(q, n); });
+    };
   }
   return f;
 }

@@ -10,7 +10,7 @@
 
 #include "spec/rational.hpp"
 
-namespace mmverify::proofs::bake {
+namespace mmverify::proofs {
 
 /// A whole number of 64 bits that throws std::overflow_error where it would wrap.
 class Whole64 {
@@ -69,6 +69,11 @@ class Rational64 {
   }
   constexpr Whole64 numerator() const { return n_; }
   constexpr Whole64 denominator() const { return d_; }
+
+  /// floor(q).  Domain: 0 <= q < 2^32.
+  friend constexpr std::uint32_t whole(const Rational64& q) {
+    return static_cast<std::uint32_t>(q.n_ / q.d_);
+  }
 
   constexpr Rational64 operator-() const { return reduced(-Wide{n_}, d_); }
   friend constexpr Rational64 operator+(const Rational64& a, const Rational64& b) {
@@ -146,25 +151,24 @@ class Rational64 {
 /// Within 255 bits, without memory of their own: twice as fast as those without bounds.
 using Rational256 = boost::rational<boost::multiprecision::checked_int256_t>;
 
-/// f.operator()<Q>() over the narrowest rationals that hold all numbers on the way.
+/// f.operator()<Q>() over the first of these rationals that holds all numbers on the way; the last one holds any.
+template <class Q, class... Wider, class F>
+auto in_first_of(F f) {
+  if constexpr (sizeof...(Wider) != 0) {
+    try {
+      return f.template operator()<Q>();
+    } catch (const std::overflow_error&) {
+    } catch (const std::range_error&) {
+    }
+    return in_first_of<Wider...>(f);
+  } else {
+    return f.template operator()<Q>();
+  }
+}
+/// The same over all of them.
 template <class F>
 auto in_smallest(F f) {
-  try {
-    return f.template operator()<Rational64>();
-  } catch (const std::overflow_error&) {
-  } catch (const std::range_error&) {
-  }
-  try {
-    return f.template operator()<spec::Rational128>();
-  } catch (const std::overflow_error&) {
-  } catch (const std::range_error&) {
-  }
-  try {
-    return f.template operator()<Rational256>();
-  } catch (const std::overflow_error&) {
-  } catch (const std::range_error&) {
-  }
-  return f.template operator()<spec::Rational>();
+  return in_first_of<Rational64, spec::Rational128, Rational256, spec::Rational>(f);
 }
 
-}  // namespace mmverify::proofs::bake
+}  // namespace mmverify::proofs

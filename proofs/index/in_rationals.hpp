@@ -1,0 +1,20 @@
+// A specification algorithm at a rational point, in as few bits as it takes.
+#pragma once
+
+#include "proofs/index/grid/point.hpp"
+#include "proofs/narrow.hpp"
+
+namespace mmverify::proofs::index {
+
+/// f(p), in rationals of 63 bits where they hold all numbers on the way, else in those without bounds, which take ten times
+/// as long.
+template <class F>
+auto in_rationals(const RationalPoint& p, F f) {
+  return in_first_of<Rational64, Rational>([&]<class Q>() {
+    using Whole = typename Q::int_type;
+    const auto as = [](const Rational& q) { return Q(Whole(q.numerator()), Whole(q.denominator())); };
+    return f(spec::Point<Q>{as(p.u), as(p.v)});
+  });
+}
+
+}  // namespace mmverify::proofs::index
