@@ -57,7 +57,7 @@ endif()
 if(NOT MMVERIFY_SANITIZE)
   add_test(NAME source_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR}
     $<$<BOOL:${MMVERIFY_BRIEF}>:--brief> COMMAND_EXPAND_LISTS)
-  set_tests_properties(source_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+  set_tests_properties(source_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 COST 1000)
 endif()
 
 # Implementations of others, by stand-ins of the same shape.
