@@ -70,9 +70,11 @@ class Rational64 {
   constexpr Whole64 numerator() const { return n_; }
   constexpr Whole64 denominator() const { return d_; }
 
-  /// floor(q).  Domain: 0 <= q < 2^32.
+  /// floor(q) for 0 <= q < 2^32; beyond it throws std::range_error.
   friend constexpr std::uint32_t whole(const Rational64& q) {
-    return static_cast<std::uint32_t>(q.n_ / q.d_);
+    const Half floor = q.n_ < 0 ? -1 : q.n_ / q.d_;
+    if (!std::in_range<std::uint32_t>(floor)) throw std::range_error("no whole number of 32 bits");
+    return static_cast<std::uint32_t>(floor);
   }
 
   constexpr Rational64 operator-() const { return reduced(-Wide{n_}, d_); }

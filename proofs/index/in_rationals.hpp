@@ -1,4 +1,4 @@
-// A specification algorithm at a rational point, in as few bits as it takes.
+// A specification algorithm at a rational point, in 63 bits where they hold all numbers on the way.
 #pragma once
 
 #include "proofs/index/grid/point.hpp"

@@ -2,7 +2,7 @@
 //
 // Axes.  Coordinates are in texels, x along a row, y DOWN from the first row: texel (i, j) has its centre at
 // (i + 1/2, j + 1/2).  The caller maps (u, v) to (u width, v height).
-// Q is an exact number: Rational, or Rational128 where its limits will do.
+// Q is an exact number: Rational, or a narrower one that throws beyond its limits, as Rational128 does.
 // Source: Vulkan, Image Operations ("Texel Filtering"); glTF 2.0, samplers.  That bilinear alpha is
 // continuous, and what follows for neighbours: Compressed Opacity Maps, 2.
 #pragma once

@@ -2,7 +2,7 @@
 # prove index.floats --source: functions that are wrong on a few pairs are refuted, by pairs on which the compiled function
 # is wrong; what cannot be judged is named.
 # usage: tests/outside/source_test.sh MMVERIFY ROOT [--every | --brief]    --every: proves the right one, too, which takes minutes;
-#        --brief: of each kind of fault fewer
+#        --brief: of each kind of refutation one, in shaders of what is undefined two
 set -euo pipefail
 
 (($# >= 2)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
@@ -43,7 +43,7 @@ judged 2 'wrong_source.c:[0-9]+: call of llvm.is.constant' --source "$wrong" --f
 judged 2 "'wide' is i64 \(i32, float, float\); due is uint32_t" --source "$wrong" --function wide --levels 1
 
 refuted=(one_pair by_bits flushed over undefined by_product) undefined_in_shaders=(of_nan turned_clamp negative_rest field_beyond never_set)
-[[ ${3-} != --brief ]] || refuted=(one_pair undefined) undefined_in_shaders=(never_set)
+[[ ${3-} != --brief ]] || refuted=(one_pair undefined) undefined_in_shaders=(field_beyond never_set)
 for function in "${refuted[@]}"; do
   judged 1 "^refuted index.floats level 1 case u=.* expected [0-9]+ got [0-9]+" --source "$wrong" --function "$function" --levels 1
   # The line runs the compiled function again.

@@ -6,7 +6,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -344,8 +346,24 @@ TEST(BakeNumbers, NarrowOnesAreBoostsOrThrow) {
     same(p * q, [&] { return s * t; });
     if (c != 0) same(p / q, [&] { return s / t; });
     same(-p, [&] { return -s; });
+    const auto k = static_cast<std::uint32_t>(random.next());
+    same(mmverify::spec::times(k, p), [&] { return mmverify::spec::times(k, s); });
+    same(p - Rational(k), [&] { return s - Rational64(k); });
+    if (p >= 0 && p < Rational(Integer(1) << 32))
+      EXPECT_EQ(mmverify::spec::whole(p), whole(s));
+    else
+      EXPECT_THROW(whole(s), std::range_error);
   }
   EXPECT_GT(thrown, 1000u);
+}
+
+TEST(BakeNumbers, NarrowOnesTakeNoWholeNumberBeyondTheirs) {
+  const Integer most = (Integer(1) << 63) - 1, least = -most - 1;
+  EXPECT_EQ(static_cast<std::int64_t>(Whole64(most)), std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(static_cast<std::int64_t>(Whole64(least)), std::numeric_limits<std::int64_t>::min());
+  for (const Integer& beyond :
+       {Integer(most + 1), Integer(least - 1), Integer(most * most), Integer(-most * most)})
+    EXPECT_THROW(Whole64{beyond}, std::overflow_error) << beyond;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
