@@ -6,8 +6,8 @@
 
 namespace mmverify::proofs::index {
 
-/// f(p), in rationals of 63 bits where they hold all numbers on the way, else in those without bounds, which take ten times
-/// as long.
+/// f(p), in rationals of 63 bits where they hold all numbers on the way, else in those without bounds, by which a law takes
+/// five times as long.
 template <class F>
 auto in_rationals(const RationalPoint& p, F f) {
   return in_first_of<Rational64, Rational>([&]<class Q>() {
