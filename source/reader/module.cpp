@@ -44,7 +44,7 @@ std::string text_of(const llvm::Type* type) {
   return text;
 }
 
-bool is_number(const llvm::Type* t) { return t->isFloatTy() || t->isDoubleTy(); }
+bool is_float(const llvm::Type* t) { return t->isFloatTy() || t->isDoubleTy(); }
 
 /// -1: another form.
 int place_of_level(const llvm::Function& f) {
@@ -56,8 +56,8 @@ int place_of_level(const llvm::Function& f) {
   const auto is_level = [&](unsigned k) {
     return type(k)->isIntegerTy() && type(k)->getIntegerBitWidth() >= 8;
   };
-  if (is_level(0) && is_number(type(1)) && is_number(type(2))) return 0;
-  if (is_number(type(0)) && is_number(type(1)) && is_level(2)) return 2;
+  if (is_level(0) && is_float(type(1)) && is_float(type(2))) return 0;
+  if (is_float(type(0)) && is_float(type(1)) && is_level(2)) return 2;
   return -1;
 }
 
