@@ -13,10 +13,11 @@ namespace mmverify::proofs::induction {
 bool has_prover();
 std::string no_prover_text();
 
-/// What the prover may spend on one statement.
+/// What the prover may spend on one statement.  z3 counts steps, some four million a second, the same on every machine: a
+/// busy or a slow one settles what any other does.  The longest of our own statements takes sixteen million.
 struct Effort {
-  unsigned milliseconds = 60'000;
-  unsigned steps = 0;  ///< z3's own count, the same on every machine; 0: no limit
+  unsigned milliseconds = 900'000;  ///< of the clock on the wall: only what does not step is to end by it
+  unsigned steps = 250'000'000;     ///< 0: no limit
 };
 
 struct Found {

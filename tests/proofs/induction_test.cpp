@@ -127,6 +127,15 @@ TEST(Statements, Cvc5AgreesOnEveryFile) {
   }
 }
 
+// So none is left open because a machine is slow or busy.
+TEST(Prover, SettlesEachStatementInATenthOfTheStepsItMayTake) {
+  SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
+  Effort tenth;
+  tenth.steps /= 10;
+  for (const auto& [path, statement] : shipped_statements())
+    EXPECT_EQ(ask_z3(statement, tenth).answer, statement.expected) << path;
+}
+
 TEST(Prover, GivesUpAsUnknownAndSaysSo) {
   const Statement all = shipped_statements().at("index/wide_is_vulkan/agreement.smt2");
   Effort little;
