@@ -24,13 +24,24 @@ constexpr char definitions[] = R"(
   (ite (or (= d 0) (= d 2)) (not (bit_u d mid above)) mid))
 )";
 
-}  // namespace
+/// The triangle that is looked into: turned if a middle child was entered an odd number of times (mid), and whether
+/// children 0 and 2 have changed places (above: the XOR of the formula's t so far).
+struct Frame {
+  Term mid, above;
+};
+/// iu, iv and iw, their low bits that are still to come.
+struct Words {
+  Counted iu, iv, iw;
+};
 
+/// Writes `held`, `bit_u`, `bit_v`, `bit_w` into a script.
 void define_curve(Script& script) { script.raw(definitions); }
 
+/// The words are those of a micro-triangle of the frame, which stands upright, or does not.
 Term held(const Counted& M, const Term& mid, const Term& upright, const Words& w) {
   return apply("held", {M.term, mid, upright, w.iu.term, w.iv.term, w.iw.term}, boolean);
 }
+/// The words' highest bits in child `digit`.
 Term bit(const char* which, const Counted& digit, const Frame& frame) {
   return apply(which, {digit.term, frame.mid, frame.above}, boolean);
 }
@@ -42,11 +53,17 @@ Words declare_words(Script& script) {
   const Counted iu = whole(script, "iu"), iv = whole(script, "iv");
   return {iu, iv, whole(script, "iw")};
 }
+/// The frame of child `digit`.
 Frame entered(Script& script, const Counted& digit, const Frame& frame) {
   const Term mid = script.define("next_mid", apply("xor", {frame.mid, same(digit, 1)}, boolean));
   return {mid, script.define("next_above", apply("xor", {frame.above, same(digit, 3)}, boolean))};
 }
 
+/// The digit b0 + 2 b1 of spec::index::curve_bits on the words' highest bits, and t.
+struct CurveDigit {
+  Counted digit;
+  Term t;
+};
 CurveDigit curve_digit(Script& script, const Term& bu, const Term& bv, const Term& bw, const Frame& frame) {
   Term t = truth(false);
   const auto bits = index::induction::Specified::bits(spec::index::Quantised<Bit>{Bit(bu), Bit(bv), Bit(bw)},
@@ -59,6 +76,7 @@ CurveDigit curve_digit(Script& script, const Term& bu, const Term& bv, const Ter
   return {named(script, "digit", one_if(b0) + 2 * one_if(b1)), script.define("t", t)};
 }
 
+/// What is left of the words below m.
 Words rest_of(Script& script, const Words& w, const Counted& m) {
   const auto rest = [&](const char* name, const Counted& word) {
     return named(script, name, Counted(choose(at_most(m, word), (word - m).term, word.term)));
@@ -66,6 +84,8 @@ Words rest_of(Script& script, const Words& w, const Counted& m) {
   const Counted iu = rest("next_iu", w.iu), iv = rest("next_iv", w.iv);
   return {iu, iv, rest("next_iw", w.iw)};
 }
+
+}  // namespace
 
 void add_curve_words(std::vector<Statement>& all) {
   add(all, "curve_opening",
@@ -164,6 +184,9 @@ void add_curve_words(std::vector<Statement>& all) {
       });
 }
 
+namespace {
+
+/// Corner 0, 1, 2 of the frame whose words begin at (a, b), M to a side.
 VertexOf<Counted> frame_corner(Script& script, const std::string& name, int corner, const Counted& a,
                                const Counted& b, const Counted& M, const Frame& frame) {
   // Not turned: (a, b), (a+M, b), (a, b+M).  Turned: (a, b+M), (a+M, b+M), (a+M, b).  `above` changes the first two.
@@ -183,15 +206,351 @@ VertexOf<Counted> frame_corner(Script& script, const std::string& name, int corn
           named(script, name + "_j", pick(plain.j, other.j))};
 }
 
+/// A concrete digit as the names have it: `d` is 0, 1, 2 or 3.
+Counted by_digit(const Counted& d, const std::array<Counted, 4>& of) {
+  return Counted(choose(same(d, 0), of[0].term,
+                        choose(same(d, 1), of[1].term, choose(same(d, 2), of[2].term, of[3].term))));
+}
+
+}  // namespace
+
+void add_curve_corners(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add(all, "curve_corners_step",
+      "From index to corners: a triangle with 2m to a side has corners P as the frame says; the corners of "
+      "child d are "
+      "those of d's frame, m to a side, whose words begin m further on where d's bits are 1.",
+      [&](Script& script) {
+        define_curve(script);
+        const Counted m = whole(script, "m"), a = whole(script, "a"), b = whole(script, "b"),
+                      d = whole(script, "d");
+        script.require(both({at_most(1, m), within(0, d, 4)}));
+        const Frame frame = declare_frame(script);
+        std::array<VertexOf<Counted>, 3> P{frame_corner(script, "P0", 0, a, b, 2 * m, frame),
+                                           frame_corner(script, "P1", 1, a, b, 2 * m, frame),
+                                           frame_corner(script, "P2", 2, a, b, 2 * m, frame)};
+        const Frame next = entered(script, d, frame);
+        const auto moved = [&](const char* name, const Counted& from, const char* which) {
+          return named(script, name, Counted(choose(bit(which, d, frame), (from + m).term, from.term)));
+        };
+        const Counted next_a = moved("next_a", a, "bit_u"), next_b = moved("next_b", b, "bit_v");
+        std::vector<Term> claims;
+        for (int k = 0; k < 3; ++k) {
+          const std::size_t at = static_cast<std::size_t>(k);
+          const auto child = [&](std::uint32_t digit) { return by.corners_turn(P, digit)[at]; };
+          const std::string name = "child_P" + std::to_string(k);
+          const VertexOf<Counted> got{
+              named(script, name + "_i", by_digit(d, {child(0).i, child(1).i, child(2).i, child(3).i})),
+              named(script, name + "_j", by_digit(d, {child(0).j, child(1).j, child(2).j, child(3).j}))};
+          claims.push_back(same_vertex(
+              got, frame_corner(script, "next_P" + std::to_string(k), k, next_a, next_b, m, next)));
+        }
+        return Lemma{claims, both({less(1, m), less(0, a), less(a, b), same(d, 1)})};
+      });
+  add(all, "curve_corners_base",
+      "From index to corners, one micro-triangle left: the corners are those of the micro-triangle at the "
+      "words' "
+      "beginning (a, b), a lower one where the frame is not turned and an upper one where it is.",
+      [&](Script& script) {
+        define_curve(script);
+        const Counted a = whole(script, "a"), b = whole(script, "b");
+        const Frame frame = declare_frame(script);
+        std::array<VertexOf<Counted>, 3> P{frame_corner(script, "P0", 0, a, b, 1, frame),
+                                           frame_corner(script, "P1", 1, a, b, 1, frame),
+                                           frame_corner(script, "P2", 2, a, b, 1, frame)};
+        const auto t = face_outcome(script, "t", [&] { return specified::face_of_any_corners(P); });
+        const Counted upper(choose(frame.mid, Counted(1).term, Counted(0).term));
+        return Lemma{{same_face(t, {a, b, upper})}, both({less(0, a), less(a, b), frame.mid})};
+      });
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Upright micro-triangles along the curve
+// ---------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// T at the numbers that counts with m and 2m to a side need.
 void suppose_counts(Script& script, const Counted& m) {
   for (const Counted& r : {m, m - 1, 2 * m, 2 * m - 1}) suppose_twice(script, r);
   script.comment("A product of two numbers that are not negative.");
   script.require(at_most(0, (m - 1) * m));
 }
 
+/// Upright ones in a triangle with S to a side.
 Counted upright_count(const Counted& S, const Term& upright) {
   return Counted(
       choose(upright, specified::upright_within(S, true).term, specified::upright_within(S, false).term));
+}
+
+/// One digit d with a child of m to a side, from a triangle that stands upright or not: what upright_turn adds to the
+/// excess, and how the child stands.
+struct TurnTaken {
+  Counted excess;
+  Term upright;
+};
+TurnTaken turn_taken(const Parts<Counted>& by, Script& script, const Counted& d, const Counted& m,
+                     const Term& upright) {
+  const Counted before(script.declare("excess", integer));
+  const auto turn = [&](std::uint64_t digit) {
+    return every_path([&] {
+      return by.upright_turn(UprightExcess<Counted>{before, decided(upright)}, digit, m);
+    });
+  };
+  std::vector<Counted> added;
+  std::vector<Term> stands;
+  for (std::uint64_t digit = 0; digit < 4; ++digit) {
+    const auto paths = turn(digit);
+    added.push_back(Counted(as_formula(paths, [](const auto& u) { return u.excess.term; })));
+    stands.push_back(as_formula(paths, [](const auto& u) { return truth(u.upright); }));
+  }
+  const Counted after = named(script, "excess_after", by_digit(d, {added[0], added[1], added[2], added[3]}));
+  const Term next = script.define(
+      "next_upright",
+      choose(same(d, 0), stands[0], choose(same(d, 1), stands[1], choose(same(d, 2), stands[2], stands[3]))));
+  return {named(script, "added", after - before), next};
+}
+
+/// The child that holds upright micro-triangle k, and its number there.
+struct ChildFound {
+  Counted digit, number;
+};
+ChildFound child_found(const Parts<Counted>& by, Script& script, const std::string& prefix, const Counted& k,
+                       const Counted& m, const Term& upright) {
+  struct Found {
+    std::uint64_t digit;
+    Counted number;
+  };
+  const auto paths = every_path([&] {
+    Counted left = k;
+    const std::uint64_t digit = by.upright_child(left, m, decided(upright));
+    return Found{digit, left};
+  });
+  return {
+      Counted(script.define(
+          prefix + "_digit",
+          as_formula(paths, [](const Found& f) { return whole_number(static_cast<long long>(f.digit)); }))),
+      Counted(script.define(prefix + "_number",
+                            as_formula(paths, [](const Found& f) { return f.number.term; })))};
+}
+
+}  // namespace
+
+void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add(all, "upright_base",
+      "Of a triangle of one micro-triangle: upright_within is 1 if it stands upright and 0 if it does not.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        suppose_step(script, 0);
+        return Lemma{{same(upright_count(1, truth(true)), 1), same(upright_count(1, truth(false)), 0)},
+                     truth(true)};
+      });
+  add(all, "upright_step",
+      "Upright ones before a number on the curve, one digit. In a triangle with 2m to a side the number x = "
+      "d m m + x' "
+      "is in child d, where it is the upright one k', that is x' + excess' = 2k'. Then x + excess = 2k for a "
+      "k below "
+      "upright_within(2m), and upright_child finds d and k' from k.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const Counted m = whole(script, "m"), d = whole(script, "d"), inside = whole(script, "number_inside"),
+                      excess_inside = whole(script, "excess_inside"), k_inside = whole(script, "k_inside");
+        const Term upright = script.declare("upright", boolean);
+        script.require(both({at_most(1, m), within(0, d, 4)}));
+        suppose_counts(script, m);
+        const TurnTaken turn = turn_taken(by, script, d, m, upright);
+        script.require(within(0, k_inside, upright_count(m, turn.upright)));
+        script.require(same(inside + excess_inside, 2 * k_inside));
+        const Counted squares = by_digit(d, {Counted(0), m * m, 2 * (m * m), 3 * (m * m)});
+        const Counted twice = named(script, "twice_k", squares + inside + turn.excess + excess_inside);
+        const Counted k = named(script, "k", twice / 2);
+        const ChildFound found = child_found(by, script, "found", k, m, upright);
+        return Lemma{{same(twice, 2 * k), within(0, k, upright_count(2 * m, upright)), same(found.digit, d),
+                      same(found.number, k_inside)},
+                     both({less(1, m), same(d, 3), no(upright), less(0, k_inside)})};
+      });
+  add(all, "upright_onto",
+      "The way back, one digit: for every k below upright_within(2m), upright_child gives a digit d and a k' "
+      "below d's "
+      "upright_within(m), and x' + excess' = 2k' makes x + excess = 2k.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const Counted m = whole(script, "m"), k = whole(script, "k"), inside = whole(script, "number_inside"),
+                      excess_inside = whole(script, "excess_inside");
+        const Term upright = script.declare("upright", boolean);
+        script.require(at_most(1, m));
+        suppose_counts(script, m);
+        script.require(within(0, k, upright_count(2 * m, upright)));
+        const ChildFound found = child_found(by, script, "found", k, m, upright);
+        const TurnTaken turn = turn_taken(by, script, found.digit, m, upright);
+        script.require(same(inside + excess_inside, 2 * found.number));
+        const Counted squares = by_digit(found.digit, {Counted(0), m * m, 2 * (m * m), 3 * (m * m)});
+        return Lemma{{within(0, found.digit, 4), within(0, found.number, upright_count(m, turn.upright)),
+                      same(squares + inside + turn.excess + excess_inside, 2 * k)},
+                     both({less(1, m), same(found.digit, 2), less(0, found.number)})};
+      });
+  add(all, "upright_ordered",
+      "Of two upright ones the one with the smaller k comes first on the curve: it has the smaller digit, or "
+      "the same "
+      "digit and the smaller number there.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const Counted m = whole(script, "m"), k = whole(script, "k"), later = whole(script, "later");
+        const Term upright = script.declare("upright", boolean);
+        script.require(at_most(1, m));
+        suppose_counts(script, m);
+        script.require(both({at_most(0, k), less(k, later), less(later, upright_count(2 * m, upright))}));
+        const ChildFound a = child_found(by, script, "first", k, m, upright);
+        const ChildFound b = child_found(by, script, "second", later, m, upright);
+        return Lemma{{at_most(a.digit, b.digit), implies(same(a.digit, b.digit), less(a.number, b.number))},
+                     both({less(1, m), less(a.digit, b.digit)})};
+      });
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Bird
+// ---------------------------------------------------------------------------------------------------------------------
+
+void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
+  const auto corner_of = [&](Script& script, const char* name, const VertexOf<Counted>& at,
+                             const Counted& N) {
+    return outcome(
+        script, name, [&] { return by.bird_corner(at.i, at.j, N); },
+        [](std::uint64_t corner) { return Counted(static_cast<long long>(corner)); });
+  };
+  struct Halved {
+    bool was;
+    VertexOf<Counted> at;
+  };
+  const auto halves = [&](Script& script, const std::string& prefix, const VertexOf<Counted>& at) {
+    const auto program = [&by, at] {
+      VertexOf<Counted> half = at;
+      const bool was = by.halved(half);
+      return Halved{was, half};
+    };
+    const auto paths = proofs::induction::every_path(program);
+    const Term was = script.define(
+        prefix, proofs::induction::as_formula(paths, [](const Halved& h) { return truth(h.was); }));
+    const auto half = vertex_outcome(script, prefix + "_at", [&] { return program().at; });
+    return std::pair{was, half};
+  };
+  add(all, "bird_corners",
+      "With one micro-triangle to a side every vertex is a corner, and the corners' indices are 0, 1 and 2: "
+      "all below "
+      "T(2) = 3.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        suppose_twice(script, 2);
+        const auto at = declare_vertex(script, 1);
+        const Counted x = corner_of(script, "x", at, 1);
+        return Lemma{{less(x, specified::vertices_of_side(Counted(1))),
+                      same(specified::vertices_of_side(Counted(1)), 3),
+                      equal(same(x, 0), both({same(at.i, 0), same(at.j, 0)})),
+                      equal(same(x, 1), same(at.i, 1)), equal(same(x, 2), same(at.j, 1))},
+                     same(at.j, 1)};
+      });
+  add(all, "bird_prefix",
+      "A vertex (i, j) with N to a side is (2i, 2j) with 2N: as a corner it has the same index, and else one "
+      "halving "
+      "leads to (i, j), so that both have the index of the level that is found from there.",
+      [&](Script& script) {
+        const Counted N = whole(script, "N");
+        script.require(at_most(1, N));
+        const auto at = declare_vertex(script, N);
+        const VertexOf<Counted> twice{2 * at.i, 2 * at.j};
+        const Counted here = corner_of(script, "here", at, N), next = corner_of(script, "next", twice, 2 * N);
+        const auto [was, half] = halves(script, "halved", twice);
+        return Lemma{{same(here, next), was, same_vertex(half, at)}, both({less(0, at.i), less(at.i, at.j)})};
+      });
+  add(all, "bird_halves",
+      "What a halving leaves is a vertex of the level before, and the vertex is twice that.  A corner of 2N "
+      "to a side is "
+      "halved, too: what is not halved is no corner.",
+      [&](Script& script) {
+        const Counted N = whole(script, "N");
+        script.require(at_most(1, N));
+        const auto at = declare_vertex(script, 2 * N);
+        const auto [was, half] = halves(script, "halved", at);
+        const Counted corner = corner_of(script, "corner", at, 2 * N);
+        return Lemma{{implies(was, both({is_vertex(half, N), same_vertex(at, {2 * half.i, 2 * half.j})})),
+                      implies(less(corner, 3), was)},
+                     both({was, less(0, at.i), less(0, at.j)})};
+      });
+  using Middle = EdgeMiddle<Counted>;
+  const auto middle_outcome = [&](Script& script, const std::string& prefix, const VertexOf<Counted>& at) {
+    const auto program = [&] { return by.edge_middle(at); };
+    return Middle{outcome(script, prefix + "_iu", program, [](const Middle& m) { return m.iu; }),
+                  outcome(script, prefix + "_iv", program, [](const Middle& m) { return m.iv; }),
+                  outcome(script, prefix + "_edge", program, [](const Middle& m) { return m.edge; })};
+  };
+  const auto is_middle = [](const Middle& m, const Counted& M) {
+    return both({at_most(0, m.iu), at_most(0, m.iv), less(m.iu + m.iv, M), within(0, m.edge, 3)});
+  };
+  add(all, "bird_middle",
+      "A vertex with 2M to a side that is not halved is the middle of one edge of one upright micro-triangle "
+      "with M to a "
+      "side, and the way back leads to it.",
+      [&](Script& script) {
+        const Counted M = whole(script, "M");
+        script.require(at_most(1, M));
+        const auto at = declare_vertex(script, 2 * M);
+        const auto [was, half] = halves(script, "halved", at);
+        script.require(no(was));
+        const Middle m = middle_outcome(script, "on", at);
+        const auto back = vertex_outcome(script, "back", [&] { return by.in_the_middle(m); });
+        return Lemma{{is_middle(m, M), same_vertex(back, at)}, both({less(0, at.i), less(at.i, at.j)})};
+      });
+  add(all, "bird_middle_onto",
+      "The middle of each of the three edges of each upright micro-triangle is a vertex with 2M to a side "
+      "that is not "
+      "halved, and no other edge's.",
+      [&](Script& script) {
+        const Counted M = whole(script, "M");
+        script.require(at_most(1, M));
+        const Middle m{whole(script, "iu"), whole(script, "iv"), whole(script, "edge")};
+        script.require(is_middle(m, M));
+        const auto at = vertex_outcome(script, "at", [&] { return by.in_the_middle(m); });
+        const auto [was, half] = halves(script, "halved", at);
+        const Middle back = middle_outcome(script, "back", at);
+        return Lemma{{is_vertex(at, 2 * M), no(was), same(back.iu, m.iu), same(back.iv, m.iv),
+                      same(back.edge, m.edge)},
+                     both({less(0, m.iu), less(m.iu, m.iv), same(m.edge, 2)})};
+      });
+  const auto number = [&](Script& script, const Counted& before, const Counted& edge, const Counted& M) {
+    return index_outcome(script, "x", [&] { return by.bird_number(before, edge, M); });
+  };
+  const auto suppose_vertices = [&](Script& script, const Counted& M) {
+    suppose_triangular(script);
+    for (const Counted& r : {M, M + 1, 2 * M + 1}) suppose_twice(script, r);
+  };
+  add(all, "bird_number",
+      "T(2M+1) - T(M+1) = 3 T(M): doubling the side adds three vertices for each upright micro-triangle.  "
+      "The index of "
+      "edge e of upright one `before` of T(M) lies in [T(M+1), T(2M+1)), and the way back gives both.",
+      [&](Script& script) {
+        const Counted M = whole(script, "M"), before = whole(script, "before"), edge = whole(script, "edge");
+        suppose_vertices(script, M);
+        script.require(both({at_most(1, M), within(0, before, triangular(M)), within(0, edge, 3)}));
+        const Counted x = number(script, before, edge, M);
+        const auto place = specified::bird_place(x, M);
+        const Counted low = specified::vertices_of_side(M), high = specified::vertices_of_side(2 * M);
+        return Lemma{{same(high - low, 3 * triangular(M)), within(low, x, high),
+                      same(named(script, "back_before", place.before), before),
+                      same(named(script, "back_edge", place.edge), edge)},
+                     both({less(1, M), less(0, before), same(edge, 2)})};
+      });
+  add(all, "bird_number_onto",
+      "Every x in [T(M+1), T(2M+1)) is the index of the edge that the way back gives.", [&](Script& script) {
+        const Counted M = whole(script, "M"), wanted = whole(script, "wanted");
+        suppose_vertices(script, M);
+        script.require(at_most(1, M));
+        script.require(within(specified::vertices_of_side(M), wanted, specified::vertices_of_side(2 * M)));
+        const auto place = specified::bird_place(wanted, M);
+        const Counted before = named(script, "before", place.before),
+                      edge = named(script, "edge", place.edge);
+        const Counted x = number(script, before, edge, M);
+        return Lemma{{within(0, before, triangular(M)), within(0, edge, 3), same(x, wanted)},
+                     both({less(1, M), less(0, before), same(edge, 2)})};
+      });
 }
 
 }  // namespace mmverify::proofs::attribute::induction

@@ -101,10 +101,10 @@ Law for_all_levels(const Written& w) {
 
 }  // namespace
 
-std::vector<Statement> shipped_w_minor() { return w_minor_statements<Specified>(); }
-std::vector<Statement> shipped_u_major() { return u_major_statements<Specified>(); }
-std::vector<Statement> shipped_bird() { return bird_statements<Specified>(); }
-std::vector<Statement> shipped_faces() { return faces_statements<Specified>(); }
+std::vector<Statement> shipped_w_minor() { return w_minor_statements(parts_of<Specified, Counted>()); }
+std::vector<Statement> shipped_u_major() { return u_major_statements(parts_of<Specified, Counted>()); }
+std::vector<Statement> shipped_bird() { return bird_statements(parts_of<Specified, Counted>()); }
+std::vector<Statement> shipped_faces() { return faces_statements(parts_of<Specified, Counted>()); }
 
 std::vector<Law> laws() {
   return {

@@ -8,25 +8,28 @@ namespace {
 template <class Formula>
 Functions functions_by() {
   Functions f;
-  f.orders = orders_by<Formula>();
+  f.orders = orders_by(parts_of<Formula, std::uint64_t, std::int64_t>());
   return f;
 }
 
 /// An altered part, run on numbers and in the statements where it takes the right one's place.
 class Wrong : public AttributeSubject, public Provable {
  public:
-  using Statements = std::vector<Statement> (*)();
-  Wrong(const std::string& name, Functions functions, Statements statements)
-      : AttributeSubject(name, "broken on purpose", std::move(functions)), statements_(statements) {}
-  std::vector<Statement> statements() const override { return statements_(); }
+  using Statements = std::vector<Statement> (*)(const Parts<Counted>& by);
+  Wrong(const std::string& name, Functions functions, const Parts<Counted>& by, Statements statements)
+      : AttributeSubject(name, "broken on purpose", std::move(functions)), by_(by), statements_(statements) {}
+  std::vector<Statement> statements() const override { return statements_(by_); }
 
  private:
+  Parts<Counted> by_;
   Statements statements_;
 };
 
 template <class Formula>
 Mutant wrong(const char* name, Wrong::Statements statements, Level at) {
-  return {name, std::make_shared<Wrong>(name, functions_by<Formula>(), statements), {at, at}};
+  return {name,
+          std::make_shared<Wrong>(name, functions_by<Formula>(), parts_of<Formula, Counted>(), statements),
+          {at, at}};
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -180,45 +183,34 @@ struct MiddleTakenForUpright : Specified {
 }  // namespace
 
 std::vector<Mutant> mutants_of_w_minor() {
-  return {wrong<SixteenRows>("rows from number 16 on begin where row 15 does",
-                             w_minor_statements<SixteenRows>, 4),
-          wrong<RowsBeginOneLate>("a row's first index is taken for the row before",
-                                  w_minor_statements<RowsBeginOneLate>, 0),
-          wrong<RowsFromTheOtherEnd>("the way back counts j from the edge w-v",
-                                     w_minor_statements<RowsFromTheOtherEnd>, 0)};
+  return {wrong<SixteenRows>("rows from number 16 on begin where row 15 does", w_minor_statements, 4),
+          wrong<RowsBeginOneLate>("a row's first index is taken for the row before", w_minor_statements, 0),
+          wrong<RowsFromTheOtherEnd>("the way back counts j from the edge w-v", w_minor_statements, 0)};
 }
 
 std::vector<Mutant> mutants_of_u_major() {
-  return {
-      wrong<ColumnsOfOneLength>("each column has N+1 vertices", u_major_statements<ColumnsOfOneLength>, 1),
-      wrong<EightColumnsGetShorter>("columns from number 9 on have one length",
-                                    u_major_statements<EightColumnsGetShorter>, 4),
-      wrong<ColumnsBackwards>("the way back reads columns from their far end",
-                              u_major_statements<ColumnsBackwards>, 0)};
+  return {wrong<ColumnsOfOneLength>("each column has N+1 vertices", u_major_statements, 1),
+          wrong<EightColumnsGetShorter>("columns from number 9 on have one length", u_major_statements, 4),
+          wrong<ColumnsBackwards>("the way back reads columns from their far end", u_major_statements, 0)};
 }
 
 std::vector<Mutant> mutants_of_faces() {
-  return {wrong<UpperOnesInTheRowBelow>("an upper face has its square's row",
-                                        faces_statements<UpperOnesInTheRowBelow>, 1),
-          wrong<EightStripsGetShorter>("strips from number 8 on have one length",
-                                       faces_statements<EightStripsGetShorter>, 4),
-          wrong<UpperOnesWindTheOtherWay>("an upper face's corners wind the other way",
-                                          faces_statements<UpperOnesWindTheOtherWay>, 1),
+  return {wrong<UpperOnesInTheRowBelow>("an upper face has its square's row", faces_statements, 1),
+          wrong<EightStripsGetShorter>("strips from number 8 on have one length", faces_statements, 4),
+          wrong<UpperOnesWindTheOtherWay>("an upper face's corners wind the other way", faces_statements, 1),
           wrong<ChildThreeIsNotTurned>("on the way back child 3 does not change the first two corners",
-                                       faces_statements<ChildThreeIsNotTurned>, 2)};
+                                       faces_statements, 2)};
 }
 
 std::vector<Mutant> mutants_of_bird() {
-  return {
-      wrong<TripletsBeginWithUV>("triplets begin with the edge u-v", bird_statements<TripletsBeginWithUV>, 1),
-      wrong<MiddlesKeepTheSign>("a middle child's children are counted as if it were not turned",
-                                bird_statements<MiddlesKeepTheSign>, 3),
-      wrong<ChildrenOfFourHoldTwo>("children with 4 to a side or more are counted as with 2",
-                                   bird_statements<ChildrenOfFourHoldTwo>, 4),
-      wrong<BeginsAtTheRowBefore>("a level's vertices begin at T(M), not at T(M+1)",
-                                  bird_statements<BeginsAtTheRowBefore>, 1),
-      wrong<MiddleTakenForUpright>("the way back takes the middle child for an upright one",
-                                   bird_statements<MiddleTakenForUpright>, 2)};
+  return {wrong<TripletsBeginWithUV>("triplets begin with the edge u-v", bird_statements, 1),
+          wrong<MiddlesKeepTheSign>("a middle child's children are counted as if it were not turned",
+                                    bird_statements, 3),
+          wrong<ChildrenOfFourHoldTwo>("children with 4 to a side or more are counted as with 2",
+                                       bird_statements, 4),
+          wrong<BeginsAtTheRowBefore>("a level's vertices begin at T(M), not at T(M+1)", bird_statements, 1),
+          wrong<MiddleTakenForUpright>("the way back takes the middle child for an upright one",
+                                       bird_statements, 2)};
 }
 
 AttributeSubjectPtr specified_by_parts() {
