@@ -20,9 +20,8 @@ namespace mmverify::cli {
 namespace {
 
 using bench::Result;
-using proofs::Levels;
 
-Result of_index(const BenchOptions& given, const Levels& levels) {
+Result of_index(const BenchOptions& given, const proofs::Levels& levels) {
   bench::IndexBenchOptions options = given.index;
   options.first = levels.first;
   options.last = levels.last;
@@ -41,7 +40,7 @@ Result of_index(const BenchOptions& given, const Levels& levels) {
   return index_tables(figures, options);
 }
 
-Result of_tree(const BenchOptions& given, const Levels& levels) {
+Result of_tree(const BenchOptions& given, const proofs::Levels& levels) {
   const bench::TreeBenchOptions options{.first = levels.first,
                                         .last = levels.last,
                                         .seed = given.index.seed,
@@ -51,7 +50,7 @@ Result of_tree(const BenchOptions& given, const Levels& levels) {
   return tree_tables(tree_figures(options), options);
 }
 
-Result of_dag(const BenchOptions& given, const Levels& levels) {
+Result of_dag(const BenchOptions& given, const proofs::Levels& levels) {
   const bench::DagBenchOptions options{.first = levels.first,
                                        .last = levels.last,
                                        .seed = given.index.seed,
@@ -60,7 +59,7 @@ Result of_dag(const BenchOptions& given, const Levels& levels) {
   return dag_tables(dag_figures(options), options);
 }
 
-Result of_vq(const BenchOptions& given, const Levels&) {
+Result of_vq(const BenchOptions& given, const proofs::Levels&) {
   const bench::VqBenchOptions options{.seed = given.index.seed,
                                       .maps = given.maps == 0 ? bench::VqBenchOptions{}.maps : given.maps,
                                       .textures = given.textures,
@@ -68,7 +67,7 @@ Result of_vq(const BenchOptions& given, const Levels&) {
   return vq_tables(vq_figures(options), options);
 }
 
-Result of_bake(const BenchOptions& given, const Levels& levels) {
+Result of_bake(const BenchOptions& given, const proofs::Levels& levels) {
   const bench::BakeBenchOptions options{.first = levels.first,
                                         .last = levels.last,
                                         .seed = given.index.seed,
@@ -78,7 +77,7 @@ Result of_bake(const BenchOptions& given, const Levels& levels) {
   return bake_tables(bake_figures(options), options);
 }
 
-Result of_attribute(const BenchOptions& given, const Levels& levels) {
+Result of_attribute(const BenchOptions& given, const proofs::Levels& levels) {
   bench::AttributeBenchOptions options{.first = levels.first,
                                        .last = levels.last,
                                        .samples = given.index.samples,
@@ -87,7 +86,7 @@ Result of_attribute(const BenchOptions& given, const Levels& levels) {
   return attribute_tables(attribute_figures(options), options);
 }
 
-Result of_array(const BenchOptions& given, const Levels& levels) {
+Result of_array(const BenchOptions& given, const proofs::Levels& levels) {
   const bench::ArrayBenchOptions options{.first = levels.first,
                                          .last = levels.last,
                                          .seed = given.index.seed,
@@ -97,7 +96,7 @@ Result of_array(const BenchOptions& given, const Levels& levels) {
 
 /// The levels that a bench has where none are asked for.
 template <class Options>
-Levels levels_of() {
+proofs::Levels levels_of() {
   const Options options;
   return {options.first, options.last};
 }
@@ -146,7 +145,7 @@ std::span<const BenchTopic> bench_topics() {
   return table;
 }
 
-Result measured(const BenchTopic& topic, const BenchOptions& options, const Levels& levels) {
+Result measured(const BenchTopic& topic, const BenchOptions& options, const proofs::Levels& levels) {
   try {
     Result result = topic.measure(options, levels);
     stop_if_asked();

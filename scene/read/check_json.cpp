@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 enum class Kind { object, array, text, flag, number, numbers_2, numbers_4, whole, index };
 
 /// One property: a path in which * is each element of an array and {} each member of an object.
-struct Rule {
+struct Property {
   const char* path;
   Kind kind;
   bool required = false;   ///< where the object that holds it is there
@@ -24,7 +24,7 @@ struct Rule {
 
 constexpr bool required = true;
 
-constexpr Rule rules[] = {
+constexpr Property properties[] = {
     {"asset", Kind::object, required},
     {"asset/version", Kind::text, required},
     {"extensionsUsed/*", Kind::text},
@@ -117,41 +117,42 @@ class Checker {
  public:
   Checker(const Json& root, const std::string& file) : root_(root), file_(file) {}
 
-  void check(const Rule& rule) const { walk(rule, rule.path, root_, ""); }
+  void check(const Property& property) const { walk(property, property.path, root_, ""); }
 
  private:
   [[noreturn]] void bad(const std::string& at, const std::string& what) const {
     throw BadScene(file_, shown(at.empty() ? "/" : at), what);
   }
 
-  /// `path` is the rest of the rule's path below `here`, which is at the JSON pointer `at`.
-  void walk(const Rule& rule, std::string_view path, const Json& here, const std::string& at) const {
-    if (path.empty()) return judge(rule, here, at);
+  /// `path` is the rest of the property's path below `here`, which is at the JSON pointer `at`.
+  void walk(const Property& property, std::string_view path, const Json& here, const std::string& at) const {
+    if (path.empty()) return judge(property, here, at);
     const std::size_t slash = path.find('/');
     const std::string_view step = path.substr(0, slash);
     const std::string_view rest = slash == std::string_view::npos ? "" : path.substr(slash + 1);
     if (step == "*") {
       if (!here.is_array()) bad(at, "an array is due, not " + found(here));
-      for (std::size_t k = 0; k < here.size(); ++k) walk(rule, rest, here[k], at + "/" + std::to_string(k));
+      for (std::size_t k = 0; k < here.size(); ++k)
+        walk(property, rest, here[k], at + "/" + std::to_string(k));
       return;
     }
     if (!here.is_object()) bad(at, "an object is due, not " + found(here));
     if (step == "{}") {
-      for (const auto& [key, value] : here.items()) walk(rule, rest, value, at + "/" + key);
+      for (const auto& [key, value] : here.items()) walk(property, rest, value, at + "/" + key);
       return;
     }
     const auto next = here.find(step);
     const std::string there = at + "/" + std::string(step);
-    if (next != here.end()) return walk(rule, rest, *next, there);
-    if (rest.empty() && rule.required) bad(there, "missing");
+    if (next != here.end()) return walk(property, rest, *next, there);
+    if (rest.empty() && property.required) bad(there, "missing");
   }
 
   static std::string found(const Json& value) {
     return value.is_structured() ? std::string("an ") + value.type_name() : shown(value.dump());
   }
 
-  void judge(const Rule& rule, const Json& value, const std::string& at) const {
-    switch (rule.kind) {
+  void judge(const Property& property, const Json& value, const std::string& at) const {
+    switch (property.kind) {
       case Kind::object:
         if (!value.is_object()) bad(at, "an object is due, not " + found(value));
         return;
@@ -177,10 +178,10 @@ class Checker {
         if (!is_whole(value)) bad(at, "a whole number from 0 to 2^31 - 1 is due, not " + found(value));
         return;
       case Kind::index: {
-        const auto array = root_.find(rule.array);
+        const auto array = root_.find(property.array);
         const std::size_t size = array != root_.end() && array->is_array() ? array->size() : 0;
         if (!is_whole(value) || value.get<std::uint64_t>() >= size)
-          bad(at, found(value) + " is due to be an index into " + rule.array + ", of which there are " +
+          bad(at, found(value) + " is due to be an index into " + property.array + ", of which there are " +
                       std::to_string(size));
         return;
       }
@@ -214,7 +215,7 @@ bool nests_at_most(const std::string& json, int deepest) {
 
 void check_json(const Json& json, const std::string& file) {
   const Checker checker(json, file);
-  for (const Rule& rule : rules) checker.check(rule);
+  for (const Property& property : properties) checker.check(property);
 }
 
 void check_texture_json(const Json& json, const std::string& file) {

@@ -24,10 +24,10 @@ std::optional<impl::micromap::Encoding> encoding_of(std::uint64_t component_type
   }
 }
 
-class Reader {
+class IndexReader {
  public:
-  Reader(const Document& document, const Buffers& buffers, std::size_t index, const std::string& pointer,
-         Report& report)
+  IndexReader(const Document& document, const Buffers& buffers, std::size_t index, const std::string& pointer,
+              Report& report)
       : document_(document),
         buffers_(buffers),
         accessor_(document.json["accessors"][index]),
@@ -157,7 +157,7 @@ class Reader {
 std::optional<MicromapIndices> read_micromap_indices(const Document& document, const Buffers& buffers,
                                                      std::size_t index, const std::string& pointer,
                                                      Report& report) {
-  return Reader(document, buffers, index, pointer, report).indices();
+  return IndexReader(document, buffers, index, pointer, report).indices();
 }
 
 }  // namespace mmverify::scene
