@@ -13,10 +13,11 @@ namespace mmverify::proofs::induction {
 bool has_prover();
 std::string no_prover_text();
 
-/// What the prover may spend on one statement.  z3 counts steps, some four million a second, the same on every machine: a
-/// busy or a slow one settles what any other does.  The longest of our own statements takes sixteen million.
+/// What the prover may spend on one statement.  z3 counts steps.  A statement takes the same number of them on every
+/// machine, so a slow or a busy one settles the same statements.  Four million take about a second; the longest of our
+/// statements takes sixteen million.
 struct Effort {
-  unsigned milliseconds = 900'000;  ///< of the clock on the wall: only what does not step is to end by it
+  unsigned milliseconds = 300'000;  ///< wall clock: ends what takes time without steps
   unsigned steps = 250'000'000;     ///< 0: no limit
 };
 

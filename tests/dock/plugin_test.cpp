@@ -2,6 +2,7 @@
 // program.
 #include "tests/dock/plugin.hpp"
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -25,8 +26,12 @@ Outcome judge(const std::string& name,
   return judge_on("1", name, more);
 }
 
+/// That of ./run test --every.
+bool long_tier() { return std::getenv("MMVERIFY_LONG_TESTS") != nullptr; }
+
 TEST(Subject, the_example_in_c_is_proved_on_all_cells) {
-  const Outcome o = judge("example", "index.equals_reference --levels 0..7");
+  const Outcome o =
+      judge("example", "index.equals_reference --levels 0.." + std::string(long_tier() ? "8" : "7"));
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("the 3N^2+3N+1 representatives, as binary32 numbers"));
   EXPECT_THAT(o.out, HasSubstr("checked    index.exact_or_published"));
@@ -41,7 +46,7 @@ TEST(Subject, entry_points_that_are_missing_are_not_applicable) {
 }
 
 TEST(Subject, every_entry_point_is_judged_and_binary64_apart) {
-  const Outcome o = judge("batched", "--levels 0..3");
+  const Outcome o = judge("batched", "--levels 0.." + std::string(long_tier() ? "5" : "3"));
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   for (const char* law :
        {"index.corners", "index.inverse", "index.row_order", "index.row_corners", "index.bijective"})

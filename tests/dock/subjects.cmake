@@ -1,6 +1,6 @@
 # Shared libraries to judge: the example, ours, wrong ones, misbehaving ones.
-# ./run test --brief leaves to the night the wrong ones of topics other than index, but for these, which tests of other rooms
-# judge; the others are linked where somebody asks for one.
+# Of those of topics other than index, ./run test --brief links the ones that of_every_change names: the examples, those of
+# large batches, and the wrong ones that transcripts and a harness judge.  The others are linked on demand.
 set(of_every_change "^(large_batches_.*|.*_example|tree_merges_ut|bake_settles_all)$")
 function(mmverify_add_subject name source)
   add_library(subject_${name} MODULE ${source})

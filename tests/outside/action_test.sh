@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # action.yml and the workflows: valid YAML, each command is bash and one that is here, each input is used; and the action's two
 # steps on a release of files, green, and red: another checksum, a wrong function, a baseline that is another.
-# usage: tests/outside/action_test.sh MMVERIFY
+# usage: tests/outside/action_test.sh MMVERIFY | --files        --files: the files alone, without the steps
 set -euo pipefail
 
 (($# == 1)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
-program=$(readlink -f -- "$1")
+[[ $1 == --files ]] || program=$(readlink -f -- "$1")
 root=$(readlink -f -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../..")
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
@@ -54,6 +54,8 @@ for script in "$folder"/*.sh "$root"/packaging/action/* "$root"/scripts/release/
   bash -n "$script"
   ! command -v shellcheck >/dev/null || shellcheck --severity=warning "$script"
 done
+
+[[ $1 != --files ]] || exit 0
 
 # A release of files: the built program, in the archive's form.
 version=$("$program" --version | sed -n '1s/mmverify //p')

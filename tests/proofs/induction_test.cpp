@@ -127,7 +127,7 @@ TEST(Statements, Cvc5AgreesOnEveryFile) {
   }
 }
 
-// So none is left open because a machine is slow or busy.
+// Every statement has ten times the steps that it needs: a slow or a busy machine leaves none open.
 TEST(Prover, SettlesEachStatementInATenthOfTheStepsItMayTake) {
   SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
   Effort tenth;

@@ -99,7 +99,7 @@ struct Specified {
   }
 };
 
-/// The same as functions of numbers of one kind, or of names.  Signed: what counts upright ones may be below 0.
+/// The parts as functions of one kind of number, or of names.  Signed is the kind of an excess, which may be below 0.
 template <class Word, class Signed = Word>
 struct Parts {
   Word (*triangular_root_turn)(const Word& x, const Word& r, const Word& bit);
@@ -126,26 +126,26 @@ struct Parts {
 };
 template <class Formula, class Word, class Signed = Word>
 Parts<Word, Signed> parts_of() {
-  return {&Formula::template triangular_root_turn<Word>,
-          &Formula::template square_root_turn<Word>,
-          &Formula::template w_minor<Word>,
-          &Formula::template w_minor_in_row<Word>,
-          &Formula::template u_major<Word>,
-          &Formula::template u_major_in_row<Word>,
-          &Formula::template rows<Word>,
-          &Formula::template row_face<Word>,
-          &Formula::template u_major_face<Word>,
-          &Formula::template u_major_face_in_strip<Word>,
-          &Formula::template corners<Word>,
-          &Formula::template face_of_corners<Word>,
-          &Formula::template corners_turn<VertexOf<Word>>,
-          &Formula::template upright_turn<Signed>,
-          &Formula::template upright_child<Word>,
-          &Formula::template bird_corner<Word>,
-          &Formula::template halved<Word>,
-          &Formula::template edge_middle<Word>,
-          &Formula::template in_the_middle<Word>,
-          &Formula::template bird_number<Word>};
+  return {.triangular_root_turn = &Formula::template triangular_root_turn<Word>,
+          .square_root_turn = &Formula::template square_root_turn<Word>,
+          .w_minor = &Formula::template w_minor<Word>,
+          .w_minor_in_row = &Formula::template w_minor_in_row<Word>,
+          .u_major = &Formula::template u_major<Word>,
+          .u_major_in_row = &Formula::template u_major_in_row<Word>,
+          .rows = &Formula::template rows<Word>,
+          .row_face = &Formula::template row_face<Word>,
+          .u_major_face = &Formula::template u_major_face<Word>,
+          .u_major_face_in_strip = &Formula::template u_major_face_in_strip<Word>,
+          .corners = &Formula::template corners<Word>,
+          .face_of_corners = &Formula::template face_of_corners<Word>,
+          .corners_turn = &Formula::template corners_turn<VertexOf<Word>>,
+          .upright_turn = &Formula::template upright_turn<Signed>,
+          .upright_child = &Formula::template upright_child<Word>,
+          .bird_corner = &Formula::template bird_corner<Word>,
+          .halved = &Formula::template halved<Word>,
+          .edge_middle = &Formula::template edge_middle<Word>,
+          .in_the_middle = &Formula::template in_the_middle<Word>,
+          .bird_number = &Formula::template bird_number<Word>};
 }
 
 /// The orders that iterate the parts as the specification iterates its own, as a subject has them.
