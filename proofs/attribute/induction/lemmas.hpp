@@ -42,6 +42,12 @@ Counted index_outcome(Script& script, const std::string& name, Program program) 
   return outcome(script, name, program, [](const Counted& x) { return x; });
 }
 
+/// A concrete digit as the names have it: `d` is 0, 1, 2 or 3.
+inline Counted by_digit(const Counted& d, const std::array<Counted, 4>& of) {
+  return Counted(choose(same(d, 0), of[0].term,
+                        choose(same(d, 1), of[1].term, choose(same(d, 2), of[2].term, of[3].term))));
+}
+
 /// Whether `upper` is 1, decided on a path.
 inline bool is_upper(const FaceOf<Counted>& t) { return t.upper == 1; }
 

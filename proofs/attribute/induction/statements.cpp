@@ -1,6 +1,7 @@
 #include "proofs/attribute/induction/statements.hpp"
 
 #include "proofs/attribute/induction/bird_lemmas.hpp"
+#include "proofs/attribute/induction/curve_lemmas.hpp"
 #include "proofs/attribute/induction/lemmas.hpp"
 
 namespace mmverify::proofs::attribute::induction {
