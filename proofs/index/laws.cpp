@@ -14,6 +14,15 @@
 namespace mmverify::proofs::index {
 namespace {
 
+/// What is wrong on cells, and at one of them on Boost.Rational alone.
+std::vector<Mutant> wrong_in_rationals() {
+  std::vector<Mutant> mutants = wrong_on_cells("step");
+  mutants.push_back(
+      mutant("one edge of level 4, on Boost.Rational alone", "step", {4, 4},
+             on_rationals(&Functions::index_on_boost, only_at_point(4, 4 * 3 + 2, 4 * 5, 4, 1))));
+  return mutants;
+}
+
 Law equals_reference_law() {
   return {.id = "index.equals_reference",
           .topic = "index",
@@ -31,11 +40,10 @@ Law equals_reference_law() {
           .divisible = true,
           .judge = judged_by(equals_reference),
           .replay = replayed_by(replay_equals_reference),
-          .mutants = wrong_on_cells("step"),
+          .mutants = wrong_in_rationals(),
           .diagnose = [](const Subject& s, const Levels& run) { return diagnose(of_index(s), run); },
           .heeds = {&interiors_only, &in_fixed_point_alone},
           .knows_near = true,
-          .mutants_with = {&in_fixed_point_alone},
           .companion = "index.exact_on_floats"};
 }
 

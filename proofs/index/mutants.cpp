@@ -17,8 +17,18 @@ Change each_point(PointChange change, bool rows_alone) {
   };
 }
 
-/// The answers at points that 64-bit fixed point holds.
-Change each_rational(PointChange change) {
+/// The answers in any rationals.
+Change each_rational(const PointChange& change) {
+  return [=](Functions& f) {
+    for (const auto which : {&Functions::index_at, &Functions::index_on_boost, &Functions::row_index_at})
+      on_rationals(which, change)(f);
+  };
+}
+
+}  // namespace
+
+Change on_rationals(std::function<std::uint32_t(Level, const RationalPoint&)> Functions::*which,
+                    PointChange change) {
   return [=](Functions& f) {
     const auto spoil = [=](Level n, const RationalPoint& p, std::uint32_t& answer) {
       const Rational scale(spec::Integer(1) << Fixed64::fraction_bits), u = p.u * scale, v = p.v * scale;
@@ -28,12 +38,9 @@ Change each_rational(PointChange change) {
       };
       answer = change(n, {fixed(u), fixed(v)}, answer);
     };
-    spoils(&Functions::index_at, spoil)(f);
-    spoils(&Functions::row_index_at, spoil)(f);
+    spoils(which, spoil)(f);
   };
 }
-
-}  // namespace
 
 Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
   Functions functions = built_in(base)->functions;

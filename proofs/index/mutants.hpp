@@ -16,7 +16,10 @@ using PointChange = std::function<std::uint32_t(Level, const GridPoint&, std::ui
 
 /// Index and row order on points of a grid; on rationals too, or not, where a law takes those as its oracle.
 Change on_points(PointChange change, bool on_rationals = true);
-/// The same in batches that are rows, and on rationals.
+/// Index or row order at the points among rationals that a grid has, by one of the functions that take rationals.
+Change on_rationals(std::function<std::uint32_t(Level, const RationalPoint&)> Functions::*which,
+                    PointChange change);
+/// The same as on_points in batches that are rows, and on rationals.
 Change in_rows(PointChange change);
 /// Index and row order on pairs of binary32 numbers, and on those as rationals.
 Change on_floats(std::function<std::uint32_t(Level, float u, float v, std::uint32_t)> change);

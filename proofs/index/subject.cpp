@@ -14,6 +14,7 @@ Functions completed(Functions f) {
     f.index = [at = f.index_at](Level n, Batch batch, std::span<std::uint32_t> out) {
       for (std::size_t t = 0; t < out.size(); ++t) out[t] = at(n, rational(batch.points[t]));
     };
+  if (!f.index_on_boost) f.index_on_boost = f.index_at;
   if (!f.index_doubles && f.index_at)
     f.index_doubles = [at = f.index_at](Level n, DoubleBatch batch, std::span<std::uint32_t> out) {
       for (std::size_t t = 0; t < out.size(); ++t)

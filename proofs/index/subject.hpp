@@ -68,6 +68,8 @@ struct Functions {
       index_rows = {};
   /// One point; an exact subject takes any rational, another one a point it can receive.
   std::function<std::uint32_t(Level n, const RationalPoint& p)> index_at = {};
+  /// The same on Boost.Rational alone, where index_at runs on our own rationals of 63 bits.  Empty: by index_at.
+  std::function<std::uint32_t(Level n, const RationalPoint& p)> index_on_boost = {};
 
   CornerOrder corner_order = CornerOrder::undeclared;
   /// Index -> corners.

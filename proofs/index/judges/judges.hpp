@@ -6,8 +6,10 @@
 
 namespace mmverify::proofs::index {
 
-/// Levels up to which equals_reference runs in rationals on both sides.
-constexpr Level rational_levels = 8;
+/// Levels up to which equals_reference runs in rationals on both sides: up to boost_levels on Boost.Rational, whose
+/// 16,771 points take a second, and from there on in our own rationals of 63 bits.  fixed_is_rational goes by the same
+/// two, and holds ours to Boost's.
+constexpr Level boost_levels = 6, rational_levels = 8;
 
 // On the cells of the level (nested: of the next level).
 Tally equals_reference(const IndexSubject&, Level, const Run&);

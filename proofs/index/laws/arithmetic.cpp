@@ -125,7 +125,7 @@ Law fixed_is_rational_law() {
   return {
       .id = "index.fixed_is_rational",
       .topic = "index",
-      .says = "64-bit fixed point gives the answers of rational arithmetic",
+      .says = "64-bit fixed point gives the answers of rational arithmetic, and so do rationals of 63 bits",
       .source = "docs/SOUNDNESS.md, \"No sum overflows\"",
       .method = Method::exhaustive,
       .subjects = {"reference", "step", "step-appendix-middle", "step-appendix-ties", "step-appendix-names"},
@@ -134,11 +134,13 @@ Law fixed_is_rational_law() {
       .fast_seconds = 6,
       .cases = all_cells,
       .domain = points,
-      .how = in_fixed_point,
+      .how = against_rationals,
       .unfit = needing_exact({entry::index}),
       .divisible = true,
       .judge = judged_by(fixed_is_rational),
       .mutants = {off("one vertex of level 6", "step", 6, corner(6) / 4, corner(6) / 2),
+                  mutant("one vertex of level 5, in rationals of 63 bits alone", "reference", {5, 5},
+                         on_rationals(&Functions::index_at, only_at_point(5, 4 * 6, 4 * 9, 5, 1))),
                   off("one interior point of level 5", "reference", 5, 4 * 7 + 3, 4 * 9 + 3),
                   mutant("a fraction bit is lost from level 4 on", "reference", {0, 5},
                          on_points(

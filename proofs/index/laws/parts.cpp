@@ -38,8 +38,15 @@ std::string indices(const Subject&, Level) { return "the 4^n indices"; }
 std::string in_fixed_point(const Subject& s, Level) {
   return s.exact() ? "exhaustive, 64-bit fixed point" : "exhaustive, against 64-bit fixed point";
 }
+namespace {
+const char* rationals_of(Level n) { return n <= boost_levels ? "Boost.Rational" : "rationals of 63 bits"; }
+}  // namespace
 std::string in_rationals_then_fixed_point(const Subject& s, Level n) {
-  return s.exact() && n <= rational_levels ? "exhaustive, rationals" : in_fixed_point(s, n);
+  return s.exact() && n <= rational_levels ? fmt::format("exhaustive, {}", rationals_of(n))
+                                           : in_fixed_point(s, n);
+}
+std::string against_rationals(const Subject& s, Level n) {
+  return fmt::format("{}, against {}", in_fixed_point(s, n), rationals_of(n));
 }
 std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
 std::string by_sample(const Subject&, Level) { return "sample, against exact arithmetic"; }

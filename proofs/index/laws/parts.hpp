@@ -31,6 +31,7 @@ std::string indices(const Subject& subject, Level n);
 // Methods in words.
 std::string in_fixed_point(const Subject& subject, Level n);
 std::string in_rationals_then_fixed_point(const Subject& subject, Level n);
+std::string against_rationals(const Subject& subject, Level n);
 std::string exhaustively(const Subject& subject, Level n);
 std::string by_sample(const Subject& subject, Level n);
 std::string by_witness(const Subject& subject, Level n);

@@ -24,6 +24,7 @@ Functions exactly() {
   f.index_at = [](Level n, const RationalPoint& p) {
     return in_rationals(p, [n](const auto& q) { return Algorithm::at(q, n); });
   };
+  f.index_on_boost = [](Level n, const RationalPoint& p) { return Algorithm::at(p, n); };
   f.corner_order = CornerOrder::of_children;
   f.corners = [](Level n, std::span<const std::uint32_t> indices, std::span<Corners> out) {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = spec::index::corners(indices[t], n);
