@@ -38,6 +38,10 @@ void Builder::add(std::initializer_list<Value> values) {
     if (const auto* word = std::get_if<std::uint32_t>(&v); word != nullptr && words_of(column.kind) == 1) {
       if (column.kind == Kind::name && *word >= column.names.size()) throw wrong();
       table.words.push_back(*word);
+    } else if (const auto* number = std::get_if<Optional>(&v);
+               number != nullptr && column.kind == Kind::optional) {
+      table.words.push_back(number->value_or(0));
+      table.words.push_back(number->has_value() ? 1 : 0);
     } else if (const auto* wide = std::get_if<std::uint64_t>(&v);
                wide != nullptr && (column.kind == Kind::wide || column.kind == Kind::set)) {
       if (*wide >> 53 != 0) throw wrong();

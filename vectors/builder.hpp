@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -12,11 +13,13 @@
 
 namespace mmverify::vectors {
 
-/// 2^32 - 1, which stands for no number in a column of Kind::optional.
-inline constexpr std::uint32_t none = 0xffffffff;
+/// A number of Kind::optional, every word among them, or none.
+using Optional = std::optional<std::uint32_t>;
+inline constexpr Optional none;
 
-/// The value of one column: a word, a wide number or a set, a text of Kind::about, bytes, or words.
-struct Value : std::variant<std::uint32_t, std::uint64_t, std::string, Bytes, std::vector<std::uint32_t>> {
+/// The value of one column: a word, an optional one, a wide number or a set, a text of Kind::about, bytes, or words.
+struct Value
+    : std::variant<std::uint32_t, Optional, std::uint64_t, std::string, Bytes, std::vector<std::uint32_t>> {
   using variant::variant;
   template <std::unsigned_integral Narrow>
   requires(sizeof(Narrow) < sizeof(std::uint32_t)) Value(Narrow word) : variant(std::uint32_t{word}) {}

@@ -3,8 +3,8 @@
 namespace mmverify::vectors {
 
 const char* name_of(Kind kind) {
-  constexpr const char* names[] = {"number", "optional", "binary32", "name",  "about",    "wide",
-                                   "set",    "bytes",    "digits",   "words", "binary32s"};
+  constexpr const char* names[] = {"number", "binary32", "name",   "about", "optional", "wide",
+                                   "set",    "bytes",    "digits", "words", "binary32s"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -16,10 +16,10 @@ using Bytes = std::vector<std::uint8_t>;
 /// What a column's words mean.
 enum class Kind : std::uint8_t {
   number,     ///< one word, a whole number
-  optional,   ///< one word, a whole number, or none: 2^32 - 1
   binary32,   ///< one word, the bits of an IEEE 754 binary32 number
   name,       ///< one word, the place of a name among the column's names
   about,      ///< one word, the place of a text among the family's: why the vector is there
+  optional,   ///< two words, a whole number and 1, or none: 0 and 0
   wide,       ///< two words, a whole number below 2^53, the low one first
   set,        ///< two words, bit k for name k of the column's names
   bytes,      ///< two words, where in the family's data bytes begin, a multiple of 4, and how many there are
@@ -32,7 +32,7 @@ enum class Kind : std::uint8_t {
 const char* name_of(Kind kind);
 
 /// How many words of a record the kind takes.
-constexpr std::size_t words_of(Kind kind) { return kind < Kind::wide ? 1 : 2; }
+constexpr std::size_t words_of(Kind kind) { return kind < Kind::optional ? 1 : 2; }
 
 /// Whether the two words name a part of the family's data.
 constexpr bool in_data(Kind kind) { return kind >= Kind::bytes; }

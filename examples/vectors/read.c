@@ -41,16 +41,18 @@ static float number(uint32_t bits) {
 
 int main(void) {
   const unsigned all = MMVERIFY_VECTORS_INDEX_POINTS;
-  unsigned exact = 0, published = 0;
+  unsigned exact = 0, published = 0, prose = 0, inside = 0;
   const mmverify_vectors_index_points_t* first = NULL;
   for (unsigned k = 0; k < all; ++k) {
     const mmverify_vectors_index_points_t* p = &mmverify_vectors_index_points[k];
     const uint32_t answer = index_of(p->level, number(p->u), number(p->v));
     exact += answer == p->exact;
     published += answer == p->published;
+    inside += p->prose_given; /* 0: there is no such answer; else prose may be any number, 2^32 - 1, too */
+    prose += p->prose_given != 0 && answer == p->prose;
     if (answer != p->published && first == NULL) first = p;
   }
-  printf("published: %u of %u, exact: %u of %u\n", published, all, exact, all);
+  printf("published: %u of %u, exact: %u of %u, prose: %u of %u\n", published, all, exact, all, prose, inside);
   if (first != NULL)
     printf("first: level %u, u %a, v %a: %s\n", (unsigned)first->level, (double)number(first->u),
            (double)number(first->v), mmverify_vectors_index_about[first->about]);

@@ -11,7 +11,7 @@ from fractions import Fraction
 def sections(file):
     """(family, section) to (bytes of a record, bytes), by the table of contents."""
     magic, version, entries, at, size = struct.unpack_from("<8s4I", file)
-    if magic != b"MMVECTOR" or version != 1 or size != len(file):
+    if magic != b"MMVECTOR" or version != 2 or size != len(file):
         sys.exit("no vectors of mmverify, or not all of them")
     found = {}
     for k in range(entries if at + 64 * entries <= len(file) else 0):
@@ -48,12 +48,16 @@ def index_of(level, u, v):
 parts = sections(open(path, "rb").read())
 size, points = parts["index", "points"]
 abouts = [text.rstrip(b"\0").decode() for (text,) in struct.iter_unpack("64s", parts["index", "about"][1])]
-total, exact, published, first = len(points) // size, 0, 0, ""
-for about, level, u, v, on, gap, right, in_floats, *more in struct.iter_unpack("<IIffIfIIIIII", points):
+total, exact, published, prose, inside, first = len(points) // size, 0, 0, 0, 0, ""
+for about, level, u, v, on, gap, right, in_floats, said, given, *more in struct.iter_unpack("<IIffIf8I", points):
     answer = index_of(level, u, v)
     exact += answer == right
     published += answer == in_floats
+    inside += given  # 0: there is no such answer; else it may be any number, 2^32 - 1, too
+    prose += given and answer == said
     if answer != right and not first:
         first = f"first: level {level}, u {u.hex()}, v {v.hex()}: {abouts[about]}"
-print(f"published: {published} of {total}, exact: {exact} of {total}", *filter(None, [first]), sep="\n")
+print(f"published: {published} of {total}, exact: {exact} of {total}, prose: {prose} of {inside}")
+if first:
+    print(first)
 sys.exit(total == 0 or total not in (exact, published))

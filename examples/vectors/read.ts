@@ -12,6 +12,7 @@ interface Point {
   v: string;
   exact: number;
   published: number;
+  prose: number | null;
 }
 
 const words = new DataView(new ArrayBuffer(4));
@@ -50,7 +51,11 @@ const points: Point[] = JSON.parse(readFileSync(argv[2] ?? "index.json", "utf8")
 const answers = points.map((p) => indexOf(p.level, number(p.u), number(p.v)));
 const exact = points.filter((p, k) => answers[k] === p.exact).length;
 const published = points.filter((p, k) => answers[k] === p.published).length;
+const inside = points.filter((p) => p.prose !== null).length;
+const prose = points.filter((p, k) => answers[k] === p.prose).length;
 const first = points.find((p, k) => answers[k] !== p.published);
-console.log(`published: ${published} of ${points.length}, exact: ${exact} of ${points.length}`);
+console.log(
+  `published: ${published} of ${points.length}, exact: ${exact} of ${points.length}, prose: ${prose} of ${inside}`,
+);
 if (first) console.log(`first: level ${first.level}, u ${number(first.u)}, v ${number(first.v)}: ${first.about}`);
 exit(exact === points.length || published === points.length ? 0 : 1);

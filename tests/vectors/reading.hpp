@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "vectors/builder.hpp"
 #include "vectors/families.hpp"
 #include "vectors/forms/part.hpp"
 
@@ -37,6 +38,11 @@ class Reading {
   /// The first word, as it is.
   std::uint32_t operator()(std::size_t record, const std::string& column) const {
     return words(record, column)[0];
+  }
+  vectors::Optional optional(std::size_t record, const std::string& column) const {
+    const auto value = words(record, column);
+    if (value.size() != 2 || value[1] > 1) throw std::invalid_argument("no optional number: " + column);
+    return value[1] != 0 ? vectors::Optional(value[0]) : vectors::none;
   }
   std::uint64_t wide(std::size_t record, const std::string& column) const {
     return vectors::wide_at(words(record, column));

@@ -1,5 +1,6 @@
 // The vectors of arrays, held against the library's validator and, as files, against mmverify validate's.
 #include <nlohmann/json.hpp>
+#include <map>
 #include <set>
 
 #include "impl/micromap/validate.hpp"
@@ -38,6 +39,13 @@ std::set<std::string> codes_of(std::size_t k) {
   return codes;
 }
 
+TEST(VectorsArrays, TheGreatestLimitIsNotNone) {
+  std::map<vectors::Optional, std::size_t> limits;
+  for (std::size_t k = 0; k < builds().size(); ++k) ++limits[builds().optional(k, "limit_maps")];
+  EXPECT_EQ(limits[0xffffffffu], 1u);
+  EXPECT_GT(limits[vectors::none], 10u);
+}
+
 TEST(VectorsArrays, CodesAreThoseOfTheLibrary) {
   for (std::size_t k = 0; k < builds().size(); ++k) {
     const Bytes records = builds().part(k, "records"), data = builds().part(k, "data"),
@@ -46,7 +54,7 @@ TEST(VectorsArrays, CodesAreThoseOfTheLibrary) {
     micromap::Input in;
     in.sets = static_cast<micromap::Sets>(builds().wide(k, "apis"));
     in.limits = {builds()(k, "limit_two"), builds()(k, "limit_four"), builds()(k, "limit_lossy")};
-    if (builds()(k, "limit_maps") != 0xffffffff) in.limits.triangles = builds()(k, "limit_maps");
+    if (const auto limit = builds().optional(k, "limit_maps")) in.limits.triangles = *limit;
     in.lossy = builds()(k, "lossy") != 0;
     in.records = records;
     in.record_count = builds()(k, "record_count");
@@ -96,7 +104,7 @@ scene::Judged judged_as_files(std::size_t k) {
               {"fourStateLevel", r(k, "limit_four")},
               {"lossyFourStateLevel", r(k, "limit_lossy")}}},
             {"lossy", r(k, "lossy") != 0}};
-  if (r(k, "limit_maps") != 0xffffffff) file["limits"]["triangles"] = r(k, "limit_maps");
+  if (const auto limit = r.optional(k, "limit_maps")) file["limits"]["triangles"] = *limit;
   if (r(k, "counted") != 0) file["usageCounts"] = counts_json(k, "counts");
   if (r(k, "triangles") != 0) {
     constexpr const char* types[] = {"u8", "u16", "u32", "i16", "i32"};

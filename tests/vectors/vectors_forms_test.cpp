@@ -20,6 +20,7 @@ Family small() {
             {{"about", Kind::about, "a"},
              {"n", Kind::number, "a"},
              {"o", Kind::optional, "a"},
+             {"e", Kind::optional, "a"},
              {"f", Kind::binary32, "a"},
              {"m", Kind::name, "a", {"no", "yes"}},
              {"w", Kind::wide, "a"},
@@ -28,15 +29,15 @@ Family small() {
              {"d", Kind::digits, "a"},
              {"l", Kind::words, "a"},
              {"g", Kind::binary32s, "a"}});
-  out.add({"first", 1u, none, 0x3f800000u, 1u, std::uint64_t{1} << 40, std::uint64_t{5}, Bytes{1, 255},
-           Bytes{0, 3, 2}, std::vector{7u, 8u}, std::vector{0x40000000u}});
+  out.add({"first", 1u, none, Optional(0xffffffffu), 0x3f800000u, 1u, std::uint64_t{1} << 40,
+           std::uint64_t{5}, Bytes{1, 255}, Bytes{0, 3, 2}, std::vector{7u, 8u}, std::vector{0x40000000u}});
   return out.take();
 }
 
 TEST(VectorsForms, JsonHasEachKind) {
   const auto json = nlohmann::json::parse(as_json(small(), made_by));
   EXPECT_EQ(json["tables"][0]["vectors"],
-            nlohmann::json::parse(R"([{"id": 0, "about": "first", "n": 1, "o": null,
+            nlohmann::json::parse(R"([{"id": 0, "about": "first", "n": 1, "o": null, "e": 4294967295,
       "f": "3f800000", "m": "yes", "w": 1099511627776, "s": ["p", "r"], "b": "01ff", "d": "032", "l": [7, 8],
       "g": ["40000000"]}])"));
   EXPECT_EQ(json["sha256"], shaders::sha256(payload(small())));
@@ -53,7 +54,7 @@ TEST(VectorsForms, BinaryIsWhatItsTableOfContentsSays) {
     return w;
   };
   EXPECT_EQ(binary.substr(0, 8), "MMVECTOR");
-  EXPECT_EQ(word(8), 1u);
+  EXPECT_EQ(word(8), 2u);
   EXPECT_EQ(word(12), 3u);  // the table, its data, its texts
   EXPECT_EQ(word(20), binary.size());
   std::string parts;
@@ -64,7 +65,7 @@ TEST(VectorsForms, BinaryIsWhatItsTableOfContentsSays) {
     parts += binary.substr(word(at + 44), word(at + 36) * word(at + 40));
   }
   EXPECT_EQ(parts, payload(small()));
-  EXPECT_EQ(word(word(16) + 36), 4u * (5 + 2 * 6));
+  EXPECT_EQ(word(word(16) + 36), 4u * (4 + 2 * 8));
   Family other = small();
   other.tables[0].words[1] ^= 1;
   EXPECT_NE(digest(other, made_by), digest(small(), made_by));

@@ -23,10 +23,11 @@ std::vector<std::size_t> disputed(const vectors::Family& family) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const float u = all.number(k, "u"), v = all.number(k, "v");
-    const auto n = all(k, "level"), rows = all(k, "rows");
+    const auto n = all(k, "level");
+    const vectors::Optional rows = all.optional(k, "rows");
     if (all(k, "exact") != impl::index::from_barycentrics(u, v, n) ||
         all(k, "published") != proofs::index::published(n, u, v) ||
-        (rows != 0xffffffff && rows != impl::index::w_minor(u, v, n)))
+        (rows && rows != impl::index::w_minor(u, v, n)))
       found.push_back(k);
   }
   return found;
@@ -53,6 +54,18 @@ TEST(VectorsIndex, OneSpoiltWordIsSeen) {
       spoilt.tables[0].words[record * stride + column] ^= 1;
       EXPECT_EQ(disputed(spoilt), std::vector{record}) << column;
     }
+}
+
+// Read to the letter, the prose answers 2^32 - 1, the greatest number of a word, at 27 points of level 16.
+TEST(VectorsIndex, TheGreatestNumberIsAnAnswer) {
+  std::size_t greatest = 0;
+  for (std::size_t k = 0; k < points().size(); ++k) {
+    const vectors::Optional prose = points().optional(k, "prose"), rows = points().optional(k, "rows");
+    EXPECT_EQ(prose.has_value(), points()(k, "on") != 3) << k;
+    EXPECT_EQ(rows.has_value(), points()(k, "on") != 3) << k;
+    greatest += prose == 0xffffffffu ? 1 : 0;
+  }
+  EXPECT_EQ(greatest, 27u);
 }
 
 // By the corners of the library's micro-triangles: those that are listed hold the point, and at small levels no other does.
@@ -108,7 +121,8 @@ TEST(VectorsIndex, TiesAreWhereNumbersAreWhole) {
     const bool has_room = (u == 0 || std::abs(u) > 1e-8) && (v == 0 || std::abs(v) > 1e-8);
     if (on == 3) {
       EXPECT_TRUE(u < 0 || v < 0 || u > 1 - v || !has_room) << k;
-      EXPECT_EQ(points()(k, "prose"), 0xffffffffu);
+      EXPECT_EQ(points().optional(k, "prose"), vectors::none);
+      EXPECT_EQ(points().optional(k, "rows"), vectors::none);
       continue;
     }
     const bool whole_u = u * N == std::floor(u * N), whole_v = v * N == std::floor(v * N);

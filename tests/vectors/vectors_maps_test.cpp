@@ -122,7 +122,7 @@ TEST(VectorsMaps, PackedMapsAreTheLibrarys) {
       EXPECT_EQ(forced, maps.part(k, "forced"));
     }
     const auto same = micromap::uniform(bytes, f, states.size());
-    EXPECT_EQ(maps(k, "uniform"), same ? static_cast<std::uint32_t>(*same) : 0xffffffffu);
+    EXPECT_EQ(maps.optional(k, "uniform"), same ? vectors::Optional(code(*same)) : vectors::none);
   }
   const Reading padded(tests::family("packing"), "padded");
   for (std::size_t k = 0; k < padded.size(); ++k) {
@@ -139,8 +139,11 @@ TEST(VectorsMaps, SpecialIndicesAreTheLibrarys) {
     const auto e = micromap::Encoding(codes(k, "encoding"));
     const std::uint32_t code = codes(k, "code");
     const auto state = micromap::special_state(code, e);
-    EXPECT_EQ(codes(k, "state"), state ? static_cast<std::uint32_t>(*state) : 0xffffffffu) << k;
-    EXPECT_EQ(codes(k, "index"), micromap::is_index(code, e) ? code : 0xffffffffu) << k;
+    EXPECT_EQ(codes.optional(k, "state"), state ? vectors::Optional(micromap::code(*state)) : vectors::none)
+        << k;
+    EXPECT_EQ(codes.optional(k, "index"),
+              micromap::is_index(code, e) ? vectors::Optional(code) : vectors::none)
+        << k;
     special[codes(k, "encoding")] += state ? 1 : 0;
   }
   for (const auto& [encoding, count] : special) EXPECT_EQ(count, 4u);

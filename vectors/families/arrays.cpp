@@ -1,6 +1,7 @@
 // What is handed to builds: arrays that are well and arrays that break a rule, with the codes of what is wrong.
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "spec/micromap/validate.hpp"
 #include "vectors/builder.hpp"
@@ -107,6 +108,11 @@ std::vector<std::uint32_t> triples(const std::optional<Counts>& counts) {
   return all;
 }
 
+/// None where it lets every number of 32 bits pass.
+Optional limit(std::uint64_t triangles) {
+  return std::in_range<std::uint32_t>(triangles) ? Optional(static_cast<std::uint32_t>(triangles)) : none;
+}
+
 void add(Builder& out, const std::string& about, const Build& b) {
   std::uint64_t codes = 0;
   for (const Violation& v : validate(b.input())) codes |= std::uint64_t{1} << static_cast<unsigned>(v.rule);
@@ -116,7 +122,7 @@ void add(Builder& out, const std::string& about, const Build& b) {
            b.limits.two_state_level,
            b.limits.four_state_level,
            b.limits.lossy_four_state_level,
-           b.limits.triangles > none ? none : static_cast<std::uint32_t>(b.limits.triangles),
+           limit(b.limits.triangles),
            b.record_bytes,
            static_cast<std::uint32_t>(b.record_count),
            b.record_stride,
@@ -348,7 +354,7 @@ std::vector<std::string> codes() {
 }  // namespace
 
 Family family() {
-  Builder out("arrays", 1, "what builds take: arrays that are well or not, and the codes of docs/ISSUES.md");
+  Builder out("arrays", 2, "what builds take: arrays that are well or not, and the codes of docs/ISSUES.md");
   out.table("builds",
             "An array and a geometry that refers to it; members are those of docs/array.schema.json.",
             {{"about", Kind::about, "why the vector is there: the code that it is for"},
@@ -378,6 +384,9 @@ Family family() {
              {"codes", Kind::set, "of all that is wrong; none: it is well", codes()}});
   add_good(out);
   add_broken(out);
+  Build b = good(EXT);
+  b.limits.triangles = 0xffffffff;
+  add(out, "well: the greatest limit of maps, which is not none", b);
   return out.take();
 }
 

@@ -69,8 +69,9 @@ class Points {
     }
     const spec::Point<float> rounded{std::bit_cast<float>(u), std::bit_cast<float>(v)};
     out_.add({about, n, u, v, static_cast<std::uint32_t>(on), rounded_down(gap), spec::index::reference(p, n),
-              spec::index::reference(rounded, n), inside ? spec::index::as_the_prose_says(p, n) : none,
-              inside ? spec::index::w_minor(p, n) : none,
+              spec::index::reference(rounded, n),
+              inside ? Optional(spec::index::as_the_prose_says(p, n)) : none,
+              inside ? Optional(spec::index::w_minor(p, n)) : none,
               inside ? touched(p, n) : std::vector<std::uint32_t>()});
   }
 
@@ -201,7 +202,7 @@ void add_anywhere(Points& points, Level n) {
 }  // namespace
 
 Family family() {
-  Builder out("index", 1,
+  Builder out("index", 2,
               "the micro-triangle that holds a point: u of the second vertex, v of the third; binary32");
   out.table(
       "points", "Points, and the index of each by each dialect.",

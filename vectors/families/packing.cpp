@@ -44,7 +44,7 @@ void add_maps(Builder& out) {
       for_each_map(n, f, [&](const char* about, const States& states) {
         const auto same = uniform(states);
         out.add({about, n, f == Format::two_state ? 1u : 2u, codes(states), pack(states, f),
-                 pack(force2(states), Format::two_state), same ? code(*same) : none});
+                 pack(force2(states), Format::two_state), same ? Optional(code(*same)) : none});
       });
 }
 
@@ -68,8 +68,8 @@ void add_codes(Builder& out) {
       if (!seen.insert(c).second) return;
       const Meaning m = meaning(c, e);
       out.add({about, static_cast<std::uint32_t>(e), c, static_cast<std::uint32_t>(m.kind),
-               m.kind == Meaning::Kind::index ? m.index : none,
-               m.kind == Meaning::Kind::special ? code(m.state) : none});
+               m.kind == Meaning::Kind::index ? Optional(m.index) : none,
+               m.kind == Meaning::Kind::special ? Optional(code(m.state)) : none});
     };
     for (const State s : {State::T, State::O, State::UT, State::UO})
       add("a special index", special_code(s, e));
@@ -89,7 +89,7 @@ void add_codes(Builder& out) {
 }  // namespace
 
 Family family() {
-  Builder out("packing", 1, "states in bytes: 1 or 2 bits each, from the least significant bit of byte 0");
+  Builder out("packing", 2, "states in bytes: 1 or 2 bits each, from the least significant bit of byte 0");
   const std::vector<Column> first{{"about", Kind::about, "why the vector is there"},
                                   {"level", Kind::number, "n; 4^n states"},
                                   {"format", Kind::number, "1: 2-state, 2: 4-state"}};
@@ -111,7 +111,7 @@ Family family() {
 }
 
 Family special_family() {
-  Builder out("special", 1,
+  Builder out("special", 2,
               "what an index of a triangle means: a record, a state of the whole triangle, or nothing");
   out.table("codes", "Codes of index buffers, read as numbers of the encoding's width without a sign.",
             {{"about", Kind::about, "why the vector is there"},

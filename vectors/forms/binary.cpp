@@ -5,7 +5,8 @@
 namespace mmverify::vectors {
 namespace {
 
-constexpr std::size_t header_bytes = 128, entry_bytes = 64, name_bytes = 16, version_bytes = 40;
+constexpr std::size_t form_version = 2, header_bytes = 128, entry_bytes = 64, name_bytes = 16,
+                      version_bytes = 40;
 /// The most that Vulkan lets minStorageBufferOffsetAlignment be, so that each section can be bound by itself.
 constexpr std::size_t alignment = 256;
 
@@ -84,7 +85,7 @@ std::string as_binary(std::span<const Family> families, const Provenance& made_b
   rest.append(first - header_bytes - contents.size(), '\0').append(body);
 
   std::string out = "MMVECTOR";
-  for (const std::size_t word : {std::size_t{1}, entries, header_bytes, header_bytes + rest.size()})
+  for (const std::size_t word : {form_version, entries, header_bytes, header_bytes + rest.size()})
     put(out, static_cast<std::uint32_t>(word));
   put(out, made_by.version, version_bytes);
   put_hash(out, made_by.spec_hash);

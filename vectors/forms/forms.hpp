@@ -19,7 +19,7 @@ struct Provenance {
   std::string (*sha256)(std::string_view bytes);
 };
 
-inline constexpr const char* schema_name = "mmverify.vectors/1";
+inline constexpr const char* schema_name = "mmverify.vectors/2";
 inline constexpr const char* header_name = "mmverify_vectors.h";
 inline constexpr const char* binary_name = "mmverify_vectors.bin";
 inline constexpr const char* manifest_name = "MANIFEST.json";

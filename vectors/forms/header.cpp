@@ -38,7 +38,8 @@ std::string c_members(const Table& table) {
   for (const Column& column : table.columns) {
     std::string names = column.name;
     if (in_data(column.kind)) names = column.name + "_at, " + column.name + "_size";
-    if (words_of(column.kind) == 2 && !in_data(column.kind))
+    if (column.kind == Kind::optional) names = column.name + ", " + column.name + "_given";
+    if (column.kind == Kind::wide || column.kind == Kind::set)
       names = column.name + "_low, " + column.name + "_high";
     std::string about = column.about;
     if (!column.names.empty()) {
@@ -101,8 +102,7 @@ std::string as_header(std::span<const Family> families, const Provenance& made_b
       "#define MMVERIFY_VECTORS_SCHEMA \"" +
       std::string(schema_name) + "\"\n#define MMVERIFY_VECTORS_MADE_BY \"mmverify " + made_by.version +
       "\"\n#define MMVERIFY_VECTORS_SPEC_HASH \"" + made_by.spec_hash +
-      "\"\n/* Stands for no number in a member of kind `optional`. */\n"
-      "#define MMVERIFY_VECTORS_NONE 0xffffffffu\n\n"
+      "\"\n\n"
       "/* The number in bytes at .. at+3 of a family's data. */\n"
       "static inline uint32_t mmverify_vectors_word(const uint8_t *data, uint32_t at) {\n"
       "  return (uint32_t)data[at] | (uint32_t)data[at + 1] << 8 | (uint32_t)data[at + 2] << 16 |\n"

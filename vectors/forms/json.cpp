@@ -40,7 +40,7 @@ std::string value(const Family& family, const Column& column, std::span<const st
     case Kind::number:
       return number(words[0]);
     case Kind::optional:
-      return words[0] == 0xffffffff ? "null" : number(words[0]);
+      return words[1] == 0 ? "null" : number(words[0]);
     case Kind::binary32:
       return hex_text(words[0]);
     case Kind::name:
