@@ -13,7 +13,6 @@ skip() {
   exit 77
 }
 
-[[ -f $package/mmverify.wasm ]] || skip "$package has no mmverify.wasm: emscripten makes it, ./run page builds it"
 code=0
 why=$("$root/report/packages" "$home" --test) || code=$?
 ((code != 77)) || skip "$why"
@@ -24,6 +23,7 @@ node "$root/report/types.mjs" "$home/node_modules/mmverify"
 "$home/node_modules/.bin/tsc" --project "$root/page" --typeRoots "$home/node_modules/@types" --paths null --baseUrl "$home/node_modules"
 node "$root/report/test.mjs" unit "$root/page"
 
+[[ -f $package/mmverify.wasm ]] || skip "$package has no mmverify.wasm: emscripten makes it, ./run page builds it"
 chromium=${CHROMIUM:-$(command -v chromium || true)}
 [[ -n $chromium ]] || skip "no chromium to open the page in: ./run page-test installs it"
 node "$root/page/build.mjs" "$package" "$home/mmverify.html"

@@ -48,6 +48,13 @@ if(NOT MMVERIFY_SANITIZE)
   set_tests_properties(report_page PROPERTIES SKIP_RETURN_CODE 77 LABELS report RUN_SERIAL ON TIMEOUT 600)
 endif()
 
+# Scripts under test in the npm package and on the page, as far as they go without WebAssembly; without Node.js or npm's
+# registry skipped, and so said.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME script_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/script_test.sh ${PROJECT_BINARY_DIR}/report)
+  set_tests_properties(script_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 120)
+endif()
+
 # The files of mmverify vectors, and their readers in C, Python and TypeScript; the last one without Node.js or npm's registry
 # skipped, and so said.
 if(NOT MMVERIFY_SANITIZE)

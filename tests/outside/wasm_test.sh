@@ -106,10 +106,20 @@ sed 's/>= 1;/> 1;/' right.mjs >ties.mjs
 sed 's/index\[k\] = .*/throw new Error("not today");/' right.mjs >throws.mjs
 sed 's/index\[k\] = .*/if (k !== 1) index[k] = 0;/' right.mjs >leaves.mjs
 echo 'export const x = 1;' >nothing.mjs
+# The same on floats, each operation rounded, as a shader would: what its sum misplaces shows.
+sed 's/index_f64/index_f32/; s/a - i + (b - j) >= 1/1 - u[k] - v[k] <= (N - 1 - i - j) \/ N/' right.mjs >by_w.mjs
+(echo 'export const arithmetic = "binary64";' && cat by_w.mjs) >in_doubles.mjs
 # The formula is exact on the points of the grid, and in binary64 not on all others.
 expect 0 "$mmverify" prove index.equals_reference --subject ./right.mjs --levels 0..4 --quiet --no-companions
 says proved
 expect 1 "$mmverify" prove index.exact_on_floats --subject ./right.mjs --levels 4 --quiet
+expect 1 "$mmverify" prove index.equals_reference --subject ./by_w.mjs --levels 3 --quiet --json by_w.json
+says "index.exact_on_floats"
+says "./by_w.mjs: arithmetic: each operation rounded to binary32"
+grep -q '"arithmetic": "each operation rounded' by_w.json || fail "the result does not say in which numbers"
+"$(dirname -- "$here")/../scripts/check-schema" by_w.json >/dev/null || fail "the schema of a script's result"
+expect 0 "$mmverify" prove index.equals_reference --subject ./in_doubles.mjs --levels 3 --quiet --no-companions
+says "arithmetic: in binary64, as JavaScript computes"
 expect 1 "$mmverify" prove index.equals_reference --subject ./ties.mjs --levels 0..4 --quiet
 says refuted
 expect 1 "$mmverify" prove index.equals_reference --subject ./throws.mjs --levels 1 --quiet

@@ -5,6 +5,8 @@ export interface Subject {
   name?: string;
   /** The highest level that it knows; 12 where it says nothing. */
   maxLevel?: number;
+  /** What the verdict says of the numbers that it computes in; where it says nothing, that JavaScript computes in binary64. */
+  arithmetic?: string;
   index_f32?(level: number, u: Float32Array, v: Float32Array, index: Uint32Array): void;
   index_f64?(level: number, u: Float64Array, v: Float64Array, index: Uint32Array): void;
   /** Six numbers for each index: u and v of three corners. */

@@ -1,4 +1,5 @@
 // mmverify as a module: each call is one run of the program, in an instance of its own.
+import { arithmeticWords } from "./binary32.mjs";
 import createProgram from "./program.mjs";
 
 const inNode = typeof process === "object" && process.versions?.node !== undefined;
@@ -54,8 +55,23 @@ function collector(tell) {
   };
 }
 
+/** The value of an option of the command line, the last where it is given again. */
+function valueOf(args, option) {
+  const at = args.findLastIndex((word) => word === option || word.startsWith(`${option}=`));
+  return at < 0 ? undefined : args[at] === option ? args[at + 1] : args[at].slice(option.length + 1);
+}
+
+/** A result that says in which numbers a script computed; shards are sealed, and their sum says it. */
+function withArithmetic(text, path, arithmetic) {
+  const result = JSON.parse(text);
+  if (result.shard !== undefined) return text;
+  const runsOn = (result.runs_on ?? []).filter(({ subject }) => subject !== path);
+  return `${JSON.stringify({ ...result, runs_on: [...runsOn, { subject: path, about: { arithmetic }, warnings: [] }] }, null, 1)}\n`;
+}
+
 /**
- * Runs `mmverify ARGS`.
+ * Runs `mmverify ARGS`.  A verdict on `options.subject` says in which numbers it computed: in binary64, as functions of
+ * JavaScript do, or what its `arithmetic` says.
  *
  * Resolves to { code, stdout, stderr, files }: the exit code of the command line's contract, what was said, unless
  * onStdout or onStderr were told, and the contents of those files that `wanted` names.
@@ -65,7 +81,9 @@ export async function run(args, options = {}) {
   const module = await (options.module ?? compile());
   if (!(module instanceof WebAssembly.Module)) throw new TypeError("run: options.module is no WebAssembly.Module");
   await nodeGlobals();
-  const out = collector(options.onStdout);
+  const judges = options.subject !== undefined && (args[0] === "prove" || args[0] === "merge");
+  const json = judges ? valueOf(args, args[0] === "prove" ? "--json" : "-o") : undefined;
+  const out = collector(json === "-" ? undefined : options.onStdout);
   const errors = collector(options.onStderr);
   let given = 0;
   const input = options.stdin === undefined ? undefined : new TextEncoder().encode(options.stdin);
@@ -92,10 +110,22 @@ export async function run(args, options = {}) {
   }
   const code = program.callMain(args.map(String));
   out.flush();
+  let stdout = out.text();
+  if (judges && code !== 2 && code !== 4) {
+    const { path, arithmetic = arithmeticWords.binary64 } = options.subject;
+    const said = (text) => withArithmetic(text, path, arithmetic);
+    if (json !== undefined && json !== "-" && FS.analyzePath(json).exists)
+      FS.writeFile(json, said(FS.readFile(json, { encoding: "utf8" })));
+    if (json === "-") stdout = said(stdout);
+    for (const byte of new TextEncoder().encode(`${path}: arithmetic: ${arithmetic}\n`)) (json === "-" ? errors : out).put(byte);
+    out.flush();
+    if (json !== "-") stdout = out.text();
+  }
+  if (json === "-") options.onStdout?.(new TextEncoder().encode(stdout));
   errors.flush();
   const files = {};
   for (const name of options.wanted ?? []) if (FS.analyzePath(name).exists) files[name] = FS.readFile(name);
-  return { code, stdout: out.text(), stderr: errors.text(), files };
+  return { code, stdout, stderr: errors.text(), files };
 }
 
 /** The last part of a name, where a file of such bytes lies for the program. */

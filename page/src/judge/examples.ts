@@ -24,6 +24,8 @@ ${bits}`;
 const down = `  let iu = Math.min(Math.floor(u * N), low), iv = Math.min(Math.floor(v * N), low);
   const uf = u * N - Math.floor(u * N), vf = v * N - Math.floor(v * N);
   const sum = iu + iv;`;
+// uf + vf >= 1 without the sum, which would be rounded.
+const exactly = "Math.min(uf, vf) >= 1 - Math.max(uf, vf) && sum < low";
 const up = `  // A point on a grid line of u goes to the square before it.
   let iu = Math.max(Math.ceil(u * N) - 1, 0), iv = Math.min(Math.floor(v * N), low);
   const uf = u * N - iu, vf = v * N - Math.floor(v * N);
@@ -63,9 +65,11 @@ export interface Example {
 }
 
 export const examples: Example[] = [
-  { words: "right: Vulkan's reference", language: "JavaScript", code: script("Vulkan's reference code.", down, "uf + vf >= 1 && sum < low") },
-  { words: "wrong: breaks ties otherwise", language: "JavaScript", code: script("As the reference, but a point on an edge goes to the other side.", up, "uf + vf >= 1 && sum < low") },
-  { words: "wrong: mirrored", language: "JavaScript", code: `${script("As the reference, but somebody swapped u and v.", down, "uf + vf >= 1 && sum < low").replace("index(level, u, v)", "index(level, v, u)")}` },
+  { words: "right: Vulkan's reference, exact on floats", language: "JavaScript", code: script("Vulkan's reference code, with no sum that floats would round.", down, exactly) },
+  { words: "wrong on floats: Vulkan's reference as published", language: "JavaScript", code: script("Vulkan's reference code: in binary32 uf + vf may round up to 1.", down, "uf + vf >= 1 && sum < low") },
+  { words: "wrong on floats: by w = 1 - u - v", language: "JavaScript", code: script("The upper half by w, which binary32 rounds.", `  const w = 1 - u - v;\n${down}`, "sum + Math.ceil(w * N) < N && sum < low") },
+  { words: "wrong: breaks ties otherwise", language: "JavaScript", code: script("As the reference, but a point on an edge goes to the other side.", up, exactly) },
+  { words: "wrong: mirrored", language: "JavaScript", code: `${script("As the reference, but somebody swapped u and v.", down, exactly).replace("index(level, u, v)", "index(level, v, u)")}` },
   { words: "wrong: never ends at level 3", language: "JavaScript", code: "// Looks for an index, and at level 3 does not find it.\nfunction index(level, u, v) {\n  let answer = 0;\n  while (level === 3) answer = (answer + 1) % 64;\n  return answer;\n}\n" },
   { words: "right: Vulkan's reference", language: "WGSL", code: wgsl },
   { words: "wrong: mirrored", language: "WGSL", code: wgsl.replace("// Vulkan's reference code in binary32.", "// As the reference, but somebody swapped u and v.").replace("level: u32, u: f32, v: f32", "level: u32, v: f32, u: f32") },

@@ -23,8 +23,8 @@ export function whole(label: string, value: number, min: number, max: number, af
   return { box: el("span", { class: "field" }, el("label", { for: id }, label), input, after), get };
 }
 
-export function check(label: string): { box: HTMLElement; get: () => boolean } {
+export function check(label: string): { box: HTMLElement; get: () => boolean; set: (to: boolean) => void } {
   const id = fresh("check");
   const input = el("input", { id, type: "checkbox" });
-  return { box: el("span", { class: "field" }, input, el("label", { for: id }, label)), get: () => input.checked };
+  return { box: el("span", { class: "field" }, input, el("label", { for: id }, label)), get: () => input.checked, set: (to) => (input.checked = to) };
 }

@@ -16,7 +16,7 @@ export function judgeWgsl(ask: Omit<Judge, "kind" | "table">, code: string, seco
     try {
       const table: Answered[] = [];
       for (let round = 0; round < mostRounds; ++round) {
-        now = judgeFunction({ ...ask, table }, null, seconds);
+        now = judgeFunction({ ...ask, table }, null, "binary32", seconds);
         const judged = await now.done;
         if (judged.missing.length === 0) return judged;
         for (const points of judged.missing) table.push(await shader.ask(points));

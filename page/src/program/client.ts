@@ -1,6 +1,8 @@
 // The program for the page: compiled once, each run in a worker of its own, which can be stopped.
 import workerText from "worker-text";
 
+import { scopeNames } from "../../../wasm/package/binary32.mjs";
+import { inBinary32 } from "../../../wasm/package/rewrite.mjs";
 import type { Ask, Ended, Judge, Judged, Reply, Run } from "./messages";
 
 /** The bytes that the page carries: gzip, in base64. */
@@ -34,17 +36,21 @@ export interface Task<Result> {
   stop: (why: string) => void;
 }
 
-/** Behind the worker's text: the function under test, in a scope of its own. */
-function withFunction(code: string): string {
-  return `${workerText}\n;self.indexFunction = (() => { "use strict";\n${code}\n;return typeof index === "undefined" ? undefined : index; })();\n`;
+/** The numbers that a function in JavaScript computes in. */
+export type Arithmetic = "binary32" | "binary64";
+
+/** Behind the worker's text: the function under test, in a scope of its own. Throws, with the line, what cannot be rounded. */
+function withFunction(code: string, arithmetic: Arithmetic): string {
+  const [names, text] = arithmetic === "binary32" ? [scopeNames.join(", "), inBinary32(code, "script")] : ["", code];
+  return `${workerText}\n;self.indexFunction = ((${names}) => (() => { "use strict";\n${text}\n;return typeof index === "undefined" ? undefined : index; })())(...self.binary32Scope);\n`;
 }
 const linesBefore = workerText.split("\n").length + 1;
 
-function start<Result>(ask: Run | Judge, text: string, seconds: number): Task<Result> {
+function start<Result>(ask: Run | Judge, text: () => string, seconds: number): Task<Result> {
   let stop: Task<Result>["stop"] = () => undefined;
   const done = (async () => {
     const { module } = await ready();
-    const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+    const address = URL.createObjectURL(new Blob([text()], { type: "text/javascript" }));
     const worker = new Worker(address);
     let timer = 0;
     try {
@@ -71,11 +77,11 @@ function start<Result>(ask: Run | Judge, text: string, seconds: number): Task<Re
   return { done, stop: (why) => stop(why) };
 }
 
-export const runProgram = (ask: Omit<Run, "kind">, seconds: number): Task<Ended> => start({ kind: "run", ...ask }, workerText, seconds);
+export const runProgram = (ask: Omit<Run, "kind">, seconds: number): Task<Ended> => start({ kind: "run", ...ask }, () => workerText, seconds);
 
 /** `code` is JavaScript that names a function `index`; without it the table answers. */
-export const judgeFunction = (ask: Omit<Judge, "kind">, code: string | null, seconds: number): Task<Judged> =>
-  start({ kind: "judge", ...ask }, code === null ? workerText : withFunction(code), seconds);
+export const judgeFunction = (ask: Omit<Judge, "kind">, code: string | null, arithmetic: Arithmetic, seconds: number): Task<Judged> =>
+  start({ kind: "judge", ...ask }, () => (code === null ? workerText : withFunction(code, arithmetic)), seconds);
 
 export function jsonOf<T>(ended: Ended, file: string): T {
   const found = ended.files[file];

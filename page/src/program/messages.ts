@@ -15,6 +15,8 @@ export interface Judge {
   kind: "judge";
   args: readonly string[];
   highest: number;
+  /** What the verdict says of the numbers that the function computes in. */
+  arithmetic: string;
   /** In the place of a function: answers that were had elsewhere. */
   table?: Answered[];
 }

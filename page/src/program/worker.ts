@@ -1,6 +1,7 @@
 // In the worker: one run of the program; where there is a function under test, it stands behind this text.
 import { run } from "mmverify-package";
 
+import { scope } from "../../../wasm/package/binary32.mjs";
 import type { Subject } from "../../../wasm/package/index";
 import { wrongCells } from "./cells";
 import { subjectFile, subjectName } from "./names";
@@ -8,7 +9,10 @@ import type { Ask, Ended, Judge, Judged, Reply, Run } from "./messages";
 import { Table } from "./table";
 
 type IndexFunction = (level: number, u: number, v: number) => number;
-declare const self: { indexFunction?: unknown; onmessage: (event: MessageEvent<Ask>) => void; postMessage(reply: Reply): void };
+declare const self: { binary32Scope: unknown[]; indexFunction?: unknown; onmessage: (event: MessageEvent<Ask>) => void; postMessage(reply: Reply): void };
+
+// For a function whose text is rewritten.
+self.binary32Scope = Object.values(scope);
 
 /** The function, with its answers looked at: what is no whole number is no index. */
 function asked(index: IndexFunction): IndexFunction {
@@ -33,6 +37,7 @@ async function judge(ask: Judge, module: WebAssembly.Module): Promise<Judged> {
     path: subjectName,
     name: subjectName,
     maxLevel: 12,
+    arithmetic: ask.arithmetic,
     index_f32(level, u, v, answers) {
       for (let k = 0; k < answers.length; ++k) answers[k] = index(level, u[k]!, v[k]!);
     },

@@ -18,10 +18,33 @@ test("the right function is proved, level by level", async () => {
   const section = page.locator("#function");
   await judge(page);
   await done(section);
-  const verdicts = await verdictsIn(section);
+  const { "index.exact_on_floats": onFloats, ...verdicts } = await verdictsIn(section);
   assert.equal(Object.keys(verdicts).length, 6);
   assert.ok(Object.values(verdicts).every((v) => v === "proved"), JSON.stringify(verdicts));
+  assert.equal(onFloats, "checked");
   assert.equal(await section.locator("canvas.triangle").count(), 0);
+  assert.match((await section.locator(".about-verdict").textContent())!, /each operation rounded to binary32.*Not asked: levels 6 to 16/);
+  await page.context().close();
+});
+
+test("a formula that binary32 rounds is refuted on floats; in doubles it is not, and the verdict says which", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  const verdictOn = async (numbers: string): Promise<[string | undefined, string]> => {
+    await section.getByLabel("Numbers").selectOption(numbers);
+    await judge(page);
+    await done(section);
+    return [(await verdictsIn(section))["index.exact_on_floats"], (await section.locator(".about-verdict").textContent())!];
+  };
+  await section.getByLabel("Example").selectOption({ label: "wrong on floats: by w = 1 - u - v" });
+  const [rounded, words] = await verdictOn("binary32");
+  assert.equal(rounded, "refuted");
+  assert.match(words, /each operation rounded to binary32/);
+  assert.match((await verdictOn("binary64"))[1], /in binary64, as JavaScript computes; in binary32, as shaders do, it may answer otherwise/);
+  await section.getByLabel("also a million floats").uncheck();
+  const [none, left] = await verdictOn("binary32");
+  assert.equal(none, undefined);
+  assert.match(left, /Not asked: levels 6 to 16; floats beside the grid's points/);
   await page.context().close();
 });
 
@@ -60,7 +83,7 @@ test("one that never ends is ended at its time limit, and the page says so", asy
   await judge(page, undefined, 2);
   assert.match((await section.getByRole("alert").textContent())!, /stopped after 2 s, which is the time limit: does the function end/);
   // And the page goes on.
-  await section.getByLabel("Example").selectOption({ label: "right: Vulkan's reference" });
+  await section.getByLabel("Example").selectOption({ label: "right: Vulkan's reference, exact on floats" });
   await judge(page);
   await done(section);
   await page.context().close();

@@ -3,10 +3,10 @@
 import { existsSync, mkdtempSync, readdirSync, readFileSync, readSync, rmSync, statSync, writeSync } from "node:fs";
 import os from "node:os";
 import { isAbsolute, join, parse, resolve, sep } from "node:path";
-import { pathToFileURL } from "node:url";
 import { isMainThread, parentPort, Worker, workerData } from "node:worker_threads";
 
 import { compile, run } from "../index.mjs";
+import { loadScript } from "../script.mjs";
 
 const usage = 2;
 const environment = 4;
@@ -89,7 +89,7 @@ async function subjectOf(args) {
   if (scripts.some((name) => name.replace(/:[a-z0-9]+$/, "") !== path)) throw new Error(oneScript);
   if (!existsSync(path)) throw new Error(`--subject ${path}: no such file`);
   try {
-    return { ...(await import(pathToFileURL(resolve(path)))), path };
+    return await loadScript(path);
   } catch (error) {
     throw new Error(`--subject ${path}: it cannot be loaded: ${error?.message ?? error}`);
   }
@@ -102,8 +102,9 @@ const here = {
   mount: mountMachine,
 };
 
-async function one(args, told = here) {
-  return (await run(args.map(argument), { ...told, mount: mountMachine, subject: await subjectOf(args) })).code;
+/** `of`: whose --subject names the script. */
+async function one(args, told = here, of = args) {
+  return (await run(args.map(argument), { ...told, mount: mountMachine, subject: await subjectOf(of) })).code;
 }
 
 /** Takes --threads N out of the arguments of prove; undefined where the run cannot be divided into shards. */
@@ -146,7 +147,7 @@ async function inThreads(args, threads) {
     const out = json === undefined || json === "-" ? join(folder, "all.json") : json;
     // Where JSON goes to standard output, the text does not.
     const told = json === "-" ? { ...here, onStdout: here.onStderr } : here;
-    const code = await one(["merge", ...shards, "-o", out], told);
+    const code = await one(["merge", ...shards, "-o", out], told, args);
     if (json === "-" && existsSync(out)) writeAll(1, readFileSync(out));
     return code;
   } finally {
