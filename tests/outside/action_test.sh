@@ -33,10 +33,9 @@ workflow = yaml.safe_load((root / ".github/workflows/release.yml").read_text())
 assert workflow[True]["push"]["tags"] == ["v[0-9]+.[0-9]+.[0-9]+"]
 # By night and for each change: a command of `run` or a file.
 doors = re.findall(r"^  ([a-z-]+)\)", (root / "run").read_text(), re.M)
-commands = [job["command"] for job in yaml.safe_load((root / ".github/workflows/nightly.yml").read_text())
-            ["jobs"]["run"]["strategy"]["matrix"]["include"]]
-commands += [step["run"] for step in yaml.safe_load((root / ".github/workflows/change.yml").read_text())
-             ["jobs"]["checks"]["steps"] if "run" in step]
+nightly, change = (yaml.safe_load((root / f".github/workflows/{name}.yml").read_text())["jobs"] for name in ("nightly", "change"))
+commands = [job["command"] for job in nightly["run"]["strategy"]["matrix"]["include"]]
+commands += [step["run"] for job in (nightly["bare"], change["checks"]) for step in job["steps"] if "run" in step]
 for index, command in enumerate(commands):
     (folder / f"command-{index}.sh").write_text("#!/usr/bin/env bash\n" + command + "\n")
     for door in re.findall(r"[.]/run ([a-z-]+)", command):
@@ -50,7 +49,7 @@ for name, job in workflow["jobs"].items():
             (folder / f"workflow-{name}-{index}.sh").write_text("#!/usr/bin/env bash\n" + step["run"] + "\n")
 PYTHON
 grep -qx impl_index_test < <("$root/scripts/arm64-tests" --list) || fail "scripts/arm64-tests does not know impl_index_test"
-for script in "$folder"/*.sh "$root"/packaging/action/* "$root"/scripts/release/{bundle,deb,make,notes,sysroot,tarball,try}; do
+for script in "$folder"/*.sh "$root"/packaging/action/* "$root"/scripts/bare-root-test "$root"/scripts/release/{bundle,deb,make,notes,sysroot,tarball,try}; do
   bash -n "$script"
   ! command -v shellcheck >/dev/null || shellcheck --severity=warning "$script"
 done
