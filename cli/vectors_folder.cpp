@@ -32,7 +32,9 @@ bool is_of_vectors(const std::string& name) {
 std::set<std::string> listed_in(const fs::path& folder) {
   std::ifstream in(folder / vectors::manifest_name);
   const auto manifest = nlohmann::json::parse(in, nullptr, false);
-  if (!manifest.is_object() || manifest.value("schema", nlohmann::json()) != vectors::schema_name) return {};
+  if (!manifest.is_object() || !manifest.contains("schema") || !manifest["schema"].is_string()) return {};
+  // Of this form, or of an earlier one: its files make room for this one's.
+  if (!manifest["schema"].get<std::string>().starts_with("mmverify.vectors/")) return {};
   std::set<std::string> names{vectors::manifest_name};
   const auto files = manifest.find("files");
   if (files != manifest.end() && files->is_array())

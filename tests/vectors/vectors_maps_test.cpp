@@ -122,7 +122,8 @@ TEST(VectorsMaps, PackedMapsAreTheLibrarys) {
       EXPECT_EQ(forced, maps.part(k, "forced"));
     }
     const auto same = micromap::uniform(bytes, f, states.size());
-    EXPECT_EQ(maps.optional(k, "uniform"), same ? vectors::Optional(code(*same)) : vectors::none);
+    EXPECT_EQ(maps.optional(k, "uniform"),
+              same ? vectors::Optional(static_cast<std::uint32_t>(*same)) : vectors::none);
   }
   const Reading padded(tests::family("packing"), "padded");
   for (std::size_t k = 0; k < padded.size(); ++k) {
@@ -139,7 +140,8 @@ TEST(VectorsMaps, SpecialIndicesAreTheLibrarys) {
     const auto e = micromap::Encoding(codes(k, "encoding"));
     const std::uint32_t code = codes(k, "code");
     const auto state = micromap::special_state(code, e);
-    EXPECT_EQ(codes.optional(k, "state"), state ? vectors::Optional(micromap::code(*state)) : vectors::none)
+    EXPECT_EQ(codes.optional(k, "state"),
+              state ? vectors::Optional(static_cast<std::uint32_t>(*state)) : vectors::none)
         << k;
     EXPECT_EQ(codes.optional(k, "index"),
               micromap::is_index(code, e) ? vectors::Optional(code) : vectors::none)
