@@ -1,6 +1,6 @@
 // The vectors of arrays, held against the library's validator and, as files, against mmverify validate's.
-#include <nlohmann/json.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "impl/micromap/validate.hpp"
