@@ -37,7 +37,10 @@ export function answersPart(): HTMLElement {
     const given = answers.text.value;
     void box.run("Judging the answers...", runProgram({ args: ["check", "index", "--level", String(n), "--quiet", "--json", json], stdin: `${given.trim()}\n`, wanted: [json] }, seconds), (ended) => {
       const result = jsonOf<ResultFile>(ended, json);
-      return verdictPart(reportOf("the answers", result, result.results[0]?.subject ?? "", [wrongAnswers(text, given, n)]));
+      return [
+        el("p", { class: "about-verdict" }, `The answers at the points above. Not asked: levels other than ${n}; floats beside the grid's points.`),
+        ...verdictPart(reportOf("the answers", result, result.results[0]?.subject ?? "", [wrongAnswers(text, given, n)])),
+      ];
     });
   };
   return el(

@@ -153,6 +153,7 @@ test("a table of answers: the points are the native program's, right and wrong a
   await part.getByRole("button", { name: "Judge the answers" }).click();
   await part.locator(".verdicts").waitFor();
   assert.deepEqual(Object.values(await verdictsIn(part)), ["proved"]);
+  assert.match((await part.locator(".about-verdict").textContent())!, /Not asked: levels other than 0; floats/);
   await part.getByLabel("Answers").fill(zeros.replace("3 0", "3 1"));
   await part.getByRole("button", { name: "Judge the answers" }).click();
   await part.locator("canvas.triangle").waitFor();
