@@ -53,6 +53,7 @@ for script in "$folder"/*.sh "$root"/packaging/action/* "$root"/scripts/bare-roo
   bash -n "$script"
   ! command -v shellcheck >/dev/null || shellcheck --severity=warning "$script"
 done
+command -v shellcheck >/dev/null || echo "skipped: no shellcheck to read the steps with: ./run install test"
 
 [[ $1 != --files ]] || exit 0
 

@@ -103,10 +103,14 @@ PYTHON
 
 if command -v zsh >/dev/null; then
   zsh -n in.zsh || fail "zsh cannot read its completion"
+else
+  echo "skipped: no zsh to read its completion: ./run install test"
 fi
 if command -v fish >/dev/null; then
   got=$(HOME=$folder fish -c 'source in.fish; complete -C "mmverify prove --tier "' | cut -f1 | sort | paste -sd ' ')
   [[ $got == 'fast long' ]] || fail "fish offers '$got'"
+else
+  echo "skipped: no fish to read its completion: ./run install test"
 fi
 
 # A day that is none, and a shell that is none.
