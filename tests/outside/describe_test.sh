@@ -16,6 +16,8 @@ for shell in bash zsh fish; do mmverify completion "$shell" >"in.$shell"; done
 grep -q '^.TH MMVERIFY 1 "2023-11-14" "mmverify [0-9.]*" "User Commands"$' mmverify.1 || fail "the page's head"
 if command -v mandoc >/dev/null; then
   mandoc -T lint -W warning mmverify.1 || fail "mandoc warns"
+else
+  echo "skipped: no mandoc to read the manual page: ./run install test"
 fi
 if command -v man >/dev/null && command -v groff >/dev/null; then
   warnings=$(LC_ALL=C.UTF-8 MANROFFSEQ='' man --warnings -l mmverify.1 2>&1 >/dev/null)
