@@ -77,7 +77,8 @@ function withArithmetic(text, path, arithmetic) {
  * onStdout or onStderr were told, and the contents of those files that `wanted` names.
  * Rejects where WebAssembly cannot run or the program aborts, for want of memory for instance.
  */
-export async function run(args, options = {}) {
+export async function run(words, options = {}) {
+  const args = words.map(String);
   const module = await (options.module ?? compile());
   if (!(module instanceof WebAssembly.Module)) throw new TypeError("run: options.module is no WebAssembly.Module");
   await nodeGlobals();
@@ -108,7 +109,7 @@ export async function run(args, options = {}) {
     if (folder !== "") FS.mkdirTree(folder);
     FS.writeFile(name, contents);
   }
-  const code = program.callMain(args.map(String));
+  const code = program.callMain(args);
   out.flush();
   let stdout = out.text();
   if (judges && code !== 2 && code !== 4) {
