@@ -61,12 +61,12 @@ function valueOf(args, option) {
   return at < 0 ? undefined : args[at] === option ? args[at + 1] : args[at].slice(option.length + 1);
 }
 
-/** A result that says in which numbers a script computed; shards are sealed, and their sum says it. */
+/** A result that says in which numbers a script computed; shards are sealed, and their sum says it.  All else stays as it is
+ *  written: a seed may have more digits than a number of JavaScript. */
 function withArithmetic(text, path, arithmetic) {
-  const result = JSON.parse(text);
-  if (result.shard !== undefined) return text;
-  const runsOn = (result.runs_on ?? []).filter(({ subject }) => subject !== path);
-  return `${JSON.stringify({ ...result, runs_on: [...runsOn, { subject: path, about: { arithmetic }, warnings: [] }] }, null, 1)}\n`;
+  if (JSON.parse(text).shard !== undefined) return text;
+  const runsOn = [{ subject: path, about: { arithmetic }, warnings: [] }];
+  return text.replace("{", () => `{\n "runs_on": ${JSON.stringify(runsOn)},`);
 }
 
 /**

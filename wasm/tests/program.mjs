@@ -3,6 +3,8 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 
 const { fround } = Math;
+/** More digits than a number of JavaScript has. */
+export const seed = "18446744073709551615";
 
 /** Pairs at and beside the diagonals of a level, last bit 2^-40 or more: doubles have room for their sums. */
 function pairs(level) {
@@ -25,7 +27,8 @@ export default async function createProgram(options) {
   const io = {};
   options.preRun[0]({ FS: { init: (input, out, errors) => Object.assign(io, { input, out, errors }) } });
   const tell = (text) => Buffer.from(text).forEach((byte) => io.out(byte));
-  const written = (name, result) => (name === "-" ? tell(JSON.stringify(result)) : writeFileSync(name, JSON.stringify(result)));
+  const text = (result) => JSON.stringify(result).replace(/}$/, `,"seed":${seed}}`);
+  const written = (name, result) => (name === "-" ? tell(text(result)) : writeFileSync(name, text(result)));
   return {
     FS: {
       mkdirTree: (name) => mkdirSync(name, { recursive: true }),
@@ -49,7 +52,7 @@ export default async function createProgram(options) {
         options.subject.index_f32(level, u, v, answers);
         wrong += answers.filter((answer, k) => answer !== upper(level, u[k], v[k])).length;
       }
-      const result = { schema: "mmverify.result/1", results: [{ wrong }] };
+      const result = { schema: "mmverify.result/1", results: [{ wrong }] }; // and a seed, which JSON.parse would round
       if (after("--shard") !== undefined) result.shard = {};
       if (after("--json") !== "-") tell(`wrong: ${wrong}\n`);
       if (after("--json") !== undefined) written(after("--json"), result);

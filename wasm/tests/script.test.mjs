@@ -8,6 +8,8 @@ import { dirname, join, resolve } from "node:path";
 import { after, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
+import { seed } from "./program.mjs";
+
 const here = dirname(fileURLToPath(import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), "mmverify-script-"));
 after(() => rmSync(folder, { recursive: true, force: true }));
@@ -71,7 +73,9 @@ test("in doubles the same formula is right, and the verdict says that it was dou
 test("JSON says it, in a file, on standard output, of threads", () => {
   const said = [{ subject: "./by_w.mjs", about: { arithmetic: rounded.slice("arithmetic: ".length) }, warnings: [] }];
   prove("by_w.mjs", "--json", "file.json");
-  const file = JSON.parse(readFileSync(join(folder, "file.json"), "utf8"));
+  const text = readFileSync(join(folder, "file.json"), "utf8");
+  assert.match(text, new RegExp(`"seed":${seed}`));
+  const file = JSON.parse(text);
   assert.deepEqual(file.runs_on, said);
   assert.ok(file.results[0].wrong > 100);
   const { stdout, stderr } = prove("by_w.mjs", "--json", "-");
