@@ -35,6 +35,7 @@ Json result(const Result& r) {
   Json j{{"law", r.law},       {"topic", r.topic},   {"subject", r.subject},           {"level", r.level},
          {"method", r.method}, {"domain", r.domain}, {"verdict", to_string(r.verdict)}};
   if (!r.at_once.empty()) j["level"] = nullptr;
+  if (!r.fingerprint.empty()) j["fingerprint"] = r.fingerprint;
   if (!r.dialect.empty()) j["dialect"] = r.dialect;
   if (!r.reason.empty()) j["reason"] = r.reason;
   if (!r.breaks.empty()) {

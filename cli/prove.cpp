@@ -18,9 +18,11 @@
 #include "cli/shader.hpp"
 #include "cli/source.hpp"
 #include "cli/text.hpp"
+#include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/options.hpp"
 #include "proofs/plan.hpp"
+#include "proofs/plugin.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -146,6 +148,8 @@ int prove(const ProveOptions& options) {
   if ((!options.devices.empty() || options.entry) &&
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
     throw UsageError("--device, --entry: no --subject is a shader; leave them out");
+  // Loading a library may take long.
+  const InterruptGuard guard;
   std::vector<RunsOn> runs_on;
   const std::vector<Job> jobs =
       options.source ? std::vector<Job>{job_of_source(options)} : plan(request(options, runs_on));
@@ -181,6 +185,7 @@ int prove(const ProveOptions& options) {
   const std::unique_ptr<Journal> journal = open_journal(options.journal, identity, run.shard);
   run.journal = journal.get();
   run.mutants = !options.no_mutants;
+  run.change_of = change_of;
   for (const RunsOn& one : runs_on) {
     for (const auto& [key, value] : one.about) text.note(fmt::format("{}: {}: {}", one.subject, key, value));
     for (const std::string& warning : one.warnings) text.note("warning: " + warning);

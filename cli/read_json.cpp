@@ -48,6 +48,7 @@ Result result(const Json& j) {
   j.at("method").get_to(r.method);
   j.at("domain").get_to(r.domain);
   r.verdict = verdict(j.at("verdict").get<std::string>());
+  r.fingerprint = j.value("fingerprint", "");
   r.dialect = j.value("dialect", "");
   r.reason = j.value("reason", "");
   j.at("cases_expected").get_to(r.cases_expected);

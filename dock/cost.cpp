@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <random>
 
+#include "dock/broken.hpp"
 #include "dock/load_error.hpp"
 #include "dock/sanitizer.hpp"
 #include "sdk/mmverify_subject.h"
@@ -63,17 +64,26 @@ Cost measure_cost(const std::string& library, std::uint32_t level, const Options
     std::memcpy(worker.input(Call::index_f32, 0, capacity, t), &u[t], sizeof(float));
     std::memcpy(worker.input(Call::index_f32, 1, capacity, t), &v[t], sizeof(float));
   }
+  const auto ask = [&](std::uint32_t n) {
+    try {
+      worker.ask(Call::index_f32, n, capacity);
+    } catch (const Misbehaved& found) {
+      throw SubjectBroken(fmt::format("{}: {} at level {}", library, found.what, n));
+    }
+  };
   // The first command of a level asks everything again in every way; that is paid once, not here.
-  worker.ask(Call::index_f32, level, capacity);
+  ask(level);
 
   using Clock = std::chrono::steady_clock;
   std::vector<double> bare, isolated, ratio;
   for (int round = 0; round < rounds; ++round) {
     const auto start = Clock::now();
-    for (std::size_t from = 0; from < capacity; from += batch_size)
+    for (std::size_t from = 0; from < capacity; from += batch_size) {
+      options.stop_if_asked();
       subject.index_f32(level, u.data() + from, v.data() + from, index.data() + from, batch_size);
+    }
     const auto middle = Clock::now();
-    worker.ask(Call::index_f32, level, capacity);
+    ask(level);
     const auto end = Clock::now();
     bare.push_back(nanoseconds_each(middle - start));
     isolated.push_back(nanoseconds_each(end - middle));

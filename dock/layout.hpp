@@ -26,6 +26,9 @@ constexpr std::size_t blob_capacity = std::size_t{1} << 25;
 constexpr std::size_t canary_size = 64;
 constexpr unsigned char canary = 0xC5;
 
+/// Where a worker finds the memory when it starts; it closes the descriptor once the memory is mapped.
+constexpr int shared_memory_descriptor = 3;
+
 /// What lies in an output before a call, and before the same elements are asked again.
 constexpr unsigned char blank = 0xD3, blank_again = 0x5A;
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dock/clean_text.hpp"
 #include "dock/known_breaks.hpp"
 #include "dock/worker.hpp"
 
@@ -39,15 +40,19 @@ class Library {
   /// What its subjects are called by: Options::called, or its path.
   const std::string& path() const { return path_; }
   const Description& description() const { return description_; }
-  bool offers(Call call) const { return description_.has[static_cast<std::size_t>(call)]; }
+  bool offers(Call call) const { return description_.has[static_cast<std::size_t>(call)] != 0; }
   /// Whether it has an entry point of the topic.
   bool offers(Topic topic) const;
   /// Where it runs, in lines KEY: VALUE; empty where it says nothing.
-  std::string runs_on() const { return description_.runs_on; }
+  std::string runs_on() const { return clean_lines(description_.runs_on); }
   /// What it calls itself.
-  std::string about() const { return description_.name[0] != 0 ? description_.name : "a shared library"; }
+  std::string about() const {
+    return description_.name[0] != 0 ? clean_text(description_.name) : "a shared library";
+  }
   /// The file's contents, in a word: its size and a checksum.
   const std::string& fingerprint() const { return fingerprint_; }
+  /// What its file has become since, in a sentence; empty where it is the same.
+  std::string change() const { return pool_.file().change(); }
   Pool& pool() const { return pool_; }
   KnownBreaks& known_breaks() const { return known_breaks_; }
 

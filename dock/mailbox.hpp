@@ -11,7 +11,9 @@
 namespace mmverify::dock {
 
 enum class Outcome : std::uint32_t {
+  starting,  ///< the library was not touched yet
   ready,
+  cannot_open,  ///< dlopen failed
   cannot_load,
   not_here,
   answered,
@@ -20,17 +22,27 @@ enum class Outcome : std::uint32_t {
   wrote_before,
   unwritten,
   non_deterministic,
-  too_large
+  too_large,
+  no_resources  ///< the machine gave no thread or no memory to ask with
 };
 
-/// What was loaded.
+/// What was loaded.  The worker writes it, and so may whatever runs there: see description_fault().
 struct Description {
   char name[128];
   char runs_on[4096];
   std::uint32_t max_level, flags;
-  std::array<bool, calls> has;           ///< by number of Call
+  std::array<std::uint8_t, calls> has;   ///< by number of Call: 1 where it has the entry point
   mmverify_bake_support_t bake_support;  ///< zeros where it says nothing
   mmverify_attribute_support_t attribute_support;
+};
+
+/// What came of a command.
+struct Report {
+  Outcome outcome;
+  std::uint64_t element;  ///< the one that `outcome` is about
+  char message[512];
+  std::uint32_t taken;         ///< what an encoder or decoder made of the map or code: 0 for nothing
+  std::uint64_t answer_bytes;  ///< and how many bytes of it
 };
 
 struct Mailbox {
@@ -53,11 +65,7 @@ struct Mailbox {
   std::atomic<std::uint64_t> begun;          ///< elements before the batch that is being worked on
   std::atomic<std::uint64_t> calls;          ///< of the subject so far: what hangs is one call
   std::atomic<std::uint32_t> another_level;  ///< 1 while it asks about another level than the command's
-  Outcome outcome;
-  std::uint64_t element;  ///< the one that `outcome` is about
-  char message[512];
-  std::uint32_t taken;         ///< what an encoder or decoder made of the map or code: 0 for nothing
-  std::uint64_t answer_bytes;  ///< and how many bytes of it
+  Report report;
   Description description;
 };
 

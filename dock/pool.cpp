@@ -23,12 +23,14 @@ std::unique_ptr<Worker> Pool::take() {
 }
 
 std::unique_ptr<Worker> Pool::fresh() {
-  QuestionCounts asked;
+  Before before{{}, loaded_, &file_};
   {
     const std::lock_guard hold(lock_);
-    asked = asked_;
+    before.asked = asked_;
   }
-  return std::make_unique<Worker>(library_, options_, std::move(asked));
+  auto worker = std::make_unique<Worker>(library_, options_, std::move(before));
+  loaded_ = true;
+  return worker;
 }
 
 void Pool::replace(std::unique_ptr<Worker> worker) {

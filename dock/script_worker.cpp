@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "dock/broken.hpp"
+#include "dock/clean_text.hpp"
 #include "dock/worker.hpp"
 
 // Module.subject is the object.  Its functions are named as the entry points and get the level, the format where there is
@@ -67,8 +68,13 @@ bool has_format(Call call) {
 Printed::~Printed() = default;
 Bounds bounds() { return {}; }
 
-Worker::Worker(std::string library, const Options& options, QuestionCounts asked)
-    : library_(std::move(library)), options_(options), layout_(64), asked_(std::move(asked)) {
+Worker::Worker(std::string library, const Options& options, Before before)
+    : library_(std::move(library)),
+      options_(options),
+      layout_(64),
+      asked_(std::move(before.asked)),
+      loaded_before_(before.loaded),
+      file_(before.file) {
   start();
 }
 
@@ -83,13 +89,15 @@ void Worker::start() {
   base_ = static_cast<std::byte*>(std::calloc(layout_.total(), 1));
   if (base_ == nullptr) throw NoResources("no memory for a subject");
   mailbox_ = new (base_) Mailbox{};
-  Description& d = mailbox_->description;
+  Description& d = description_;
   mmverify_script_text("name", d.name, sizeof d.name);
   d.max_level = static_cast<std::uint32_t>(mmverify_script_number("maxLevel", 12));
   d.flags = static_cast<std::uint32_t>(mmverify_script_number("flags", 0)) | MMVERIFY_SINGLE_THREADED;
   bool any = false;
-  for (std::size_t c = 0; c < calls; ++c)
-    any |= d.has[c] = of_scripts(entry_points[c]) && mmverify_script_has(entry_points[c].name) != 0;
+  for (std::size_t c = 0; c < calls; ++c) {
+    d.has[c] = of_scripts(entry_points[c]) && mmverify_script_has(entry_points[c].name) != 0 ? 1 : 0;
+    any |= d.has[c] != 0;
+  }
   if (!any) throw CannotLoad(library_ + ": no function of it is named as an entry point, such as index_f32");
 }
 
@@ -109,12 +117,12 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint3
       inputs[a] = static_cast<int>(reinterpret_cast<std::uintptr_t>(input(call, a, count, from)));
     auto* out = const_cast<std::byte*>(answer(call, count, from));
     std::memset(out, before, some * entry.answer_bytes);
-    return mmverify_script_call(entry.name, static_cast<int>(level),
-                                has_format(call) ? static_cast<int>(format) : -1, inputs.data(),
-                                static_cast<int>(s.arrays), kind,
-                                static_cast<int>(reinterpret_cast<std::uintptr_t>(out)),
-                                static_cast<int>(entry.answer_bytes / s.value_bytes), numbers,
-                                static_cast<int>(some), mailbox_->message, sizeof mailbox_->message) != 0;
+    return mmverify_script_call(
+               entry.name, static_cast<int>(level), has_format(call) ? static_cast<int>(format) : -1,
+               inputs.data(), static_cast<int>(s.arrays), kind,
+               static_cast<int>(reinterpret_cast<std::uintptr_t>(out)),
+               static_cast<int>(entry.answer_bytes / s.value_bytes), numbers, static_cast<int>(some),
+               mailbox_->report.message, sizeof mailbox_->report.message) != 0;
   };
   for (std::uint64_t from = 0; from < count; from += batch_size) {
     options_.stop_if_asked();
@@ -133,7 +141,7 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint3
                          from + at / entry.answer_bytes, 1};
       }
     }
-    const std::string what = fmt::format("threw an exception: {}", mailbox_->message);
+    const std::string what = fmt::format("threw an exception: {}", clean_text(mailbox_->report.message));
     for (std::uint64_t t = from; t < from + some; ++t)
       if (!ask_some(t, 1, blank)) throw Misbehaved{what, t, 1, false, true};
     throw Misbehaved{what, from, some};

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "dock/broken.hpp"
+#include "dock/clean_text.hpp"
 
 namespace mmverify::dock {
 
@@ -22,6 +23,7 @@ Printed::Printed() {
 
 Printed::~Printed() {
   pass_on();
+  if (!line_.empty()) end_line();
   for (const int end : ends_)
     if (end >= 0) close(end);
 }
@@ -38,29 +40,34 @@ bool Printed::pass_on() {
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return true;
     bytes_ += static_cast<std::uint64_t>(got);
-    look_for_report({text, static_cast<std::size_t>(got)});
-    for (ssize_t at = 0; at < got;) {
-      const ssize_t wrote = write(STDERR_FILENO, text + at, static_cast<std::size_t>(got - at));
-      if (wrote < 0 && errno == EINTR) continue;
-      if (wrote <= 0) break;  // nobody reads it
-      at += wrote;
-    }
+    take({text, static_cast<std::size_t>(got)});
   }
   return false;
 }
 
-void Printed::look_for_report(std::string_view text) {
-  constexpr std::string_view begins = "SUMMARY: ";
-  constexpr std::size_t longest = 400;
+void Printed::take(std::string_view text) {
+  constexpr std::size_t longest = 4096;
   for (const char c : text) {
-    if (c == '\n') {
-      if (line_.starts_with(begins)) report_ = line_.substr(begins.size());
-      // UBSan's of g++ ends with no summary.
-      if (report_.empty() && line_.find(": runtime error: ") != std::string::npos) report_ = line_;
-      line_.clear();
-    } else if (line_.size() < longest) {
-      line_ += c;
-    }
+    if (c != '\n') line_ += c;
+    if (c == '\n' || line_.size() == longest) end_line();
+  }
+}
+
+void Printed::end_line() {
+  constexpr std::string_view begins = "SUMMARY: ";
+  constexpr std::size_t longest_report = 400;
+  const std::string line = clean_text(line_);
+  line_.clear();
+  if (line.starts_with(begins)) report_ = line.substr(begins.size(), longest_report);
+  // UBSan's of g++ ends with no summary.
+  if (report_.empty() && line.find(": runtime error: ") != std::string::npos)
+    report_ = line.substr(0, longest_report);
+  const std::string marked = "subject| " + line + "\n";
+  for (std::size_t at = 0; at < marked.size();) {
+    const ssize_t wrote = write(STDERR_FILENO, marked.data() + at, marked.size() - at);
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote <= 0) break;  // nobody reads it
+    at += static_cast<std::size_t>(wrote);
   }
 }
 
@@ -80,13 +87,29 @@ Bounds bounds() {
 std::string over(const Bounds& bounds, int pid) {
   std::ifstream status(fmt::format("/proc/{}/status", pid));
   std::string name, rest;
+  std::uint64_t kib = 0;
   for (std::uint64_t value = 0; status >> name; std::getline(status, rest)) {
-    if (name == "VmRSS:" && status >> value && value / 1024 > bounds.memory_mib)
-      return fmt::format("took more than {} MiB of memory", bounds.memory_mib);
+    // A resident set has no huge pages of a pool, and nothing that was swapped out.
+    if ((name == "VmRSS:" || name == "VmSwap:" || name == "HugetlbPages:") && status >> value) kib += value;
     if (name == "Threads:" && status >> value && value > bounds.threads)
       return fmt::format("had more than {} threads", bounds.threads);
   }
+  if (kib / 1024 > bounds.memory_mib)
+    return fmt::format("took more than {} MiB of memory", bounds.memory_mib);
+  // Files may lie in memory: /dev/shm, and /tmp of many machines.
+  std::ifstream io(fmt::format("/proc/{}/io", pid));
+  for (std::uint64_t value = 0; io >> name >> value;)
+    if (name == "wchar:" && value >> 20 > bounds.memory_mib)
+      return fmt::format("wrote more than {} MiB to files", bounds.memory_mib);
   return {};
+}
+
+char state_of(int pid) {
+  std::ifstream status(fmt::format("/proc/{}/status", pid));
+  std::string name, rest;
+  for (char state = 0; status >> name; std::getline(status, rest))
+    if (name == "State:" && status >> state) return state;
+  return 0;
 }
 
 }  // namespace mmverify::dock

@@ -7,7 +7,8 @@
 
 namespace mmverify::dock {
 
-/// A pipe that a worker prints to.  What comes is passed on to stderr, up to a limit.
+/// A pipe that a worker prints to.  What comes is passed on to stderr line by line, up to a limit: as clean_text() and
+/// behind `subject| `, so that no line can be taken for one of this program, or for a CI's command.
 class Printed {
  public:
   static constexpr std::uint64_t most = 1u << 20;
@@ -22,14 +23,15 @@ class Printed {
   int write_end() const { return ends_[1]; }
   void close_write_end();
 
-  /// Passes on what is there, without waiting.  False once it is more than `most` bytes in all.
+  /// Passes on the lines that are there, without waiting.  False once it is more than `most` bytes in all.
   bool pass_on();
 
   /// "AddressSanitizer: heap-buffer-overflow mine.c:17 in bake": the summary of a sanitizer's report, once one has come.
   const std::string& report() const { return report_; }
 
  private:
-  void look_for_report(std::string_view text);
+  void take(std::string_view text);
+  void end_line();
 
   std::string line_, report_;
   int ends_[2] = {-1, -1};
@@ -39,7 +41,8 @@ class Printed {
 /// The bounds of a worker, which no limit of the system's can be trusted with: address space says nothing of memory in
 /// sanitized programs, and root has no limit of processes.
 struct Bounds {
-  std::uint64_t memory_mib = 4096;  ///< that is in memory; MMVERIFY_WORKER_MEMORY sets it
+  /// In memory or swapped out, huge pages too; and, apart, written to files in all.  MMVERIFY_WORKER_MEMORY sets it.
+  std::uint64_t memory_mib = 4096;
   std::uint64_t threads = 512;
 };
 
@@ -48,5 +51,8 @@ Bounds bounds();
 
 /// Which bound the process is over, in words; empty where none, or where it is no more.
 std::string over(const Bounds& bounds, int pid);
+
+/// The process's state as the kernel's letter: 'T' stopped by a signal, 't' held by a debugger; 0 where it is no more.
+char state_of(int pid);
 
 }  // namespace mmverify::dock

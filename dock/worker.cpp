@@ -16,6 +16,8 @@
 #include <filesystem>
 
 #include "dock/broken.hpp"
+#include "dock/clean_text.hpp"
+#include "dock/description.hpp"
 #include "dock/futex.hpp"
 #include "dock/sanitizer.hpp"
 
@@ -43,45 +45,92 @@ constexpr std::uint64_t unwatched = 256;
 /// How often a wait looks whether the process still lives.
 constexpr long slice_milliseconds = 20;
 
+/// Nothing but a subject that writes where it may not makes a worker say what it cannot mean.
+constexpr char wrote_into_ours[] = "wrote into the tool's own memory";
+
 /// Values of processor_ that are no processor.
 constexpr int anywhere = -1, not_asked = -2;
 
 }  // namespace
 
-Worker::Worker(std::string library, const Options& options, QuestionCounts asked)
+Worker::Worker(std::string library, const Options& options, Before before)
     : library_(std::move(library)),
       options_(options),
       environment_(worker_environment(library_)),
       layout_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))),
-      asked_(std::move(asked)) {
+      asked_(std::move(before.asked)),
+      loaded_before_(before.loaded),
+      file_(before.file) {
   environment_.insert(environment_.end(), options_.environment.begin(), options_.environment.end());
-  start();
+  try {
+    start();
+  } catch (...) {
+    stop();
+    throw;
+  }
 }
 
 Worker::~Worker() { stop(); }
 
 void Worker::start() {
-  fd_ = memfd_create("mmverify-subject", 0);
+  start_process();
+  wait_until_loaded();
+  if (file_ != nullptr)
+    if (const std::string change = file_->change(); !change.empty()) throw NoResources(change);
+  const std::string why = message_;
+  switch (report_.outcome) {
+    case Outcome::ready:
+      loaded_before_ = true;
+      return;
+    case Outcome::not_here:
+      if (!loaded_before_) throw NotHere(why);
+      break;
+    case Outcome::cannot_open:
+      if (loaded_before_) throw NoResources(fmt::format("{}: {}", library_, why));
+      break;
+    case Outcome::starting:
+      throw NoResources(fmt::format("cannot start mmverify-worker: {}", why));
+    default:
+      break;
+  }
+  const std::string what = fmt::format("{}: {}", library_, why);
+  if (loaded_before_) throw SubjectBroken(what + ", though it was loaded before");
+  throw CannotLoad(what);
+}
+
+void Worker::start_process() {
+  fd_ = memfd_create("mmverify-subject", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  // Below are the descriptors that the worker gets.
+  if (fd_ >= 0 && fd_ <= shared_memory_descriptor) {
+    const int above = fcntl(fd_, F_DUPFD_CLOEXEC, shared_memory_descriptor + 1);
+    close(fd_);
+    fd_ = above;
+  }
   if (fd_ < 0 || ftruncate(fd_, static_cast<off_t>(layout_.total())) != 0)
     fail("cannot get memory for a worker");
+  // A file cut short under a mapping is a SIGBUS for whoever reads there.
+  if (fcntl(fd_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0)
+    fail("cannot seal a worker's memory");
   base_ = static_cast<std::byte*>(mmap(nullptr, layout_.total(), PROT_READ | PROT_WRITE, MAP_SHARED, fd_, 0));
   if (base_ == MAP_FAILED) fail("cannot map a worker's memory");
   mailbox_ = reinterpret_cast<Mailbox*>(base_);
   mailbox_->turn.store(1);
-  mailbox_->outcome = Outcome::cannot_load;  // until the worker says otherwise
+  mailbox_->report.outcome = Outcome::starting;  // until the worker says otherwise
 
-  const std::string program = worker_program(), fd = fmt::format("{}", fd_);
-  std::string name = "mmverify-worker", fd_text = fd, library = std::filesystem::absolute(library_).string();
-  char* argv[] = {name.data(), fd_text.data(), library.data(), nullptr};
+  const std::string program = worker_program();
+  std::string name = "mmverify-worker", library = std::filesystem::absolute(library_).string();
+  char* argv[] = {name.data(), library.data(), nullptr};
   printed_ = std::make_unique<Printed>();
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, printed_->write_end(), STDERR_FILENO);
-  // A group of its own: what a subject forks ends with it, and Ctrl-C stays this process's business.
+  posix_spawn_file_actions_adddup2(&actions, fd_, shared_memory_descriptor);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  // A session of its own: no terminal is its own, what a subject forks ends with it, and Ctrl-C stays this process's
+  // business.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
   std::vector<char*> environment;
   for (std::string& setting : environment_) environment.push_back(setting.data());
   environment.push_back(nullptr);
@@ -97,30 +146,56 @@ void Worker::start() {
   hung_ = false;
   over_.clear();
   processor_ = not_asked;
-  group_ = pid_;
-  while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
-    futex_wait(mailbox_->turn, 1, slice_milliseconds);
-    options_.stop_if_asked();
-    if (!within_bounds()) throw CannotLoad(fmt::format("{}: {} while it was loaded", library_, over_));
-    if (mailbox_->turn.load(std::memory_order_acquire) == 1 && waitpid(pid_, &status_, WNOHANG) == pid_) {
-      pid_ = -1;
-      throw CannotLoad(fmt::format("{}: {} while it was loaded", library_, end_of_process()));
+}
+
+void Worker::wait_until_loaded() {
+  const bool turned = wait_for_turn(options_.loading_seconds(), true);
+  take_report();
+  std::memcpy(&description_, &mailbox_->description, sizeof description_);
+  if (!turned) {
+    // At the start no code of the subject's has run yet.
+    if (report_.outcome != Outcome::starting) report_.outcome = Outcome::cannot_load;
+    message_ = fmt::format(
+        "{} while it was loaded",
+        hung_ ? fmt::format("hung: not done within {} s", options_.loading_seconds()) : why_no_answer());
+  } else if (!over_.empty() || !description_is_whole(description_) || report_.outcome > Outcome::not_here) {
+    report_.outcome = Outcome::cannot_load;
+    message_ = std::string(wrote_into_ours) + " while it was loaded";
+  } else if (report_.outcome == Outcome::ready) {
+    if (const std::string fault = description_fault(description_); !fault.empty()) {
+      report_.outcome = Outcome::cannot_load;
+      message_ = fault;
     }
   }
-  if (mailbox_->outcome == Outcome::not_here) throw NotHere(mailbox_->message);
-  if (mailbox_->outcome == Outcome::cannot_load)
-    throw CannotLoad(fmt::format("{}: {}", library_, mailbox_->message));
 }
 
 void Worker::stop() {
-  if (group_ > 0) kill(-group_, SIGKILL);
-  if (pid_ > 0) waitpid(pid_, &status_, 0);
-  pid_ = group_ = -1;
+  if (pid_ > 0) {
+    // By its number too: MMVERIFY_UNCONFINED lets it go to another group.
+    kill(-pid_, SIGKILL);
+    kill(pid_, SIGKILL);
+    while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) continue;
+  }
+  pid_ = -1;
   printed_.reset();
   if (base_ != nullptr && base_ != MAP_FAILED) munmap(base_, layout_.total());
   base_ = nullptr;
   if (fd_ >= 0) close(fd_);
   fd_ = -1;
+}
+
+bool Worker::ended() {
+  siginfo_t how{};
+  if (pid_ <= 0 || waitid(P_PID, static_cast<id_t>(pid_), &how, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+      how.si_pid != pid_)
+    return false;
+  status_ = how.si_code == CLD_EXITED ? how.si_status << 8 : how.si_status;
+  // A confined subject has no way to send this signal, and this process has not sent it yet.
+  if (WIFSIGNALED(status_) && WTERMSIG(status_) == SIGKILL)
+    throw NoResources(fmt::format(
+        "mmverify-worker with {} was killed from outside; out of memory? No verdict is said of it",
+        library_));
+  return true;
 }
 
 void Worker::bring_here() {
@@ -146,38 +221,90 @@ bool Worker::within_bounds() {
 }
 
 bool Worker::exchange() {
-  using Clock = std::chrono::steady_clock;
   bring_here();
   mailbox_->begun.store(0);
+  mailbox_->report.message[0] = 0;
   mailbox_->turn.store(1, std::memory_order_release);
   futex_wake(mailbox_->turn);
-  std::uint64_t calls = mailbox_->calls.load(std::memory_order_relaxed);
-  auto since = Clock::now();
-  while (mailbox_->turn.load(std::memory_order_acquire) == 1) {
-    futex_wait(mailbox_->turn, 1, slice_milliseconds);
-    if (mailbox_->turn.load(std::memory_order_acquire) != 1) break;
-    options_.stop_if_asked();
-    if (waitpid(pid_, &status_, WNOHANG) == pid_) {
-      pid_ = -1;
-      return false;
-    }
-    if (!within_bounds()) return false;
-    if (const std::uint64_t now = mailbox_->calls.load(std::memory_order_relaxed); now != calls) {
-      calls = now;
-      since = Clock::now();
-    } else if (std::chrono::duration<double>(Clock::now() - since).count() > options_.timeout_seconds) {
-      hung_ = true;
-      return false;
-    }
-  }
+  const bool turned = wait_for_turn(options_.timeout_seconds, false);
+  take_report();
+  if (!turned) return false;
+  if (over_.empty() && !report_is_possible()) over_ = wrote_into_ours;
+  if (!over_.empty()) return false;
+  if (report_.outcome == Outcome::no_resources)
+    throw NoResources(fmt::format("{} cannot be asked: {}", library_, message_));
   return ++questions_ % unwatched != 0 || within_bounds();
+}
+
+bool Worker::wait_for_turn(double seconds, bool loading) {
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+  // Between two looks no more than this counts: this process may have been stopped, and the worker with it.
+  constexpr Seconds longest_look(10e-3 * slice_milliseconds);
+  std::uint64_t calls = mailbox_->calls.load(std::memory_order_relaxed);
+  auto last = Clock::now();
+  Seconds of_call(0), of_command(0);
+  std::uint32_t turn = 0;
+  while ((turn = mailbox_->turn.load(std::memory_order_acquire)) == 1) {
+    futex_wait(mailbox_->turn, 1, slice_milliseconds);
+    if ((turn = mailbox_->turn.load(std::memory_order_acquire)) != 1) break;
+    options_.stop_if_asked();
+    if (ended() || !within_bounds()) return false;
+    const auto now = Clock::now();
+    const Seconds look = std::min<Seconds>(now - last, longest_look);
+    last = now;
+    of_command += look;
+    of_call += look;
+    const std::uint64_t made = mailbox_->calls.load(std::memory_order_relaxed);
+    const bool starting = static_cast<const volatile Report&>(mailbox_->report).outcome == Outcome::starting;
+    if (loading ? starting : made != calls) {
+      calls = made;
+      of_call = Seconds(0);
+    }
+    if (of_call.count() <= seconds && of_command.count() <= options_.command_seconds()) continue;
+    const char state = state_of(pid_);
+    if (state == 'T')
+      throw NoResources(fmt::format("mmverify-worker with {} was stopped from outside (SIGSTOP)", library_));
+    if (state == 't') {  // under a debugger
+      of_call = Seconds(0);
+      continue;
+    }
+    hung_ = true;
+    return false;
+  }
+  if (turn != 0) over_ = wrote_into_ours;
+  return true;
+}
+
+void Worker::take_report() {
+  std::memcpy(&report_, &mailbox_->report, sizeof report_);
+  // No later look at the mailbox in the place of this one.
+  std::atomic_signal_fence(std::memory_order_seq_cst);
+  if (std::memchr(report_.message, 0, sizeof report_.message) == nullptr) {
+    over_ = wrote_into_ours;
+    report_.message[0] = 0;
+  }
+  message_ = clean_text(report_.message);
+}
+
+bool Worker::report_is_possible() const {
+  if (report_.outcome < Outcome::answered || report_.outcome > Outcome::no_resources) return false;
+  const Signature& signature = entry_point(sent_.call).signature;
+  if (!signature.of_blob || report_.outcome != Outcome::answered) return true;
+  if ((report_.taken != 0) != (report_.answer_bytes != 0)) return false;
+  return signature.sizes_answer ? report_.answer_bytes <= blob_capacity
+                                : report_.answer_bytes == 0 || report_.answer_bytes == sent_.room;
+}
+
+std::uint64_t Worker::begun() const {
+  return std::min(mailbox_->begun.load(), std::max<std::uint64_t>(sent_.count, 1) - 1);
 }
 
 std::string Worker::end_of_process() {
   printed_->pass_on();
   if (WIFSIGNALED(status_)) {
     const int signal = WTERMSIG(status_);
-    std::string why = mailbox_->message;
+    std::string why = message_;
     if (const std::string& report = printed_->report(); !report.empty()) why = report;
     return fmt::format("crashed (signal {}, {}){}", signal, strsignal(signal), why.empty() ? "" : ": " + why);
   }
@@ -224,12 +351,15 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std:
     mailbox_->format = format;
     mailbox_->count = found.count;
     mailbox_->one_by_one = 1;
-    if (exchange() && mailbox_->outcome == Outcome::answered)
+    sent_ = {call, found.count, 0};
+    const bool spoke = exchange();
+    if (spoke && report_.outcome == Outcome::answered)
       return;  // not again: the batch is all that can be named
-    const bool spoke = pid_ > 0 && !hung_ && over_.empty();
-    found.first += spoke ? mailbox_->element : mailbox_->begun.load();
+    const std::uint64_t element = spoke ? report_.element : begun();
+    if (element >= found.count) return;
+    found.first += element;
     found.count = 1;
-    found.alone = over_.empty() && (!spoke || mailbox_->outcome == Outcome::threw);
+    found.alone = over_.empty() && (!spoke || report_.outcome == Outcome::threw);
   } catch (const NoResources&) {
     throw;
   } catch (const std::runtime_error&) {
@@ -237,24 +367,20 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std:
 }
 
 std::string Worker::misdeed() const {
-  const std::string message = mailbox_->message;
-  switch (mailbox_->outcome) {
+  switch (report_.outcome) {
     case Outcome::threw:
-      return message.empty() ? "threw an exception" : "threw an exception: " + message;
+      return message_.empty() ? "threw an exception" : "threw an exception: " + message_;
     case Outcome::changed_mode:
-      return "left the rounding or flush mode changed";
+      return "left the rounding or flush mode changed" + (message_.empty() ? "" : " " + message_);
     case Outcome::wrote_before:
       return "wrote before the start of its output";
     case Outcome::unwritten:
       return "left its output unwritten";
     case Outcome::non_deterministic:
-      return "non-deterministic, " + message;
+      return "non-deterministic, " + message_;
     case Outcome::too_large:
-      return message;
-    case Outcome::answered:
-    case Outcome::ready:
-    case Outcome::cannot_load:
-    case Outcome::not_here:
+      return message_;
+    default:
       break;
   }
   return {};
@@ -285,32 +411,32 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint3
   mailbox_->one_by_one = 0;
   mailbox_->this_level_alone = this_level_alone_[static_cast<std::size_t>(call)] ? 1 : 0;
   mailbox_->another_level.store(0);
-  mailbox_->message[0] = 0;
+  sent_ = {call, count, 0};
   const bool answered = exchange();
-  if (mailbox_->another_level.load() != 0) return ask_of_this_level_alone(call, level, count, format);
+  // Once: whoever says so again is not asked about another level.
+  if (mailbox_->another_level.load() != 0 && !this_level_alone_[static_cast<std::size_t>(call)])
+    return ask_of_this_level_alone(call, level, count, format);
   Misbehaved found{{}, 0, 0};
   if (!answered) {
     found.what = why_no_answer();
     found.hung = hung_;
-    std::tie(found.first, found.count) = called_with(mailbox_->begun.load(), count);
+    std::tie(found.first, found.count) = called_with(begun(), count);
     pin_down(call, level, format, count, found);
     throw found;
   }
   found.what = misdeed();
-  const std::uint64_t element = mailbox_->element;
-  switch (mailbox_->outcome) {
+  const std::uint64_t element = report_.element;
+  const bool known = element < count;
+  switch (report_.outcome) {
     case Outcome::answered:
-    case Outcome::ready:
-    case Outcome::cannot_load:
-    case Outcome::not_here:
       return;
     case Outcome::unwritten:
     case Outcome::non_deterministic:
-      throw Misbehaved{found.what, element, 1};
+      throw Misbehaved{found.what, known ? element : 0, known ? 1 : count};
     default:
       break;
   }
-  std::tie(found.first, found.count) = called_with(element, count);
+  std::tie(found.first, found.count) = called_with(known ? element : 0, count);
   pin_down(call, level, format, count, found);
   throw found;
 }
@@ -324,14 +450,15 @@ Reply Worker::ask(const Question& q) {
   mailbox_->blob_bytes = q.blob.size();
   mailbox_->room = q.room;
   mailbox_->asked_before = asked_[{q.call, q.level, q.format}]++;
-  mailbox_->message[0] = 0;
+  sent_ = {q.call, q.count, q.room};
   if (!q.blob.empty()) std::memcpy(base_ + layout_.blob_at(q.blob.size()), q.blob.data(), q.blob.size());
   if (!exchange()) throw Misbehaved{why_no_answer(), 0, q.count, hung_};
-  if (mailbox_->outcome == Outcome::unwritten || mailbox_->outcome == Outcome::non_deterministic)
-    throw Misbehaved{misdeed(), mailbox_->element, q.count == 0 ? 0u : 1u};
-  if (mailbox_->outcome != Outcome::answered) throw Misbehaved{misdeed(), 0, q.count};
-  const auto size = static_cast<std::size_t>(mailbox_->answer_bytes);
-  return {mailbox_->taken != 0,
+  if (report_.outcome == Outcome::unwritten || report_.outcome == Outcome::non_deterministic)
+    throw Misbehaved{misdeed(), report_.element < q.count ? report_.element : 0,
+                     report_.element < q.count ? 1 : q.count};
+  if (report_.outcome != Outcome::answered) throw Misbehaved{misdeed(), 0, q.count};
+  const auto size = static_cast<std::size_t>(report_.answer_bytes);
+  return {report_.taken != 0,
           {reinterpret_cast<const std::uint8_t*>(base_ + layout_.blob_answer_at(size)), size}};
 }
 

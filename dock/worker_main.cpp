@@ -1,4 +1,5 @@
-// mmverify-worker FD LIBRARY: calls a subject on the tool's behalf, in a process that may die of it.
+// mmverify-worker LIBRARY: calls a subject on the tool's behalf, in a process that may die of it.
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 
 #include "dock/desk/confine.hpp"
 #include "dock/desk/desk.hpp"
+#include "dock/desk/float_mode.hpp"
 #include "dock/desk/memory.hpp"
 #include "dock/desk/open_subject.hpp"
 #include "dock/futex.hpp"
@@ -21,7 +23,7 @@ extern "C" const char* __asan_default_options() {
 
 int main(int argc, char** argv) {
   using namespace mmverify::dock;
-  if (argc != 3) {
+  if (argc != 2) {
     std::fputs("mmverify-worker is started by mmverify\n", stderr);
     return 2;
   }
@@ -29,27 +31,35 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGPIPE, SIG_DFL);
   std::signal(SIGXFSZ, SIG_DFL);
+  // A limit of processor time is the user's, and ends the worker by SIGKILL a moment later.
+  std::signal(SIGXCPU, SIG_IGN);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   // What a subject prints must not get into the results.
   dup2(STDERR_FILENO, STDOUT_FILENO);
 
+  // The tool's files, pipes and journals are none of the subject's.
+  close_from(shared_memory_descriptor + 1);
+
+  const Layout layout(static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
+  std::byte* base = map(shared_memory_descriptor, layout);
+  if (base == nullptr) return 4;
+  auto& mailbox = *reinterpret_cast<Mailbox*>(base);
+
   // A library that starts programs, a driver's compiler say, needs to be let.
   if (std::getenv("MMVERIFY_UNCONFINED") == nullptr) confine();
 
-  const Layout layout(static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
-  std::byte* base = map(std::atoi(argv[1]), layout);
-  if (base == nullptr) return 4;
-  auto& mailbox = *reinterpret_cast<Mailbox*>(base);
+  const std::uint64_t mode_before_loading = float_mode();
   mmverify_subject_t subject{};
-  Outcome outcome = Outcome::ready;
-  const std::string why = cannot_load(mailbox.description, argv[2], subject, outcome);
-  mailbox.outcome = outcome;
-  std::snprintf(mailbox.message, sizeof mailbox.message, "%s", why.c_str());
+  Outcome outcome = Outcome::cannot_load;
+  mailbox.report.outcome = outcome;
+  const std::string why = cannot_load(mailbox.description, argv[1], subject, outcome);
+  mailbox.report.outcome = outcome;
+  std::snprintf(mailbox.report.message, sizeof mailbox.report.message, "%s", why.c_str());
   mailbox.turn.store(0, std::memory_order_release);
   futex_wake(mailbox.turn);
   if (!why.empty()) return 0;
   explain_faults(base, layout);
-  Desk(base, layout, subject).serve();
+  Desk(base, layout, subject, mode_before_loading).serve();
 }

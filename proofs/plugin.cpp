@@ -6,11 +6,31 @@
 
 namespace mmverify::proofs {
 
+namespace {
+
+/// Libraries that are open, for change_of().
+std::vector<std::weak_ptr<const dock::Library>>& opened() {
+  static std::vector<std::weak_ptr<const dock::Library>> all;
+  return all;
+}
+
+}  // namespace
+
 dock::LibraryPtr open_library(const std::string& file, dock::Options options) {
   options.stop_if_asked = [] {
     if (interrupted()) throw Interrupted();
   };
-  return std::make_shared<const dock::Library>(file, options);
+  auto library = std::make_shared<const dock::Library>(file, options);
+  opened().push_back(library);
+  return library;
+}
+
+std::string change_of(const Subject& subject) {
+  for (const auto& one : opened())
+    if (const dock::LibraryPtr library = one.lock();
+        library && (subject.name() == library->path() || subject.name().starts_with(library->path() + ":")))
+      if (std::string change = library->change(); !change.empty()) return change;
+  return {};
 }
 
 std::vector<PluginSubject> plugin_subjects(const dock::LibraryPtr& library) {

@@ -12,6 +12,10 @@ namespace mmverify::proofs {
 /// Throws dock::CannotLoad, dock::NotHere, and std::runtime_error where no process can be had.
 dock::LibraryPtr open_library(const std::string& file, dock::Options options);
 
+/// What the file of the library that a subject is of has become since it was opened, in a sentence; empty where it is
+/// the same, or where the subject is of no library.
+std::string change_of(const Subject& subject);
+
 /// The first of its subjects is named as the library, the others FILE:KIND.
 std::vector<PluginSubject> plugin_subjects(const dock::LibraryPtr& library);
 

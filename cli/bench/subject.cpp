@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/arguments.hpp"
+#include "cli/bench/topics.hpp"
 #include "cli/exit_code.hpp"
 #include "dock/cost.hpp"
 #include "proofs/engine/runner.hpp"
@@ -12,7 +13,8 @@ namespace mmverify::cli {
 
 bench::SubjectFigures subject_figures(const std::string& library, std::uint32_t level) {
   using namespace proofs;
-  const dock::Options options;
+  dock::Options options;
+  options.stop_if_asked = stop_if_asked;
   const auto subjects = parse_subject(library, options.timeout_seconds);
   dock::Cost cost;
   try {

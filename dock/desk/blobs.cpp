@@ -48,7 +48,7 @@ bool Desk::thorough() const {
 Desk::FromThreads Desk::blob_from_threads_first() {
   if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough || mailbox_.asked_before != 0) return {};
   const Asked question{whole(nullptr, mailbox_.room), static_cast<std::size_t>(mailbox_.room), {}};
-  return answers_from_threads(question, question, {1, 1});
+  return answers_from_threads(question, question, {1, 1}, 0);
 }
 
 void Desk::compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size) {
@@ -71,7 +71,7 @@ void Desk::run_on_blob() {
     encode(thorough());
   else
     answer(thorough());
-  compare_first(first, room, mailbox_.answer_bytes);
+  compare_first(first, room, mailbox_.report.answer_bytes);
 }
 
 std::byte* Desk::blob_answer(std::uint64_t size) const { return base_ + layout_.blob_answer_at(size); }
@@ -158,8 +158,8 @@ void Desk::encode(bool thorough) {
   same_size(call_at_guard(size, blank_again, other_blob), size);
   compare(again_.data(), blob_answer(size), static_cast<std::size_t>(size), 0, "asked again");
   if (thorough) ask_blob_from_threads(size);
-  mailbox_.taken = size != 0 ? 1 : 0;
-  mailbox_.answer_bytes = size;
+  mailbox_.report.taken = size != 0 ? 1 : 0;
+  mailbox_.report.answer_bytes = size;
 }
 
 void Desk::answer(bool thorough) {
@@ -177,8 +177,8 @@ void Desk::answer(bool thorough) {
       ask_blob_many_times_over(blob);
     ask_blob_from_threads(first);
   }
-  mailbox_.taken = first != 0 ? 1 : 0;
-  mailbox_.answer_bytes = first;
+  mailbox_.report.taken = first != 0 ? 1 : 0;
+  mailbox_.report.answer_bytes = first;
 }
 
 void Desk::ask_blob_after(const Arguments& before, const std::uint8_t* blob, const std::string& how) {

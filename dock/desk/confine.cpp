@@ -1,18 +1,28 @@
 #include "dock/desk/confine.hpp"
 
+#include <asm/sockios.h>
+#include <fcntl.h>
 #include <linux/audit.h>
+#include <linux/capability.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sched.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <string>
 #include <vector>
+
+#include "dock/desk/landlock.hpp"
 
 namespace mmverify::dock {
 namespace {
@@ -25,6 +35,9 @@ constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
 constexpr std::uint32_t architecture = 0;
 #endif
 
+// Numbers that the C library's header may not have yet; they are the same everywhere.
+constexpr int io_uring_setup = 425, pidfd_getfd = 438, memfd_secret = 447;
+
 /// A seccomp filter, written down instruction by instruction.
 class Filter {
  public:
@@ -34,6 +47,11 @@ class Filter {
     jump(BPF_JEQ, architecture, 1, 0);
     answer(SECCOMP_RET_ERRNO | EPERM);
     load(offsetof(seccomp_data, nr));
+#if defined(__x86_64__)
+    // So have those of x32, of the same architecture.
+    jump(BPF_JGE, 0x40000000u, 0, 1);
+    answer(SECCOMP_RET_ERRNO | ENOSYS);
+#endif
   }
 
   void refuse(long call, int error) {
@@ -41,35 +59,52 @@ class Filter {
     answer(SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error));
   }
 
-  /// Lets the call through where the bits of an argument's lower half are all there.
-  void refuse_without(long call, unsigned argument, std::uint32_t bits, int error) {
-    jump(BPF_JEQ, static_cast<std::uint32_t>(call), 0, 4);
+  /// Ends with the call let through, unless a check before said otherwise.
+  /// Domain: checks are those of arguments() alone; each leaves the accumulator to the next one.
+  template <class Checks>
+  void arguments(long call, Checks checks) {
+    Filter of_call(nothing);
+    checks(of_call);
+    of_call.answer(SECCOMP_RET_ALLOW);
+    // The jump is over a number of instructions that has eight bits.
+    jump(BPF_JEQ, static_cast<std::uint32_t>(call), 0, static_cast<std::uint8_t>(of_call.code_.size()));
+    code_.insert(code_.end(), of_call.code_.begin(), of_call.code_.end());
+  }
+  /// Of the lower half of an argument: that the bits are all there.
+  void refuse_without(unsigned argument, std::uint32_t bits, int error) {
     load(lower_half(argument));
     jump(BPF_JSET, bits, 1, 0);
     answer(SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error));
-    answer(SECCOMP_RET_ALLOW);
   }
-
-  /// Lets the call through where both halves of an argument are these.
-  void refuse_unless(long call, unsigned argument, std::uint64_t value, int error) {
-    jump(BPF_JEQ, static_cast<std::uint32_t>(call), 0, 6);
+  /// Of both halves: that they are these.
+  void refuse_unless(unsigned argument, std::uint64_t value, int error) {
     load(lower_half(argument));
-    jump(BPF_JEQ, static_cast<std::uint32_t>(value), 0, 3);
-    load(lower_half(argument) + 4);
-    jump(BPF_JEQ, static_cast<std::uint32_t>(value >> 32), 0, 1);
-    answer(SECCOMP_RET_ALLOW);
+    jump(BPF_JEQ, static_cast<std::uint32_t>(value), 1, 0);
     answer(SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error));
+    load(lower_half(argument) + 4);
+    jump(BPF_JEQ, static_cast<std::uint32_t>(value >> 32), 1, 0);
+    answer(SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error));
+  }
+  /// Of the lower half, which is all that the kernel reads of an int: that it is none of these.
+  void refuse_values(unsigned argument, std::initializer_list<int> values, int error) {
+    load(lower_half(argument));
+    for (const int value : values) {
+      jump(BPF_JEQ, static_cast<std::uint32_t>(value), 0, 1);
+      answer(SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error));
+    }
   }
 
   /// From now on; whether the kernel took it.
   bool install() {
     answer(SECCOMP_RET_ALLOW);
     const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
-    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+    return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
   }
 
  private:
+  static constexpr struct Nothing {
+  } nothing{};
+  explicit Filter(Nothing) {}
   /// Both architectures are little-endian.
   static std::uint32_t lower_half(unsigned argument) {
     return static_cast<std::uint32_t>(offsetof(seccomp_data, args)) + 8 * argument;
@@ -84,12 +119,58 @@ class Filter {
   std::vector<sock_filter> code_;
 };
 
+/// Gives up what root has, but for files of other users: with fewer capabilities than the tool has, the kernel lets
+/// this process read and write no memory of it.  Others have none, and keep none.
+bool drop_capabilities() {
+  constexpr std::uint32_t kept = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH;
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct sets[_LINUX_CAPABILITY_U32S_3]{};
+  if (syscall(SYS_capget, &header, sets) != 0) return false;
+  const bool some = sets[0].permitted != 0 || sets[1].permitted != 0;
+  sets[0].effective &= kept;
+  sets[0].permitted &= kept;
+  sets[0].inheritable = 0;
+  sets[1] = {};
+  return syscall(SYS_capset, &header, sets) == 0 && some;
+}
+
+/// A user namespace of this process alone, with the same user and group in it: the kernel lets it read and write no
+/// memory of a process outside.
+void leave_for_a_user_namespace() {
+  const unsigned user = geteuid(), group = getegid();
+  if (unshare(CLONE_NEWUSER) != 0) return;
+  const auto write_to = [](const char* file, const std::string& text) {
+    const int fd = open(file, O_WRONLY | O_CLOEXEC);
+    if (fd < 0) return;
+    // Where it is refused, files of this user stay readable all the same.
+    [[maybe_unused]] const ssize_t written = write(fd, text.data(), text.size());
+    close(fd);
+  };
+  const auto itself = [](unsigned id) { return std::to_string(id) + " " + std::to_string(id) + " 1"; };
+  write_to("/proc/self/setgroups", "deny");
+  write_to("/proc/self/uid_map", itself(user));
+  write_to("/proc/self/gid_map", itself(group));
+  drop_capabilities();
+}
+
 }  // namespace
+
+void close_from(int first) {
+  constexpr long close_range = 436;  // Linux 5.9
+  if (syscall(close_range, first, ~0u, 0) == 0) return;
+  rlimit files{};
+  getrlimit(RLIMIT_NOFILE, &files);
+  constexpr rlim_t most = 1 << 16;
+  for (int fd = first; fd < static_cast<int>(std::min(files.rlim_cur, most)); ++fd) close(fd);
+}
 
 void confine() {
   const rlimit files{open_files, open_files}, bytes{file_bytes, file_bytes};
   setrlimit(RLIMIT_NOFILE, &files);
   setrlimit(RLIMIT_FSIZE, &bytes);
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  const bool locked_out = lock_out_terminals_and_processes();
+  if (!drop_capabilities() && !locked_out) leave_for_a_user_namespace();
   if (architecture == 0) return;
   const auto self = static_cast<std::uint32_t>(getpid());
   Filter filter;
@@ -98,22 +179,44 @@ void confine() {
   filter.refuse(SYS_vfork, EAGAIN);
 #endif
   filter.refuse(SYS_clone3, ENOSYS);  // its flags lie in memory; the C library then calls clone
-  filter.refuse(SYS_execve, EPERM);
-  filter.refuse(SYS_execveat, EPERM);
-  filter.refuse(SYS_ptrace, EPERM);
-  filter.refuse(SYS_process_vm_writev, EPERM);
-  filter.refuse(SYS_tkill, EPERM);
-  filter.refuse(SYS_rt_sigqueueinfo, EPERM);
-  filter.refuse(SYS_pidfd_send_signal, EPERM);
+  // The tool ends a worker by its group and waits for it by its number.
+  for (const long call : {SYS_setpgid, SYS_setsid, SYS_execve, SYS_execveat, SYS_unshare, SYS_setns})
+    filter.refuse(call, EPERM);
+  for (const long call : {SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, pidfd_getfd})
+    filter.refuse(call, EPERM);
+  // The last two send a signal of the subject's choice to the process itself: SIGKILL, too.
+  for (const long call :
+       {SYS_tkill, SYS_rt_sigqueueinfo, SYS_pidfd_send_signal, SYS_timer_create, SYS_mq_notify})
+    filter.refuse(call, EPERM);
+  // Calls made in a ring are not seen here.
+  filter.refuse(io_uring_setup, ENOSYS);
+  // Memory that no process's resident set has; what fallocate() does not do the C library writes instead.
+  filter.refuse(SYS_memfd_create, ENOSYS);
+  filter.refuse(memfd_secret, ENOSYS);
+  filter.refuse(SYS_shmget, EPERM);
+  filter.refuse(SYS_fallocate, EOPNOTSUPP);
 #ifdef SYS_setrlimit
   filter.refuse(SYS_setrlimit, EPERM);
 #endif
-  filter.refuse_without(SYS_clone, 0, CLONE_THREAD, EAGAIN);
-  // After one of these the number is gone from the accumulator, whatever it answers: it ends the filter.
-  filter.refuse_unless(SYS_kill, 0, self, EPERM);
-  filter.refuse_unless(SYS_tgkill, 0, self, EPERM);
-  filter.refuse_unless(SYS_rt_tgsigqueueinfo, 0, self, EPERM);
-  filter.refuse_unless(SYS_prlimit64, 2, 0, EPERM);
+  filter.arguments(SYS_clone, [](Filter& f) { f.refuse_without(0, CLONE_THREAD, EAGAIN); });
+  const auto none_of_outside = {SIGKILL, SIGSTOP, SIGTSTP, SIGTTIN, SIGTTOU};
+  filter.arguments(SYS_kill, [&](Filter& f) {
+    f.refuse_unless(0, self, EPERM);
+    f.refuse_values(1, none_of_outside, EPERM);
+  });
+  for (const long call : {SYS_tgkill, SYS_rt_tgsigqueueinfo})
+    filter.arguments(call, [&](Filter& f) {
+      f.refuse_unless(0, self, EPERM);
+      f.refuse_values(2, none_of_outside, EPERM);
+    });
+  // A file can be made to send a signal when it is ready, to the tool, too; a terminal, to take what was never typed.
+  filter.arguments(SYS_fcntl, [](Filter& f) {
+    f.refuse_values(1, {F_SETOWN, F_SETOWN_EX, F_SETSIG}, EPERM);
+  });
+  filter.arguments(SYS_ioctl, [](Filter& f) {
+    f.refuse_values(1, {FIOSETOWN, SIOCSPGRP, TIOCSTI, TIOCLINUX}, EPERM);
+  });
+  filter.arguments(SYS_prlimit64, [](Filter& f) { f.refuse_unless(2, 0, EPERM); });
   filter.install();
 }
 

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cfenv>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
+#include <system_error>
 #include <thread>
 
 #include "dock/desk/call.hpp"
+#include "dock/desk/float_mode.hpp"
 #include "dock/futex.hpp"
 
 namespace mmverify::dock {
@@ -16,13 +18,14 @@ namespace {
 
 constexpr int patience = 1'000'000;  ///< turns of a loop that waits for another thread; a few milliseconds
 
-/// The processor's rounding, flush and exception-mask bits.
-std::uint32_t float_mode() {
-#if defined(__x86_64__)
-  return __builtin_ia32_stmxcsr() & 0xffc0u;
-#else
-  return static_cast<std::uint32_t>(std::fegetround());
-#endif
+/// Whether the machine gives this process no thread now.
+bool no_thread_can_be_had() {
+  try {
+    std::thread([] {}).join();
+    return false;
+  } catch (const std::system_error&) {
+    return true;
+  }
 }
 
 bool all(const std::byte* bytes, std::size_t size, unsigned char value) {
@@ -41,12 +44,14 @@ std::string number_at(const std::byte* bytes) {
 
 }  // namespace
 
-Desk::Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject)
+Desk::Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject,
+           std::uint64_t mode_before_loading)
     : base_(base),
       layout_(layout),
       mailbox_(*reinterpret_cast<Mailbox*>(base)),
       subject_(subject),
-      mode_(float_mode()) {
+      mode_(mode_before_loading),
+      mode_of_loading_(float_mode()) {
   CPU_ZERO(&everywhere_);
   sched_getaffinity(0, sizeof everywhere_, &everywhere_);
 }
@@ -65,18 +70,24 @@ void Desk::serve() {
 void Desk::run(std::uint64_t number) {
   finish(Outcome::answered, 0, "");
   try {
+    if (mode_of_loading_ != mode_) stop(Outcome::changed_mode, 0, "since it was loaded");
     if (asked().signature.of_blob)
       run_on_blob();
     else
       run_on_numbers(number);
   } catch (const Stop&) {
+  } catch (const std::system_error& e) {  // of a thread: what the subject throws is caught where it is called
+    finish(Outcome::no_resources, 0, std::string("cannot start a thread: ") + e.what());
+  } catch (const std::bad_alloc&) {
+    finish(Outcome::no_resources, 0, "cannot get memory");
   }
 }
 
 void Desk::finish(Outcome outcome, std::uint64_t element, const std::string& message) {
-  mailbox_.outcome = outcome;
-  mailbox_.element = element;
-  std::snprintf(mailbox_.message, sizeof mailbox_.message, "%s", message.c_str());
+  Report& report = mailbox_.report;
+  report.outcome = outcome;
+  report.element = element;
+  std::snprintf(report.message, sizeof report.message, "%s", message.c_str());
 }
 
 void Desk::stop(Outcome outcome, std::uint64_t element, const std::string& message) {
@@ -89,6 +100,10 @@ std::uint64_t Desk::guarded(const Arguments& a, std::uint64_t element) {
   mailbox_.calls.fetch_add(1, std::memory_order_relaxed);
   try {
     size = call(subject_, mailbox_.call, a);
+  } catch (const std::system_error& e) {
+    // A library that starts threads of its own is not to be blamed for a machine that has none left.
+    const bool of_machine = e.code() == std::errc::resource_unavailable_try_again && no_thread_can_be_had();
+    stop(of_machine ? Outcome::no_resources : Outcome::threw, element, e.what());
   } catch (const std::exception& e) {
     stop(Outcome::threw, element, e.what());
   } catch (...) {
@@ -104,7 +119,8 @@ void Desk::check_canary(const std::byte* out, std::uint64_t element) {
   if (!all(out - canary_size, canary_size, canary)) stop(Outcome::wrote_before, element, "");
 }
 
-Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds) {
+Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
+                                             std::uint64_t element) {
   FromThreads answers;
   if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return answers;
   std::atomic<int> ready = 0;
@@ -116,36 +132,58 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
     ++ready;
     for (int turns = 0; ready < 2; ++turns)
       if (turns > patience) std::this_thread::yield();
-    try {
-      using Clock = std::chrono::steady_clock;
-      const auto end = Clock::now() + rounds.within;
-      for (std::size_t k = 0; k < rounds.least || (k < rounds.most && Clock::now() < end); ++k) {
-        Arguments own = what.arguments;
-        std::vector<std::byte>& room =
-            mine.rooms.emplace_back(what.bytes + 2 * (Answers::margin + line), std::byte{blank_again});
-        own.out = room.data() + mine.place(k);
-        mailbox_.calls.fetch_add(1, std::memory_order_relaxed);
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + rounds.within;
+    for (std::size_t k = 0; k < rounds.least || (k < rounds.most && Clock::now() < end); ++k) {
+      Arguments own = what.arguments;
+      std::vector<std::byte>& room =
+          mine.rooms.emplace_back(what.bytes + 2 * (Answers::margin + line), std::byte{blank_again});
+      own.out = room.data() + mine.place(k);
+      mine.sizes.reserve(k + 1);
+      mailbox_.calls.fetch_add(1, std::memory_order_relaxed);
+      try {
         mine.sizes.push_back(call(subject_, mailbox_.call, own));
+      } catch (...) {
+        mine.threw = true;
+        return;
       }
-    } catch (...) {
-      mine.threw = true;
+      mine.changed_mode = mine.changed_mode || float_mode() != mode_;
+    }
+  };
+  const auto ask_within_memory = [&](const Asked& what, Answers& mine) {
+    try {
+      ask(what, mine);
+    } catch (const std::bad_alloc&) {
+      mine.lacks_memory = true;
     }
   };
   std::thread other([&] {
     // Goes where it likes, not where the tool brought this process: there the two would take turns.
     sched_setaffinity(0, sizeof everywhere_, &everywhere_);
-    ask(there, answers[1]);
+    ask_within_memory(there, answers[1]);
   });
-  // Not this thread itself: what a subject keeps for it is of the question before, and may be in the next one's way.
-  std::thread one([&] { ask(here, answers[0]); });
-  one.join();
+  try {
+    // Not this thread itself: what a subject keeps for it is of the question before, and may be in the next one's way.
+    std::thread one([&] { ask_within_memory(here, answers[0]); });
+    one.join();
+  } catch (const std::system_error&) {
+    ready = 2;  // the other one waits for it
+    other.join();
+    throw;
+  }
   other.join();
+  for (const Answers& mine : answers) {
+    if (mine.lacks_memory) throw std::bad_alloc();
+    // Threads begin with the mode of this one.  An exception is told by whoever looks at the answers.
+    if (mine.changed_mode) stop(Outcome::changed_mode, element, "in a thread");
+  }
   return answers;
 }
 
 void Desk::ask_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
                             std::uint64_t element) {
-  for (const FromThreads answers = answers_from_threads(here, there, rounds); const Answers& one : answers) {
+  for (const FromThreads answers = answers_from_threads(here, there, rounds, element);
+       const Answers& one : answers) {
     if (one.threw) stop(Outcome::threw, element, "when called from two threads at once");
     for (std::size_t round = 0; round < one.sizes.size(); ++round)
       (&one == answers.data() ? here : there).see(one.in_round(round), one.sizes[round]);

@@ -41,9 +41,10 @@ std::vector<std::byte> gathered(const std::byte* elements, std::size_t bytes, st
 
 class Desk {
  public:
-  /// Domain: base is map()'s, subject is cannot_load()'s; the rounding and flush modes are those of a fresh
-  /// process.
-  Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject);
+  /// Domain: base is map()'s, subject is cannot_load()'s; mode_before_loading is this thread's float_mode() before
+  /// the library was loaded.
+  Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject,
+       std::uint64_t mode_before_loading);
 
   /// Runs commands as they come, until the tool ends the process.
   [[noreturn]] void serve();
@@ -79,7 +80,7 @@ class Desk {
     std::vector<std::vector<std::byte>> rooms;  ///< an answer between two margins
     std::vector<std::uint64_t> sizes;
     std::size_t bytes = 0;
-    bool threw = false;
+    bool threw = false, changed_mode = false, lacks_memory = false;
     std::size_t first_address = 0, value_bytes = 1;  ///< answers lie at each place in turn
     std::size_t place(std::size_t round) const {
       return before_line(rooms[round]) + margin + place_behind_line(first_address + round, value_bytes);
@@ -95,7 +96,9 @@ class Desk {
   /// What threads share is seen only where they meet between two of its stores: a level's first batch is asked often.
   static constexpr Rounds often{2, 256, std::chrono::milliseconds(4)};
   /// Two threads ask at once, each its own question over and over.  Empty where the subject is for one thread.
-  FromThreads answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds);
+  /// A mode that a thread is left with counts against `element`.  Throws std::system_error where no thread can be had.
+  FromThreads answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
+                                   std::uint64_t element);
   /// The same; the questions see the answers.  Exceptions count against `element`.
   void ask_from_threads(const Asked& here, const Asked& there, const Rounds& rounds, std::uint64_t element);
 
@@ -195,7 +198,8 @@ class Desk {
   Mailbox& mailbox_;
   const mmverify_subject_t& subject_;
   const pid_t self_ = getpid();
-  const std::uint32_t mode_;                   ///< of the floating-point unit, as every call must leave it
+  const std::uint64_t mode_;                   ///< of the floating-point unit, as every call must leave it
+  const std::uint64_t mode_of_loading_;        ///< as loading the library left it
   cpu_set_t everywhere_;                       ///< processors that this process had before the tool moved it
   std::uint64_t probed_[calls][formats] = {};  ///< bit n: the entry point was asked at level n
   /// A level's first batch.

@@ -1,9 +1,12 @@
 #include "dock/desk/memory.hpp"
 
+#include <fcntl.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstring>
+#include <string>
 
 namespace mmverify::dock {
 namespace {
@@ -21,7 +24,7 @@ void on_fault(int signal, siginfo_t* info, void*) {
                            (offset >= mapped_layout->blob() && offset < mapped_layout->blob_answer());
     const char* what =
         of_inputs ? "it wrote to its input or read past its end" : "it touched memory outside its output";
-    std::strcpy(reinterpret_cast<Mailbox*>(mapped)->message, what);
+    std::strcpy(reinterpret_cast<Mailbox*>(mapped)->report.message, what);
   }
   std::signal(signal, SIG_DFL);
   raise(signal);
@@ -47,8 +50,11 @@ std::byte* map(int fd, const Layout& layout) {
   auto* base = static_cast<std::byte*>(
       mmap(nullptr, layout.total(), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0));
   if (base == MAP_FAILED) return nullptr;
+  // What the tool alone writes comes from a descriptor that lets nobody write, so that mprotect() does not either.
+  const int read_only = open(("/proc/self/fd/" + std::to_string(fd)).c_str(), O_RDONLY | O_CLOEXEC);
   const auto place = [&](std::size_t offset, std::size_t bytes, int protection) {
-    return mmap(base + offset, bytes, protection, MAP_SHARED | MAP_FIXED, fd, static_cast<off_t>(offset)) !=
+    const int from = protection == PROT_READ && read_only >= 0 ? read_only : fd;
+    return mmap(base + offset, bytes, protection, MAP_SHARED | MAP_FIXED, from, static_cast<off_t>(offset)) !=
            MAP_FAILED;
   };
   bool done = place(0, layout.mailbox_bytes(), PROT_READ | PROT_WRITE);
@@ -59,6 +65,8 @@ std::byte* map(int fd, const Layout& layout) {
   }
   done = done && place(layout.blob(), layout.blob_bytes(), PROT_READ) &&
          place(layout.blob_answer(), layout.blob_answer_bytes(), PROT_READ | PROT_WRITE);
+  if (read_only >= 0) close(read_only);
+  close(fd);
   return done ? base : nullptr;
 }
 

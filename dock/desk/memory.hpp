@@ -7,8 +7,8 @@
 
 namespace mmverify::dock {
 
-/// Maps the shared memory with nothing between the slots, and inputs that cannot be written.  Null where that
-/// fails.
+/// Maps the shared memory with nothing between the slots, and inputs that cannot be written; closes its descriptor.
+/// Null where that fails.
 std::byte* map(int fd, const Layout& layout);
 
 /// From here on a wild access says in the mailbox's message where it landed, then lets the crash happen.

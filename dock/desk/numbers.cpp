@@ -266,7 +266,7 @@ Desk::FromThreads Desk::slot_from_threads_first(std::size_t slot) {
   const std::size_t count = in_slot(mailbox_.count, slot);
   mailbox_.begun.store(slot * batch_size, std::memory_order_relaxed);
   const Asked batch{piece(slot, 0, count, nullptr), count * asked().answer_bytes, {}};
-  return answers_from_threads(batch, batch, {1, 1});
+  return answers_from_threads(batch, batch, {1, 1}, slot * batch_size);
 }
 
 void Desk::ask_slot_from_threads(std::size_t slot) {

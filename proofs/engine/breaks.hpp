@@ -25,7 +25,7 @@ class Breaks {
   /// A law may end with fewer.
   explicit Breaks(std::size_t end_with = most) : most_(end_with) {}
 
-  /// Notes case k of a level, which counts as declined.  Throws SubjectBroken where it is one too many: as the first in
+  /// Notes case k of a level, which counts as not judged.  Throws SubjectBroken where it is one too many: as the first in
   /// the order of cases among those of its level does.
   void note(Level level, std::uint64_t k, const dock::CaseBroken& what);
 

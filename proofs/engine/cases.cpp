@@ -3,9 +3,9 @@
 namespace mmverify::proofs {
 namespace {
 
-/// Declined where the subject broke on the case and the law goes on.
-Finding checked(const NumberedCases& cases, const Subject& subject, Level n, std::uint64_t k, const Run& run,
-                Tally& tally) {
+/// Broken where the subject broke on the case and the law goes on.
+Finding checked(const NumberedCases& cases, const Subject& subject, Level n, std::uint64_t k,
+                const Run& run) {
   if (run.breaks == nullptr) return cases.check(subject, n, k, run);
   try {
     Finding found = cases.check(subject, n, k, run);
@@ -13,9 +13,8 @@ Finding checked(const NumberedCases& cases, const Subject& subject, Level n, std
     return found;
   } catch (const dock::CaseBroken& broken) {
     run.breaks->note(n, k, broken);
-    tally.break_off();
     Finding found;
-    found.declined = true;
+    found.broken = true;
     return found;
   }
 }
@@ -25,8 +24,10 @@ Finding checked(const NumberedCases& cases, const Subject& subject, Level n, std
 Tally judge_numbered_cases(const NumberedCases& cases, const Subject& subject, Level n, const Run& run) {
   return sweep(run, cases.count(n, run), cases.chunk, [&](Chunk chunk, Tally& tally) {
     for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-      const Finding found = checked(cases, subject, n, k, run, tally);
-      if (found.declined)
+      const Finding found = checked(cases, subject, n, k, run);
+      if (found.broken)
+        tally.leave_unjudged(cases.kind);
+      else if (found.declined)
         tally.decline(cases.kind);
       else
         tally.count(cases.kind, 1);

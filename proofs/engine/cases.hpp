@@ -22,6 +22,7 @@ struct Finding {
   bool holds = true;
   std::string expected = {}, got = {};
   bool declined = false;  ///< the subject does not claim to support the case
+  bool broken = false;    ///< it did something else than answer
   bool allowed = false;   ///< it holds by an allowance alone
   bool lesser = false;    ///< what is wrong is less than what may be: shown after all that is not
   /// In the place of expected and got: worked out only where somebody reads it.

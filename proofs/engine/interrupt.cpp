@@ -5,6 +5,7 @@
 namespace mmverify::proofs {
 namespace {
 volatile std::sig_atomic_t stop_asked = 0;
+int guards = 0;  ///< alive; all are the main thread's
 
 extern "C" void ask_to_stop(int signal) {
   stop_asked = 1;
@@ -15,6 +16,7 @@ extern "C" void ask_to_stop(int signal) {
 bool interrupted() { return stop_asked != 0; }
 
 InterruptGuard::InterruptGuard() {
+  if (guards++ != 0) return;
   stop_asked = 0;
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
@@ -22,6 +24,7 @@ InterruptGuard::InterruptGuard() {
 }
 
 InterruptGuard::~InterruptGuard() {
+  if (--guards != 0) return;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   std::signal(SIGHUP, SIG_DFL);

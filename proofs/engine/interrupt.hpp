@@ -9,8 +9,8 @@ bool interrupted();
 /// Leaves a wait that an interrupt cut short.
 struct Interrupted {};
 
-/// Turns SIGINT, SIGTERM and SIGHUP into `interrupted()` for its lifetime; the second one ends the process as
-/// usual.
+/// Turns SIGINT, SIGTERM and SIGHUP into `interrupted()` for its lifetime, or for that of the guard that it lives within;
+/// the second one ends the process as usual.  Domain: one thread, the last one made ends first.
 class InterruptGuard {
  public:
   InterruptGuard();

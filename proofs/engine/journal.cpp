@@ -192,6 +192,15 @@ void Journal::append(const Piece& piece) {
   flushed_ = std::chrono::steady_clock::now();
 }
 
+void Journal::discard() {
+  const std::lock_guard hold(lock_);
+  pieces_.clear();
+  if (ftruncate(file_, 0) != 0)
+    throw BadJournal(fmt::format("{}: cannot be emptied: {}", path_, std::strerror(errno)));
+  size_ = 0;
+  write_line(to_json(identity_).dump());
+}
+
 void Journal::flush() {
   const std::lock_guard hold(lock_);
   if (fdatasync(file_) != 0)

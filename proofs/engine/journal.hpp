@@ -52,6 +52,9 @@ class Journal {
   /// Throws BadJournal where it cannot be written; the file then ends with the last whole line.
   void append(const Piece& piece);
 
+  /// Forgets all: what was found says nothing of the run any more.  Throws BadJournal.
+  void discard();
+
   /// Writes through to the disk what has been appended.
   void flush();
 

@@ -23,10 +23,11 @@ std::string to_string(Verdict v);
 enum class Kind : std::uint8_t;
 constexpr std::size_t kinds = 3;
 
-/// Cases judged, those of them that were wrong, those that the subject does not claim to support, and those whose answer
-/// passed by what the run allows beside exact arithmetic: the published code's, or a near neighbour's.
+/// Cases judged, those of them that were wrong, those that the subject does not claim to support, those whose answer
+/// passed by what the run allows beside exact arithmetic (the published code's, or a near neighbour's), and those that
+/// nobody judged, since the subject broke on them or on a case that they are compared with.
 struct Count {
-  std::uint64_t cases = 0, mismatches = 0, declined = 0, allowed = 0;
+  std::uint64_t cases = 0, mismatches = 0, declined = 0, allowed = 0, unjudged = 0;
   friend bool operator==(const Count&, const Count&) = default;
 };
 using CountByKind = std::array<Count, kinds>;
@@ -50,6 +51,7 @@ struct Result {
   std::string at_once;  ///< "all levels": what the result is about in the place of a level; mostly empty
   std::string proof;    ///< "induction": how, beside the verdict `proved`; empty where every case was run
   std::string method, domain;
+  std::string fingerprint;  ///< the subject's; empty where the program itself is the subject
   std::string
       dialect;  ///< "exact", "published" or "either": what answers on floats are held to; mostly empty
   std::string replayed_by;  ///< as the law's

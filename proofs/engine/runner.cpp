@@ -42,6 +42,7 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   r.law = law.id;
   r.topic = law.topic;
   r.subject = subject.name();
+  r.fingerprint = subject.fingerprint();
   r.level = level;
   r.dialect = law.dialect;
   name_proof(r, law);
@@ -125,6 +126,34 @@ bool said_before(const Report& report, const Diagnosis& diagnosis) {
   return std::any_of(report.diagnoses.begin(), report.diagnoses.end(), [&](const Diagnosis& d) {
     return d.subject == diagnosis.subject && d.lines == diagnosis.lines;
   });
+}
+
+/// Takes back what was said of subjects that are others by now: of which of the two it was, nobody knows.
+void withdraw_changed(const std::vector<Job>& jobs, const RunOptions& options, Report& report) {
+  if (!options.change_of) return;
+  bool some = false;
+  std::vector<const Subject*> looked_at;
+  for (const Job& job : jobs) {
+    const Subject* subject = job.subject.get();
+    if (std::find(looked_at.begin(), looked_at.end(), subject) != looked_at.end()) continue;
+    looked_at.push_back(subject);
+    const std::string change = options.change_of(*subject);
+    if (change.empty()) continue;
+    some = true;
+    report.gave_up = change;
+    for (Result& r : report.results) {
+      if (r.subject != subject->name() || r.verdict == Verdict::not_applicable) continue;
+      r.verdict = Verdict::incomplete;
+      r.reason = change;
+      r.breaks.clear();
+      r.by_kind = {};
+      r.counterexamples.clear();
+      r.digest = 0;
+      r.resumed = 0;
+    }
+    std::erase_if(report.diagnoses, [&](const Diagnosis& d) { return d.subject == subject->name(); });
+  }
+  if (some && options.journal != nullptr) options.journal->discard();
 }
 
 /// Nothing where an interrupt left it undecided.
@@ -324,6 +353,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
 
   run.progress = nullptr;
   run.division = nullptr;
+  withdraw_changed(jobs, options, report);
   for (const Job& job : jobs)
     if (const auto refuted = first_refuted(report, job);
         job.law->diagnose && refuted && !interrupted() && report.gave_up.empty()) {
@@ -332,6 +362,8 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
                             job.law->diagnose(*job.subject, {job.levels.first, *refuted})};
         if (!said_before(report, diagnosis)) report.diagnoses.push_back(std::move(diagnosis));
       } catch (const Interrupted&) {
+      } catch (const NoResources&) {
+        // The verdict stands without it.
       } catch (const SubjectBroken& broken) {
         report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
       }

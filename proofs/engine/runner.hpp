@@ -29,6 +29,8 @@ struct RunOptions {
   std::optional<Shard> shard = {};  ///< none: the whole domain, not called a shard
   Journal* journal = nullptr;
   bool mutants = true;  ///< show that each law can fail
+  /// What a subject has become since it was opened, in a sentence; empty where it is the same.  Empty: none changes.
+  std::function<std::string(const Subject&)> change_of = {};
 };
 
 /// What a law has to say about a subject that it refuted.

@@ -44,8 +44,10 @@ struct Judging {
     } catch (const dock::CaseBroken& broken) {
       if (units.end - units.begin == 1) {
         run.breaks->note(run.level, units.begin, broken);
-        decline(units.begin, tally);
-        tally.break_off();
+        Tally broken(run.errors);
+        decline(units.begin, broken);
+        broken.none_declined();
+        tally.merge(broken);
         return;
       }
     }

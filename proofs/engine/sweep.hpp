@@ -38,7 +38,7 @@ struct Run {
   Level level = 0;           ///< that `breaks` are noted at
 };
 
-/// Counts the cases of one unit of a sweep, on which the subject broke, as declined.
+/// Counts the cases of one unit of a sweep, on which the subject broke, as declined; the sweep takes them for not judged.
 using DeclineUnit = std::function<void(std::uint64_t unit, Tally&)>;
 inline DeclineUnit as_one_case(Kind kind) {
   return [kind](std::uint64_t, Tally& tally) { tally.decline(kind); };
@@ -49,7 +49,7 @@ inline DeclineUnit as_one_case(Kind kind) {
 /// only its shard's chunks are judged, those that its journal has are added from there, and finished runs of
 /// chunks are appended to it.
 /// A chunk in which the subject breaks on a case, which the judge leaves by CaseBroken, is judged in halves, and at last
-/// without the unit that has the case: it is noted in Run::breaks and counted by `decline`.  Without `decline` the first
+/// without the unit that has the case: it is noted in Run::breaks, and counted by `decline` as not judged.  Without `decline` the first
 /// such case ends the law.
 /// Domain: units_per_chunk > 0; a judge that is divided calls sweep once; a judge that is left has changed nothing but
 /// its tally.  Throws BadJournal.

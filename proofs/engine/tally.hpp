@@ -32,6 +32,20 @@ class Tally {
 
   /// Says that a case of these broke the subject: they are not to be kept as finished.
   void break_off() { broke_ = true; }
+
+  /// Counts one case on which the subject broke.
+  void leave_unjudged(Kind kind) {
+    Count& count = by_kind_[static_cast<std::size_t>(kind)];
+    ++count.cases;
+    ++count.unjudged;
+    break_off();
+  }
+
+  /// The same of all cases that were counted as declined: none of them was, they are not judged.
+  void none_declined() {
+    for (Count& count : by_kind_) count.unjudged += std::exchange(count.declined, 0);
+    break_off();
+  }
   bool broke() const { return broke_; }
 
   /// Says of a case that was counted that its answer passed by an allowance alone.
@@ -62,6 +76,7 @@ class Tally {
       by_kind_[k].mismatches += other.by_kind_[k].mismatches;
       by_kind_[k].declined += other.by_kind_[k].declined;
       by_kind_[k].allowed += other.by_kind_[k].allowed;
+      by_kind_[k].unjudged += other.by_kind_[k].unjudged;
     }
     digest_ += other.digest_;
     broke_ = broke_ || other.broke_;

@@ -76,6 +76,23 @@ foreach(misbehaviour crash hang overrun underrun exits throws rounds counts_call
     fills_its_end_last fills_level_16_last keeps_parents takes_its_time crash_and_tie crash_at_5 crash_on_all)
   mmverify_add_wrong(${misbehaviour} ${misbehaviour} misbehaving)
 endforeach()
+mmverify_add_tests(hostile_test hostile_test clean_text_test LIBRARIES mmverify::dock)
+target_compile_definitions(hostile_test PRIVATE MMVERIFY_SUBJECTS="${subjects_dir}"
+  MMVERIFY_WORKER_PROGRAM="$<TARGET_FILE:mmverify-worker>")
+add_dependencies(hostile_test mmverify-worker subject_example subject_tie)
+set(judged_by hostile_test)
+mmverify_add_part(hostile subjects/hostile.cpp)
+foreach(harm ends_itself signals_the_tool leaves_its_group reaches_the_tool writes_to_terminals looks_for_descriptors shrinks_the_memory hides_memory
+    unlocks_its_input reports_no_such_outcome reports_without_end reports_no_such_element takes_no_such_turn fills_the_mailbox
+    begins_nowhere is_at_another_level reports_the_machine answers_without_bounds describes_without_end is_ready_before_it_is
+    hangs_while_loaded never_describes_itself hangs_when_loaded_again crashes_when_loaded_again sleeps flushes_when_loaded
+    rounds_when_loaded rounds_in_its_first_call rounds_in_threads halves_x87_precision names_itself_badly throws_escapes
+    throws_half_a_character prints_commands fills_a_folder rewrites_itself crashes_then_hangs is_slow)
+  mmverify_add_wrong(hostile_${harm} ${harm} hostile)
+endforeach()
+mmverify_add_subject(no_threads subjects/no_threads.c)
+set(judged_by plugin_test)
+add_dependencies(plugin_test hostile_test)
 mmverify_add_part(wrong_order subjects/wrong_order.cpp)
 foreach(order swapped_from_level_2 rows u_and_v_exchanged)
   mmverify_add_wrong(${order} ${order} wrong_order)

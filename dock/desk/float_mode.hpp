@@ -1,0 +1,26 @@
+// The floating-point unit's mode, which belongs to a thread.
+#pragma once
+
+#include <cfenv>
+#include <cstdint>
+
+namespace mmverify::dock {
+
+/// Rounding, flush, precision and exception masks of the calling thread; flags of past exceptions left out.
+///   x86:     MXCSR bits 6 and 7..15, and the x87 control word above them
+///   aarch64: FPCR
+inline std::uint64_t float_mode() {
+#if defined(__x86_64__)
+  std::uint16_t x87 = 0;
+  asm volatile("fnstcw %0" : "=m"(x87));
+  return (__builtin_ia32_stmxcsr() & 0xffc0u) | std::uint64_t{x87} << 16;
+#elif defined(__aarch64__)
+  std::uint64_t fpcr = 0;
+  asm volatile("mrs %0, fpcr" : "=r"(fpcr));
+  return fpcr;
+#else
+  return static_cast<std::uint64_t>(std::fegetround());
+#endif
+}
+
+}  // namespace mmverify::dock
