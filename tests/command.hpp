@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -52,6 +53,7 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void send(int signal) const { ::kill(pid_, signal); }
+  pid_t pid() const { return pid_; }
 
   /// Waits until stdout or stderr holds the words; false once the process has ended without them, or after
   /// ten minutes.
@@ -79,6 +81,18 @@ class Process {
   Folder captured_;
   pid_t pid_ = -1;
 };
+
+/// The processes that a process started and that still are, zombies too.
+inline std::vector<pid_t> children_of(pid_t parent) {
+  std::vector<pid_t> all;
+  std::error_code gone;
+  for (const auto& thread :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(parent) + "/task", gone)) {
+    std::istringstream children(text_of(thread.path() / "children"));
+    for (pid_t child = 0; children >> child;) all.push_back(child);
+  }
+  return all;
+}
 
 inline std::vector<std::string> program_with(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), MMVERIFY_PROGRAM);

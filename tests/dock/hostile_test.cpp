@@ -1,5 +1,6 @@
 // Libraries that mean harm: what they may not do is refused, what they write where they may not is theirs, and what the
 // machine does to them is not.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -70,7 +71,7 @@ Said ask(const std::string& name, const Options& with = options()) {
 
 TEST(Hostile, WhatItMayNotDoIsRefused) {
   // As a program that was started by another one has them.
-  const int inherited = dup(STDERR_FILENO);
+  const int inherited = fcntl(STDERR_FILENO, F_DUPFD, 20);
   for (const char* name :
        {"ends_itself", "signals_the_tool", "leaves_its_group", "reaches_the_tool", "looks_for_descriptors",
         "shrinks_the_memory", "hides_memory", "unlocks_its_input"}) {
