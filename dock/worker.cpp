@@ -89,7 +89,7 @@ void Worker::start() {
       if (loaded_before_) throw NoResources(fmt::format("{}: {}", library_, why));
       break;
     case Outcome::starting:
-      throw NoResources(fmt::format("cannot start mmverify-worker: {}", why));
+      throw NoResources(fmt::format("cannot start mmverify-worker: it {}; too little memory?", why));
     default:
       break;
   }
@@ -154,10 +154,11 @@ void Worker::wait_until_loaded() {
   std::memcpy(&description_, &mailbox_->description, sizeof description_);
   if (!turned) {
     // At the start no code of the subject's has run yet.
-    if (report_.outcome != Outcome::starting) report_.outcome = Outcome::cannot_load;
-    message_ = fmt::format(
-        "{} while it was loaded",
-        hung_ ? fmt::format("hung: not done within {} s", options_.loading_seconds()) : why_no_answer());
+    const bool touched = report_.outcome != Outcome::starting;
+    if (touched) report_.outcome = Outcome::cannot_load;
+    message_ =
+        hung_ ? fmt::format("hung: not done within {} s", options_.loading_seconds()) : why_no_answer();
+    if (touched) message_ += " while it was loaded";
   } else if (!over_.empty() || !description_is_whole(description_) || report_.outcome > Outcome::not_here) {
     report_.outcome = Outcome::cannot_load;
     message_ = std::string(wrote_into_ours) + " while it was loaded";

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -17,6 +18,12 @@ namespace mmverify::dock {
 namespace {
 
 constexpr int patience = 1'000'000;  ///< turns of a loop that waits for another thread; a few milliseconds
+
+/// Whether the machine gives this process no memory now: 16 MiB.
+bool no_memory_can_be_had() {
+  const std::unique_ptr<std::byte[]> some(new (std::nothrow) std::byte[16 << 20]);
+  return some == nullptr;
+}
 
 /// Whether the machine gives this process no thread now.
 bool no_thread_can_be_had() {
@@ -101,9 +108,11 @@ std::uint64_t Desk::guarded(const Arguments& a, std::uint64_t element) {
   try {
     size = call(subject_, mailbox_.call, a);
   } catch (const std::system_error& e) {
-    // A library that starts threads of its own is not to be blamed for a machine that has none left.
+    // A library that starts threads, or takes memory, of its own is not to be blamed for a machine that has none left.
     const bool of_machine = e.code() == std::errc::resource_unavailable_try_again && no_thread_can_be_had();
     stop(of_machine ? Outcome::no_resources : Outcome::threw, element, e.what());
+  } catch (const std::bad_alloc& e) {
+    stop(no_memory_can_be_had() ? Outcome::no_resources : Outcome::threw, element, e.what());
   } catch (const std::exception& e) {
     stop(Outcome::threw, element, e.what());
   } catch (...) {

@@ -42,7 +42,6 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   r.law = law.id;
   r.topic = law.topic;
   r.subject = subject.name();
-  r.fingerprint = subject.fingerprint();
   r.level = level;
   r.dialect = law.dialect;
   name_proof(r, law);
@@ -317,7 +316,9 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   Progress progress(total, options.show_progress);
   const InterruptGuard guard;
   run.progress = &progress;
-  const auto add = [&](const Result& r) {
+  const auto add = [&](const Job& job, Result r) {
+    // A scene's takes a second, and is in no file.
+    if (options.change_of) r.fingerprint = job.subject->fingerprint();
     report.results.push_back(r);
     on_result(r);
   };
@@ -325,7 +326,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   for (const Job& job : jobs) {
     if (!report.gave_up.empty()) break;
     if (const std::string why = unfit_throughout(job); !why.empty()) {
-      add(not_applicable(*job.law, *job.subject, job.levels.first, run, why));
+      add(job, not_applicable(*job.law, *job.subject, job.levels.first, run, why));
       continue;
     }
     Breaks breaks;
@@ -335,12 +336,12 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
       if (options.journal != nullptr || options.shard) run.division = &division;
       const bool elsewhere = !job.law->divisible && whole_laws++ % shard.of != shard.number - 1;
       try {
-        add(elsewhere ? of_another_shard(*job.law, *job.subject, n, run)
-                      : run_level(*job.law, *job.subject, n, run));
+        add(job, elsewhere ? of_another_shard(*job.law, *job.subject, n, run)
+                           : run_level(*job.law, *job.subject, n, run));
       } catch (const NoResources& why) {
         // Says nothing of the subject; what was judged before stands.
         report.gave_up = why.what();
-        add(cut_short(*job.law, *job.subject, n, run, report.gave_up));
+        add(job, cut_short(*job.law, *job.subject, n, run, report.gave_up));
       }
       run.division = nullptr;
       if (!report.gave_up.empty()) break;
