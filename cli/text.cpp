@@ -7,6 +7,7 @@
 #include <map>
 
 #include "cli/arguments.hpp"
+#include "dock/clean_text.hpp"
 #include "proofs/plan.hpp"
 #include "proofs/registry.hpp"
 
@@ -78,7 +79,7 @@ void TextReport::add(const Result& result) {
   if (by_level_) flush();
 }
 
-void TextReport::note(const std::string& line) { say(out_, "{}\n", line); }
+void TextReport::note(const std::string& line) { say(out_, "{}\n", printable(line)); }
 
 void TextReport::flush() {
   if (!pending_.empty()) line(pending_);
@@ -202,13 +203,6 @@ void TextReport::finish(const Report& report, bool name_subjects) {
   std::fflush(out_);
 }
 
-std::string printable(const std::string& text) {
-  std::string plain;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    plain += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return plain;
-}
+std::string printable(const std::string& text) { return dock::clean_text(text); }
 
 }  // namespace mmverify::cli
