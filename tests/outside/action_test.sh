@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # action.yml and the workflows: valid YAML, each command is bash and one that is here, each input is used; and the action's two
 # steps on a release of files, green, and red: another checksum, a wrong function, a baseline that is another.
-# usage: tests/outside/action_test.sh MMVERIFY | --files        --files: the files alone, without the steps
+# usage: tests/outside/action_test.sh MMVERIFY | --files        --files: the files alone, without the steps on a release
 set -euo pipefail
 
 (($# == 1)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
@@ -54,6 +54,29 @@ for script in "$folder"/*.sh "$root"/packaging/action/* "$root"/scripts/bare-roo
   ! command -v shellcheck >/dev/null || shellcheck --severity=warning "$script"
 done
 command -v shellcheck >/dev/null || echo "skipped: no shellcheck to read the steps with: ./run install test"
+
+# The second step with a program that says what it was called with: all lines of an input count, and a run without a
+# result is red.
+mkdir "$folder/stub"
+cat >"$folder/stub/mmverify" <<'STUB'
+#!/bin/sh
+printf '%s ' "$@" >"$0.said"
+case " $* " in *" --help "*) exit 0 ;; esac
+while [ $# -gt 1 ]; do [ "$1" != --json ] || echo '{}' >"$2"; shift; done
+STUB
+chmod +x "$folder/stub/mmverify"
+stub() {
+  local code=0
+  env MMVERIFY_PROGRAM="$folder/stub/mmverify" MMVERIFY_SUBJECT="$folder/stub/mmverify" MMVERIFY_RESULTS="$folder/stub/results" \
+    GITHUB_OUTPUT="$folder/stub/output" MMVERIFY_LAWS="$1" MMVERIFY_ARGS="$2" "$root/packaging/action/prove" >"$folder/log" || code=$?
+  echo "$code $(<"$folder/stub/mmverify.said")"
+}
+said=$(stub $'index.in_range\nbake\n' $'--levels 0..2\n\n  --no-mutants\n')
+[[ $said == '0 prove index.in_range bake --subject '*' --levels 0..2 --no-mutants ' ]] || fail "lines of inputs are lost: $said"
+said=$(stub $'index\ttree\nvq' '')
+[[ $said == *'prove index tree vq --subject '* ]] || fail "lines of inputs are lost: $said"
+[[ $(stub index --help) == '2 '* ]] || fail "a run without a result is green"
+grep -q 'no result was written' "$folder/log" || fail "it does not say that there is no result"
 
 [[ $1 != --files ]] || exit 0
 
