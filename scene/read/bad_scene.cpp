@@ -13,9 +13,11 @@ std::string on_one_line(std::string_view text) {
 }  // namespace
 
 std::string shown(std::string_view name) {
-  constexpr std::size_t longest = 200;  // a data URI may be megabytes
-  return on_one_line(name.size() <= longest ? std::string(name)
-                                            : std::string(name.substr(0, longest)) + "...");
+  std::size_t length = 200;  // a data URI may be megabytes
+  if (name.size() <= length) return on_one_line(name);
+  // A character of UTF-8 is cut before its first byte, and not within.
+  while (length > 196 && (static_cast<unsigned char>(name[length]) & 0xc0) == 0x80) --length;
+  return on_one_line(name.substr(0, length)) + "...";
 }
 
 BadScene::BadScene(std::string_view file, std::string_view place, std::string_view what)

@@ -5,6 +5,7 @@
 
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/check_json.hpp"
+#include "scene/read/unique_names.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -74,6 +75,8 @@ Document parse(Container parts, const std::string& file) {
   } catch (const Json::exception& error) {
     throw BadScene(file, "JSON", "no glTF: " + shown(error.what()) + "; truncated file?");
   }
+  if (const auto twice = twice_named(parts.json))
+    throw BadScene(file, shown(*twice), "an object has two members of this name; which of them is meant?");
   check_json(document.json, file);
   const std::string& version = document.json["asset"]["version"].get_ref<const std::string&>();
   if (!version.starts_with("2."))

@@ -43,6 +43,8 @@ std::uintmax_t check_file(const fs::path& path, const std::string& file, const s
   const std::string named = path == fs::path(file) ? "" : " '" + shown(path.filename().string()) + "'";
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::none)
+    throw BadScene(file, place, "cannot be read" + named + ": " + error.message());
   if (!fs::exists(status))
     throw BadScene(file, place,
                    "there is no file" + named + (named.empty() ? "" : " beside it; is the folder complete?"));
@@ -100,15 +102,45 @@ Container split(std::span<const unsigned char> bytes, const std::string& file) {
   return parts;
 }
 
+bool stays_within(const std::string& name) {
+  if (name.empty() || name.find('\0') != std::string::npos) return false;
+  for (std::size_t from = 0; from <= name.size();) {
+    const std::size_t to = std::min(name.find('/', from), name.size());
+    const std::string part = name.substr(from, to - from);
+    if (part.empty() || part == "." || part == "..") return false;
+    from = to + 1;
+  }
+  return true;
+}
+
+fs::path in_folder_of(const std::string& file, const std::string& name, const std::string& place) {
+  const fs::path folder = fs::path(file).parent_path(), path = folder / name;
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  if (error) return path;  // whoever reads it says why it cannot be read
+  const auto holds_it = [&](const fs::path& home) {
+    return !home.empty() &&
+           std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
+  };
+  // The file itself may be a link to where it and its companions lie.
+  if (!holds_it(fs::canonical(folder.empty() ? "." : folder, error)) &&
+      !holds_it(fs::canonical(file, error).parent_path()))
+    throw BadScene(file, place,
+                   "'" + shown(name) + "' is a link out of the file's folder; put the file itself there");
+  return path;
+}
+
 fs::path beside(const std::string& file, const std::string& uri, const std::string& place) {
   const std::size_t colon = uri.find(':');
   if (colon != std::string::npos && colon < uri.find_first_of("/?#"))
     throw BadScene(file, place,
                    "URI '" + shown(uri) + "': only files beside it and base64 data URIs are read");
-  const fs::path relative = percent_decoded(uri);
-  if (relative.empty() || relative.is_absolute() || relative.native().find('\0') != std::string::npos)
-    throw BadScene(file, place, "URI '" + shown(uri) + "' is no relative path");
-  return fs::path(file).parent_path() / relative;
+  const std::string name = fs::path(percent_decoded(uri)).lexically_normal().string();
+  if (!stays_within(name))
+    throw BadScene(
+        file, place,
+        "URI '" + shown(uri) + "' is no relative path in the file's folder; put the file beside it or below");
+  return in_folder_of(file, name, place);
 }
 
 }  // namespace mmverify::scene

@@ -34,8 +34,16 @@ struct Container {
 /// Errors: BadScene where a GLB's header or chunks are not as glTF 2.0, 4.4 says.
 Container split(std::span<const unsigned char> bytes, const std::string& file);
 
-/// The path that a relative URI names, beside `file`: percent-decoded.
-/// Errors: BadScene for a URI with a scheme, or an absolute one.
+/// Whether a relative name, with /, stays in the folder that it starts from.
+bool stays_within(const std::string& name);
+
+/// The path of a name that stays within the folder of `file`.
+/// Errors: BadScene where a link leads out of that folder: what is read may end up in what is written.
+std::filesystem::path in_folder_of(const std::string& file, const std::string& name,
+                                   const std::string& place);
+
+/// The path that a relative URI names, in the folder of `file` or below it: percent-decoded.
+/// Errors: BadScene for a URI with a scheme, an absolute one, and one that leaves the folder, by its name or by a link.
 std::filesystem::path beside(const std::string& file, const std::string& uri, const std::string& place);
 
 }  // namespace mmverify::scene

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/png.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -53,6 +54,7 @@ void decode(ImageBytes bytes, const std::string& file, const std::string& place,
     if (width * bits / 8 * height / 1032 > bytes.size())
       bad("a PNG of " + std::to_string(width) + " x " + std::to_string(height) + " texels cannot be in " +
           std::to_string(bytes.size()) + " bytes; truncated file?");
+    if (const auto damage = damage_of_png(bytes)) bad(*damage);
   }
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0)
@@ -61,6 +63,13 @@ void decode(ImageBytes bytes, const std::string& file, const std::string& place,
   if (width <= 0 || height <= 0 || width > longest || height > longest)
     bad("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " texels; 1 to " +
         std::to_string(longest) + " a side are read");
+  if (const auto marked = png ? with_palette_marked(bytes) : std::vector<unsigned char>(); !marked.empty()) {
+    const std::unique_ptr<stbi_uc, void (*)(void*)> grey(
+        stbi_load_from_memory(marked.data(), static_cast<int>(marked.size()), &width, &height, &channels, 1),
+        stbi_image_free);
+    if (grey && std::memchr(grey.get(), 0xff, static_cast<std::size_t>(width) * height) != nullptr)
+      bad("a texel has a colour beyond the end of the palette; damaged file?");
+  }
   const auto decoded = [&](auto* rgba) {
     if (rgba == nullptr)
       bad(std::string("cannot be decoded (") + stbi_failure_reason() + "); truncated file?");

@@ -156,9 +156,9 @@ Judged validate_file(const std::string& file, std::optional<Draft> draft) {
         [&](Draft by) { return validate_micromaps(file, by); });
     return judged;
   }
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  return validate_file(file, bytes, draft,
-                       [&](const std::string& name) { return read_file(folder / name, file, name); });
+  return validate_file(file, bytes, draft, [&](const std::string& name) {
+    return read_file(in_folder_of(file, name, name), file, name);
+  });
 }
 
 }  // namespace mmverify::scene

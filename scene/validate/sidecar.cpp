@@ -6,10 +6,11 @@
 #include <limits>
 #include <list>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/file.hpp"
+#include "scene/read/unique_names.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -19,54 +20,6 @@ using Json = nlohmann::json;
 
 constexpr std::uint64_t any = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t bits_32 = std::uint64_t{1} << 32;
-
-/// Whether a name stays in the folder that it starts from.
-bool stays(const std::string& name) {
-  if (name.empty() || name.front() == '/' || name.find('\\') != std::string::npos ||
-      name.find(':') != std::string::npos || name.find('\0') != std::string::npos)
-    return false;
-  for (std::size_t from = 0; from <= name.size();) {
-    const std::size_t to = std::min(name.find('/', from), name.size());
-    const std::string part = name.substr(from, to - from);
-    if (part.empty() || part == "." || part == "..") return false;
-    from = to + 1;
-  }
-  return true;
-}
-
-/// The first name that an object has twice: of its two values one would be lost.  Ends where the JSON does.
-class TwiceNamed : public nlohmann::json_sax<Json> {
- public:
-  std::optional<std::string> name;
-
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(std::int64_t) override { return true; }
-  bool number_unsigned(std::uint64_t) override { return true; }
-  bool number_float(double, const std::string&) override { return true; }
-  bool string(std::string&) override { return true; }
-  bool binary(Json::binary_t&) override { return true; }
-  bool start_array(std::size_t) override { return true; }
-  bool end_array() override { return true; }
-  bool start_object(std::size_t) override {
-    open_.emplace_back();
-    return true;
-  }
-  bool end_object() override {
-    open_.pop_back();
-    return true;
-  }
-  bool key(std::string& key) override {
-    if (!open_.back().insert(key).second) name = key;
-    return !name;
-  }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
-    return false;
-  }
-
- private:
-  std::vector<std::set<std::string>> open_;
-};
 
 struct Buffer {
   std::span<const unsigned char> bytes;
@@ -245,7 +198,8 @@ class Sidecar {
   }
 
   std::optional<std::span<const unsigned char>> file_of(const std::string& name, const std::string& pointer) {
-    if (!stays(name)) {
+    // A name is the same on every system: none has a drive or the other slash.
+    if (!stays_within(name) || name.find_first_of("\\:") != std::string::npos) {
       report_.add("sidecar.path", pointer, shown(name) + " is no name in the sidecar's folder");
       return {};
     }
@@ -341,11 +295,8 @@ class Sidecar {
 
 void validate_sidecar(std::span<const unsigned char> bytes, const Beside& beside, Report& report) {
   Json json;
-  TwiceNamed twice;
   try {
-    // Not by parse()'s callback, which takes time quadratic in an array's elements.
     json = Json::parse(bytes.begin(), bytes.end());
-    Json::sax_parse(bytes.begin(), bytes.end(), &twice);
   } catch (const Json::exception& error) {
     report.add("sidecar.readable", "", shown(error.what()));
     return;
@@ -354,8 +305,8 @@ void validate_sidecar(std::span<const unsigned char> bytes, const Beside& beside
     report.add("sidecar.readable", "", "an object is due, not " + found(json));
     return;
   }
-  if (twice.name) {
-    report.add("sidecar.readable", "", "two members of one object are called " + shown(*twice.name));
+  if (const auto twice = twice_named({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
+    report.add("sidecar.readable", *twice, "an object has two members of this name");
     return;
   }
   if (!json.contains("schema") || json["schema"] != "mmverify.array/1") {

@@ -44,22 +44,29 @@ std::string bytes_of(const std::vector<T>& values) {
   return bytes;
 }
 
+/// A chunk of a PNG, with its CRC: PNG 3rd edition, 5.3 and annex D.
+inline std::string png_chunk(const std::string& type, const std::string& data) {
+  std::uint32_t crc = 0xffffffff;
+  for (const char c : type + data) {
+    crc ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320 : 0);
+  }
+  return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(~crc);
+}
+
 /// A PNG of one IDAT of stored blocks.  `rows`: of each row its bytes as PNG stores them.
-/// The checksums are zero, which the decoder does not look at.
+/// The checksum of its texels is zero, which the decoder does not look at.
 inline std::string png(std::uint32_t width, std::uint32_t height, int bits, int colour_type,
                        const std::vector<std::string>& rows, const std::string& before_idat = "") {
-  const auto chunk = [](const std::string& type, const std::string& data) {
-    return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + std::string(4, '\0');
-  };
   std::string pixels;
   for (const std::string& row : rows) pixels += std::string(1, '\0') + row;
   const auto size = static_cast<std::uint32_t>(pixels.size());
   const std::string length = little_endian(size | (~size & 0xffff) << 16);
   return "\x89PNG\r\n\x1a\n" +
-         chunk("IHDR", big_endian(width) + big_endian(height) + static_cast<char>(bits) +
-                           static_cast<char>(colour_type) + std::string(3, '\0')) +
-         before_idat + chunk("IDAT", "\x78\x01\x01" + length + pixels + std::string(4, '\0')) +
-         chunk("IEND", "");
+         png_chunk("IHDR", big_endian(width) + big_endian(height) + static_cast<char>(bits) +
+                               static_cast<char>(colour_type) + std::string(3, '\0')) +
+         before_idat + png_chunk("IDAT", "\x78\x01\x01" + length + pixels + std::string(4, '\0')) +
+         png_chunk("IEND", "");
 }
 
 /// One of 2 x 2 RGBA texels, alpha 0, 85, 170, 255.
