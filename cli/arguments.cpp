@@ -132,10 +132,15 @@ std::vector<const Law*> parse_laws(const std::vector<std::string>& names, Tier t
     const auto found = laws_named(name);
     if (found.empty())
       throw UsageError(fmt::format("no law or topic is called '{}'; `mmverify list` names them all", name));
-    for (const Law* law : found)
-      if ((!law->long_only || tier == Tier::long_run || law->id == name) &&
-          std::find(chosen.begin(), chosen.end(), law) == chosen.end())
-        chosen.push_back(law);
+    bool any = false;
+    for (const Law* law : found) {
+      if (law->long_only && tier != Tier::long_run && law->id != name) continue;
+      any = true;
+      if (std::find(chosen.begin(), chosen.end(), law) == chosen.end()) chosen.push_back(law);
+    }
+    // No law would mean every law.
+    if (!any)
+      throw UsageError(fmt::format("{}: the fast tier has none of its laws; write --tier long", name));
   }
   return chosen;
 }
@@ -183,6 +188,18 @@ std::vector<SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::
   for (const PluginSubject& offered : plugin_subjects(library))
     if (kind.empty() || kind == offered.kind) chosen.push_back(offered.subject);
   if (chosen.empty()) throw UsageError(fmt::format("{}: it has no entry point of {}", library->path(), kind));
+  if (runs_on != nullptr && library->description().max_level == 0)
+    for (const SubjectPtr& subject : chosen)
+      if (subject->topic() == "index" || subject->topic() == "tree" || subject->topic() == "dag" ||
+          subject->topic() == "attribute") {
+        runs_on->push_back({library->path(),
+                            {},
+                            {fmt::format("{}: its max_level is 0, so its entry points of {} are asked about "
+                                         "level 0 alone, which decides next to "
+                                         "nothing; is .max_level forgotten?",
+                                         library->path(), subject->topic())}});
+        break;
+      }
   if (const std::string text = library->runs_on(); runs_on != nullptr && !text.empty())
     runs_on->push_back({library->path(), keys_and_values(text), {}});
   return chosen;

@@ -7,6 +7,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "impl/attribute/container.hpp"
 #include "scene/read/file.hpp"
@@ -30,28 +31,28 @@ void print_file(const std::string& file, std::size_t size, const AttributeMaps& 
   constexpr std::array ties{"none", "Vulkan's", "figure 4's"};
   constexpr std::array rules{"", "snapping", "means"};
   const bool faces = m.at == MapAt::faces;
-  fmt::print("{}: {} maps of {} {}, level {}, {} {}\n", file, grouped(m.maps), faces ? "faces" : "vertices",
-             faces ? face_orders[static_cast<std::size_t>(m.face_order)]
-                   : vertex_orders[static_cast<std::size_t>(m.vertex_order)],
-             m.level, components_text(m.components), meanings[static_cast<std::size_t>(m.meaning)]);
-  if (faces) fmt::print("  ties       {}\n", ties[static_cast<std::size_t>(m.tie)]);
+  say(stdout, "{}: {} maps of {} {}, level {}, {} {}\n", file, grouped(m.maps), faces ? "faces" : "vertices",
+      faces ? face_orders[static_cast<std::size_t>(m.face_order)]
+            : vertex_orders[static_cast<std::size_t>(m.vertex_order)],
+      m.level, components_text(m.components), meanings[static_cast<std::size_t>(m.meaning)]);
+  if (faces) say(stdout, "  ties       {}\n", ties[static_cast<std::size_t>(m.tie)]);
   std::uint64_t decimated = 0;
   for (const MapUse& use : m.triangles) decimated += use.decimated != 0 ? 1 : 0;
   if (m.triangles.empty())
-    fmt::print("  triangles  each its map\n");
+    say(stdout, "  triangles  each its map\n");
   else
-    fmt::print("  triangles  {}\n", grouped(m.triangles.size()));
+    say(stdout, "  triangles  {}\n", grouped(m.triangles.size()));
   if (m.decimation != DecimationRule::none)
-    fmt::print("  decimated  {} of them, by {}\n", grouped(decimated),
-               rules[static_cast<std::size_t>(m.decimation)]);
-  if (m.mips) fmt::print("  mips       the coarsest first\n");
-  fmt::print("  payload    {}, {} codes in a file of {} bytes\n",
-             m.payload == Payload::plain ? "plain" : "packed", grouped(m.codes.size()), grouped(size));
+    say(stdout, "  decimated  {} of them, by {}\n", grouped(decimated),
+        rules[static_cast<std::size_t>(m.decimation)]);
+  if (m.mips) say(stdout, "  mips       the coarsest first\n");
+  say(stdout, "  payload    {}, {} codes in a file of {} bytes\n",
+      m.payload == Payload::plain ? "plain" : "packed", grouped(m.codes.size()), grouped(size));
   if (m.error != std::array<std::uint8_t, 4>{}) {
     std::string errors;
     for (std::size_t c = 0; c < channels_of(m); ++c)
       errors += fmt::format("{}{}", c == 0 ? "" : ", ", m.error[c]);
-    fmt::print("  errors     {} at most\n", errors);
+    say(stdout, "  errors     {} at most\n", errors);
   }
 }
 
@@ -64,7 +65,7 @@ int check_attributes(const std::string& file) {
     print_file(file, bytes.size(), read_attributes(bytes));
     return complete;
   } catch (const BadAttributeFile& bad) {
-    fmt::print("{}: {}\n", file, bad.what());
+    say(stdout, "{}: {}\n", file, bad.what());
     return failed;
   }
 }

@@ -19,10 +19,16 @@ ExitCode exit_code(const Report& report) {
   return ExitCode::complete;
 }
 
-bool nothing_applied(const Report& report) {
-  return !report.interrupted &&
-         std::all_of(report.results.begin(), report.results.end(),
-                     [](const Result& r) { return r.verdict == Verdict::not_applicable && !r.share; });
+void refuse_nothing(const Report& report) {
+  const auto& results = report.results;
+  if (report.interrupted || std::any_of(results.begin(), results.end(),
+                                        [](const Result& r) { return r.verdict != Verdict::not_applicable; }))
+    return;
+  // What another shard runs does apply.
+  if (std::any_of(results.begin(), results.end(), [](const Result& r) { return r.share.has_value(); }))
+    throw UsageError(
+        "nothing was run: this shard has 0 cases; its file can be merged, and fewer shards have some each");
+  throw UsageError("nothing was run: no law asked for applies to its subject");
 }
 
 }  // namespace mmverify::cli

@@ -18,14 +18,13 @@ enum ExitCode : int {
 /// How a run with this report ends.
 ExitCode exit_code(const proofs::Report& report);
 
-/// Whether no law was about its subject: usage, never success.  What another shard runs does apply.
-bool nothing_applied(const proofs::Report& report);
-inline constexpr char nothing_was_run[] = "nothing was run: no law asked for applies to its subject";
-
 /// Ends a command with exit code 2; what() is the line printed.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// A run in which no case was judged is usage, never success: throws UsageError, which says why there was none.
+void refuse_nothing(const proofs::Report& report);
 
 /// Ends a command with exit code 4; what() is the line printed.
 struct EnvironmentError : std::runtime_error {

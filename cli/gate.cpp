@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
 #include "cli/read_json.hpp"
+#include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "gate/compare.hpp"
 #include "gate/runs.hpp"
@@ -70,7 +72,7 @@ void print(const Difference& d) {
     line += fmt::format(" {} -> {}", gate::unquoted(d.before), gate::unquoted(d.after));
   else if (!d.figure.empty())
     line += fmt::format(" {}", gate::unquoted(d.before.empty() ? d.after : d.before));
-  fmt::print("{}\n", printable(line));
+  say(stdout, "{}\n", printable(line));
 }
 
 constexpr Change kinds_of_finding[] = {Change::worse, Change::better, Change::changed,
@@ -83,22 +85,23 @@ void print(const Comparison& comparison, const GateOptions& options) {
     std::size_t shown = 0;
     for (const Difference& d : comparison.differences)
       if (d.change == change && (options.all || ++shown <= most)) print(d);
-    if (!options.all && shown > most) fmt::print("{:<8}and {} more; see --all\n", word(change), shown - most);
+    if (!options.all && shown > most)
+      say(stdout, "{:<8}and {} more; see --all\n", word(change), shown - most);
   }
   std::string counts;
   for (const Change change : kinds_of_finding)
     if (const std::size_t n = comparison.count(change); n != 0)
       counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", grouped(n), word(change));
-  fmt::print("gate: {}: {} figures compared, {} of them speeds, to within a factor of {:.4g}; {}\n",
-             comparison.red() ? "red" : "green", grouped(comparison.figures), grouped(comparison.speeds),
-             options.tolerance, counts.empty() ? "none differs" : counts);
+  say(stdout, "gate: {}: {} figures compared, {} of them speeds, to within a factor of {:.4g}; {}\n",
+      comparison.red() ? "red" : "green", grouped(comparison.figures), grouped(comparison.speeds),
+      options.tolerance, counts.empty() ? "none differs" : counts);
 }
 
 /// Ratios of one run hold from machine to machine, but not to the last tenth.
 void name_processors(const Comparison& comparison, const gate::Figures& result) {
   if (!comparison.other_processor.empty())
-    fmt::print("gate: speeds of two processors: the baseline's {}, the result's {}\n",
-               printable(comparison.other_processor), printable(result.processor));
+    say(stdout, "gate: speeds of two processors: the baseline's {}, the result's {}\n",
+        printable(comparison.other_processor), printable(result.processor));
 }
 
 /// Of the results, those that are no success: a baseline of them holds a project to its faults.
@@ -108,25 +111,58 @@ void name_faults(const gate::Figures& result) {
     for (const auto& [name, figures] : result.groups)
       if (const auto found = figures.find("verdict"); found != figures.end())
         count += gate::unquoted(found->second.value.text) == verdict;
-    if (count != 0) fmt::print("gate: {} results are {}\n", grouped(count), verdict);
+    if (count != 0) say(stdout, "gate: {} results are {}\n", grouped(count), verdict);
   }
+}
+
+/// A file that is there is a baseline, or somebody's who would miss it.
+nlohmann::ordered_json old_baseline(const std::string& path) {
+  std::string why = "it has another schema";
+  try {
+    nlohmann::ordered_json old = read_json(path);
+    if (gate::is_baseline(old)) return old;
+  } catch (const EnvironmentError& error) {
+    why = error.what();
+  }
+  throw UsageError(fmt::format(
+      "--baseline {}: no baseline, and not overwritten ({}); remove it, or name another file", path, why));
+}
+
+/// A run in which no law judged anything has nothing to hold another one to.
+void refuse_nothing_judged(const std::string& path, const gate::Figures& result) {
+  std::size_t results = 0, judged = 0, others = 0;
+  for (const auto& [name, figures] : result.groups) {
+    const auto verdict = figures.find("verdict");
+    if (verdict == figures.end()) {
+      others += figures.contains("killed") ? 0 : 1;
+      continue;
+    }
+    ++results;
+    judged += gate::unquoted(verdict->second.value.text) == "not_applicable" ? 0 : 1;
+  }
+  if (results != 0 && judged == 0 && others == 0)
+    throw UsageError(
+        fmt::format("{}: nothing was judged: all {} results are not_applicable", path, grouped(results)));
 }
 
 int bless(const GateOptions& options, const gate::Figures& result) {
   std::error_code none;
   if (std::filesystem::equivalent(options.baseline, options.result, none))
     throw UsageError(fmt::format("--baseline {}: the result itself", options.baseline));
-  // What it was, to be seen before it is gone; there may be none, or another run's.
+  std::optional<nlohmann::ordered_json> old;
+  if (std::filesystem::is_regular_file(options.baseline, none) &&
+      std::filesystem::file_size(options.baseline, none) != 0)
+    old = old_baseline(options.baseline);
+  // What it was, to be seen before it is gone; it may be another run's.
   try {
-    if (std::filesystem::exists(options.baseline))
-      print(compare(gate::baseline_of(read_json(options.baseline)), result, options.tolerance), options);
+    if (old) print(compare(gate::baseline_of(*old), result, options.tolerance), options);
   } catch (const std::exception& error) {
-    fmt::print("gate: the old baseline cannot be compared: {}\n", printable(error.what()));
+    say(stdout, "gate: the old baseline cannot be compared: {}\n", printable(error.what()));
   }
   OutputFile(options.baseline).commit(to_json(gate::baseline_of(result)));
   name_faults(result);
-  fmt::print("gate: {} is what {} says: {} groups of figures\n", printable(options.baseline),
-             printable(options.result), grouped(result.groups.size()));
+  say(stdout, "gate: {} is what {} says: {} groups of figures\n", printable(options.baseline),
+      printable(options.result), grouped(result.groups.size()));
   return ExitCode::complete;
 }
 
@@ -142,6 +178,7 @@ int run_gate(const GateOptions& options) {
       throw UsageError(fmt::format("--speeds {}: {}", path, why.what()));
     }
   }
+  refuse_nothing_judged(options.result, result);
   if (options.bless) return bless(options, result);
   const Baseline baseline =
       of_file(options.baseline, [](const auto& json) { return gate::baseline_of(json); });
@@ -155,8 +192,8 @@ int run_gate(const GateOptions& options) {
   name_processors(comparison, result);
   name_faults(result);
   if (!comparison.differences.empty())
-    fmt::print("If that is how it should be: mmverify gate --baseline {} {} --bless\n",
-               shell_quoted(options.baseline), shell_quoted(options.result));
+    say(stdout, "If that is how it should be: mmverify gate --baseline {} {} --bless\n",
+        shell_quoted(options.baseline), shell_quoted(options.result));
   return comparison.red() ? ExitCode::failed : ExitCode::complete;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/build_info.hpp"
+#include "cli/json_text.hpp"
 #include "cli/text.hpp"
 #include "cli/tool.hpp"
 #include "gate/seal.hpp"
@@ -93,7 +94,7 @@ std::string to_json(const Report& report, std::uint64_t seed, const std::optiona
   }
   // Shards are added up: what was changed in one would be in the sum.
   if (shard) j["seal"] = gate::seal_of(j);
-  return j.dump(1) + "\n";
+  return json_text(j);
 }
 
 }  // namespace mmverify::cli

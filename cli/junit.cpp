@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "cli/json_text.hpp"
 #include "cli/text.hpp"
 
 namespace mmverify::cli {
@@ -14,7 +15,7 @@ namespace {
 using namespace proofs;
 
 void set(pugi::xml_node node, const char* name, const std::string& value) {
-  node.append_attribute(name) = value.c_str();
+  node.append_attribute(name) = as_utf8(value).c_str();
 }
 
 void add_message(pugi::xml_node test, const char* kind, const std::string& message) {

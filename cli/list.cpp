@@ -8,6 +8,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/json_text.hpp"
+#include "cli/streams.hpp"
 #include "proofs/fast_levels.hpp"
 #include "proofs/registry.hpp"
 
@@ -48,23 +50,23 @@ nlohmann::ordered_json as_json(const Law& law) {
 
 void print_law(const Law& law) {
   const SubjectPtr first = find_subject(law.subjects.front());
-  fmt::print("{}\n  {}\n", law.id, law.says);
-  fmt::print("  source: {}\n", law.source);
-  fmt::print("  domain: {}\n", law.domain(*first, law.fast.last));
+  say(stdout, "{}\n  {}\n", law.id, law.says);
+  say(stdout, "  source: {}\n", law.source);
+  say(stdout, "  domain: {}\n", law.domain(*first, law.fast.last));
   const char* levels = law.at_once.empty() ? "levels " : "";
   std::string fast = law.long_only ? "not in it" : levels + levels_text(law, law.fast);
   for (const auto& [subject, of_subject] : fast_levels_apart(law))
     fast += fmt::format(", of {} {}", subject, levels_text(law, of_subject));
   if (!law.long_only) fast += fmt::format(", about {} s", law.fast_seconds);
-  fmt::print("  method: {}; fast tier: {}; long tier: {}{}\n", to_string(law.method), fast, levels,
-             levels_text(law, law.long_run));
-  if (!law.companion.empty()) fmt::print("  beside it, on subjects of floats: {}\n", law.companion);
+  say(stdout, "  method: {}; fast tier: {}; long tier: {}{}\n", to_string(law.method), fast, levels,
+      levels_text(law, law.long_run));
+  if (!law.companion.empty()) say(stdout, "  beside it, on subjects of floats: {}\n", law.companion);
   if (law.id == "index.floats")
-    fmt::print(
+    say(stdout,
         "  of a function in C, C++, GLSL, HLSL, LLVM's bitcode or SPIR-V, levels 0..16: prove index.floats "
         "--source FILE "
         "--function NAME\n");
-  fmt::print("  subjects: {}\n\n", fmt::join(law.subjects, ", "));
+  say(stdout, "  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }
 
 }  // namespace
@@ -75,6 +77,7 @@ Action add_list(CLI::App& program) {
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "as JSON");
   return [json] {
+    end_with_the_reader();
     if (*json) {
       nlohmann::ordered_json all{{"schema", "mmverify.list/1"},
                                  {"laws", nlohmann::ordered_json::array()},
@@ -82,12 +85,12 @@ Action add_list(CLI::App& program) {
       for (const Law& law : laws()) all["laws"].push_back(as_json(law));
       for (const SubjectPtr& s : subjects())
         all["subjects"].push_back({{"subject", s->name()}, {"about", s->about()}});
-      fmt::print("{}\n", all.dump(1));
+      say_text(stdout, json_text(all));
       return ExitCode::complete;
     }
     for (const Law& law : laws()) print_law(law);
-    fmt::print("subjects:\n");
-    for (const SubjectPtr& s : subjects()) fmt::print("  {:<22} {}\n", s->name(), s->about());
+    say(stdout, "subjects:\n");
+    for (const SubjectPtr& s : subjects()) say(stdout, "  {:<22} {}\n", s->name(), s->about());
     return ExitCode::complete;
   };
 }

@@ -1,38 +1,63 @@
 // mmverify: an exact referee for opacity micromaps.
 #include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 
 namespace {
 
-/// The exit code, or 4 where standard output did not take all that was said.
-int closed(int code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  fmt::print(stderr, "mmverify: standard output cannot be written\n");
-  return code == mmverify::cli::complete ? mmverify::cli::environment : code;
-}
-
 int complain(int code, const std::string& what, const char* more = "") {
-  fmt::print(stderr, "mmverify: {}{}\n", mmverify::cli::printable(what), more);
+  mmverify::cli::say(stderr, "mmverify: {}{}\n", mmverify::cli::printable(what), more);
   return code;
 }
+
+/// What an unset variable of a script comes to is no name of anything: neither of our own sample, nor of nothing.
+std::string not_empty(const std::string& text) {
+  return text.empty() ? "it is given as an empty text; is a variable not set? Name it, or leave it out" : "";
+}
+
+void refuse_empty_texts(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands({}))
+    for (CLI::Option* option : command->get_options())
+      if (option->get_items_expected_max() != 0) option->check(not_empty);
+}
+
+/// The threads that --threads asks for are there: TBB has no more than cores where nobody says otherwise.
+class ThreadsAsked {
+ public:
+  explicit ThreadsAsked(const CLI::App& command) {
+    const CLI::Option* option = command.get_option_no_throw("--threads");
+    if (option == nullptr || option->count() == 0) return;
+    const auto threads = option->as<std::size_t>();
+    if (threads > std::thread::hardware_concurrency())
+      allowed_.emplace(oneapi::tbb::global_control::max_allowed_parallelism, threads);
+  }
+
+ private:
+  std::optional<oneapi::tbb::global_control> allowed_;
+};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace mmverify::cli;
+  reserve_standard_streams();
+  std::signal(SIGPIPE, SIG_IGN);
   // A file that may not grow is an error of its own, said where it happens.
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App program("mmverify: an exact referee for opacity micromaps", "mmverify");
@@ -42,17 +67,21 @@ int main(int argc, char** argv) {
                                build::version, std::string(build::spec_hash), std::string(build::source_hash),
                                build::compiler, build::flags, build::libraries));
   const std::vector<Action> actions = add_commands(program);
+  refuse_empty_texts(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked_for) {
-    return program.exit(asked_for);
+    return after_printing(program.exit(asked_for));
   } catch (const CLI::ParseError& error) {
     return complain(ExitCode::usage, error.what(), "; see `mmverify --help`");
   }
   try {
     const auto commands = program.get_subcommands({});
-    for (std::size_t k = 0; k < actions.size(); ++k)
-      if (commands[k]->parsed()) return closed(actions[k]());
+    for (std::size_t k = 0; k < actions.size(); ++k) {
+      if (!commands[k]->parsed()) continue;
+      const ThreadsAsked threads(*commands[k]);
+      return after_printing(actions[k]());
+    }
   } catch (const UsageError& error) {
     return complain(ExitCode::usage, error.what());
   } catch (const mmverify::proofs::Interrupted&) {

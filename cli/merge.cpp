@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -66,38 +67,59 @@ void check_places(const std::string& file, const std::vector<RunsOn>& here, cons
                                        first_file, first.size()));
 }
 
+/// The first shard whose file was changed since it was written.
+std::optional<std::string> first_changed(const std::vector<ShardRun>& shards) {
+  for (const ShardRun& shard : shards)
+    if (!shard.as_written) return shard.file;
+  return std::nullopt;
+}
+
+/// Compares shards with each other.  One that was changed is at fault for every difference, also where the message names
+/// the other; what is wrong with that one itself says more than that it was changed.
+template <class Compare>
+auto of_shards_as_written(const std::optional<std::string>& changed, Compare compare) {
+  const auto blame = [&](const std::string& what) {
+    return changed && !what.starts_with(*changed + ": ")
+               ? fmt::format(
+                     "{}: seal: not that of what the file says, so it was changed; take the file that "
+                     "mmverify wrote",
+                     *changed)
+               : what;
+  };
+  try {
+    return compare();
+  } catch (const EnvironmentError& why) {
+    throw EnvironmentError(blame(why.what()));
+  } catch (const ShardsDoNotAddUp& why) {
+    throw EnvironmentError(blame(why.what()));
+  }
+}
+
 int merge(const MergeOptions& options) {
   std::vector<ShardRun> shards;
-  std::vector<RunsOn> runs_on;
+  std::vector<std::vector<RunsOn>> places;
   std::error_code none;
   for (const std::string& path : options.shards) {
     if (std::filesystem::equivalent(path, options.out, none))
       throw UsageError(fmt::format("-o {}: one of the shards", options.out));
     shards.push_back(read_shard(path));
     check_program(shards.back());
-    const std::vector<RunsOn> here = read_runs_on(path);
-    if (shards.size() == 1) runs_on = here;
-    check_places(path, here, shards.front().file, runs_on);
+    places.push_back(read_runs_on(path));
   }
+  const std::vector<RunsOn>& runs_on = places.front();
   const std::uint64_t seed = number_in(shards.front(), "seed"), errors = number_in(shards.front(), "errors");
-  // Said last: what else is wrong with a shard says more.
-  std::string changed;
-  for (const ShardRun& shard : shards)
-    if (!shard.as_written && changed.empty()) changed = shard.file;
-  Report report;
-  try {
-    report = merge_shards(std::move(shards), errors, [](const std::string& id) -> const Law& {
+  const auto changed = first_changed(shards);
+  const Report report = of_shards_as_written(changed, [&] {
+    for (std::size_t k = 1; k < shards.size(); ++k)
+      check_places(shards[k].file, places[k], shards.front().file, runs_on);
+    Report sum = merge_shards(shards, errors, [](const std::string& id) -> const Law& {
       const Law* law = find_law(id);
       if (law == nullptr) throw ShardsDoNotAddUp(fmt::format("no law is called '{}'", id));
       return *law;
     });
-  } catch (const ShardsDoNotAddUp& why) {
-    throw EnvironmentError(why.what());
-  }
-  if (!changed.empty())
-    throw EnvironmentError(fmt::format(
-        "{}: seal: not that of what the file says, so it was changed; take the file that mmverify wrote",
-        changed));
+    if (changed) throw ShardsDoNotAddUp("");
+    return sum;
+  });
   OutputFile out(options.out);
   TextReport text(stdout, true);
   for (const RunsOn& one : runs_on) {
@@ -106,7 +128,7 @@ int merge(const MergeOptions& options) {
   }
   for (const Result& r : report.results) text.add(r);
   text.finish(report, false);
-  if (nothing_applied(report)) throw UsageError(nothing_was_run);
+  refuse_nothing(report);
   out.commit(to_json(report, seed, {}, {}, {}, runs_on));
   return exit_code(report);
 }

@@ -16,6 +16,7 @@
 #include "cli/junit.hpp"
 #include "cli/output_file.hpp"
 #include "cli/scene/check_maps.hpp"
+#include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/pipe/lines.hpp"
@@ -117,7 +118,7 @@ void add_common(CLI::App& command, PipeOptions& options) {
 }
 
 int generate(const PipeOptions& options) {
-  // A reader that stops early is its own business, not an error of this program.
+  end_with_the_reader();
   if (const Topic* topic = asking_topic(options)) {
     pipe::generate_questions(asked(options, *topic), stdout);
     return proofs::interrupted() ? ExitCode::interrupted : ExitCode::complete;
@@ -153,6 +154,8 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet)
   } else {
     one_level(options);
   }
+  if (same_file(options.json, junit_file))
+    throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
   std::optional<OutputFile> json, junit;
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
   if (!junit_file.empty()) junit.emplace(junit_file);
@@ -167,10 +170,10 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet)
   for (const Result& result : report.results) text.add(result);
   text.finish(report, false);
   if (json) json->commit(to_json(report, options.seed));
-  if (options.json == "-") fmt::print("{}", to_json(report, options.seed));
+  if (options.json == "-") say(stdout, "{}", to_json(report, options.seed));
   if (junit) junit->commit(to_junit(report));
   if (report.interrupted) return ExitCode::interrupted;
-  if (nothing_applied(report)) throw UsageError(nothing_was_run);
+  refuse_nothing(report);
   return exit_code(report);
 }
 

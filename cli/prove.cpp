@@ -3,8 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -17,6 +15,7 @@
 #include "cli/run_identity.hpp"
 #include "cli/shader.hpp"
 #include "cli/source.hpp"
+#include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
@@ -82,12 +81,6 @@ std::optional<Shard> parse_shard(const std::string& text) {
   return shard;
 }
 
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code ignored;
-  return !b.empty() &&
-         std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
-}
-
 /// Who asked for one law is told of those that run beside it.
 void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
   std::vector<std::string> said;
@@ -128,11 +121,59 @@ int replay_of_source(const Job& job, const std::string& text) {
   const Level level = parse_level((*parts)[1]);
   try {
     const Replayed r = job.law->replay(*job.subject, level, (*parts)[2]);
-    fmt::print("{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
-               job.law->id, level, (*parts)[2], job.subject->name(), r.expected, r.got);
+    say(stdout, "{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
+        job.law->id, level, (*parts)[2], job.subject->name(), r.expected, r.got);
     return r.holds ? ExitCode::complete : ExitCode::failed;
   } catch (const BadCase& error) {
     throw UsageError(fmt::format("--case {}", error.what()));
+  }
+}
+
+/// 4, 5, 6 and 9 as "4..6, 9".
+std::string ranges(const std::vector<Level>& levels) {
+  std::string text;
+  for (std::size_t from = 0; from < levels.size();) {
+    std::size_t to = from;
+    while (to + 1 < levels.size() && levels[to + 1] == levels[to] + 1) ++to;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", levels[from]);
+    if (to != from) text += fmt::format("..{}", levels[to]);
+    from = to + 1;
+  }
+  return text;
+}
+
+/// Whether one of the jobs' laws is about the level on this subject; of laws that were named, all levels are asked for.
+bool is_asked(const ProveOptions& options, const std::vector<Job>& jobs, const std::string& subject,
+              Level n) {
+  return !options.laws.empty() || std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
+    const Levels& of_law = job.law->long_run;
+    return job.subject->name() == subject && job.law->at_once.empty() && of_law.first <= n &&
+           n <= of_law.last;
+  });
+}
+
+/// A level that was asked for by hand and that no law judged is no success: of each subject that was named and is here, or
+/// of all together where none was.
+void refuse_levels_left_out(const ProveOptions& options, const std::vector<Job>& jobs, const Report& report) {
+  if (!options.levels) return;
+  const Levels asked = parse_levels(*options.levels);
+  std::vector<std::string> subjects;
+  if (options.subjects.empty()) subjects.emplace_back();
+  for (const Job& job : jobs)
+    if (!options.subjects.empty() && job.subject->absent().empty()) subjects.push_back(job.subject->name());
+  for (const std::string& subject : subjects) {
+    std::vector<Level> left = levels_not_judged(report.results, subject, asked);
+    if (!subject.empty()) std::erase_if(left, [&](Level n) { return !is_asked(options, jobs, subject, n); });
+    if (left.empty()) continue;
+    const auto result = std::find_if(report.results.begin(), report.results.end(), [&](const Result& r) {
+      return r.verdict == Verdict::not_applicable && r.at_once.empty() &&
+             (r.level == left.front() || r.level == left.back()) && (subject.empty() || r.subject == subject);
+    });
+    throw UsageError(fmt::format("--levels {}: {} {} not judged{}{}; ask for levels that it has",
+                                 *options.levels, left.size() == 1 ? "level" : "levels",
+                                 ranges(left) + (left.size() == 1 ? " was" : " were"),
+                                 subject.empty() ? "" : " of " + subject,
+                                 result == report.results.end() ? "" : ": " + result->reason));
   }
 }
 
@@ -140,10 +181,10 @@ int prove(const ProveOptions& options) {
   if (!options.source && (options.function || options.one_case || !options.flags.empty()))
     throw UsageError("--function, --flag, --case: of a --source; name one, or leave them out");
   if (options.junit == "-") throw UsageError("--junit -: standard output is for --json; name a file");
-  if (!options.json.empty() && same_file(options.json, options.junit))
+  if (same_file(options.json, options.junit))
     throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
   for (const std::string& other : {options.json, options.junit})
-    if (!options.journal.empty() && same_file(options.journal, other))
+    if (same_file(options.journal, other))
       throw UsageError(fmt::format("--journal: {} is another output's file", options.journal));
   if ((!options.devices.empty() || options.entry) &&
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
@@ -161,13 +202,10 @@ int prove(const ProveOptions& options) {
   if (options.near != 0 &&
       std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.law->knows_near; }))
     throw UsageError("--near: none of these laws compares indices at points; leave it out");
-  // A reader that goes away does not take the results in files along.
-  std::signal(SIGPIPE, SIG_IGN);
   std::optional<OutputFile> json, junit;
-  // An old shard must not be merged in the place of this one, should this one fail.
-  if (std::error_code none; !options.shard.empty() && std::filesystem::is_regular_file(options.json, none))
-    std::filesystem::remove(options.json, none);
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
+  // An old shard must not be merged in the place of this one, should this one fail.
+  if (json && !options.shard.empty()) json->remove_old();
   if (!options.junit.empty()) junit.emplace(options.junit);
 
   // With JSON on stdout, the lines for people go where the progress goes.
@@ -194,15 +232,17 @@ int prove(const ProveOptions& options) {
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, !options.subjects.empty() || options.source);
   if (report.interrupted && journal)
-    fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
+    say(stderr, "stopped; the same command goes on from {}\n", options.journal);
   const auto as_json = [&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); };
   if (json) json->commit(as_json());
-  if (options.json == "-") fmt::print("{}", as_json());
+  if (options.json == "-") say(stdout, "{}", as_json());
   if (junit) junit->commit(to_junit(report, runs_on));
 
   if (!report.gave_up.empty()) throw EnvironmentError(report.gave_up);
-  if (nothing_applied(report)) throw UsageError(nothing_was_run);
-  return exit_code(report);
+  refuse_nothing(report);
+  const int code = exit_code(report);
+  if (code == ExitCode::complete && !options.source) refuse_levels_left_out(options, jobs, report);
+  return code;
 }
 
 }  // namespace

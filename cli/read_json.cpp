@@ -7,13 +7,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_code.hpp"
 #include "gate/contradictions.hpp"
 #include "gate/seal.hpp"
 #include "proofs/kinds.hpp"
+#include "scene/read/unique_names.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -115,12 +115,23 @@ ShardRun shard_run(const Json& j) {
 }  // namespace
 
 std::string read_text(const std::string& path) {
-  if (std::filesystem::is_directory(path))
+  // Our own files are of megabytes; /dev/zero never ends.
+  constexpr std::size_t most = std::size_t{256} << 20, a_time = std::size_t{1} << 20;
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none))
     throw EnvironmentError(fmt::format("{}: cannot be read: a folder", path));
   std::ifstream in(path, std::ios::binary);
   if (!in) throw EnvironmentError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text;
+  while (in && text.size() <= most) {
+    const std::size_t before = text.size();
+    text.resize(before + a_time);
+    in.read(text.data() + before, a_time);
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad()) throw EnvironmentError(fmt::format("{}: cannot be read to its end", path));
+  if (text.size() > most)
+    throw EnvironmentError(fmt::format("{}: more than {} MiB; no result is so long", path, most >> 20));
   return text;
 }
 
@@ -129,10 +140,14 @@ Json read_json(const std::string& path) {
   try {
     // What reads it calls itself for each level.
     static constexpr int deepest = 64;
-    return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
+    Json json = Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
       if (depth > deepest) throw std::runtime_error(fmt::format("nested more than {} deep", int{deepest}));
       return true;
     });
+    if (const auto twice = mmverify::scene::twice_named(text))
+      throw std::runtime_error(
+          fmt::format("{}: an object has two members of this name; which of them is meant?", *twice));
+    return json;
   } catch (const std::exception& error) {
     throw EnvironmentError(fmt::format("{}: {}", path, error.what()));
   }

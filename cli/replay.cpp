@@ -10,6 +10,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
 #include "cli/shader.hpp"
+#include "cli/streams.hpp"
 #include "proofs/index/subjects/built_in.hpp"
 #include "proofs/registry.hpp"
 
@@ -55,13 +56,13 @@ int replay(const ReplayOptions& options) {
   try {
     const Replayed r = law->replay(*subject, level, options.at);
     if (picture && r.picture.empty()) throw UsageError(fmt::format("--picture: {} has none", law->id));
-    fmt::print("{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
-               law->id, level, options.at, subject->name(), r.expected, r.got);
+    say(stdout, "{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
+        law->id, level, options.at, subject->name(), r.expected, r.got);
     if (picture) picture->commit(r.picture);
     return r.holds ? ExitCode::complete : ExitCode::failed;
   } catch (const SubjectBroken& broken) {
-    fmt::print("broken {} level {} case {} subject {}: {}\n", law->id, level, options.at, subject->name(),
-               broken.what());
+    say(stdout, "broken {} level {} case {} subject {}: {}\n", law->id, level, options.at, subject->name(),
+        broken.what());
     return ExitCode::failed;
   } catch (const BadCase& error) {
     throw UsageError(fmt::format("--case {}", error.what()));

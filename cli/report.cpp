@@ -8,10 +8,12 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/json_text.hpp"
 #include "cli/output_file.hpp"
 #include "cli/report_again.hpp"
 #include "cli/report_input.hpp"
 #include "cli/report_pictures.hpp"
+#include "cli/streams.hpp"
 #include "report/page.hpp"
 
 namespace mmverify::cli {
@@ -26,10 +28,8 @@ struct ReportOptions {
 
 /// As text within a script element: no text of a file can end it, as none has a "<".
 std::string within_script(const Json& data) {
-  // File names may be any bytes.
-  const std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text;
-  for (const char c : json) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  for (const char c : json_text(data, -1)) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return text;
 }
 
@@ -64,8 +64,8 @@ int report(const ReportOptions& options) {
   const std::size_t at = page.find(place);
   if (at == std::string_view::npos) throw std::logic_error("the page has no place for data");
   out.commit(fmt::format("{}{}{}", page.substr(0, at), within_script(data), page.substr(at + place.size())));
-  fmt::print("{}: {} of {} file{}\n", options.out, options.results.size() == 1 ? "a page" : "one page",
-             options.results.size(), options.results.size() == 1 ? "" : "s");
+  say(stdout, "{}: {} of {} file{}\n", options.out, options.results.size() == 1 ? "a page" : "one page",
+      options.results.size(), options.results.size() == 1 ? "" : "s");
   return ExitCode::complete;
 }
 

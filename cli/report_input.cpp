@@ -25,13 +25,7 @@ std::string schema_of(const Json& j) {
 }  // namespace
 
 std::vector<ReportInput> read_report_input(const std::string& path) {
-  const std::string text = read_text(path);
-  Json j;
-  try {
-    j = Json::parse(text);
-  } catch (const Json::exception& error) {
-    refuse(path, error.what());
-  }
+  const Json j = read_json(path);
   const bool several = j.is_array() && !j.empty();
   std::vector<ReportInput> inputs;
   for (std::size_t k = 0; k < (several ? j.size() : 1); ++k) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/build_info.hpp"
+#include "cli/streams.hpp"
 #include "proofs/index/options.hpp"
 
 namespace mmverify::cli {
@@ -38,8 +39,8 @@ std::unique_ptr<Journal> open_journal(const std::string& path, Identity identity
   identity.emplace_back("shard", shard ? fmt::format("{}/{}", shard->number, shard->of) : "none");
   auto journal = std::make_unique<Journal>(path, std::move(identity));
   if (journal->dropped() != 0)
-    fmt::print(stderr, "{}: {} of its bytes are no whole line; what they were about is done again\n", path,
-               journal->dropped());
+    say(stderr, "{}: {} of its bytes are no whole line; what they were about is done again\n", path,
+        journal->dropped());
   return journal;
 }
 

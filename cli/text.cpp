@@ -7,6 +7,7 @@
 #include <map>
 
 #include "cli/arguments.hpp"
+#include "cli/streams.hpp"
 #include "dock/clean_text.hpp"
 #include "proofs/plan.hpp"
 #include "proofs/registry.hpp"
@@ -48,14 +49,6 @@ std::string counterexample_line(const Result& result, const Counterexample& c) {
 
 namespace {
 
-/// Prints, and leaves a stream that no longer takes anything to the end of the program, which reports it: the
-/// results in files are still to come.
-template <class... Args>
-void say(std::FILE* out, fmt::format_string<Args...> format, Args&&... args) {
-  const std::string text = fmt::format(format, std::forward<Args>(args)...);
-  std::fwrite(text.data(), 1, text.size(), out);
-}
-
 std::string levels_text(const std::vector<Result>& results) {
   if (!results.front().at_once.empty()) return results.front().at_once;
   const Level first = results.front().level, last = results.back().level;
@@ -87,7 +80,7 @@ void TextReport::flush() {
 }
 
 void TextReport::line(const std::vector<Result>& results) {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
+  if (isatty(STDERR_FILENO) != 0) say(stderr, "\r\033[K");
   const Result& first = results.front();
   const Verdict verdict = verdict_of(results);
   std::uint64_t cases = 0, resumed = 0, declined = 0, allowed = 0;

@@ -11,6 +11,7 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/streams.hpp"
 #include "cli/vectors_folder.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "shaders/compile/sha256.hpp"
@@ -29,7 +30,7 @@ void print(const vectors::Family& family) {
   std::string tables;
   for (const vectors::Table& table : family.tables)
     tables += fmt::format("{}{} {}", tables.empty() ? "" : ", ", table.name, grouped(table.records()));
-  fmt::print("{:<10} {}\n", family.name, tables);
+  say(stdout, "{:<10} {}\n", family.name, tables);
 }
 
 int run_vectors(const VectorsOptions& options) {
@@ -50,7 +51,7 @@ int run_vectors(const VectorsOptions& options) {
   std::size_t bytes = 0;
   for (const vectors::File& file : files) bytes += file.second.size();
   for (const vectors::Family& family : made) print(family);
-  fmt::print("{}: {} files, {} bytes\n", options.folder, files.size(), grouped(bytes));
+  say(stdout, "{}: {} files, {} bytes\n", options.folder, files.size(), grouped(bytes));
   return ExitCode::complete;
 }
 

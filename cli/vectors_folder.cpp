@@ -1,6 +1,8 @@
 #include "cli/vectors_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -72,14 +74,19 @@ VectorsFolder::VectorsFolder(const std::string& asked) : asked_(asked) {
           fmt::format("{}: has {}, which no earlier run has written; name a folder that is new, empty or has "
                       "vectors alone",
                       asked, file));
-  stage_ = fmt::format("{}.{}.part", folder_.string(), getpid());
-  fs::create_directories(stage_, error);
-  if (error) cannot(asked, "cannot be written", error);
+  remove_left_over(folder_.string());
+  stage_ = name_until_whole(folder_.string());
+  fs::create_directories(stage_.parent_path(), error);
+  const bool made = !error && fs::create_directory(stage_, error);
+  if (!made) cannot(asked, "cannot be written", error);
+  lock_ = open(stage_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ >= 0) flock(lock_, LOCK_EX | LOCK_NB);  // for remove_left_over() of another run
 }
 
 VectorsFolder::~VectorsFolder() {
   std::error_code none;
   fs::remove_all(stage_, none);
+  if (lock_ >= 0) close(lock_);
 }
 
 void VectorsFolder::commit(std::span<const vectors::File> files) {

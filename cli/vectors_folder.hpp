@@ -30,6 +30,7 @@ class VectorsFolder {
   std::string asked_;
   std::filesystem::path folder_, stage_;
   std::set<std::string> before_;
+  int lock_ = -1;  ///< the stage's
 };
 
 }  // namespace mmverify::cli

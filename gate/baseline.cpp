@@ -34,8 +34,12 @@ Baseline baseline_of(const Figures& figures) {
   return baseline;
 }
 
+bool is_baseline(const Json& file) {
+  return file.is_object() && file.value("schema", Json()) == Json(schema);
+}
+
 Baseline baseline_of(const Json& file) {
-  if (!file.is_object() || file.value("schema", Json()) != Json(schema)) return baseline_of(figures_of(file));
+  if (!is_baseline(file)) return baseline_of(figures_of(file));
   Baseline baseline;
   if (!file.contains("of") || !file.at("of").is_string()) throw NoResult("of: no schema");
   baseline.schema = file.at("of").get<std::string>();

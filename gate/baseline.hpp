@@ -18,6 +18,9 @@ struct Baseline {
 /// The figures without their rules.
 Baseline baseline_of(const Figures& figures);
 
+/// Whether a file says that it is one.
+bool is_baseline(const nlohmann::ordered_json& file);
+
 /// Of a file: a baseline, or a result itself, which may serve as one.  Throws NoResult.
 Baseline baseline_of(const nlohmann::ordered_json& file);
 

@@ -55,20 +55,13 @@ std::optional<std::string> unequal_sum(const char* name, const Number& parts, co
   return fmt::format("by_kind adds up to {} {}, the result says {}", *parts, name, *whole);
 }
 
-/// Of more shards than a domain has chunks, some have nothing to do.
-bool has_empty_share(const Json& result) {
-  if (!result.contains("share") || !result.at("share").is_object()) return false;
-  const Number from = count_in(result.at("share"), "from"), to = count_in(result.at("share"), "to");
-  return from && to && *from == *to;
-}
-
 std::optional<std::string> against_verdict(const std::string& verdict, const Number& run,
-                                           const Number& expected, const Number& mismatches, const Sums& sums,
-                                           bool of_nothing) {
+                                           const Number& expected, const Number& mismatches,
+                                           const Sums& sums) {
   const bool passed = verdict == "proved" || verdict == "checked";
   if (passed && mismatches.value_or(0) != 0)
     return fmt::format("{}, with {} mismatches", verdict, *mismatches);
-  if (passed && run == 0u && !of_nothing) return verdict + ", with no case run";
+  if (passed && run == 0u) return verdict + ", with no case run";
   if (verdict == "refuted" && mismatches == 0u) return "refuted, with 0 mismatches";
   if (verdict != "proved") return std::nullopt;
   if (run && expected && *run != *expected)
@@ -100,8 +93,7 @@ std::optional<std::string> contradiction_in(const Json& result) {
   if (result.contains("more_counterexamples") && mismatches == 0u)
     return "more counterexamples, beside 0 mismatches";
   if (!result.contains("verdict") || !result.at("verdict").is_string()) return std::nullopt;
-  return against_verdict(result.at("verdict").get<std::string>(), run, expected, mismatches, sums,
-                         has_empty_share(result));
+  return against_verdict(result.at("verdict").get<std::string>(), run, expected, mismatches, sums);
 }
 
 void refuse_contradictions(const Json& run) {

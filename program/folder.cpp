@@ -49,12 +49,18 @@ void sweep(const std::string& begins) {
 }  // namespace
 
 Folder::Folder(const std::string& kind) {
+  std::error_code none;
+  const fs::path home = fs::temp_directory_path(none);
+  if (none)
+    throw std::runtime_error(
+        "there is no folder for temporary files: TMPDIR, or /tmp where it is not set, is none; set it to "
+        "one");
   const std::string begins = "mmverify-" + kind + "-";
   sweep(begins);
   // Somebody else's sweep may take the folder away before it is locked.
   constexpr int tries = 100;
   for (int k = 0; k < tries && lock_ < 0; ++k) {
-    path_ = (fs::temp_directory_path() / (begins + "XXXXXX")).string();
+    path_ = (home / (begins + "XXXXXX")).string();
     if (mkdtemp(path_.data()) == nullptr)
       throw std::runtime_error("no temporary folder " + path_ + ": " + std::strerror(errno));
     lock_ = locked(path_);

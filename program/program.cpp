@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,11 +23,12 @@ struct Closes {
 };
 using File = std::unique_ptr<std::FILE, Closes>;
 
-/// A file without a name, which the program does not inherit but as one of its three streams.
+/// A file without a name, in memory: no folder for temporary files has to be there, or have room.  The program does not
+/// inherit it but as one of its three streams.
 File nameless_file(const std::string& program) {
-  File file(std::tmpfile());
-  if (!file || fcntl(fileno(file.get()), F_SETFD, FD_CLOEXEC) != 0)
-    throw std::runtime_error(program + ": no temporary file: " + std::strerror(errno));
+  const int memory = memfd_create("mmverify", MFD_CLOEXEC);
+  File file(memory < 0 ? nullptr : fdopen(memory, "w+"));
+  if (!file) throw std::runtime_error(program + ": no temporary file: " + std::strerror(errno));
   return file;
 }
 
@@ -93,6 +95,7 @@ int start(char* const* argv, const std::array<int, 3>& streams, const Bounds& bo
     }
     if (placed) {
       bound(bounds);
+      signal(SIGPIPE, SIG_DFL);  // exec keeps what we ignore
       execvp(argv[0], argv);
     }
     failure.tell(errno);

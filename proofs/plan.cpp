@@ -108,4 +108,18 @@ Verdict weakest(const std::vector<Result>& results, const std::string& subject) 
   return Verdict::not_applicable;
 }
 
+std::vector<Level> levels_not_judged(const std::vector<Result>& results, const std::string& subject,
+                                     const Levels& asked) {
+  std::vector<const Result*> of_levels;
+  for (const Result& r : results)
+    if (r.at_once.empty() && (subject.empty() || r.subject == subject)) of_levels.push_back(&r);
+  std::vector<Level> left;
+  for (Level n = asked.first; n <= asked.last && !of_levels.empty(); ++n)
+    if (std::none_of(of_levels.begin(), of_levels.end(), [n](const Result* r) {
+          return r->level == n && (r->verdict != Verdict::not_applicable || r->share);
+        }))
+      left.push_back(n);
+  return left;
+}
+
 }  // namespace mmverify::proofs

@@ -23,4 +23,9 @@ std::vector<Job> plan(const Request& request);
 /// checked, proved. not_applicable where no law applied.
 Verdict weakest(const std::vector<Result>& results, const std::string& subject);
 
+/// The levels of those asked for at which no law judged the subject, nor, where it is empty, any; none where only laws ran
+/// that settle many levels at once.  What other shards run is judged.
+std::vector<Level> levels_not_judged(const std::vector<Result>& results, const std::string& subject,
+                                     const Levels& asked);
+
 }  // namespace mmverify::proofs

@@ -20,6 +20,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/gnuplot.hpp"
 #include "cli/output_file.hpp"
+#include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "scene/read/bad_scene.hpp"
 
@@ -30,6 +31,8 @@ namespace {
 class Outputs {
  public:
   explicit Outputs(const BenchOptions& options) : options_(options) {
+    if (same_file(options.json, options.plot))
+      throw UsageError(fmt::format("--json and --plot: one file for both, {}", options.json));
     if (!options.json.empty() && options.json != "-") file_.emplace(options.json);
     if (!options.plot.empty()) picture_.emplace(options.plot);
   }
@@ -37,7 +40,7 @@ class Outputs {
   /// Of one bench after the other.
   void print(const bench::Result& result) {
     std::FILE* const out = options_.json == "-" ? stderr : stdout;
-    if (!json_.empty()) fmt::print(out, "\n");
+    if (!json_.empty()) say(out, "\n");
     print_result(out, result);
     json_ += (json_.empty() ? "" : ",\n") + result_json(result);
     if (picture_ && !result.drawn) throw UsageError("--plot: these figures are not drawn");
@@ -47,7 +50,7 @@ class Outputs {
   int commit(bool several) {
     const std::string json = several ? "[\n" + json_ + "]\n" : json_;
     if (file_) file_->commit(json);
-    if (options_.json == "-") fmt::print("{}", json);
+    if (options_.json == "-") say(stdout, "{}", json);
     if (picture_) picture_->commit(run_gnuplot(script_));
     return ExitCode::complete;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/bench/strips.hpp"
+#include "cli/streams.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -74,7 +75,7 @@ std::vector<Block> parted(const std::vector<Strip>& strips) {
 
 void print_line(std::FILE* out, std::string line) {
   line.erase(line.find_last_not_of(' ') + 1);
-  fmt::print(out, "{}\n", line);
+  say(out, "{}\n", line);
 }
 
 /// The names of the groups, each over the middle of its columns, which make room for a longer one.
@@ -131,13 +132,13 @@ void print_members(std::FILE* out, const Table& table) {
 }
 
 void print_table(std::FILE* out, const Table& table) {
-  if (!table.caption.empty()) fmt::print(out, "{}\n", table.caption);
+  if (!table.caption.empty()) say(out, "{}\n", table.caption);
   if (table.form == Form::members) {
     print_members(out, table);
   } else {
     bool first = true;
     for (const Block& part : parted(strips_of(table))) {
-      fmt::print(out, "{}", first ? "" : "\n");
+      say(out, "{}", first ? "" : "\n");
       print_block(out, part);
       first = false;
     }
@@ -155,11 +156,11 @@ void print_result(std::FILE* out, const bench::Result& result) {
   std::string settings;
   for (const auto& [name, value] : result.settings)
     settings += (settings.empty() ? "" : ", ") + fmt::format("{} {}", name, text_of({}, value));
-  fmt::print(out, "{}{}{}\n{}", result.topic, settings.empty() ? "" : ": ", settings,
-             result.about.empty() ? "" : result.about + "\n");
+  say(out, "{}{}{}\n{}", result.topic, settings.empty() ? "" : ": ", settings,
+      result.about.empty() ? "" : result.about + "\n");
   for (const Table& table : result.tables)
     if (is_printed(table)) {
-      fmt::print(out, "\n");
+      say(out, "\n");
       print_table(out, table);
     }
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/bench/tables.hpp"
+#include "cli/json_text.hpp"
 #include "cli/tool.hpp"
 
 namespace mmverify::cli {
@@ -65,7 +66,7 @@ std::string result_json(const bench::Result& result) {
     else if (table.form != Form::printed)
       all[table.key] = rows_json(table.form, table.columns, table.rows);
   }
-  return all.dump(1) + "\n";
+  return json_text(all);
 }
 
 }  // namespace mmverify::cli

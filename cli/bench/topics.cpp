@@ -13,6 +13,7 @@
 #include "bench/tree/tables.hpp"
 #include "bench/vq/tables.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 
@@ -110,7 +111,7 @@ void stop_if_asked() {
 std::function<void(const std::string&)> progress_of(const char* bench, const BenchOptions& options) {
   return [bench, quiet = options.quiet](const std::string& what) {
     stop_if_asked();
-    if (!quiet) fmt::print(stderr, "bench {}: {}\n", bench, what);
+    if (!quiet) say(stderr, "bench {}: {}\n", bench, what);
   };
 }
 

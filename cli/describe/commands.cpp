@@ -15,6 +15,7 @@
 #include "cli/describe/manual.hpp"
 #include "cli/describe/shells.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/streams.hpp"
 #include "proofs/registry.hpp"
 #include "proofs/topics.hpp"
 
@@ -69,11 +70,13 @@ Action add_completion(CLI::App& program) {
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   return [&program, shell] {
+    end_with_the_reader();
     describe::Program described = describe::described(program);
     add_known_words(described);
-    fmt::print("{}", *shell == "bash"  ? describe::bash_completion(described)
-                     : *shell == "zsh" ? describe::zsh_completion(described)
-                                       : describe::fish_completion(described));
+    say(stdout, "{}",
+        *shell == "bash"  ? describe::bash_completion(described)
+        : *shell == "zsh" ? describe::zsh_completion(described)
+                          : describe::fish_completion(described));
     return static_cast<int>(ExitCode::complete);
   };
 }
@@ -81,7 +84,8 @@ Action add_completion(CLI::App& program) {
 Action add_man(CLI::App& program) {
   program.add_subcommand("man", "the manual page: mmverify man | man -l -");
   return [&program] {
-    fmt::print("{}", describe::manual(describe::described(program), build::version, date_of_source()));
+    end_with_the_reader();
+    say(stdout, "{}", describe::manual(describe::described(program), build::version, date_of_source()));
     return static_cast<int>(ExitCode::complete);
   };
 }

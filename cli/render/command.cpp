@@ -18,6 +18,7 @@
 #include "cli/render/path.hpp"
 #include "cli/render/views.hpp"
 #include "cli/scene/loaded.hpp"
+#include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 #include "render/picture.hpp"
@@ -92,15 +93,6 @@ void commit(OutputFile& file, const render::Picture& picture) {
   file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-/// Whether two paths name one file, there or not.
-bool one_place(const std::string& a, const std::string& b) {
-  const auto place = [](const std::string& path) {
-    std::error_code ignored;
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-  };
-  return place(a) == place(b);
-}
-
 /// Two outputs, or an output and the scene, in one file.
 void check_files(const RenderOptions& options) {
   const std::vector<std::pair<const char*, std::string>> files{{"the scene", options.file},
@@ -108,12 +100,10 @@ void check_files(const RenderOptions& options) {
                                                                {"--heat", options.heat},
                                                                {"--json", options.json}};
   for (std::size_t a = 0; a < files.size(); ++a)
-    for (std::size_t b = a + 1; b < files.size(); ++b) {
-      if (files[a].second.empty() || files[b].second.empty() || files[b].second == "-") continue;
-      if (one_place(files[a].second, files[b].second))
+    for (std::size_t b = a + 1; b < files.size(); ++b)
+      if (files[b].second != "-" && same_file(files[a].second, files[b].second))
         throw UsageError(
             fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
-    }
 }
 
 /// Options that would do nothing, or not what they seem to.
@@ -302,9 +292,8 @@ int render_scene(const RenderOptions& options) {
     const render::Compared all = render::compare(scene, plan, world, tracer, camera, compared);
     progress.reset();
     if (all.first_left_out)
-      fmt::print(stderr,
-                 "render: maps of level {} would take {} bytes, more than --memory; left out from here on\n",
-                 *all.first_left_out, grouped(all.wanted_bytes));
+      say(stderr, "render: maps of level {} would take {} bytes, more than --memory; left out from here on\n",
+          *all.first_left_out, grouped(all.wanted_bytes));
     nothing = vacuous(all, plan, wanted);
     figures.methods = all.methods;
     figures.blends = all.blends;
@@ -342,7 +331,7 @@ int render_scene(const RenderOptions& options) {
   const bench::Result result = bench::render_tables(figures);
   print_result(options.json == "-" ? stderr : stdout, result);
   if (json) json->commit(result_json(result));
-  if (options.json == "-") fmt::print("{}", result_json(result));
+  if (options.json == "-") say(stdout, "{}", result_json(result));
   for (const render::MethodFigures& m : figures.methods)
     if (m.differing != 0) return failed;
   for (const render::BlendFigures& b : figures.blends)

@@ -9,6 +9,7 @@
 #include "cli/bench/tables.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
+#include "cli/streams.hpp"
 #include "render/scene/path.hpp"
 #include "scene/pipeline.hpp"
 
@@ -26,9 +27,9 @@ std::string vacuous(const render::Path& path) {
 void say_what_differs(const render::Path& path, const PathRun& run) {
   for (const render::PathRow& row : path.rows)
     if (row.first)
-      fmt::print(stderr, "refuted traverse.same_image {} {}{} camera {} seed {} pixel {},{}\n",
-                 run.scene.file, name_of(row.method), row.level ? fmt::format(" level {}", *row.level) : "",
-                 row.first->camera, run.seed, row.first->x, row.first->y);
+      say(stderr, "refuted traverse.same_image {} {}{} camera {} seed {} pixel {},{}\n", run.scene.file,
+          name_of(row.method), row.level ? fmt::format(" level {}", *row.level) : "", row.first->camera,
+          run.seed, row.first->x, row.first->y);
 }
 
 }  // namespace
@@ -48,9 +49,8 @@ int render_path(const PathRun& run, const render::CompareOptions& options) {
   }
   run.ended();
   if (path.left_out.first)
-    fmt::print(stderr,
-               "render: maps of level {} would take {} bytes, more than --memory; left out from here on\n",
-               *path.left_out.first, grouped(path.left_out.bytes));
+    say(stderr, "render: maps of level {} would take {} bytes, more than --memory; left out from here on\n",
+        *path.left_out.first, grouped(path.left_out.bytes));
   const auto tested = mmverify::scene::counts(run.plan);
   const bench::Result result = bench::path_tables({.file = run.scene.file,
                                                    .tested = tested.unique,
@@ -64,7 +64,7 @@ int render_path(const PathRun& run, const render::CompareOptions& options) {
                                                    .path = &path});
   print_result(run.json == "-" ? stderr : stdout, result);
   if (json) json->commit(result_json(result));
-  if (run.json == "-") fmt::print("{}", result_json(result));
+  if (run.json == "-") say(stdout, "{}", result_json(result));
   say_what_differs(path, run);
   for (const render::PathRow& row : path.rows)
     if (row.differing != 0) return failed;

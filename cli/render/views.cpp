@@ -11,6 +11,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
 #include "cli/scene/loaded.hpp"
+#include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "scene/attribute/footprint.hpp"
 #include "scene/read/load.hpp"
@@ -97,7 +98,7 @@ int render_views(const ViewArguments& arguments) {
     if (proofs::interrupted()) throw proofs::Interrupted();
   };
   const auto tell = [&](const std::string& what) {
-    if (!arguments.quiet) fmt::print(stderr, "views: {}\n", what);
+    if (!arguments.quiet) say(stderr, "views: {}\n", what);
   };
 
   const Loaded read = loaded(arguments.file);
@@ -160,7 +161,7 @@ int render_views(const ViewArguments& arguments) {
   const bench::Result result = bench::view_tables(figures);
   print_result(arguments.json == "-" ? stderr : stdout, result);
   if (json) json->commit(result_json(result));
-  if (arguments.json == "-") fmt::print("{}", result_json(result));
+  if (arguments.json == "-") say(stdout, "{}", result_json(result));
   return complete;
 }
 

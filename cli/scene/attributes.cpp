@@ -23,6 +23,7 @@
 #include "cli/gnuplot.hpp"
 #include "cli/output_file.hpp"
 #include "cli/scene/loaded.hpp"
+#include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "scene/attribute/measure.hpp"
 #include "scene/attribute/mip_errors.hpp"
@@ -153,7 +154,7 @@ int scene_attributes(const AttributeArguments& arguments) {
     if (proofs::interrupted()) throw proofs::Interrupted();
   };
   if (!arguments.quiet)
-    options.progress = [](const std::string& what) { fmt::print(stderr, "attributes: {}\n", what); };
+    options.progress = [](const std::string& what) { say(stderr, "attributes: {}\n", what); };
   // Found before anything is measured.
   if (arguments.astc)
     options.texture_coder =
@@ -167,10 +168,10 @@ int scene_attributes(const AttributeArguments& arguments) {
   const AttributeScene read = loaded_attributes(arguments.file);
   std::FILE* const out = arguments.json == "-" ? stderr : stdout;
   if (read.textures.empty()) {
-    fmt::print(out, "{}: no triangle has a texture of an attribute: nothing to measure\n", read.file);
+    say(out, "{}: no triangle has a texture of an attribute: nothing to measure\n", read.file);
     for (const AttributeLeftOut& left : read.left_out)
-      fmt::print(out, "  left out  mesh {} primitive {}, {} triangles: {}\n", left.mesh, left.primitive,
-                 left.triangles, left.why);
+      say(out, "  left out  mesh {} primitive {}, {} triangles: {}\n", left.mesh, left.primitive,
+          left.triangles, left.why);
     if (!arguments.json.empty() || plot) throw UsageError("--json, --plot: there is nothing to write");
     return complete;
   }
@@ -193,7 +194,7 @@ int scene_attributes(const AttributeArguments& arguments) {
   print_result(out, result);
   if (plot) plot->commit(run_gnuplot(plot_script(*result.drawn)));
   if (json) json->commit(result_json(result));
-  if (arguments.json == "-") fmt::print("{}", result_json(result));
+  if (arguments.json == "-") say(stdout, "{}", result_json(result));
   return complete;
 }
 

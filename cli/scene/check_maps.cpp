@@ -14,6 +14,7 @@
 #include "cli/junit.hpp"
 #include "cli/output_file.hpp"
 #include "cli/scene/scene.hpp"
+#include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
@@ -113,18 +114,17 @@ void print_maps(std::FILE* out, const std::string& file, const Scene& scene, con
     ++levels[t.level];
     for (std::size_t k = 0; k < 4; ++k) states[k] += t.states[k];
   }
-  fmt::print(out, "{}: {} triangles with maps, {} of them special indices\n", file,
-             grouped(maps.baked.triangles.size()), grouped(maps.special));
+  say(out, "{}: {} triangles with maps, {} of them special indices\n", file,
+      grouped(maps.baked.triangles.size()), grouped(maps.special));
   std::string by_level;
   for (std::size_t n = 0; n < levels.size(); ++n)
     if (levels[n] != 0)
       by_level += fmt::format("{}{}: {}", by_level.empty() ? "" : ", ", n, grouped(levels[n]));
-  fmt::print(out, "  by level   {}\n  states     T {}, O {}, UT {}, UO {}\n", by_level, grouped(states[0]),
-             grouped(states[1]), grouped(states[2]), grouped(states[3]));
+  say(out, "  by level   {}\n  states     T {}, O {}, UT {}, UO {}\n", by_level, grouped(states[0]),
+      grouped(states[1]), grouped(states[2]), grouped(states[3]));
   for (const NotJudged& n : maps.not_judged)
-    fmt::print(out, "  not judged mesh {} primitive {}, {} triangles: {}\n",
-               scene.primitives[n.primitive].mesh, scene.primitives[n.primitive].number, grouped(n.triangles),
-               sentence(n.why));
+    say(out, "  not judged mesh {} primitive {}, {} triangles: {}\n", scene.primitives[n.primitive].mesh,
+        scene.primitives[n.primitive].number, grouped(n.triangles), sentence(n.why));
 }
 
 int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& options) {
@@ -136,8 +136,8 @@ int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& optio
     try {
       const std::string at = options.at.substr(colon + 1);
       const proofs::Replayed r = job.law->replay(*job.subject, level, at);
-      fmt::print("{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id,
-                 level, at, r.expected, r.got);
+      say(stdout, "{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id,
+          level, at, r.expected, r.got);
       return r.holds ? complete : failed;
     } catch (const proofs::BadCase& bad) {
       throw UsageError(fmt::format("--case {}", bad.what()));
@@ -155,6 +155,8 @@ int check_maps(const CheckMapsOptions& options) {
     throw UsageError("--replay LAW and --case LEVEL@CASE go together");
   if (options.json == "-" && options.junit == "-")
     throw UsageError("--json and --junit: one standard output for both");
+  if (same_file(options.json, options.junit) && options.json != "-")
+    throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
   const proofs::InterruptGuard guard;
   std::optional<OutputFile> json, junit;
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
@@ -165,9 +167,8 @@ int check_maps(const CheckMapsOptions& options) {
   try {
     maps = options.raw.data.empty() ? of_file(options, scene) : of_buffers(options, scene);
   } catch (const Malformed& malformed) {
-    fmt::print(out, "{}: its micromaps break rules\n",
-               options.raw.data.empty() ? options.file : options.raw.data);
-    for (const std::string& line : malformed.lines) fmt::print(out, "  {}\n", line);
+    say(out, "{}: its micromaps break rules\n", options.raw.data.empty() ? options.file : options.raw.data);
+    for (const std::string& line : malformed.lines) say(out, "  {}\n", line);
     return failed;
   }
   if (maps.baked.triangles.empty() && maps.not_judged.empty())
@@ -193,9 +194,9 @@ int check_maps(const CheckMapsOptions& options) {
   const proofs::Report report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
   text.finish(report, false);
   if (json) json->commit(to_json(report, options.seed));
-  if (options.json == "-") fmt::print("{}", to_json(report, options.seed));
+  if (options.json == "-") say(stdout, "{}", to_json(report, options.seed));
   if (junit) junit->commit(to_junit(report));
-  if (laws.jobs.empty()) throw UsageError(nothing_was_run);
+  if (laws.jobs.empty()) refuse_nothing({});
   return exit_code(report);
 }
 

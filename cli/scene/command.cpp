@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -19,6 +18,7 @@
 #include "cli/scene/attributes.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/scene/scene.hpp"
+#include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
@@ -99,8 +99,8 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
     throw UsageError(fmt::format("--sizes {}: maps go up to level {}", options.sizes, finest_level));
   for (unsigned level = range.first; level <= range.last; ++level) {
     if (const auto bytes = map_bytes_at_level(plan, level); bytes > options.memory) {
-      fmt::print(stderr, "sizes: level {} would take {} bytes, more than --memory; left out from here on\n",
-                 level, grouped(bytes));
+      say(stderr, "sizes: level {} would take {} bytes, more than --memory; left out from here on\n", level,
+          grouped(bytes));
       break;
     }
     const std::uint64_t all_of = impl::micromap::micro_triangles(level) * plan.triangles.size();
@@ -135,8 +135,8 @@ int replayed(const std::vector<Job>& jobs, const SceneOptions& options) {
     if (job.levels.first != level) continue;
     try {
       const Replayed r = job.law->replay(*job.subject, level, at);
-      fmt::print("{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id,
-                 level, at, r.expected, r.got);
+      say(stdout, "{} {} level {} case {} expected {} got {}\n", r.holds ? "holds" : "refuted", job.law->id,
+          level, at, r.expected, r.got);
       return r.holds ? complete : failed;
     } catch (const BadCase& bad) {
       throw UsageError(fmt::format("--case {}", bad.what()));
@@ -176,7 +176,7 @@ class Output {
     if (json_)
       json_->commit(all);
     else
-      fmt::print("{}", all);
+      say(stdout, "{}", all);
   }
   void glb(const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
     if (!glb_) return;
@@ -185,8 +185,8 @@ class Output {
                             ? with_micromaps(sample_name, sample, scene, plan, arrays, options_.glb)
                             : with_micromaps(options_.file, std::nullopt, scene, plan, arrays, options_.glb);
     glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    fmt::print(out_, "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written",
-               options_.glb, grouped(bytes.size()));
+    say(out_, "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written", options_.glb,
+        grouped(bytes.size()));
   }
   void plot(const SceneFigures& figures) {
     if (plot_) plot_->commit(run_gnuplot(sizes_plot_script(figures)));
@@ -206,14 +206,10 @@ void check_options(const SceneOptions& options) {
                                                                {"-o", options.glb},
                                                                {"--journal", options.journal}};
   for (std::size_t a = 0; a < files.size(); ++a)
-    for (std::size_t b = a + 1; b < files.size(); ++b) {
-      std::error_code ignored;
-      if (!files[a].second.empty() && files[b].second != "-" &&
-          std::filesystem::weakly_canonical(files[a].second, ignored) ==
-              std::filesystem::weakly_canonical(files[b].second, ignored))
+    for (std::size_t b = a + 1; b < files.size(); ++b)
+      if (files[b].second != "-" && same_file(files[a].second, files[b].second))
         throw UsageError(
             fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
-    }
   if (options.replay.empty() != options.at.empty())
     throw UsageError("--replay LAW and --case LEVEL@CASE go together");
   if (!options.subject.empty() && (options.states != 4 || !(options.glb + options.sizes).empty()))
@@ -265,7 +261,7 @@ Report ran(const std::vector<Job>& jobs, const SceneOptions& options, std::FILE*
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, false);
   if (report.interrupted && journal)
-    fmt::print(stderr, "stopped; the same command goes on from {}\n", options.journal);
+    say(stderr, "stopped; the same command goes on from {}\n", options.journal);
   return report;
 }
 
@@ -275,7 +271,7 @@ int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& 
   const proofs::scene::SubjectMaps maps(data, baker);
   const proofs::scene::SubjectLaws laws = proofs::scene::subject_laws(maps, command(options));
   if (!options.replay.empty()) return replayed(laws.jobs, options);
-  fmt::print(output.text(), "\nlaws on the maps of {}\n", baker->name());
+  say(output.text(), "\nlaws on the maps of {}\n", baker->name());
   if (laws.jobs.empty())
     throw UsageError(
         fmt::format("--subject {}: it declares nothing that this scene asks for", baker->name()));
@@ -283,7 +279,7 @@ int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& 
   const SubjectFigures figures{baker->name(), maps.totals()};
   print_subject(output.text(), figures);
   output.json(report, scene_json(nullptr, data.scene, data.plan, {}, figures));
-  if (nothing_applied(report)) throw UsageError(nothing_was_run);
+  refuse_nothing(report);
   return exit_code(report);
 }
 
@@ -326,7 +322,6 @@ int scene(const SceneOptions& options) {
   check_options(options);
   const auto baker = options.subject.empty() ? nullptr : parse_baker(options.subject, options.timeout);
   const InterruptGuard guard;
-  std::signal(SIGPIPE, SIG_IGN);
   Output output(options);
   const LevelRequest wanted = request(options);
   const auto start = std::chrono::steady_clock::now();
@@ -359,7 +354,7 @@ int scene(const SceneOptions& options) {
   print_figures(output.text(), figures);
   output.glb(made.plan, loaded, made.arrays);
 
-  fmt::print(output.text(), "\nlaws on this scene\n");
+  say(output.text(), "\nlaws on this scene\n");
   std::fflush(output.text());
   const Report report =
       ran(laws.jobs, options, output.text(), options.exhaustive ? "all" : fmt::format("{}", options.samples));

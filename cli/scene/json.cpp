@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/json_text.hpp"
 #include "cli/scene/scene.hpp"
 
 namespace mmverify::cli {
@@ -9,9 +10,6 @@ namespace {
 
 using namespace mmverify::scene;
 using Json = nlohmann::ordered_json;
-
-/// File names may be any bytes.
-std::string text(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json to_json(const Footprint& f) {
   Json j{{"micromaps", f.records},
@@ -94,7 +92,7 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
   if (subject) j["subject"] = to_json(*subject);
   for (const auto& [what, why] : left_out)
     j["plan"]["left_out_laws"].push_back({{"what", what}, {"why", why}});
-  if (f == nullptr) return text(j);
+  if (f == nullptr) return json_text(j, -1);
   Json levels = Json::object();
   impl::micromap::StateCounts states{};
   for (const BakedTriangle& t : f->made.baked.triangles) {
@@ -123,7 +121,7 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
     j["sizes"].push_back({{"level", at.level},
                           {"footprint", to_json(at.sizes.footprint)},
                           {"saved", to_json(at.sizes.any_hit)}});
-  return text(j);
+  return json_text(j, -1);
 }
 
 }  // namespace mmverify::cli

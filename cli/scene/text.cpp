@@ -5,6 +5,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/scene/scene.hpp"
+#include "cli/streams.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -34,15 +35,15 @@ std::string levels_text(const std::vector<unsigned>& of) {
 }
 
 void line(std::FILE* out, std::string_view what, const std::string& text) {
-  fmt::print(out, "  {:<11}{}\n", what, text);
+  say(out, "  {:<11}{}\n", what, text);
 }
 
 }  // namespace
 
 void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Levels& levels) {
   const TriangleCounts all = count_triangles(scene);
-  fmt::print(out, "{}: {} triangles, {} placed\n", scene.file, grouped(all.unique), grouped(all.placed));
-  fmt::print(out, "\nplan\n");
+  say(out, "{}: {} triangles, {} placed\n", scene.file, grouped(all.unique), grouped(all.placed));
+  say(out, "\nplan\n");
   const PlanCounts baked = counts(plan);
   if (plan.triangles.empty())
     line(out, "bake", "nothing to bake: no triangle is alpha-tested by a texture");
@@ -86,7 +87,7 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
 
 void print_figures(std::FILE* out, const SceneFigures& f) {
   const auto& counts = f.made.baked.counts;
-  fmt::print(out, "\nbake\n");
+  say(out, "\nbake\n");
   line(out, "time",
        fmt::format("{:.2f} s to load, {:.2f} s to bake: {:.0f} million micro-triangles/s", f.load_seconds,
                    f.made.bake_seconds,
@@ -116,19 +117,19 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
                      100 * f.sizes.any_hit.opaque));
   else
     line(out, "any-hit", "no area is placed that could be counted");
-  fmt::print(out, "\nsizes\n");
+  say(out, "\nsizes\n");
   const Footprint& s = f.sizes.footprint;
   line(out, "array",
        fmt::format("{} micromaps, {} special indices: {} of data, {} of records, {} of indices",
                    grouped(s.records), grouped(s.special), bytes_text(s.array_data),
                    bytes_text(s.record_bytes), bytes_text(s.index_bytes)));
-  fmt::print(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "", "micromaps", "data", "tree",
-             "random", "graph", "data/tree", "bitmask");
+  say(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "", "micromaps", "data", "tree", "random",
+      "graph", "data/tree", "bitmask");
   for (std::size_t mode = 0; mode < 2; ++mode) {
     const ModeFootprint& m = s.mode[mode];
-    fmt::print(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12.2f}{:>12}\n",
-               mode == 0 ? "2-state" : "4-state", grouped(m.records), bytes_text(m.data), bytes_text(m.tree),
-               bytes_text(m.our_tree), bytes_text(m.graph), share(m.data, m.tree), bytes_text(m.bitmask));
+    say(out, "  {:<11}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12.2f}{:>12}\n", mode == 0 ? "2-state" : "4-state",
+        grouped(m.records), bytes_text(m.data), bytes_text(m.tree), bytes_text(m.our_tree),
+        bytes_text(m.graph), share(m.data, m.tree), bytes_text(m.bitmask));
   }
   line(out, "else",
        fmt::format("{} of alpha textures, {} of vertex indices and UVs", bytes_text(s.texture),
@@ -148,17 +149,17 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
                grouped(vq->substitutions)));
   }
   if (f.at_levels.empty()) return;
-  fmt::print(out,
-             "\nall triangles at one level; asks: share of the placed area where the any-hit shader is "
-             "called\n  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n",
-             "level", "micromaps", "special", "2-st. data", "tree", "data/tree", "4-st. data", "tree",
-             "data/tree", "asks");
+  say(out,
+      "\nall triangles at one level; asks: share of the placed area where the any-hit shader is "
+      "called\n  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n",
+      "level", "micromaps", "special", "2-st. data", "tree", "data/tree", "4-st. data", "tree", "data/tree",
+      "asks");
   for (const auto& at : f.at_levels) {
     const Footprint& p = at.sizes.footprint;
-    fmt::print(out, "  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10.2f}{:>12}{:>12}{:>10.2f}{:>9.2f} %\n", at.level,
-               grouped(p.records), grouped(p.special), bytes_text(p.mode[0].data), bytes_text(p.mode[0].tree),
-               share(p.mode[0].data, p.mode[0].tree), bytes_text(p.mode[1].data), bytes_text(p.mode[1].tree),
-               share(p.mode[1].data, p.mode[1].tree), 100 * at.sizes.any_hit.unknown);
+    say(out, "  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10.2f}{:>12}{:>12}{:>10.2f}{:>9.2f} %\n", at.level,
+        grouped(p.records), grouped(p.special), bytes_text(p.mode[0].data), bytes_text(p.mode[0].tree),
+        share(p.mode[0].data, p.mode[0].tree), bytes_text(p.mode[1].data), bytes_text(p.mode[1].tree),
+        share(p.mode[1].data, p.mode[1].tree), 100 * at.sizes.any_hit.unknown);
   }
 }
 
@@ -171,7 +172,7 @@ void print_subject(std::FILE* out, const SubjectFigures& f) {
   const auto counted = [&](std::uint64_t count) {
     return fmt::format("{}, {:.1f} a million", grouped(count), a_million(count));
   };
-  fmt::print(out, "\n{} on this scene\n", f.name);
+  say(out, "\n{} on this scene\n", f.name);
   line(out, "asked",
        fmt::format("{} distinct triangles: {} outside what it declares, {} declined", grouped(t.triangles),
                    grouped(t.outside), grouped(t.declined)));

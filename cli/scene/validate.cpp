@@ -11,7 +11,9 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/json_text.hpp"
 #include "cli/output_file.hpp"
+#include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "cli/tool.hpp"
 #include "scene/read/bad_scene.hpp"
@@ -49,13 +51,13 @@ void print(std::FILE* out, const std::string& file, const Judged& found) {
   for (std::size_t k = 0; k < found.findings.size(); ++k) {
     const FileViolation& finding = found.findings[k];
     const Issue& issue = issue_of(finding.rule);
-    fmt::print(out, "{:<8} {}  {}: {}\n", name_of(issue.severity), issue.code,
-               printable(finding.pointer.empty() ? "/" : finding.pointer), printable(finding.found));
+    say(out, "{:<8} {}  {}: {}\n", name_of(issue.severity), issue.code,
+        printable(finding.pointer.empty() ? "/" : finding.pointer), printable(finding.found));
     // One remedy for all findings of a code that stand together.
     if (k + 1 == found.findings.size() || found.findings[k + 1].rule != finding.rule)
-      fmt::print(out, "         remedy: {}\n", issue.remedy);
+      say(out, "         remedy: {}\n", issue.remedy);
   }
-  fmt::print(out, "{} ({}): {}\n", printable(file), kind_in_words(found), totals(found));
+  say(out, "{} ({}): {}\n", printable(file), kind_in_words(found), totals(found));
 }
 
 std::string findings_json(const ValidateOptions& options, const Judged& found) {
@@ -80,8 +82,7 @@ std::string findings_json(const ValidateOptions& options, const Judged& found) {
                              {"source", issue.source},
                              {"remedy", issue.remedy}});
   }
-  // Names out of a file need not be UTF-8.
-  return j.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  return json_text(j);
 }
 
 Judged judged(const ValidateOptions& options) try {
@@ -102,7 +103,7 @@ int run_validate(const ValidateOptions& options) {
         fmt::format("--draft {}: {} is no glTF; leave --draft out", options.draft, options.file));
   print(options.json == "-" ? stderr : stdout, options.file, found);
   if (json) json->commit(findings_json(options, found));
-  if (options.json == "-") fmt::print("{}", findings_json(options, found));
+  if (options.json == "-") say(stdout, "{}", findings_json(options, found));
   return found.count(Severity::error) == 0 ? ExitCode::complete : ExitCode::failed;
 }
 

@@ -33,6 +33,9 @@ std::optional<Json> checked(const std::string& line) {
   return json.is_object() ? std::optional(std::move(json)) : std::nullopt;
 }
 
+/// Names and messages may be any bytes: what is no UTF-8 is written as U+FFFD.
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 Json to_json(const Identity& identity) {
   Json items{{"schema", schema}};
   for (const auto& [name, value] : identity) items[name] = value;
@@ -43,6 +46,13 @@ Identity identity_of(const Json& json) {
   Identity identity;
   for (const auto& [name, value] : json.items())
     if (name != "schema" && value.is_string()) identity.emplace_back(name, value.get<std::string>());
+  return identity;
+}
+
+/// As a journal has them.
+std::string as_written(const std::string& name) { return Json::parse(text_of(name)).get<std::string>(); }
+Identity as_written(Identity identity) {
+  for (auto& [name, value] : identity) value = as_written(value);
   return identity;
 }
 
@@ -130,7 +140,7 @@ Journal::Journal(std::string path, Identity identity)
       throw BadJournal(
           fmt::format("{}: cannot be cut to its last whole line: {}", path_, std::strerror(errno)));
     if (size_ == 0) {
-      write_line(to_json(identity_).dump());
+      write_line(text_of(to_json(identity_)));
       flush();
     }
   } catch (...) {
@@ -151,7 +161,7 @@ void Journal::read(const std::string& text) {
     if (at == 0) {
       if (!json || json->value("schema", "") != schema)
         throw BadJournal(fmt::format("{}: line 1 is not the first line of a journal", path_));
-      if (const std::string what = difference(identity_of(*json), identity_); !what.empty())
+      if (const std::string what = difference(identity_of(*json), as_written(identity_)); !what.empty())
         throw BadJournal(fmt::format("{}: the journal of another run ({})", path_, what));
     } else {
       try {
@@ -163,16 +173,17 @@ void Journal::read(const std::string& text) {
     }
   }
   // A first line that was cut short is one we would write; anything else in its place is somebody's file.
-  if (at == 0 && !line_of(to_json(identity_).dump()).starts_with(text))
+  if (at == 0 && !line_of(text_of(to_json(identity_))).starts_with(text))
     throw BadJournal(fmt::format("{}: not a journal, or the journal of another run", path_));
   size_ = at;
   dropped_ += text.size() - at;
 }
 
 std::vector<Journal::Piece> Journal::finished(const std::string& about, std::uint64_t of) const {
+  const std::string written = as_written(about);
   std::vector<Piece> found;
   for (const Piece& p : pieces_)
-    if (p.about == about && p.of == of && p.units.begin < p.units.end && p.units.end <= of)
+    if (p.about == written && p.of == of && p.units.begin < p.units.end && p.units.end <= of)
       found.push_back(p);
   std::sort(found.begin(), found.end(),
             [](const Piece& a, const Piece& b) { return a.units.begin < b.units.begin; });
@@ -183,7 +194,7 @@ std::vector<Journal::Piece> Journal::finished(const std::string& about, std::uin
 }
 
 void Journal::append(const Piece& piece) {
-  const std::string json = to_json(piece).dump();
+  const std::string json = text_of(to_json(piece));
   const std::lock_guard hold(lock_);
   write_line(json);
   if (std::chrono::steady_clock::now() - flushed_ < 250ms) return;

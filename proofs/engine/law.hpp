@@ -107,9 +107,9 @@ struct Law {
   /// Throws BadCase; empty: none.
   std::function<Replayed(const Subject&, Level, const std::string&)> replay = {};
   std::vector<Mutant> mutants = {};
-  /// Given the lowest level run and the one where a subject was first refuted, lines that say what it did
-  /// instead.  Empty: nothing to say.
-  std::function<std::vector<std::string>(const Subject&, const Levels&)> diagnose = {};
+  /// Given its results on a subject, of which one is refuted at least, lines that say what the subject did instead.
+  /// Empty: nothing to say.
+  std::function<std::vector<std::string>(const Subject&, const std::vector<Result>&)> diagnose = {};
   bool long_only = false;     ///< no part of the fast tier, unless asked for by its id
   bool general = true;        ///< about any subject that fits; otherwise about the ones it names only
   Options heeds = {};         ///< the choices of a run that its judge knows

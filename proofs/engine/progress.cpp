@@ -4,8 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <system_error>
+
+#include "proofs/engine/standard_error.hpp"
 
 namespace mmverify::proofs {
 using namespace std::chrono_literals;
@@ -27,7 +28,7 @@ Progress::~Progress() {
   }
   wake_.notify_all();
   if (watcher_.joinable()) watcher_.join();
-  if (drawn_ && terminal_) fmt::print(stderr, "\r\033[K");
+  if (drawn_ && terminal_) to_standard_error("\r\033[K");
 }
 
 void Progress::now(const std::string& what) {
@@ -54,11 +55,11 @@ void Progress::show() {
   if (terminal_) {
     constexpr std::size_t width = 24;
     const auto full = static_cast<std::size_t>(share * width);
-    fmt::print(stderr, "\r\033[K[{}{}] {}", std::string(full, '#'), std::string(width - full, '.'), numbers);
+    to_standard_error(
+        fmt::format("\r\033[K[{}{}] {}", std::string(full, '#'), std::string(width - full, '.'), numbers));
   } else {
-    fmt::print(stderr, "progress: {}\n", numbers);
+    to_standard_error(fmt::format("progress: {}\n", numbers));
   }
-  std::fflush(stderr);
   drawn_ = true;
 }
 

@@ -50,6 +50,9 @@ void settle(Result& r, bool sample) {
   const std::uint64_t declined = r.declined();
   if (r.mismatches() != 0) {
     r.verdict = Verdict::refuted;
+  } else if (r.cases_run() == 0) {
+    r.verdict = Verdict::not_applicable;
+    r.reason = "it has no case here";
   } else if (2 * declined > r.cases_run()) {
     r.verdict = Verdict::not_applicable;
     r.reason =

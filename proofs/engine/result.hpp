@@ -73,7 +73,7 @@ struct Result {
 };
 
 /// The verdict on a domain all of whose cases were run, and its reason: refuted where one was wrong;
-/// not_applicable where the subject declined more than half; checked where it declined some, where some were allowed, or
+/// not_applicable where there is none or the subject declined more than half; checked where it declined some, where some were allowed, or
 /// where they are a sample; else proved.
 void settle(Result& result, bool sample);
 

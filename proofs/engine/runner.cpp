@@ -21,12 +21,15 @@ void judge(const Law& law, Result& r, bool finished) {
   if (whole && !finished && r.mismatches() == 0 && !interrupted())
     throw std::logic_error(fmt::format("{} level {}: {} cases run, {} expected", law.id, r.level,
                                        r.cases_run(), r.cases_expected));
-  if (r.mismatches() == 0 && !finished)
+  if (r.mismatches() == 0 && !finished) {
     r.verdict = Verdict::incomplete;
-  else if (r.mismatches() == 0 && !whole)  // never more than checked; the parts together may be (shards.hpp)
-    r.verdict = Verdict::checked;
-  else
+  } else if (r.mismatches() == 0 && !whole) {
+    // Never more than checked; the parts together may be (shards.hpp).
+    r.verdict = r.cases_run() == 0 ? Verdict::not_applicable : Verdict::checked;
+    if (r.cases_run() == 0) r.reason = "0 cases in this shard";
+  } else {
     settle(r, law.method == Method::sample);
+  }
 }
 
 /// Those of the options that change what the law does.
@@ -112,12 +115,16 @@ std::string unfit_throughout(const Job& job) {
   return why.empty() ? job.law->unfit(*job.subject, job.levels.first).value_or("no level") : why;
 }
 
-/// The lowest level at which the job's law refuted its subject.
-std::optional<Level> first_refuted(const Report& report, const Job& job) {
+/// The job's results at the levels that ran, where one of them is refuted; else none.
+std::vector<Result> refuting(const Report& report, const Job& job) {
+  std::vector<Result> of_job;
   for (const Result& r : report.results)
-    if (r.law == job.law->id && r.subject == job.subject->name() && r.verdict == Verdict::refuted)
-      return r.level;
-  return std::nullopt;
+    if (r.law == job.law->id && r.subject == job.subject->name() && r.verdict != Verdict::not_applicable)
+      of_job.push_back(r);
+  if (std::none_of(of_job.begin(), of_job.end(),
+                   [](const Result& r) { return r.verdict == Verdict::refuted; }))
+    of_job.clear();
+  return of_job;
 }
 
 /// Laws of one kind may find the same.
@@ -356,11 +363,10 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   run.division = nullptr;
   withdraw_changed(jobs, options, report);
   for (const Job& job : jobs)
-    if (const auto refuted = first_refuted(report, job);
-        job.law->diagnose && refuted && !interrupted() && report.gave_up.empty()) {
+    if (const auto results = refuting(report, job);
+        job.law->diagnose && !results.empty() && !interrupted() && report.gave_up.empty()) {
       try {
-        Diagnosis diagnosis{job.law->id, job.subject->name(),
-                            job.law->diagnose(*job.subject, {job.levels.first, *refuted})};
+        Diagnosis diagnosis{job.law->id, job.subject->name(), job.law->diagnose(*job.subject, results)};
         if (!said_before(report, diagnosis)) report.diagnoses.push_back(std::move(diagnosis));
       } catch (const Interrupted&) {
       } catch (const NoResources&) {

@@ -102,7 +102,7 @@ std::string name(const Permutation& p) {
   return fmt::format("children 0, 1, 2, 3 are numbered {}, {}, {}, {}", p[0], p[1], p[2], p[3]);
 }
 
-/// "children 0 and 2 change places from level 2 on", one clause a stretch of depths with the same
+/// "children 0 and 2 change places from digit 2 on", the first digit being the highest; one clause a stretch of depths with the same
 /// permutation.
 std::string name(const std::vector<Permutation>& at_depth) {
   std::vector<std::string> clauses;
@@ -111,10 +111,10 @@ std::string name(const std::vector<Permutation>& at_depth) {
     while (to < at_depth.size() && at_depth[to] == at_depth[from]) ++to;
     if (at_depth[from] != identity) {
       const bool to_the_end = to == at_depth.size();
-      const std::string where = from == 0 && to_the_end ? "at every level"
-                                : to_the_end            ? fmt::format("from level {} on", from + 1)
-                                : to == from + 1        ? fmt::format("at level {}", from + 1)
-                                                        : fmt::format("at levels {} to {}", from + 1, to);
+      const std::string where = from == 0 && to_the_end ? "in every digit"
+                                : to_the_end            ? fmt::format("from digit {} on", from + 1)
+                                : to == from + 1        ? fmt::format("in digit {}", from + 1)
+                                                        : fmt::format("in digits {} to {}", from + 1, to);
       clauses.push_back(name(at_depth[from]) + " " + where);
     }
     from = to;
@@ -170,33 +170,57 @@ std::string name_order(Level n, const TriangleIndex& index) {
   return {};
 }
 
-std::vector<std::string> diagnose(const IndexSubject& s, const Levels& levels) {
-  const Level first_wrong = levels.last;
+namespace {
+
+std::uint64_t wrong(const CountByKind& counts, Kind kind) {
+  return counts[static_cast<std::size_t>(kind)].mismatches;
+}
+
+/// What is wrong at the level of `first`, the lowest that is refuted: ties, or insides.  That ties alone are wrong is said
+/// of the levels whose every case was run and of no other.
+std::string where_wrong(const std::vector<Result>& results, const Result& first,
+                        const CountByKind& at_first) {
+  const std::uint64_t interiors = wrong(at_first, Kind::interior);
+  if (interiors != 0)
+    return fmt::format("wrong inside {} of {} micro-triangles of level {}", interiors,
+                       triangle_count(first.level), first.level);
+  const std::string ties = fmt::format("{} vertices and {} edges of level {}", wrong(at_first, Kind::vertex),
+                                       wrong(at_first, Kind::edge), first.level);
+  const auto inside = std::find_if(results.begin(), results.end(),
+                                   [](const Result& r) { return wrong(r.by_kind, Kind::interior) != 0; });
+  if (inside != results.end())
+    return fmt::format("wrong on ties, {}; and inside {} micro-triangles of level {}", ties,
+                       wrong(inside->by_kind, Kind::interior), inside->level);
+  const bool all_ran = std::all_of(results.begin(), results.end(), [](const Result& r) {
+    return !r.share && r.verdict != Verdict::broken && r.verdict != Verdict::incomplete;
+  });
+  return fmt::format("wrong on ties only: {}; every interior {}", ties,
+                     all_ran ? "is right" : "of this level is right");
+}
+
+}  // namespace
+
+std::vector<std::string> diagnose(const IndexSubject& s, const std::vector<Result>& results) {
+  const Result& first = *std::find_if(results.begin(), results.end(),
+                                      [](const Result& r) { return r.verdict == Verdict::refuted; });
+  const Level first_wrong = first.level;
   // A few levels further, an order that goes wrong on the way shows where it does; higher costs more and says
   // no more.
   const Level n = std::max(first_wrong, std::min<Level>({first_wrong + 3, 7, s.functions.max_level}));
   std::vector<std::string> lines;
-  if (levels.first == first_wrong)
+  if (first.share)  // of the levels below, others have run a part
+    lines.push_back(fmt::format("wrong at level {}", first_wrong));
+  else if (results.front().level == first_wrong)
     lines.push_back(fmt::format("wrong at level {}, the lowest that was run", first_wrong));
   else
-    lines.push_back(
-        fmt::format("right at levels {}..{}, wrong at {}", levels.first, first_wrong - 1, first_wrong));
+    lines.push_back(fmt::format("right at levels {}..{}, wrong at {}", results.front().level, first_wrong - 1,
+                                first_wrong));
   const Tally at_first = equals_reference(s, first_wrong, Run{});
   const Tally out = in_range(s, first_wrong, Run{});
-  const auto wrong = [](const Tally& tally, Kind kind) {
-    return tally.by_kind()[static_cast<std::size_t>(kind)].mismatches;
-  };
   if (!out.found().empty())
-    lines.push_back(fmt::format(
-        "out of range at level {}: {} of {} cases", first_wrong,
-        wrong(out, Kind::vertex) + wrong(out, Kind::edge) + wrong(out, Kind::interior), out.cases()));
-  if (wrong(at_first, Kind::interior) == 0)
     lines.push_back(
-        fmt::format("wrong on ties only: {} vertices and {} edges of level {}; every interior is right",
-                    wrong(at_first, Kind::vertex), wrong(at_first, Kind::edge), first_wrong));
-  else
-    lines.push_back(fmt::format("wrong inside {} of {} micro-triangles of level {}",
-                                wrong(at_first, Kind::interior), triangle_count(first_wrong), first_wrong));
+        fmt::format("out of range at level {}: {} of {} cases", first_wrong, out.mismatches(), out.cases()));
+  lines.push_back(where_wrong(results, first, at_first.by_kind()));
   if (n >= 1 && n <= 7) {
     const std::string order = name_order(n, [&](const MicroTriangle& m) {
       std::uint32_t answer = 0;

@@ -18,8 +18,7 @@ using TriangleIndex = std::function<std::uint32_t(const MicroTriangle&)>;
 /// Empty where it is none of these.  Asks each of the 4^n micro-triangles once.  Domain: n in 1..10.
 std::string name_order(Level n, const TriangleIndex& index);
 
-/// Lines about a subject that index.equals_reference refuted first at levels.last, having run from
-/// levels.first on.
-std::vector<std::string> diagnose(const IndexSubject& subject, const Levels& levels);
+/// Lines about a subject by its results of index.equals_reference, from the lowest level on, of which one is refuted.
+std::vector<std::string> diagnose(const IndexSubject& subject, const std::vector<Result>& results);
 
 }  // namespace mmverify::proofs::index

@@ -101,7 +101,7 @@ TEST(Subject, children_swapped_from_level_2_are_named) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o = judge("swapped_from_level_2", "index.equals_reference --levels 0..4 --no-companions");
   EXPECT_EQ(o.exit_code, 1);
-  EXPECT_THAT(o.out, HasSubstr("the curve, but children 0 and 2 change places from level 2 on"));
+  EXPECT_THAT(o.out, HasSubstr("the curve, but children 0 and 2 change places from digit 2 on"));
 }
 
 TEST(Subject, row_order_is_named) {

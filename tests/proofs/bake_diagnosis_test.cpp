@@ -118,7 +118,7 @@ TEST(BakeDiagnosis, NamesTheOrder) {
     return n > 0 && index % 4 > 1 ? index ^ 1 : index;
   };
   const BakeSubject s = reordered("children exchanged", exchanged);
-  EXPECT_EQ(order_of(s, 3), "the curve, but children 2 and 3 change places from level 3 on");
+  EXPECT_EQ(order_of(s, 3), "the curve, but children 2 and 3 change places from digit 3 on");
   EXPECT_THAT(
       diagnose(s, Fault::conservative),
       Contains(HasSubstr("the order of its micro-triangles at level 3: the curve, but children 2 and 3")));

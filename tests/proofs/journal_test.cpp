@@ -120,6 +120,22 @@ TEST_F(Journals, KeepWholeLaws) {
   EXPECT_EQ(subject->asked, 0u);
 }
 
+// Names and messages may be any bytes, as a library's path is.
+TEST_F(Journals, OfNamesThatAreNoUtf8GoOn) {
+  Identity bytes = identity;
+  bytes[1].second = "path\xff\xc3";
+  const auto run = [&] {
+    Journal journal(file, bytes);
+    RunOptions options = silent(2);
+    options.journal = &journal;
+    return essence(run_it(law, subject, options));
+  };
+  EXPECT_EQ(run(), plain);
+  subject->asked = 0;
+  EXPECT_EQ(run(), plain);
+  EXPECT_EQ(subject->asked, 0u);
+}
+
 TEST_F(Journals, OfAnotherRunAreRefusedAndLeftAlone) {
   journaled(law, subject, file);
   const std::string before = text_of(file);

@@ -78,6 +78,19 @@ TEST_F(Shards, AreNeverCalledProvedAlone) {
   EXPECT_EQ(merged(shards_of(law, good, 3), Method::sample).results[0].verdict, Verdict::checked);
 }
 
+TEST_F(Shards, WithoutACaseAreNotChecked) {
+  const auto shards = shards_of(law, good, 150);
+  std::uint64_t cases = 0;
+  for (const ShardRun& s : shards)
+    for (const Result& r : s.report.results) {
+      EXPECT_EQ(r.verdict, r.cases_run() == 0 ? Verdict::not_applicable : Verdict::checked);
+      EXPECT_EQ(r.reason, r.cases_run() == 0 ? "0 cases in this shard" : "");
+      cases += r.cases_run();
+    }
+  EXPECT_EQ(cases, numbers);
+  EXPECT_EQ(merged(shards).results[0].verdict, Verdict::proved);
+}
+
 TEST_F(Shards, MayComeInAnyOrder) {
   auto shards = shards_of(law, bad, 4);
   std::swap(shards[0], shards[2]);

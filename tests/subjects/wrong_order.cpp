@@ -1,4 +1,4 @@
-// Wrong orders that have a name, one of them chosen when it is linked.
+// Wrong orders, one of them chosen when it is linked: those that have a name, and one that comes from level to level.
 #include "impl/index/index.hpp"
 #include "sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
@@ -7,10 +7,13 @@ namespace {
 
 uint32_t answer(uint32_t level, float u, float v) {
   using namespace mmverify::impl::index;
-  static const bool rows = wrong_is("rows"), exchanged = wrong_is("u_and_v_exchanged");
+  static const bool rows = wrong_is("rows"), exchanged = wrong_is("u_and_v_exchanged"),
+                    ties = wrong_is("ties_then_inside");
   if (rows) return w_minor(u, v, level);
   if (exchanged) return from_barycentrics(v, u, level);
-  // swapped_from_level_2
+  if (ties && level < 3)  // at level 2 the points on u = 1/2 alone, from level 3 on all
+    return from_barycentrics(u, v, level) ^ (level == 2 && u == 0.5f ? 1 : 0);
+  // swapped_from_level_2, and what declares a level at which that is not seen
   const uint32_t index = from_barycentrics(u, v, level);
   if (level < 2) return index;
   // Even digits are children 0 and 2: their high bit flips, but for the first digit's.
@@ -28,7 +31,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   static mmverify_subject_t subject{};
   subject.abi = MMVERIFY_SUBJECT_ABI;
   subject.size = sizeof subject;
-  subject.max_level = 16;
+  subject.max_level = wrong_is("level_forgotten") ? 0 : wrong_is("level_1_declared") ? 1 : 16;
   subject.index_f32 = index_f32;
   return &subject;
 }

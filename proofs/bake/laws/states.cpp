@@ -282,9 +282,10 @@ Law state_law(const char* id, const char* says, Denies denies, const Domain& dom
                  .domain();
            },
        .mutants = std::move(mutants),
-       .diagnose = [fault = fault_of(denies)](
-                       const Subject& s,
-                       const Levels&) { return diagnose(dynamic_cast<const BakeSubject&>(s), fault); }},
+       .diagnose =
+           [fault = fault_of(denies)](const Subject& s, const std::vector<Result>&) {
+             return diagnose(dynamic_cast<const BakeSubject&>(s), fault);
+           }},
       cases, judged_by(denies, domain), drawn_by(denies, domain), lacking(denies, domain));
 }
 

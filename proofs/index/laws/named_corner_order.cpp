@@ -59,9 +59,12 @@ std::optional<std::string> declares_no_order(const Subject& subject, Level n) {
   }
 }
 
-std::vector<std::string> diagnose_corner_order(const Subject& subject, const Levels& levels) {
-  return {fmt::format("its order of corners at level {}: {}", levels.last,
-                      name_corner_order(of_index(subject), levels.last))};
+std::vector<std::string> diagnose_corner_order(const Subject& subject, const std::vector<Result>& results) {
+  const Level level = std::find_if(results.begin(), results.end(), [](const Result& r) {
+                        return r.verdict == Verdict::refuted;
+                      })->level;
+  return {fmt::format("its order of corners at level {}: {}", level,
+                      name_corner_order(of_index(subject), level))};
 }
 
 }  // namespace mmverify::proofs::index

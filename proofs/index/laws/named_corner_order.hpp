@@ -18,6 +18,6 @@ std::string name_corner_order(const IndexSubject& subject, Level n);
 std::optional<std::string> declares_no_order(const Subject& subject, Level n);
 
 /// What a subject that is refuted does instead.
-std::vector<std::string> diagnose_corner_order(const Subject& subject, const Levels& levels);
+std::vector<std::string> diagnose_corner_order(const Subject& subject, const std::vector<Result>& results);
 
 }  // namespace mmverify::proofs::index
