@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
+
 #include "proofs/array/law_parts.hpp"
 
 namespace mmverify::proofs::array {
@@ -14,6 +17,60 @@ Bundle bundle_of(const BuildCase& c) {
   for (const PackedMap& m : c.maps) all.push_back({m.level, m.format, states_of(m)});
   const spec::array::Built b = spec::array::build(before, all, c.options);
   return {b.array, {b.part}};
+}
+
+namespace {
+
+/// The number that makes the samples of bundles others than those of builds.
+constexpr std::uint64_t bundle_stream = 307;
+
+/// As many records as have their maps in the data, which are put there in any order.
+spec::array::Array any_array(Level n, Random& random) {
+  const bool many = random.below(12) == 0;
+  std::vector<PackedMap> all(many ? 250 + random.below(351) : random.below(46));
+  for (PackedMap& map : all) map = any_map(many ? 0 : n, random);
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random.below(k)]);
+  spec::array::Array array;
+  array.records.resize(all.size());
+  const auto gap = [&] {
+    for (std::uint64_t left = random.below(4) == 0 ? random.below(4) : 0; left > 0; --left)
+      array.data.push_back(static_cast<std::uint8_t>(random.next()));
+  };
+  for (const std::size_t r : order) {
+    gap();
+    array.records[r] = {static_cast<std::uint32_t>(array.data.size()),
+                        static_cast<std::uint16_t>(all[r].level), static_cast<std::uint16_t>(all[r].format)};
+    array.data.insert(array.data.end(), all[r].bytes.begin(), all[r].bytes.end());
+  }
+  gap();
+  return array;
+}
+
+Part any_part(std::uint64_t records, Random& random) {
+  const std::uint64_t base = random.below(2) == 0 ? 0 : random.below(records + 1);
+  Part part{maps::encodings[random.below(5)], static_cast<std::uint32_t>(base), {}};
+  const std::uint64_t named = std::min<std::uint64_t>(records - part.base, maps::index_limit(part.encoding));
+  for (std::uint64_t left = random.below(41); left > 0; --left) {
+    const bool special = named == 0 || random.below(4) == 0;
+    const std::uint32_t code = special
+                                   ? maps::special_code(static_cast<State>(random.below(4)), part.encoding)
+                                   : static_cast<std::uint32_t>(random.below(named));
+    for (unsigned j = 0; j < maps::width(part.encoding) / 8; ++j)
+      part.indices.push_back(static_cast<std::uint8_t>(code >> 8 * j));
+  }
+  return part;
+}
+
+}  // namespace
+
+Bundle sample_bundle(Level n, std::uint64_t seed, std::uint64_t k) {
+  Random random(seed, bundle_stream + n, k);
+  Bundle b{any_array(n, random), {}};
+  for (std::uint64_t left = random.below(4); left > 0; --left)
+    b.parts.push_back(any_part(b.array.records.size(), random));
+  return b;
 }
 
 namespace {

@@ -99,15 +99,6 @@ std::uint32_t number_of(const std::string& text, std::size_t from) {
   return value;
 }
 
-PackedMap any_map(Level n, Random& random) {
-  const Level level = static_cast<Level>(random.below(n + 1));
-  if (random.below(6) == 0)
-    return taken(
-        tree::map_of(level, tree::chosen_apart(level, random.below(tree::chosen_apart_count(level)))));
-  const std::uint64_t kind = random.below(10);
-  return taken(tree::sample_map(level, random.next() >> 32, kind));
-}
-
 /// The map but for up to three states.
 PackedMap nearly(PackedMap map, Random& random) {
   const std::uint64_t states = maps::micro_triangles(map.level), b = bits(map.format);
@@ -120,6 +111,15 @@ PackedMap nearly(PackedMap map, Random& random) {
 }
 
 }  // namespace
+
+PackedMap any_map(Level n, Random& random) {
+  const Level level = static_cast<Level>(random.below(n + 1));
+  if (random.below(6) == 0)
+    return taken(
+        tree::map_of(level, tree::chosen_apart(level, random.below(tree::chosen_apart_count(level)))));
+  const std::uint64_t kind = random.below(10);
+  return taken(tree::sample_map(level, random.next() >> 32, kind));
+}
 
 const char* name_of(Encoding e) {
   constexpr const char* names[] = {"u8", "u16", "u32", "i16", "i32"};

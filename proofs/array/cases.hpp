@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "proofs/array/subject.hpp"
+#include "proofs/engine/random.hpp"
 
 namespace mmverify::proofs::array {
 
@@ -34,6 +35,9 @@ BuildCase whole_small_array(std::uint64_t k);
 /// Up to 40 maps of levels up to n after up to 5, many of them equal or nearly so, of any encoding, API, base triangle and
 /// choice; `bound`: of merging, up to it.  Sample k of a seed is the same everywhere.
 BuildCase sample_array(Level n, std::uint64_t seed, std::uint64_t k, std::uint32_t bound);
+
+/// A map of a level up to n, of any kind that the samples of topic tree have.
+PackedMap any_map(Level n, Random& random);
 
 /// "khr,u8,special,share,base=0,bound=0,before:2-state:1,4-state:0123,...": choices, then maps; a digit a state.
 std::string text_of(const BuildCase& c);

@@ -67,14 +67,32 @@ Finding kept(const Bundle& b) {
   return {hash.value()};
 }
 
+/// A record's map; none where its level, its format or its place is none.
+using ReadableMap = std::optional<std::pair<Format, States>>;
+ReadableMap readable_map(const maps::Array& array, std::uint64_t record) {
+  try {
+    maps::Map map = spec::array::map_of(array, record);
+    return std::pair(map.format, std::move(map.states));
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+/// The maps of all records, in no order.
+std::multiset<ReadableMap> maps_of(const maps::Array& array) {
+  std::multiset<ReadableMap> all;
+  for (std::size_t r = 0; r < array.records.size(); ++r) all.insert(readable_map(array, r));
+  return all;
+}
+
 /// Nothing between, before and behind the records' bytes, in their order.
 std::optional<Finding> loose(const Bundle& b) {
   std::uint64_t end = 0;
   for (std::size_t r = 0; r < b.array.records.size(); ++r) {
-    if (b.array.records[r].offset != end)
+    const ReadableMap map = readable_map(b.array, r);
+    if (!map || b.array.records[r].offset != end)
       return wrong(fmt::format("record {} at byte {}", r, end), fmt::format("{}", b.array.records[r].offset));
-    const maps::Map map = spec::array::map_of(b.array, r);
-    end += maps::packed_bytes(map.states.size(), map.format);
+    end += maps::packed_bytes(map->second.size(), map->first);
   }
   if (end != b.array.data.size())
     return wrong(fmt::format("{} bytes of data", end), fmt::format("{}", b.array.data.size()));
@@ -88,8 +106,8 @@ Finding judged(const Bundle& was, const Bundle& is, F more) {
   return kept(is);
 }
 
-Finding compacts(const ArraySubject& s, const BuildCase& c) {
-  const Bundle was = shared_bundle_of(c), is = s.functions.compact(was);
+Finding compacts(const ArraySubject& s, const Bundle& was) {
+  const Bundle is = s.functions.compact(was);
   return judged(was, is, [&]() -> std::optional<Finding> {
     const std::size_t records = records_in_use(was).size();
     if (is.array.records.size() != records)
@@ -98,39 +116,58 @@ Finding compacts(const ArraySubject& s, const BuildCase& c) {
   });
 }
 
-Finding reorders(const ArraySubject& s, const BuildCase& c) {
-  const Bundle was = shared_bundle_of(c), is = s.functions.reorder(was);
+Finding reorders(const ArraySubject& s, const Bundle& was) {
+  const Bundle is = s.functions.reorder(was);
   return judged(was, is, [&]() -> std::optional<Finding> {
-    if (spec::array::array_histogram(was.array) != spec::array::array_histogram(is.array))
-      return wrong("the same records", "others");
+    if (auto found = loose(is)) return found;
+    if (maps_of(was.array) != maps_of(is.array)) return wrong("the same records", "others");
     std::uint64_t next = 0;
-    for (std::uint64_t t = 0; t < spec::array::triangles(is.parts[0]); ++t)
-      if (const Target to = spec::array::target(is, is.parts[0], t); to.kind == Target::Kind::record) {
-        if (to.record > next)
-          return wrong(fmt::format("triangle {}: at most record {}", t, next), fmt::format("{}", to.record));
-        if (to.record == next) ++next;
-      }
-    return loose(is);
+    for (std::size_t p = 0; p < is.parts.size(); ++p)
+      for (std::uint64_t t = 0; t < spec::array::triangles(is.parts[p]); ++t)
+        if (const Target to = spec::array::target(is, is.parts[p], t); to.kind == Target::Kind::record) {
+          if (to.record > next)
+            return wrong(fmt::format("geometry {} triangle {}: at most record {}", p, t, next),
+                         fmt::format("{}", to.record));
+          if (to.record == next) ++next;
+        }
+    return std::nullopt;
   });
 }
 
-Finding concatenates(const ArraySubject& s, const BuildCase& c) {
+/// The first's records and geometries, then the second's, those included that no triangle refers to.
+Finding concatenates(const ArraySubject& s, const Bundle& first, const Bundle& second) {
+  const Bundle is = s.functions.concatenate(first, second);
+  const std::size_t parts = first.parts.size(), records = first.array.records.size();
+  if (is.parts.size() != parts + second.parts.size())
+    return wrong(fmt::format("{} geometries", parts + second.parts.size()),
+                 fmt::format("{}", is.parts.size()));
+  Bundle of_first = is, of_second = is;
+  of_first.parts.resize(parts);
+  of_second.parts.erase(of_second.parts.begin(),
+                        of_second.parts.begin() + static_cast<std::ptrdiff_t>(parts));
+  if (const auto other = resolved_differently(first, of_first)) return wrong(other->first, other->second);
+  return judged(second, of_second, [&]() -> std::optional<Finding> {
+    const std::size_t all = records + second.array.records.size();
+    if (is.array.records.size() != all)
+      return wrong(fmt::format("{} records", all), fmt::format("{}", is.array.records.size()));
+    for (std::size_t r = 0; r < all; ++r) {
+      const auto was = r < records ? readable_map(first.array, r) : readable_map(second.array, r - records);
+      if (readable_map(is.array, r) != was)
+        return wrong(fmt::format("record {} as before", r), "another one");
+    }
+    return std::nullopt;
+  });
+}
+
+// What the laws on small arrays hand over.
+Finding compacts_case(const ArraySubject& s, const BuildCase& c) { return compacts(s, shared_bundle_of(c)); }
+Finding reorders_case(const ArraySubject& s, const BuildCase& c) { return reorders(s, shared_bundle_of(c)); }
+Finding concatenates_case(const ArraySubject& s, const BuildCase& c) {
   // The second has the triangles from the last to the first, with other bases and codes.
   BuildCase turned = c;
   std::reverse(turned.maps.begin(), turned.maps.end());
   turned.options.encoding = Encoding::u32;
-  const Bundle first = bundle_of(c), second = bundle_of(turned), is = s.functions.concatenate(first, second);
-  if (is.parts.size() != 2) return wrong("2 geometries", fmt::format("{}", is.parts.size()));
-  Bundle of_first = is, of_second = is;
-  of_first.parts = {is.parts[0]};
-  of_second.parts = {is.parts[1]};
-  if (const auto other = resolved_differently(first, of_first)) return wrong(other->first, other->second);
-  return judged(second, of_second, [&]() -> std::optional<Finding> {
-    const std::size_t records = first.array.records.size() + second.array.records.size();
-    if (is.array.records.size() != records)
-      return wrong(fmt::format("{} records", records), fmt::format("{}", is.array.records.size()));
-    return loose(is);
-  });
+  return concatenates(s, bundle_of(c), bundle_of(turned));
 }
 
 using One = std::function<Bundle(const Bundle&)> Functions::*;
@@ -158,6 +195,95 @@ Law on_bundles(Law law, const Entry& needed, BundleCheck check) {
        [check](const ArraySubject& s, Level, const std::string& at) { return check(s, case_of(at)); }});
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// Samples
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Each change that the subject has, of one array, or of it and the next one.
+Finding changes(const ArraySubject& s, Level n, std::uint64_t seed, std::uint64_t k) {
+  const Functions& f = s.functions;
+  const Bundle was = sample_bundle(n, seed, k);
+  Finding found;
+  const auto goes_on = [&](const char* change, Finding next) {
+    found.answer = found.answer * 31 + next.answer;
+    if (!next.holds) {
+      found = std::move(next);
+      found.expected = std::string(change) + ": " + found.expected;
+    }
+    return found.holds;
+  };
+  if (f.compact && !goes_on("compacted", compacts(s, was))) return found;
+  if (f.reorder && !goes_on("reordered", reorders(s, was))) return found;
+  if (f.concatenate) goes_on("concatenated", concatenates(s, was, sample_bundle(n, seed, k + 1)));
+  return found;
+}
+
+constexpr Entry any_change{"compact, reorder or concatenate",
+                           [](const Functions& f) { return f.compact || f.reorder || f.concatenate; }};
+
+Law changes_on_samples() {
+  return on_cases(
+      {.id = "array.changes_on_samples",
+       .topic = "array",
+       .says =
+           "compacted, reordered and put behind another one, each triangle of any array resolves as before, "
+           "and no record is lost that is to stay",
+       .source = here,
+       .method = Method::sample,
+       .subjects = {"array-spec", "array"},
+       .fast = {0, 5},
+       .long_run = {0, 6},
+       .fast_seconds = 0.8,
+       .domain =
+           [](const Subject&, Level n) {
+             return fmt::format(
+                 "arrays of up to 45 maps of levels up to {}, or 600 of level 0, in any order and with gaps; "
+                 "up "
+                 "to three geometries of up to 40 triangles, each of any encoding, base and indices",
+                 n);
+           },
+       .mutants = {mutant("an array with a map of level 2 is empty", "array", {2, 5},
+                          changing(&Functions::compact,
+                                   [](const Bundle& was, Bundle& is) {
+                                     for (const Record& r : was.array.records)
+                                       if (r.level >= 2) is = {};
+                                   })),
+                   mutant("the third geometry's indices stay as they were", "array-spec", {0, 5},
+                          changing(&Functions::reorder,
+                                   [](const Bundle& was, Bundle& is) {
+                                     if (was.parts.size() == 3) is.parts[2].indices = was.parts[2].indices;
+                                   })),
+                   mutant("indices of 16 bits lose their high byte", "array", {0, 3},
+                          spoils(&Functions::concatenate,
+                                 [](const Bundle& a, const Bundle&, Bundle& is) {
+                                   for (Part& p : is.parts)
+                                     if (p.encoding == Encoding::u16 && a.array.records.size() > 256)
+                                       for (std::size_t t = 1; t < p.indices.size(); t += 2)
+                                         if (p.indices[t] == 1) p.indices[t] = 0;
+                                 })),
+                   mutant("a state of a record that no triangle refers to is another one", "array-spec",
+                          {1, 5},
+                          changing(&Functions::reorder,
+                                   [](const Bundle&, Bundle& is) {
+                                     if (records_in_use(is).size() < is.array.records.size() &&
+                                         is.array.records.back().level == is.array.records[0].level &&
+                                         is.array.records.back().format == is.array.records[0].format)
+                                       is.array.data.back() =
+                                           static_cast<std::uint8_t>(is.array.data.back() ^ 1);
+                                   }))}},
+      {any_change},
+      {[](Level n) -> std::uint64_t { return n <= 3 ? 200 : 60; },
+       [](const ArraySubject& s, Level n, std::uint64_t k, const Run& run) {
+         return changes(s, n, run.seed, k);
+       },
+       [](Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
+       [](const ArraySubject& s, Level n, const std::string& at) {
+         const auto [seed, k] = sample_of(at);
+         return changes(s, n, seed, k);
+       },
+       4});
+}
+
 }  // namespace
 
 std::vector<Law> change_laws() {
@@ -180,7 +306,7 @@ std::vector<Law> change_laws() {
                                                   })),
                                   mutant("drops nothing", "array", {1, 1},
                                          [](Functions& f) { f.compact = f.reorder; })}},
-                     entry::compact, compacts),
+                     entry::compact, compacts_case),
           on_bundles(
               {.id = "array.reorder",
                .topic = "array",
@@ -206,7 +332,7 @@ std::vector<Law> change_laws() {
                                       return spec::array::arranged(b, order);
                                     };
                                   })}},
-              entry::reorder, reorders),
+              entry::reorder, reorders_case),
           on_bundles({.id = "array.concatenate",
                       .topic = "array",
                       .says = "one array behind another: each triangle of both resolves as before, and all "
@@ -233,7 +359,8 @@ std::vector<Law> change_laws() {
                                                       is.parts[1].indices[t] = static_cast<std::uint8_t>(
                                                           is.parts[1].indices[t] + a.array.records.size());
                                                 }))}},
-                     entry::concatenate, concatenates)};
+                     entry::concatenate, concatenates_case),
+          changes_on_samples()};
 }
 
 }  // namespace mmverify::proofs::array

@@ -4,6 +4,7 @@
 
 #include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
+#include "proofs/engine/random.hpp"
 #include "proofs/tree/maps.hpp"
 
 namespace mmverify::proofs::array {
@@ -41,6 +42,11 @@ Finding emulates(const ArraySubject& s, const PackedMap& m, Level most) {
 PackedMap four_state(Level n, std::uint64_t seed, std::uint64_t k) {
   const tree::Map map = tree::sample_map(n, seed, k);
   return packed(n, Format::four_state, maps::unpack(map.packed, map.format, maps::micro_triangles(n)));
+}
+
+/// The level of sample k, drawn apart from its map, whose kind goes by k.
+Level level_below(Level n, std::uint64_t seed, std::uint64_t k) {
+  return static_cast<Level>(Random(seed, 509 + n, k).below(n));
 }
 
 std::function<void(Functions&)> emulating(void (*change)(Level n, Level most, Bytes&)) {
@@ -129,12 +135,12 @@ Law emulation_on_samples() {
       {entry::emulate},
       {[](Level n) -> std::uint64_t { return n <= 5 ? 100 : 20; },
        [](const ArraySubject& s, Level n, std::uint64_t k, const Run& run) {
-         return emulates(s, four_state(n, run.seed, k), static_cast<Level>(k % n));
+         return emulates(s, four_state(n, run.seed, k), level_below(n, run.seed, k));
        },
        [](Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
        [](const ArraySubject& s, Level n, const std::string& at) {
          const auto [seed, k] = sample_of(at);
-         return emulates(s, four_state(n, seed, k), static_cast<Level>(k % n));
+         return emulates(s, four_state(n, seed, k), level_below(n, seed, k));
        },
        4});
 }

@@ -1,4 +1,6 @@
 // Arrays as files: both versions come back, and what is no file is refused.
+#include <algorithm>
+
 #include "proofs/array/bundles.hpp"
 #include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
@@ -57,13 +59,28 @@ Finding comes_back(const ArraySubject& s, const Bundle& b) {
   return {digest};
 }
 
-/// All cuts, all bits flipped, and a byte behind: read as the specification reads it.
+/// What the header says of arrays: every plain index names a record, every record has a format, a level up to 12 and its
+/// bytes in the data.  A file may hold others, which a reader may refuse.
+bool is_array(const Bundle& b) {
+  for (const Record& r : b.array.records) {
+    if (r.level > 12 || (r.format != 1 && r.format != 2)) return false;
+    const std::uint64_t bytes =
+        spec::micromap::packed_bytes(spec::micromap::micro_triangles(r.level), static_cast<Format>(r.format));
+    if (r.offset + bytes > b.array.data.size()) return false;
+  }
+  for (const Part& part : b.parts)
+    for (std::uint64_t t = 0; t < spec::array::triangles(part); ++t)
+      if (spec::array::target(b, part, t).kind == Target::Kind::outside) return false;
+  return true;
+}
+
+/// All cuts, all bits flipped, and a byte behind: read as the specification reads it, or refused if it is no array.
 Finding refuses(const ArraySubject& s, const Bundle& b) {
   std::uint64_t digest = 0;
   const auto same = [&](const Bytes& file, const std::string& what) -> std::optional<Finding> {
     const auto right = spec::array::read(file), got = s.functions.read(file);
     digest = digest * 31 + (right ? 1 : 0);
-    if (right == got) return std::nullopt;
+    if (right == got || (right && !got && !is_array(*right))) return std::nullopt;
     return wrong(what + (right ? ": read" : ": refused"), right && got ? "read as another"
                                                           : right      ? "refused"
                                                                        : "read");
@@ -87,6 +104,57 @@ Finding refuses(const ArraySubject& s, const Bundle& b) {
   return {digest};
 }
 
+std::function<void(Functions&)> misreading(void (*change)(std::span<const std::uint8_t>,
+                                                          std::optional<Bundle>&)) {
+  return spoils(&Functions::read,
+                [change](std::span<const std::uint8_t> file, std::optional<Bundle>& b) { change(file, b); });
+}
+
+/// Files of arrays at random, as the laws of changes have them.
+Law files_on_samples() {
+  return on_cases(
+      {.id = "array.files_on_samples",
+       .topic = "array",
+       .says = "an array of any levels and geometries is saved and comes back",
+       .source = here,
+       .method = Method::sample,
+       .subjects = {"array-spec", "array"},
+       .fast = {0, 5},
+       .long_run = {0, 6},
+       .fast_seconds = 0.2,
+       .domain =
+           [](const Subject&, Level n) {
+             return fmt::format("the arrays of array.changes_on_samples, of levels up to {}", n);
+           },
+       .mutants = {mutant("data beyond 255 bytes loses its last one's high bit", "array", {0, 5},
+                          misreading([](std::span<const std::uint8_t>, std::optional<Bundle>& b) {
+                            if (b && b->array.data.size() > 255) b->array.data.back() &= 0x7f;
+                          })),
+                   mutant("a base triangle beside indices of 16 bits is one of the first geometry",
+                          "array-spec", {0, 5},
+                          misreading([](std::span<const std::uint8_t>, std::optional<Bundle>& b) {
+                            if (b && b->parts.size() > 1 && b->parts[1].encoding == Encoding::u16)
+                              b->parts[1].base = b->parts[0].base;
+                          })),
+                   mutant("an array with a map of level 3 is refused", "array", {3, 5},
+                          misreading([](std::span<const std::uint8_t>, std::optional<Bundle>& b) {
+                            if (b && std::any_of(b->array.records.begin(), b->array.records.end(),
+                                                 [](const Record& r) { return r.level == 3; }))
+                              b.reset();
+                          }))}},
+      {entry::file},
+      {[](Level) -> std::uint64_t { return 60; },
+       [](const ArraySubject& s, Level n, std::uint64_t k, const Run& run) {
+         return comes_back(s, sample_bundle(n, run.seed, k));
+       },
+       [](Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
+       [](const ArraySubject& s, Level n, const std::string& at) {
+         const auto [seed, k] = sample_of(at);
+         return comes_back(s, sample_bundle(n, seed, k));
+       },
+       16});
+}
+
 using FileCheck = Finding (*)(const ArraySubject&, const Bundle&);
 Law on_files(Law law, const Entry& needed, std::uint64_t one_in, FileCheck check) {
   law.subjects = {"array-spec", "array"};
@@ -105,12 +173,6 @@ Law on_files(Law law, const Entry& needed, std::uint64_t one_in, FileCheck check
                      return check(s, file_number(std::stoull((*parts)[1])));
                    },
                    64});
-}
-
-std::function<void(Functions&)> misreading(void (*change)(std::span<const std::uint8_t>,
-                                                          std::optional<Bundle>&)) {
-  return spoils(&Functions::read,
-                [change](std::span<const std::uint8_t> file, std::optional<Bundle>& b) { change(file, b); });
 }
 
 }  // namespace
@@ -142,48 +204,50 @@ std::vector<Law> file_laws() {
                                          std::fill(file.end() - 4, file.end(), std::uint8_t{0});
                                      }))}},
           entry::file, 1, comes_back),
-      on_files(
-          {.id = "array.malformed_files",
-           .topic = "array",
-           .says =
-               "a file that is cut, longer or changed in a bit is refused, or is the file of what is read",
-           .method = Method::exhaustive,
-           .fast_seconds = 1,
-           .domain =
-               named_domain("1 of 97 of the arrays of array.files: every cut, every bit, a byte behind"),
-           .mutants = {mutant("the checksum is not looked at", "array", {1, 1},
-                              [](Functions& f) {
-                                f.read = [real = f.read](std::span<const std::uint8_t> file) {
-                                  auto b = real(file);
-                                  if (b || file.size() < 24 || file[8] != 2) return b;
-                                  Bytes mended(file.begin(), file.end());
-                                  const std::uint32_t sum =
-                                      spec::array::checksum(file.first(file.size() - 4));
-                                  for (unsigned j = 0; j < 4; ++j)
-                                    mended[mended.size() - 4 + j] = static_cast<std::uint8_t>(sum >> 8 * j);
-                                  return real(mended);
-                                };
-                              }),
-                       mutant("bytes behind are let pass", "array-spec", {1, 1},
-                              [](Functions& f) {
-                                f.read = [real = f.read](std::span<const std::uint8_t> file) {
-                                  auto b = real(file);
-                                  return b || file.empty() ? b : real(file.first(file.size() - 1));
-                                };
-                              }),
-                       mutant("version 3 is read as version 2", "array", {1, 1},
-                              [](Functions& f) {
-                                f.read = [real = f.read](std::span<const std::uint8_t> file) {
-                                  auto b = real(file);
-                                  if (b || file.size() < 12 || file[8] != 3) return b;
-                                  Bytes other(file.begin(), file.end());
-                                  other[8] = 1;
-                                  if (auto first = real(other)) return first;
-                                  other[8] = 2;
-                                  return real(other);
-                                };
-                              })}},
-          entry::our_file, 97, refuses)};
+      on_files({.id = "array.malformed_files",
+                .topic = "array",
+                .says = "a file that is cut, longer or changed in a bit is refused, or is the file of what "
+                        "is read; one "
+                        "whose records or indices make no array may be refused, too",
+                .method = Method::exhaustive,
+                .fast_seconds = 1,
+                .domain =
+                    named_domain("1 of 97 of the arrays of array.files: every cut, every bit, a byte behind"),
+                .mutants = {mutant("the checksum is not looked at", "array", {1, 1},
+                                   [](Functions& f) {
+                                     f.read = [real = f.read](std::span<const std::uint8_t> file) {
+                                       auto b = real(file);
+                                       if (b || file.size() < 24 || file[8] != 2) return b;
+                                       Bytes mended(file.begin(), file.end());
+                                       const std::uint32_t sum =
+                                           spec::array::checksum(file.first(file.size() - 4));
+                                       for (unsigned j = 0; j < 4; ++j)
+                                         mended[mended.size() - 4 + j] =
+                                             static_cast<std::uint8_t>(sum >> 8 * j);
+                                       return real(mended);
+                                     };
+                                   }),
+                            mutant("bytes behind are let pass", "array-spec", {1, 1},
+                                   [](Functions& f) {
+                                     f.read = [real = f.read](std::span<const std::uint8_t> file) {
+                                       auto b = real(file);
+                                       return b || file.empty() ? b : real(file.first(file.size() - 1));
+                                     };
+                                   }),
+                            mutant("version 3 is read as version 2", "array", {1, 1},
+                                   [](Functions& f) {
+                                     f.read = [real = f.read](std::span<const std::uint8_t> file) {
+                                       auto b = real(file);
+                                       if (b || file.size() < 12 || file[8] != 3) return b;
+                                       Bytes other(file.begin(), file.end());
+                                       other[8] = 1;
+                                       if (auto first = real(other)) return first;
+                                       other[8] = 2;
+                                       return real(other);
+                                     };
+                                   })}},
+               entry::our_file, 97, refuses),
+      files_on_samples()};
 }
 
 }  // namespace mmverify::proofs::array

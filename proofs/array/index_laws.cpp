@@ -4,6 +4,7 @@
 
 #include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
+#include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 
 namespace mmverify::proofs::array {
@@ -17,123 +18,211 @@ constexpr std::array<std::uint32_t, 11> record_counts{0,   1,   2,   3,         
                                                       251, 252, 256, 0xfffffffe, 0xffffffff};
 constexpr std::uint64_t readings = 5 * 2 * bases.size() * record_counts.size();
 
-Reading reading_number(std::uint64_t k) {
-  Reading r;
+/// A reading of one geometry over one array.
+struct Geometry {
+  Reading how;
+  std::uint32_t base = 0, records = 0;
+};
+
+Geometry reading_number(std::uint64_t k) {
+  Geometry r;
   r.records = record_counts[k % record_counts.size()];
   k /= record_counts.size();
   r.base = bases[k % bases.size()];
   k /= bases.size();
-  r.cluster = k % 2 != 0;
-  r.encoding = maps::encodings[k / 2];
+  r.how = {maps::encodings[k / 2], k % 2 != 0};
   return r;
 }
 
 /// All of 8 bits; of wider ones both ends, the middle, and what is beside the number of records, less the base.
-std::vector<std::uint32_t> codes_for(const Reading& r) {
-  std::vector<std::uint32_t> all;
-  const std::uint64_t end = std::uint64_t{1} << maps::width(r.encoding);
+std::vector<Reference> codes_for(const Geometry& r) {
+  std::vector<Reference> all;
+  const std::uint64_t end = std::uint64_t{1} << maps::width(r.how.encoding);
   if (end == 256) {
-    for (std::uint32_t c = 0; c < 256; ++c) all.push_back(c);
+    for (std::uint32_t c = 0; c < 256; ++c) all.push_back({c, r.base, r.records});
     return all;
   }
   for (std::uint32_t near = 0; near < 8; ++near)
     for (const std::uint64_t from :
          {std::uint64_t{0}, end - 8, end / 2 - 4, std::uint64_t{r.records} - r.base - 4})
-      all.push_back(static_cast<std::uint32_t>((from + near) % end));
+      all.push_back({static_cast<std::uint32_t>((from + near) % end), r.base, r.records});
   return all;
 }
 
-std::string text_of_reading(const Reading& r) {
-  return fmt::format("{},{},base={},records={}", name_of(r.encoding), r.cluster ? "cluster" : "mesh", r.base,
-                     r.records);
+std::string text_of_reading(const Geometry& r) {
+  return fmt::format("{},{},base={},records={}", name_of(r.how.encoding), r.how.cluster ? "cluster" : "mesh",
+                     r.base, r.records);
 }
 
-Reading reading_of(const std::string& text) {
+Geometry reading_of(const std::string& text) {
   const Groups parts =
       groups_of(text, "(u8|u16|u32|i16|i32),(cluster|mesh),base=([0-9]{1,10}),records=([0-9]{1,10})");
   if (!parts || std::stoull((*parts)[3]) > 0xffffffff || std::stoull((*parts)[4]) > 0xffffffff)
     throw BadCase("'" + text.substr(0, 60) + "': write u8,mesh,base=0,records=2");
-  Reading r;
+  Geometry r;
   for (const Encoding e : maps::encodings)
-    if ((*parts)[1] == name_of(e)) r.encoding = e;
-  r.cluster = (*parts)[2] == "cluster";
+    if ((*parts)[1] == name_of(e)) r.how.encoding = e;
+  r.how.cluster = (*parts)[2] == "cluster";
   r.base = static_cast<std::uint32_t>(std::stoull((*parts)[3]));
   r.records = static_cast<std::uint32_t>(std::stoull((*parts)[4]));
   return r;
 }
 
-Finding means(const ArraySubject& s, const Reading& r) {
-  const std::vector<std::uint32_t> all = codes_for(r);
+Finding mean(const ArraySubject& s, const Reading& r, const std::vector<Reference>& all) {
   const std::vector<Target> got = s.functions.targets(r, all);
   std::uint64_t digest = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const Target right = spec::array::target(all[k], r.encoding, r.cluster, r.base, r.records);
+    const auto& [code, base, records] = all[k];
+    const Target right = spec::array::target(code, r.encoding, r.cluster, base, records);
     Target is = k < got.size() ? got[k] : Target{Target::Kind::outside};
     // Which record it would be says nothing more where there is none.
     if (right.kind == Target::Kind::outside && is.kind == Target::Kind::outside) is = right;
-    if (is != right) return wrong(fmt::format("code {:#x}: {}", all[k], text_of(right)), text_of(is));
+    if (is != right)
+      return wrong(
+          fmt::format("code {:#x} with base {}, {} records: {}", code, base, records, text_of(right)),
+          text_of(is));
     digest = digest * 31 + static_cast<std::uint64_t>(right.kind) * 8 + right.record;
   }
   return {digest};
 }
+Finding means(const ArraySubject& s, const Geometry& r) { return mean(s, r.how, codes_for(r)); }
 
-using Change = void (*)(const Reading&, std::uint32_t code, Target&);
+/// Up to 70 references of one batch, each with a base and a number of records of its own: small, or any words; codes at
+/// the end of their width, beside the number of records less the base, or any.
+std::pair<Reading, std::vector<Reference>> references_number(std::uint64_t seed, std::uint64_t k) {
+  Random random(seed, 401, k);
+  const Reading r{maps::encodings[random.below(5)], random.below(2) != 0};
+  const std::uint64_t end = std::uint64_t{1} << maps::width(r.encoding);
+  const auto number = [&random] {
+    return random.below(2) == 0 ? random.four_codes() : static_cast<std::uint32_t>(random.below(600));
+  };
+  std::vector<Reference> all(1 + random.below(70));
+  for (Reference& of : all) {
+    of.base = number();
+    of.records = number();
+    const std::uint64_t kind = random.below(3),
+                        code = kind == 0   ? end - random.below(8)
+                               : kind == 1 ? std::uint64_t{of.records} - of.base + random.below(5) - 2
+                                           : random.four_codes();
+    of.code = static_cast<std::uint32_t>(code % end);
+  }
+  return {r, all};
+}
+
+Finding mean_of_sample(const ArraySubject& s, std::uint64_t seed, std::uint64_t k) {
+  const auto [how, all] = references_number(seed, k);
+  return mean(s, how, all);
+}
+
+using Change = void (*)(const Reading&, const Reference&, Target&);
 std::function<void(Functions&)> meaning(Change change) {
   return spoils(&Functions::targets,
-                [change](const Reading& r, std::span<const std::uint32_t> codes, std::vector<Target>& all) {
-                  for (std::size_t k = 0; k < all.size(); ++k) change(r, codes[k], all[k]);
+                [change](const Reading& r, std::span<const Reference> of, std::vector<Target>& all) {
+                  for (std::size_t k = 0; k < all.size(); ++k) change(r, of[k], all[k]);
                 });
+}
+
+Law codes_on_samples() {
+  return on_cases(
+      {.id = "array.codes_on_samples",
+       .topic = "array",
+       .says =
+           "the same of codes, base triangles and numbers of records that have nothing to do with each other",
+       .source = indices_source,
+       .method = Method::sample,
+       .subjects = {"array-spec", "array"},
+       .at_once = "all levels",
+       .fast_seconds = 0.1,
+       .domain = named_domain(
+           "5 encodings, in clusters or not; 1 to 70 codes at once, each with a base triangle and "
+           "a number of records of its own"),
+       .mutants = {mutant("the first base triangle of a batch is everybody's", "array", {0, 0},
+                          [](Functions& f) {
+                            f.targets = [real = f.targets](const Reading& r, std::span<const Reference> of) {
+                              std::vector<Reference> others(of.begin(), of.end());
+                              for (Reference& one : others) one.base = others[0].base;
+                              return real(r, others);
+                            };
+                          }),
+                   mutant("the third byte of a code is lost", "array-spec", {0, 0},
+                          meaning([](const Reading& r, const Reference& of, Target& to) {
+                            if (r.encoding == Encoding::i32 && to.kind == Target::Kind::record)
+                              to.record -= of.code & 0xFF0000;
+                          })),
+                   mutant("a number of records of 2^31 and more is none", "array", {0, 0},
+                          meaning([](const Reading&, const Reference& of, Target& to) {
+                            if (to.kind == Target::Kind::record && of.records >> 31 != 0 && of.base < 256)
+                              to = {Target::Kind::outside};
+                          }))}},
+      {entry::targets},
+      {[](Level) -> std::uint64_t { return 2'000; },
+       [](const ArraySubject& s, Level, std::uint64_t k, const Run& run) {
+         return mean_of_sample(s, run.seed, k);
+       },
+       [](Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
+       [](const ArraySubject& s, Level, const std::string& at) {
+         const auto [seed, k] = sample_of(at);
+         return mean_of_sample(s, seed, k);
+       },
+       64});
 }
 
 }  // namespace
 
 std::vector<Law> index_laws() {
-  return {on_cases(
-      {.id = "array.codes",
-       .topic = "array",
-       .says = "a code is a special index, in clusters -5 no micromap, or index + base triangle, which must "
+  return {
+      on_cases(
+          {.id = "array.codes",
+           .topic = "array",
+           .says =
+               "a code is a special index, in clusters -5 no micromap, or index + base triangle, which must "
                "be less than the "
                "number of records; the base is added to nothing else",
-       .source = indices_source,
-       .method = Method::exhaustive,
-       .subjects = {"array-spec", "array"},
-       .at_once = "all levels",
-       .fast_seconds = 0.1,
-       .domain = named_domain(
-           "5 encodings, in clusters or not, 9 base triangles, 11 numbers of records; all codes of 8 bits, "
-           "of wider ones 32 at the borders"),
-       .mutants = {mutant("index + base may be the number of records", "array", {0, 0},
-                          meaning([](const Reading& r, std::uint32_t, Target& to) {
-                            if (to.kind == Target::Kind::outside && to.record == r.records)
-                              to.kind = Target::Kind::record;
-                          })),
-                   mutant("the base triangle is added to special indices", "array-spec", {0, 0},
-                          meaning([](const Reading& r, std::uint32_t code, Target& to) {
-                            if (to.kind == Target::Kind::special && r.base == 3)
-                              to = spec::array::target(
-                                  (code + r.base) & (0xffffffffu >> (32 - maps::width(r.encoding))),
-                                  r.encoding, r.cluster, 0, r.records);
-                          })),
-                   mutant("the sum has 32 bits", "array", {0, 0},
-                          meaning([](const Reading& r, std::uint32_t code, Target& to) {
-                            if (to.kind == Target::Kind::outside && code + r.base < r.records && code < 256)
-                              to = {Target::Kind::record, State::T, code + r.base};
-                          })),
-                   mutant("-5 is an index in a cluster", "array-spec", {0, 0},
-                          meaning([](const Reading& r, std::uint32_t code, Target& to) {
-                            if (to.kind == Target::Kind::none)
-                              to = spec::array::target(code, r.encoding, false, r.base, r.records);
-                          })),
-                   mutant("-5 is no micromap outside clusters", "array", {0, 0},
-                          meaning([](const Reading& r, std::uint32_t code, Target& to) {
-                            if (!r.cluster && r.encoding == Encoding::u8 && code == 0xfb)
-                              to = {Target::Kind::none};
-                          }))}},
-      {entry::targets},
-      {[](Level) { return readings; },
-       [](const ArraySubject& s, Level, std::uint64_t k, const Run&) { return means(s, reading_number(k)); },
-       [](Level, std::uint64_t k, const Run&) { return text_of_reading(reading_number(k)); },
-       [](const ArraySubject& s, Level, const std::string& at) { return means(s, reading_of(at)); }, 32})};
+           .source = indices_source,
+           .method = Method::exhaustive,
+           .subjects = {"array-spec", "array"},
+           .at_once = "all levels",
+           .fast_seconds = 0.1,
+           .domain = named_domain(
+               "5 encodings, in clusters or not, 9 base triangles, 11 numbers of records; all codes of 8 "
+               "bits, "
+               "of wider ones 32 at the borders; a batch has one base triangle and one number of records"),
+           .mutants = {mutant("index + base may be the number of records", "array", {0, 0},
+                              meaning([](const Reading&, const Reference& of, Target& to) {
+                                if (to.kind == Target::Kind::outside && to.record == of.records)
+                                  to.kind = Target::Kind::record;
+                              })),
+                       mutant("the base triangle is added to special indices", "array-spec", {0, 0},
+                              meaning([](const Reading& r, const Reference& of, Target& to) {
+                                if (to.kind == Target::Kind::special && of.base == 3)
+                                  to = spec::array::target(
+                                      (of.code + of.base) & (0xffffffffu >> (32 - maps::width(r.encoding))),
+                                      r.encoding, r.cluster, 0, of.records);
+                              })),
+                       mutant("the sum has 32 bits", "array", {0, 0},
+                              meaning([](const Reading&, const Reference& of, Target& to) {
+                                if (to.kind == Target::Kind::outside && of.code + of.base < of.records &&
+                                    of.code < 256)
+                                  to = {Target::Kind::record, State::T, of.code + of.base};
+                              })),
+                       mutant("-5 is an index in a cluster", "array-spec", {0, 0},
+                              meaning([](const Reading& r, const Reference& of, Target& to) {
+                                if (to.kind == Target::Kind::none)
+                                  to = spec::array::target(of.code, r.encoding, false, of.base, of.records);
+                              })),
+                       mutant("-5 is no micromap outside clusters", "array", {0, 0},
+                              meaning([](const Reading& r, const Reference& of, Target& to) {
+                                if (!r.cluster && r.encoding == Encoding::u8 && of.code == 0xfb)
+                                  to = {Target::Kind::none};
+                              }))}},
+          {entry::targets},
+          {[](Level) { return readings; },
+           [](const ArraySubject& s, Level, std::uint64_t k, const Run&) {
+             return means(s, reading_number(k));
+           },
+           [](Level, std::uint64_t k, const Run&) { return text_of_reading(reading_number(k)); },
+           [](const ArraySubject& s, Level, const std::string& at) { return means(s, reading_of(at)); }, 32}),
+      codes_on_samples()};
 }
 
 }  // namespace mmverify::proofs::array

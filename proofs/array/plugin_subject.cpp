@@ -105,8 +105,13 @@ std::optional<Answer> build(const Library& library, const BuildCase& c) {
   return answer_of(answer.bytes);
 }
 
-std::vector<Target> targets(const Library& library, const Reading& r, std::span<const std::uint32_t> codes) {
-  const std::vector<std::uint32_t> bases(codes.size(), r.base), records(codes.size(), r.records);
+std::vector<Target> targets(const Library& library, const Reading& r, std::span<const Reference> references) {
+  std::vector<std::uint32_t> codes, bases, records;
+  for (const Reference& of : references) {
+    codes.push_back(of.code);
+    bases.push_back(of.base);
+    records.push_back(of.records);
+  }
   std::vector<std::uint32_t> out(2 * codes.size());
   dock::ask_all(library,
                 {Call::array_resolve,
@@ -114,7 +119,7 @@ std::vector<Target> targets(const Library& library, const Reading& r, std::span<
                  static_cast<std::uint32_t>(r.encoding) | (r.cluster ? MMVERIFY_INDEX_IN_CLUSTER : 0),
                  {codes.data(), bases.data(), records.data()},
                  [&](std::size_t k) {
-                   return fmt::format("code {:#x} with base {}, {} records", codes[k], r.base, r.records);
+                   return fmt::format("code {:#x} with base {}, {} records", codes[k], bases[k], records[k]);
                  }},
                 codes.size(), out.data());
   std::vector<Target> all;
@@ -209,8 +214,8 @@ Functions functions_of(const LibraryPtr& library) {
   if (library->offers(Call::array_build))
     f.build = [library](const BuildCase& c) { return build(*library, c); };
   if (library->offers(Call::array_resolve))
-    f.targets = [library](const Reading& r, std::span<const std::uint32_t> codes) {
-      return targets(*library, r, codes);
+    f.targets = [library](const Reading& r, std::span<const Reference> references) {
+      return targets(*library, r, references);
     };
   if (library->offers(Call::array_compact))
     f.compact = [library](const Bundle& b) {

@@ -35,10 +35,10 @@ Functions specified() {
       return std::nullopt;
     }
   };
-  f.targets = [](const Reading& r, std::span<const std::uint32_t> codes) {
+  f.targets = [](const Reading& r, std::span<const Reference> references) {
     std::vector<Target> all;
-    for (const std::uint32_t code : codes)
-      all.push_back(slow::target(code, r.encoding, r.cluster, r.base, r.records));
+    for (const Reference& of : references)
+      all.push_back(slow::target(of.code, r.encoding, r.cluster, of.base, of.records));
     return all;
   };
   f.compact = slow::compacted;
@@ -107,10 +107,10 @@ Functions library() {
       return std::nullopt;
     }
   };
-  f.targets = [](const Reading& r, std::span<const std::uint32_t> codes) {
+  f.targets = [](const Reading& r, std::span<const Reference> references) {
     std::vector<Target> all;
-    for (const std::uint32_t code : codes) {
-      const fast::Target to = fast::target(code, of(r.encoding), r.cluster, r.base, r.records);
+    for (const Reference& one : references) {
+      const fast::Target to = fast::target(one.code, of(r.encoding), r.cluster, one.base, one.records);
       all.push_back({static_cast<Target::Kind>(to.kind), static_cast<State>(to.state), to.record});
     }
     return all;

@@ -50,11 +50,14 @@ struct Answer {
   std::string malformed;  ///< why the answer cannot be read, if so; then nothing else counts
 };
 
-/// How codes are read: of which encoding, in a cluster or not, with which base, over how many records.
+/// How codes are read: of which encoding, in a cluster or not.
 struct Reading {
   Encoding encoding = Encoding::u32;
   bool cluster = false;
-  std::uint32_t base = 0, records = 0;
+};
+/// A code, with the base triangle of its geometry, over how many records.
+struct Reference {
+  std::uint32_t code = 0, base = 0, records = 0;
 };
 
 /// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads at
@@ -62,7 +65,7 @@ struct Reading {
 struct Functions {
   /// None where it refuses, which it may where an index does not fit alone.
   std::function<std::optional<Answer>(const BuildCase&)> build = {};
-  std::function<std::vector<Target>(const Reading&, std::span<const std::uint32_t> codes)> targets = {};
+  std::function<std::vector<Target>(const Reading&, std::span<const Reference>)> targets = {};
   std::function<Bundle(const Bundle&)> compact = {}, reorder = {};
   std::function<Bundle(const Bundle&, const Bundle&)> concatenate = {};
   std::function<Bytes(const Bundle&, std::uint32_t version)> write = {};

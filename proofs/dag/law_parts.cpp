@@ -63,26 +63,49 @@ Law on_masks(Law law, std::vector<Entry> entries, Check check) {
   return on_numbers(std::move(law), check, mask_scenes, mask_scene, 256);
 }
 
-Law on_samples(Law law, std::vector<Entry> entries, std::function<std::uint64_t(Level)> count, Check check) {
+namespace {
+
+using Sampled = Scene (*)(Level, std::uint64_t seed, std::uint64_t k);
+
+Law on_sampled(Law law, std::vector<Entry> entries, std::function<std::uint64_t(Level)> count,
+               Sampled sampled, Check check) {
   law.method = Method::sample;
   law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
+  law.unfit = needing(std::move(entries), {0, law.long_run.last}, "it is run up to a lower level");
+  return on_numbered_cases(std::move(law), {[count](Level n, const Run&) { return count(n); },
+                                            [=](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+                                              return check(dag_of(s), sampled(n, run.seed, k));
+                                            },
+                                            [](const Subject&, Level, std::uint64_t k, const Run& run) {
+                                              return text_of_sample(run.seed, k);
+                                            },
+                                            [=](const Subject& s, Level n, const std::string& at) {
+                                              const auto [seed, k] = sample_from_text(at);
+                                              return check(dag_of(s), sampled(n, seed, k));
+                                            },
+                                            1, Kind::interior});
+}
+
+}  // namespace
+
+Law on_samples(Law law, std::vector<Entry> entries, std::function<std::uint64_t(Level)> count, Check check) {
   law.domain = [](const Subject&, Level n) {
     return fmt::format(
         "scenes of up to five maps of levels up to {}: noise, outlines, repeats, and maps nearly the same",
         n);
   };
-  law.unfit = needing(std::move(entries), {0, law.long_run.last}, "it is run up to a lower level");
-  return on_numbered_cases(
-      std::move(law),
-      {[count](Level n, const Run&) { return count(n); },
-       [check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-         return check(dag_of(s), sample_scene(n, run.seed, k));
-       },
-       [](const Subject&, Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
-       [check](const Subject& s, Level n, const std::string& at) {
-         return check(dag_of(s), sample_from_text(n, at));
-       },
-       1, Kind::interior});
+  return on_sampled(std::move(law), std::move(entries), std::move(count), sample_scene, std::move(check));
+}
+
+Law on_many_maps(Law law, std::vector<Entry> entries, Check check) {
+  law.fast = law.long_run = {0, 3};
+  law.domain = [](const Subject&, Level n) {
+    return fmt::format("scenes of 257 to 556 maps of levels up to {}{}; each state on its own", n,
+                       n == 0 ? ", and of more than 2^16" : "");
+  };
+  return on_sampled(
+      std::move(law), std::move(entries), [](Level) -> std::uint64_t { return 6; }, many_maps,
+      std::move(check));
 }
 
 Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {

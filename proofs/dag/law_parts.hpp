@@ -22,6 +22,14 @@ Law on_masks(Law law, std::vector<Entry> entries, Check check);
 /// The law, on so many samples of each level.
 Law on_samples(Law law, std::vector<Entry> entries, std::function<std::uint64_t(Level)> count, Check check);
 
+/// The law, on scenes of many maps.
+Law on_many_maps(Law law, std::vector<Entry> entries, Check check);
+
+/// Numbers of maps beyond one byte and two.
+Law many_maps_law();
+/// Codes of any form, damaged.
+Law damaged_codes_law();
+
 /// A built-in subject with one thing broken on purpose.
 using Change = std::function<void(Functions&)>;
 Mutant mutant(const char* name, const char* base, Levels levels, const Change& change);

@@ -427,9 +427,13 @@ Law damage_samples_law() {
 }  // namespace
 
 std::vector<Law> laws() {
-  return {round_trip_law(), lookup_law(),    masks_law(),          point_law(),
-          samples_law(),    specified_law(), records_law(),        append_law(),
-          bound_law(),      damage_law(),    damage_samples_law(), induction::all_levels_law()};
+  return {round_trip_law(),    lookup_law(),
+          masks_law(),         point_law(),
+          samples_law(),       many_maps_law(),
+          specified_law(),     records_law(),
+          append_law(),        bound_law(),
+          damage_law(),        damage_samples_law(),
+          damaged_codes_law(), induction::all_levels_law()};
 }
 
 }  // namespace mmverify::proofs::dag

@@ -159,6 +159,20 @@ Scene sample_scene(Level n, std::uint64_t seed, std::uint64_t k) {
   return scene;
 }
 
+Scene many_maps(Level n, std::uint64_t seed, std::uint64_t k) {
+  Random random(seed, 701 + n, k);
+  Scene scene{formats[k % 2], {}};
+  const std::uint64_t count = n == 0 && k < 2 ? 65'537 + random.below(100) : 257 + random.below(300);
+  for (std::uint64_t m = 0; m < count; ++m) {
+    const auto level = static_cast<Level>(random.below(n + 1));
+    States states;
+    for (std::uint64_t left = micro_triangles(level); left > 0; --left)
+      states.push_back(static_cast<State>(random.below(1u << bits(scene.format))));
+    scene.maps.push_back(packed(level, scene.format, states));
+  }
+  return scene;
+}
+
 std::string text_of_number(std::uint64_t k) { return fmt::format("k={}", k); }
 std::string text_of_sample(std::uint64_t seed, std::uint64_t k) {
   return fmt::format("sample:{}:{}", seed, k);
@@ -171,10 +185,10 @@ std::uint64_t number_from_text(const std::string& text, std::uint64_t limit) {
   return std::stoull((*parts)[1]);
 }
 
-Scene sample_from_text(Level n, const std::string& text) {
+std::pair<std::uint64_t, std::uint64_t> sample_from_text(const std::string& text) {
   const Groups parts = groups_of(text, "sample:([0-9]{1,19}):([0-9]{1,9})");
   if (!parts) throw BadCase(fmt::format("'{:.60}': write sample:SEED:K", text));
-  return sample_scene(n, std::stoull((*parts)[1]), std::stoull((*parts)[2]));
+  return {std::stoull((*parts)[1]), std::stoull((*parts)[2])};
 }
 
 }  // namespace mmverify::proofs::dag

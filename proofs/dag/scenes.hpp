@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "proofs/dag/subject.hpp"
 
@@ -30,11 +31,15 @@ Scene mask_scene(Level n, std::uint64_t k);
 /// everywhere.
 Scene sample_scene(Level n, std::uint64_t seed, std::uint64_t k);
 
+/// Some hundred maps of levels up to n, at level 0 of some samples more than 2^16: numbers of maps of two and of three bytes.
+/// Each state is drawn on its own.  Sample k of a seed is the same everywhere.
+Scene many_maps(Level n, std::uint64_t seed, std::uint64_t k);
+
 /// "k=17", and "sample:SEED:K".
 std::string text_of_number(std::uint64_t k);
 std::string text_of_sample(std::uint64_t seed, std::uint64_t k);
 /// Throw BadCase, saying what is wrong with the text.
 std::uint64_t number_from_text(const std::string& text, std::uint64_t limit);
-Scene sample_from_text(Level n, const std::string& text);
+std::pair<std::uint64_t, std::uint64_t> sample_from_text(const std::string& text);
 
 }  // namespace mmverify::proofs::dag

@@ -80,6 +80,7 @@ struct Entry {
 namespace entry {
 inline constexpr Entry lookup{"map, index -> state", [](const Functions& f) { return bool{f.lookup}; }};
 inline constexpr Entry point{"map, barycentrics -> state", [](const Functions& f) { return bool{f.point}; }};
+inline constexpr Entry decode{"any code -> maps", [](const Functions& f) { return f.bytes && f.open; }};
 inline constexpr Entry container{"maps -> container of docs/DAG.md",
                                  [](const Functions& f) { return f.bytes && f.writes_container; }};
 inline constexpr Entry reads{"container of docs/DAG.md -> maps",

@@ -21,6 +21,19 @@ class Random {
     return first + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(last - first) + 1));
   }
 
+  /// A code of 8 bits: every other one is a corner, 0, 1, 127, 128, 254 or 255.
+  std::uint32_t code() {
+    constexpr std::uint8_t corners[] = {0, 1, 127, 128, 254, 255};
+    const std::uint64_t any = below(512);
+    return any < 256 ? static_cast<std::uint32_t>(any) : corners[any % 6];
+  }
+  /// Four such codes, each drawn on its own.
+  std::uint32_t four_codes() {
+    std::uint32_t word = 0;
+    for (unsigned shift = 0; shift < 32; shift += 8) word |= code() << shift;
+    return word;
+  }
+
  private:
   static constexpr std::uint64_t mixed(std::uint64_t x) {
     x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9u;
@@ -29,5 +42,16 @@ class Random {
   }
   std::uint64_t state_;
 };
+
+/// A permutation of the numbers of `bits` bits, another one for each key.  Laws give the channels of a word different
+/// ones: each channel then meets every number, and no channel tells what another one holds.
+/// Each of its steps can be undone: x ^ x >> h, and x times an odd number plus another, modulo 2^bits.
+/// Domain: bits in 2..32; x below 2^bits.
+constexpr std::uint32_t shuffled(std::uint32_t x, unsigned bits, std::uint32_t key) {
+  const auto mask = static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
+  for (std::uint32_t round = 1; round <= 2; ++round)
+    x = ((x ^ x >> bits / 2) * 0x9E3779B1u + (key + round) * 0x85EBCA6Bu) & mask;
+  return x ^ x >> bits / 2;
+}
 
 }  // namespace mmverify::proofs

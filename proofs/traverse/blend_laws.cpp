@@ -5,8 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/spoils.hpp"
+#include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"
 
@@ -26,14 +28,29 @@ struct Codes {
 constexpr std::size_t all_codes = 256;
 using CodeWords = std::vector<std::uint32_t>;
 
-/// A code in each of the four channels, so that every channel meets every combination, and no two the same at once.
-constexpr std::uint32_t in_all(Code code) {
-  return code | ((code + 85) & 255) << 8 | ((code + 170) & 255) << 16 | (255 - code) << 24;
+/// The words of a number of up to three codes, the first in its highest bits: each channel has a permutation of all such
+/// numbers, so that it meets every combination, and no channel tells what another one holds.
+template <std::size_t codes>
+constexpr std::array<std::uint32_t, codes> in_all(std::uint32_t number) {
+  std::array<std::uint32_t, codes> words{};
+  for (unsigned channel = 0; channel < 4; ++channel) {
+    const std::uint32_t here = shuffled(number, 8 * codes, channel);
+    for (std::size_t k = 0; k < codes; ++k) words[k] |= (here >> 8 * (codes - 1 - k) & 255) << 8 * channel;
+  }
+  return words;
 }
-/// A value with this alpha.
-constexpr std::uint32_t valued(Code v, Code alpha) { return (in_all(v) & 0xFFFFFF) | alpha << 24; }
-/// The same code in all four.
-constexpr std::uint32_t alike(Code code) { return code * 0x01010101u; }
+/// The payload and the value of a payload's code, an alpha and a value's code: under each alpha each of R, G and B meets
+/// every pair of codes, and A every payload's.
+constexpr std::array<std::uint32_t, 2> with_alpha(std::uint32_t number) {
+  const Code p = number >> 16, alpha = number >> 8 & 255, v = number & 255;
+  std::array<std::uint32_t, 2> words{((p + 85 * v) & 255) << 24, alpha << 24};
+  for (unsigned channel = 0; channel < 3; ++channel) {
+    const std::uint32_t pair = shuffled(p << 8 | v, 16, 4 * alpha + channel);
+    words[0] |= pair >> 8 << 8 * channel;
+    words[1] |= (pair & 255) << 8 * channel;
+  }
+  return words;
+}
 
 CodeWords blended(const TraverseSubject& s, Operation o, const CodeWords& payload, const CodeWords& value) {
   CodeWords out(payload.size());
@@ -41,13 +58,17 @@ CodeWords blended(const TraverseSubject& s, Operation o, const CodeWords& payloa
   return out;
 }
 
-/// A word for each of all pairs of a second and a third code.
-template <class Word>
-CodeWords of_pairs(Word word) {
-  CodeWords all;
-  all.reserve(all_codes * all_codes);
-  for (Code second = 0; second < all_codes; ++second)
-    for (Code third = 0; third < all_codes; ++third) all.push_back(word(second, third));
+/// A first code's words of all pairs of a second and a third one, by columns: payloads, then values.
+template <std::size_t columns>
+std::array<CodeWords, columns> of_pairs(std::array<std::uint32_t, columns> (*words)(std::uint32_t),
+                                        Code first) {
+  constexpr std::uint32_t pairs = all_codes * all_codes;
+  std::array<CodeWords, columns> all;
+  for (CodeWords& column : all) column.resize(pairs);
+  for (std::uint32_t pair = 0; pair < pairs; ++pair) {
+    const auto row = words(first << 16 | pair);
+    for (std::size_t c = 0; c < columns; ++c) all[c][pair] = row[c];
+  }
   return all;
 }
 
@@ -150,7 +171,7 @@ Law blend_law() {
        .source = cam_functions,
        .subjects = {"traverse", "traverse-single"},
        .fast_seconds = 1,
-       .domain = named_domain("5 operations, all payloads and alphas, all values: 5 * 2^24"),
+       .domain = named_domain("5 operations; in each channel all 2^24 of payload, alpha and value"),
        .mutants = {mutant("add wraps in blue", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
                             const std::uint32_t sum = (p >> 16 & 255) + (v >> 16 & 255);
@@ -166,41 +187,51 @@ Law blend_law() {
                             if (o == Operation::over && (v & 255) == 9 && v >> 24 < 128) --out;
                           }))}},
       {entry::blend}, on_codes(Operation::max, Operation::over, [](const TraverseSubject& s, const Codes& c) {
-        // The payload's code, and the value's alpha.
-        const std::uint32_t payload = in_all(c.first);
-        const auto value = [&c](std::size_t v) { return valued(static_cast<Code>(v), c.second); };
-        const auto got =
-            answers_to(s, c, [](const TraverseSubject& subject, Operation o, Code first) {
-              return CodeSheet{blended(subject, o, CodeWords(all_codes * all_codes, in_all(first)),
-                                       of_pairs([](Code alpha, Code v) { return valued(v, alpha); })),
-                               {}};
-            }).one;
-        for (std::size_t k = 0; k < all_codes; ++k)
-          for (unsigned shift = 0; shift < 32; shift += 8) {
-            const Code right =
-                spec::traverse::blend(c.operation, payload >> shift & 255, value(k) >> shift & 255, c.second);
-            if ((got[k] >> shift & 255) != right)
-              return wrong(fmt::format("{} in channel {} of {} and {}", right, shift / 8, codes_of(payload),
-                                       codes_of(value(k))),
-                           fmt::format("{}", got[k] >> shift & 255));
-          }
-        return Finding{digest_of(got)};
+        // The first code is a payload's, the second the value's alpha, the third a value's.
+        const TwoColumns all = answers_to(s, c, [](const TraverseSubject& subject, Operation o, Code first) {
+          const auto [payload, value] = of_pairs(with_alpha, first);
+          CodeWords right;
+          for (std::size_t k = 0; k < payload.size(); ++k)
+            right.push_back(word_of(spec::traverse::blend(o, colour_of(payload[k]), colour_of(value[k]))));
+          return CodeSheet{blended(subject, o, payload, value), right};
+        });
+        for (Code third = 0; third < all_codes; ++third) {
+          if (all.one[third] == all.other[third]) continue;
+          const auto [payload, value] = with_alpha(c.first << 16 | c.second << 8 | third);
+          return wrong(
+              fmt::format("{} of {} and {}", codes_of(all.other[third]), codes_of(payload), codes_of(value)),
+              codes_of(all.one[third]));
+        }
+        return Finding{digest_of(all.one)};
       }));
 }
 
 /// Both orders of two values on a payload.
-template <std::uint32_t (*word)(Code)>
+using ThreeWords = std::array<std::uint32_t, 3>;
+template <ThreeWords (*words)(std::uint32_t)>
 TwoColumns in_both_orders(const TraverseSubject& s, const Codes& c) {
   return answers_to(s, c, [](const TraverseSubject& subject, Operation o, Code first) {
-    const CodeWords payload(all_codes * all_codes, word(first)),
-        a = of_pairs([](Code second, Code) { return word(second); }),
-        b = of_pairs([](Code, Code third) { return word(third); });
+    const auto [payload, a, b] = of_pairs(words, first);
     return CodeSheet{blended(subject, o, blended(subject, o, payload, a), b),
                      blended(subject, o, blended(subject, o, payload, b), a)};
   });
 }
-/// Opaque.
-constexpr std::uint32_t opaque(Code code) { return code * 0x010101u | 0xFF000000; }
+/// One code in all channels, and opaque.
+constexpr ThreeWords alike(std::uint32_t number) {
+  return {(number >> 16) * 0x01010101u, (number >> 8 & 255) * 0x01010101u, (number & 255) * 0x01010101u};
+}
+constexpr ThreeWords opaque(std::uint32_t number) {
+  ThreeWords words = alike(number);
+  for (std::uint32_t& word : words) word |= 0xFF000000;
+  return words;
+}
+
+Finding wrong_order(const ThreeWords& words, std::uint32_t one, std::uint32_t other) {
+  const auto& [payload, a, b] = words;
+  return wrong(fmt::format("{} on payload {} with {}, then {}", codes_of(one), codes_of(payload), codes_of(a),
+                           codes_of(b)),
+               fmt::format("{} the other way around", codes_of(other)));
+}
 
 Law order_free() {
   return on_cases(
@@ -212,7 +243,7 @@ Law order_free() {
        .source = cam_functions,
        .subjects = {"traverse"},
        .fast_seconds = 1.5,
-       .domain = named_domain("3 operations, all payloads and pairs of values: 3 * 2^24"),
+       .domain = named_domain("3 operations; in each channel all 2^24 of a payload and two values"),
        .mutants = {mutant("add of 255 begins anew", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
                             if (o == Operation::add && (p & 255) == 255) out = (out & ~255u) | (v & 255);
@@ -226,13 +257,11 @@ Law order_free() {
                             if (o == Operation::min && p >> 24 == 128 && v >> 24 == 127) out |= 0xFF000000;
                           }))}},
       {entry::blend}, on_codes(Operation::max, Operation::add, [](const TraverseSubject& s, const Codes& c) {
-        const TwoColumns orders = in_both_orders<in_all>(s, c);
+        const TwoColumns orders = in_both_orders<in_all<3>>(s, c);
         for (std::size_t b = 0; b < all_codes; ++b)
           if (orders.one[b] != orders.other[b])
-            return wrong(fmt::format("{} on payload {} with {}, then {}", codes_of(orders.one[b]),
-                                     codes_of(in_all(c.first)), codes_of(in_all(c.second)),
-                                     codes_of(in_all(static_cast<Code>(b)))),
-                         fmt::format("{} the other way around", codes_of(orders.other[b])));
+            return wrong_order(in_all<3>(c.first << 16 | c.second << 8 | static_cast<Code>(b)), orders.one[b],
+                               orders.other[b]);
         return Finding{digest_of(orders.one)};
       }));
 }
@@ -247,7 +276,7 @@ Law duplicates() {
        .source = "Color and Attribute Micromaps, 4.3; VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR",
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.3,
-       .domain = named_domain("4 operations, all payloads and values: 4 * 2^16, in four channels"),
+       .domain = named_domain("4 operations; in each channel all 2^16 of a payload and a value"),
        .mutants = {mutant("max adds one to equal codes of 77", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
                             if (o == Operation::max && (p & 255) == 77 && (v & 255) == 77) ++out;
@@ -265,14 +294,18 @@ Law duplicates() {
       on_codes(Operation::max, Operation::multiply, [](const TraverseSubject& s, const Codes& c) {
         // Of all second codes, as there is no third.
         const auto asks = [](const TraverseSubject& subject, Operation o, Code first) {
-          CodeWords value;
-          for (Code second = 0; second < all_codes; ++second) value.push_back(in_all(second));
-          const CodeWords single = blended(subject, o, CodeWords(all_codes, in_all(first)), value);
+          CodeWords payload, value;
+          for (Code second = 0; second < all_codes; ++second) {
+            const auto words = in_all<2>(first << 8 | second);
+            payload.push_back(words[0]);
+            value.push_back(words[1]);
+          }
+          const CodeWords single = blended(subject, o, payload, value);
           return CodeSheet{single, blended(subject, o, single, value)};
         };
         const TwoColumns all = answers_to(s, {c.operation, c.first, 0}, asks);
-        const std::uint32_t payload = in_all(c.first), value = in_all(c.second), once = all.one[c.second],
-                            twice = all.other[c.second];
+        const auto [payload, value] = in_all<2>(c.first << 8 | c.second);
+        const std::uint32_t once = all.one[c.second], twice = all.other[c.second];
         for (unsigned shift = 0; shift < 32; shift += 8) {
           const Code p = payload >> shift & 255, v = value >> shift & 255, m = once >> shift & 255,
                      n = twice >> shift & 255;
@@ -305,7 +338,7 @@ Law multiply_depends() {
        .source = cam_functions,
        .subjects = {"traverse"},
        .fast_seconds = 0.5,
-       .domain = named_domain("all payloads and pairs of values: 2^24"),
+       .domain = named_domain("all 2^24 of a payload and two values, the same in the four channels"),
        .mutants = {mutant("2 by 64 is 0", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
                             if (o == Operation::multiply && (p & 255) == 2 && (v & 255) == 64) out &= ~255u;
@@ -346,7 +379,7 @@ Law over_depends() {
        .source = cam_functions,
        .subjects = {"traverse"},
        .fast_seconds = 0.5,
-       .domain = named_domain("all payloads and pairs of opaque values: 2^24"),
+       .domain = named_domain("all 2^24 of a payload and two opaque values, the same in R, G and B"),
        .mutants = {mutant("payloads of 255 shine through", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
                             if (o == Operation::over && (p & 255) == 255 && (v & 255) < 255) ++out;

@@ -40,7 +40,7 @@ std::uint32_t distance(std::uint64_t kind, std::uint32_t middle, Random& random)
 }
 
 /// A value whose effect a later one does not hide.
-Colour value(Operation o, Random& random) {
+Colour telling_value(Operation o, Random& random) {
   Colour v{};
   for (auto& code : v) {
     const auto any = static_cast<spec::traverse::Code>(random.below(256));
@@ -62,7 +62,10 @@ HitList hit_list(std::uint64_t seed, std::uint64_t k) {
   HitList list;
   list.operation = static_cast<Operation>(k % spec::traverse::operations);
   const bool bright = list.operation == Operation::min || list.operation == Operation::multiply;
-  list.payload = bright ? Colour{255, 254, 253, 252} : Colour{0, 1, 2, 3};
+  // Half of the lists have any payload and any values: what the others leave out of them.
+  const bool any = random.below(2) == 0;
+  const auto four_codes = [&random] { return colour_of(random.four_codes()); };
+  list.payload = any ? four_codes() : bright ? Colour{255, 254, 253, 252} : Colour{0, 1, 2, 3};
   const std::uint64_t count = 1 + k % most_hits, kind = random.below(kinds_of_distances);
   // From 2^-20 to 2^20; now and then the largest below a power of two, so that neighbours have another exponent.
   const auto fraction = random.below(4) == 0 ? 0x7FFFFE : random.below(1u << 23);
@@ -70,7 +73,8 @@ HitList hit_list(std::uint64_t seed, std::uint64_t k) {
   // Of so many hits about one is accepted: of none, of few, of most.
   const std::uint64_t one_in = std::uint64_t{1} << random.below(6);
   for (std::uint64_t at = 0; at < count; ++at) {
-    Hit hit{distance(kind, middle, random), random.below(one_in) == 0, value(list.operation, random)};
+    Hit hit{distance(kind, middle, random), random.below(one_in) == 0,
+            any ? four_codes() : telling_value(list.operation, random)};
     const std::uint64_t again = list.hits.empty() ? 0 : random.below(5);
     if (again == 1 || again == 3) hit.distance = list.hits.back().distance;
     if (again == 2 || again == 3) hit.value = list.hits.back().value;

@@ -22,7 +22,8 @@ inline constexpr std::uint64_t most_hits = 16;
 /// List k of a seed: 1 + k mod 16 hits, by the operations in turn.  Distances are of six kinds: fractions; up to four units
 /// in the last place from each other; two values in all; below 2^-126; beside the largest; of any exponent.  None to all
 /// hits are accepted.  Of four hits about one has the distance of the hit before it, one its value, one both.
-/// Values are premultiplied where the operation is over.
+/// Half of the lists have any payload and any values, each code drawn on its own; those of the others show, whatever comes
+/// later, and are premultiplied where the operation is over.
 HitList hit_list(std::uint64_t seed, std::uint64_t k);
 
 /// "add:09080706:B0x1.8p+0=04030201,A0x1p+1": operation, payload, and of each hit what it is, its distance, and of one that

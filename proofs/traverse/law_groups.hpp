@@ -13,6 +13,8 @@ std::vector<Law> decision_laws();
 std::vector<Law> lossy_laws();
 /// Values of hits blended into a payload: which operations need no order.
 std::vector<Law> blend_laws();
+/// Blends of whole random payloads and values.
+std::vector<Law> blend_sample_laws();
 /// The same where hits are accepted among them.
 std::vector<Law> order_laws();
 /// The same of up to sixteen hits.

@@ -61,7 +61,8 @@ Law many_hits_law() {
           .fast_seconds = 0.3,
           .domain = named_domain(
               "lists of 1 to 16 hits, by five operations; distances of six kinds, of each exponent "
-              "and units in the last place apart; hits that are as the one before"),
+              "and units in the last place apart; hits that are as the one before; in half of them any "
+              "payload and any values, each code on its own"),
           .unfit = needing({entry::gather}),
           .mutants = {
               mutant("sees eight hits", "traverse", gathering(cut_to)),

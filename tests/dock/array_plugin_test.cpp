@@ -66,6 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "case u8,mesh,base=0,records=0 expected code 0x0: no record 0 got record 0"},
         WrongArray{"array_minus_5_everywhere", "array.codes", "case u32,mesh,"},
         WrongArray{"array_state_4", "array.codes", "got kind 255"},
+        WrongArray{"array_one_base_a_batch", "array.codes_on_samples", "case sample:1:"},
         WrongArray{"array_refuses_two", "array.resolves --levels 0",
                    "got a refusal, though every index fits"},
         WrongArray{"array_says_more_bytes", "array.resolves --levels 0",

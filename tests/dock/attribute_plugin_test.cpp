@@ -74,7 +74,14 @@ INSTANTIATE_TEST_SUITE_P(
         WrongAttributeAnswer{"attribute_lower_weights_on_upper", "holds_point", "1", "level 1 case "},
         WrongAttributeAnswer{"attribute_towards_the_middle", "decimation_watertight", "2", "level "},
         WrongAttributeAnswer{"attribute_halves_go_up", "mip_drift", "0", "case half-to-even"},
-        WrongAttributeAnswer{"attribute_halves_go_up", "mip_rounding", "0", "case "}),
+        WrongAttributeAnswer{"attribute_bird_vertex_at_12", "bird_prefix", "7", "level 7 case 5:"},
+        WrongAttributeAnswer{"attribute_halves_go_up", "mip_rounding", "0", "case "},
+        WrongAttributeAnswer{"lockstep_face_mip", "mip_rounding", "0", "case "},
+        WrongAttributeAnswer{"lockstep_face_mip", "mip_on_samples", "0", "A: the mean of "},
+        WrongAttributeAnswer{"attribute_alpha_of_the_first_child", "mip_on_samples", "0",
+                             ", A: the mean of "},
+        WrongAttributeAnswer{"attribute_first_green_of_the_parent_before", "mip_on_samples", "0",
+                             ", G: the mean of "}),
     [](const auto& info) { return std::string(info.param.name) + "_" + info.param.law; });
 
 struct AttributeMisbehaviour {

@@ -20,7 +20,8 @@ TEST(DagSubject, the_example_in_c_keeps_every_law_that_it_has_entry_points_for) 
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   for (const char* law : {"dag.round_trip", "dag.lookup_is_decode"})
     EXPECT_THAT(o.out, HasSubstr(std::string("proved     ") + law));
-  EXPECT_THAT(o.out, HasSubstr("checked    dag.on_samples"));
+  for (const char* law : {"dag.on_samples", "dag.many_maps", "dag.damaged_codes"})
+    EXPECT_THAT(o.out, HasSubstr(std::string("checked    ") + law));
   // Its codes are not docs/DAG.md's.
   for (const char* law : {"dag.equals_spec", "dag.canonical", "dag.append", "dag.bound", "dag.malformed"})
     EXPECT_THAT(o.out, HasSubstr(std::string("n/a        ") + law));
@@ -53,6 +54,9 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongDagAnswer{"dag_forgets_the_second", "dag.round_trip", "0", "2 maps got 1"},
                     WrongDagAnswer{"dag_padding_set", "dag.round_trip", "0", "map 0 padding bits 0"},
                     WrongDagAnswer{"dag_looks_in_the_first", "dag.lookup_is_decode", "3", "map 1 state 63 0"},
+                    WrongDagAnswer{"dag_looks_for_257_in_the_first", "dag.many_maps", "0", "map 256 state "},
+                    WrongDagAnswer{"dag_numbers_of_16_bits", "dag.many_maps", "0", "map 655"},
+                    WrongDagAnswer{"dag_answers_no_scene", "dag.damaged_codes", "2", ""},
                     WrongDagAnswer{"dag_promises_the_container", "dag.canonical", "0", ""}),
     [](const auto& info) { return std::string(info.param.name); });
 
@@ -68,6 +72,20 @@ TEST(DagSubject, what_it_does_in_place_of_an_answer_is_told_with_the_case) {
   o = judge_dag("dag_lookup_crashes", "dag.lookup_is_decode --levels 4");
   EXPECT_EQ(o.exit_code, 1);
   EXPECT_THAT(o.out, HasSubstr("looking up map=0,k=255"));
+}
+
+// Of a form of its own: the container's laws do not ask it.
+TEST(DagSubject, a_decoder_that_does_not_come_back_from_a_damaged_code_is_broken) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const Outcome o = judge_dag("dag_decoder_reads_past_its_code", "dag.damaged_codes --levels 1");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("broken     dag.damaged_codes"));
+  EXPECT_THAT(o.out, HasSubstr("crashed (signal "));
+}
+
+TEST(DagSubject, a_decoder_whose_answer_goes_by_the_code_before_is_seen) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  EXPECT_EQ(judge_dag("dag_answers_by_the_last_code", "dag.damaged_codes --levels 1").exit_code, 1);
 }
 
 TEST(DagSubject, a_library_that_leads_nowhere_is_refused) {

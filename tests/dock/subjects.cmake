@@ -159,7 +159,8 @@ mmverify_add_subject(dag_example ${dag_example})
 mmverify_add_part(right_dag ${dag_example} mmverify_subject_v1=right_dag)
 mmverify_add_part(wrong_dag subjects/wrong_dag.cpp)
 foreach(wrong merges_near forgets_the_second padding_set looks_in_the_first encoder_throws encoder_counts_calls lookup_crashes
-    decodes_only encodes_only looks_up_only promises_the_container old_header)
+    decodes_only encodes_only looks_up_only promises_the_container old_header looks_for_257_in_the_first numbers_of_16_bits
+    decoder_reads_past_its_code answers_no_scene answers_by_the_last_code)
   mmverify_add_wrong(dag_${wrong} ${wrong} wrong_dag right_dag)
 endforeach()
 
@@ -170,9 +171,10 @@ mmverify_add_part(right_traverse ${traverse_example} mmverify_subject_v1=right_t
 mmverify_add_part(wrong_traverse subjects/wrong_traverse.cpp)
 foreach(wrong instance_after_ray khr_query_forgets_2_state opaque_fills_holes outcome_3 crash throws unwritten counts_calls old_header
     geometry_of_the_first_of_four blend_crash blend_unwritten blend_truncates blend_wraps blend_chains hits_as_met
-    hits_beside_blend hits_throw hits_unwritten)
+    hits_beside_blend hits_throw hits_unwritten blend_takes_r_for_b_of_the_payload hits_know_no_g_of_the_payload)
   mmverify_add_wrong(traverse_${wrong} ${wrong} wrong_traverse right_traverse)
 endforeach()
+mmverify_add_subject(lockstep_blend subjects/lockstep_blend.c)
 
 # And of arrays.
 set(array_example ${PROJECT_SOURCE_DIR}/examples/subject_array/subject_array.c)
@@ -180,7 +182,7 @@ mmverify_add_subject(array_example ${array_example})
 mmverify_add_part(right_array ${array_example} mmverify_subject_v1=right_array)
 mmverify_add_part(wrong_array subjects/wrong_array.cpp)
 foreach(wrong merges_known one_format one_histogram base_on_special order_from_level_2 less_or_equal minus_5_everywhere state_4
-    refuses_two says_more_bytes crash throws overrun counts_calls resolves_only old_header)
+    refuses_two says_more_bytes crash throws overrun counts_calls resolves_only old_header one_base_a_batch)
   mmverify_add_wrong(array_${wrong} ${wrong} wrong_array right_array)
 endforeach()
 
@@ -190,7 +192,8 @@ mmverify_add_part(right_array_changes ${array_changes_example} mmverify_subject_
 mmverify_add_part(wrong_array_changes subjects/wrong_array_changes.cpp)
 foreach(wrong compact_drops_nothing compact_refuses compact_keeps_the_base compact_overruns reorder_does_nothing
     concatenate_leaves_the_base concatenate_leaves_the_offsets load_lets_bytes_behind_pass load_forgets_signs emulate_by_majority
-    saves_alone)
+    saves_alone compact_empties_level_2 reorder_empties_level_2 concatenate_empties_level_2 load_refuses_level_2
+    load_refuses_no_array reorder_forgets_the_third)
   mmverify_add_wrong(array_changes_${wrong} ${wrong} wrong_array_changes right_array_changes)
 endforeach()
 
@@ -201,9 +204,11 @@ mmverify_add_part(right_attribute ${attribute_example} mmverify_subject_v1=right
 mmverify_add_part(wrong_attribute subjects/wrong_attribute.cpp)
 foreach(wrong bird_vertex_twice w_minor_row_turned curve_as_rows half_is_2 figure_4_cycle lower_for_upper rounded_carry
     lower_weights_on_upper towards_the_middle halves_go_up index_beyond crash unwritten order_of_before weights_count_calls
-    vertex_without_level old_header indices_only)
+    vertex_without_level old_header indices_only alpha_of_the_first_child first_green_of_the_parent_before
+    bird_vertex_at_12)
   mmverify_add_wrong(attribute_${wrong} ${wrong} wrong_attribute right_attribute)
 endforeach()
+mmverify_add_subject(lockstep_face_mip subjects/lockstep_face_mip.c)
 
 # And of their bakers.
 set(attribute_bake_example ${PROJECT_SOURCE_DIR}/examples/subject_attribute_bake/subject_attribute_bake.c)

@@ -86,6 +86,7 @@ TEST(DagLaws, ReplayTakesTheTextsItGives) {
   EXPECT_TRUE(holds("dag.masks", 5, "k=131071"));
   EXPECT_TRUE(holds("dag.on_samples", 6, "sample:1:17"));
   EXPECT_THROW(holds("dag.round_trip", 4, "k=14372"), BadCase);
+  EXPECT_TRUE(holds("dag.many_maps", 2, "sample:1:3"));
   EXPECT_THROW(holds("dag.on_samples", 6, "sample:1"), BadCase);
 }
 
@@ -98,6 +99,22 @@ TEST(DagStatements, EachLemmaHasItsWitness) {
   }
   EXPECT_EQ(lemmas, witnesses);
   EXPECT_EQ(lemmas.size(), 16u);
+}
+
+/// What the rules do not say: of sixteen different children the last is another one's.
+TEST(DagLaws, AllLevelsRunsANodeOfSixteenDifferentChildren) {
+  Functions wrong = built_in("dag-spec")->functions;
+  wrong.lookup = [real = wrong](const Code& code, Numbers map, Numbers index, std::span<std::uint8_t> state) {
+    real.lookup(code, map, index, state);
+    const Scene scene = real.decode(code);
+    for (std::size_t k = 0; k < state.size(); ++k)
+      if (const Map& m = scene.maps[map[k]]; m.level == 5 && index[k] == 1023) state[k] ^= 1;
+  };
+  const DagSubject subject("sixteen", "of sixteen children the last is wrong", std::move(wrong));
+  const Tally tally = dag::induction::discharge({}, subject, Run{});
+  ASSERT_EQ(tally.found().size(), 1u);
+  EXPECT_EQ(tally.found()[0].level, 5u);
+  EXPECT_EQ(tally.found()[0].at, "k=131070");
 }
 
 std::set<std::string> failing(const std::vector<Statement>& statements) {

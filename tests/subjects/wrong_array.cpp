@@ -133,6 +133,8 @@ std::size_t build(const mmverify_array_case_t* what, std::uint8_t* answer, std::
 
 void resolve(std::uint32_t index_type, const std::uint32_t* code, const std::uint32_t* base,
              const std::uint32_t* records, std::uint32_t* target, std::size_t count) {
+  const std::vector<std::uint32_t> first_base(count, count == 0 ? 0 : base[0]);
+  if (wrong_is("one_base_a_batch")) base = first_base.data();
   right_array()->array_resolve(index_type, code, base, records, target, count);
   for (std::size_t k = 0; k < count; ++k) {
     if (wrong_is("less_or_equal") && target[2 * k] == MMVERIFY_TARGET_OUTSIDE &&

@@ -1,6 +1,7 @@
 // The example of attribute maps but for one thing, chosen when it is linked.
 #include <cstddef>
 #include <cstring>
+#include <vector>
 
 #include "sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
@@ -25,6 +26,9 @@ void vertex_index(Word level, Word order, const Word* i, const Word* j, Word* in
     if (here && wrong_is("crash")) *nowhere = 1;
     if (here && order == MMVERIFY_VERTICES_BIRD && wrong_is("unwritten")) continue;
     right_attribute()->attribute_vertex_index(level, asked, i + k, j + k, index + k, 1);
+    // Of level 7's vertices one, five levels on.
+    const bool far = level == 12 && order == MMVERIFY_VERTICES_BIRD && index[k] == 8000;
+    if (far && wrong_is("bird_vertex_at_12")) ++index[k];
     if (!here) continue;
     if (wrong_is("bird_vertex_twice") && order == MMVERIFY_VERTICES_BIRD) index[k] ^= 1;
     if (wrong_is("index_beyond")) index[k] = ~0u;
@@ -138,7 +142,14 @@ void decimate(Word level, Word flags, const Word* i, const Word* j, Word* place,
 
 void face_mip(Word rounding, const std::uint8_t* children, std::size_t parents, std::uint8_t* out) {
   const bool up = wrong_is("halves_go_up") && rounding == MMVERIFY_ROUND_HALF_TO_EVEN;
-  right_attribute()->attribute_face_mip(up ? MMVERIFY_ROUND_HALF_UP : rounding, children, parents, out);
+  std::vector<std::uint8_t> read(children, children + 16 * parents);
+  for (std::size_t p = 0; p < parents; ++p) {
+    // A of the third child is that of the first.
+    if (wrong_is("alpha_of_the_first_child")) read[16 * p + 11] = read[16 * p + 3];
+    // G of the first child is that of the parent before.
+    if (wrong_is("first_green_of_the_parent_before") && p % 4 == 3) read[16 * p + 1] = read[16 * p - 15];
+  }
+  right_attribute()->attribute_face_mip(up ? MMVERIFY_ROUND_HALF_UP : rounding, read.data(), parents, out);
 }
 
 }  // namespace

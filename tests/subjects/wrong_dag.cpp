@@ -42,7 +42,19 @@ std::size_t encode(std::uint32_t bits, const std::uint8_t* scene, std::size_t si
 
 std::size_t decode(std::uint32_t bits, const std::uint8_t* code, std::size_t code_size, std::uint8_t* scene,
                    std::size_t capacity) {
+  // As if the code were whole.
+  if (wrong_is("decoder_reads_past_its_code") && code_size < 4) *nowhere = 1;
   const std::size_t all = right_dag()->dag_decode(bits, code, code_size, scene, capacity);
+  if (wrong_is("answers_no_scene") && all == 0 && code_size != 0 && capacity != 0) {
+    scene[0] = 13;
+    return 1;
+  }
+  static volatile std::size_t last = 0;
+  if (wrong_is("answers_by_the_last_code") && all == 0 && capacity > 1 && code_size < last) {
+    scene[0] = scene[1] = 0;
+    return 2;
+  }
+  last = code_size;
   if (wrong_is("padding_set") && bits == 1 && all != 0 && capacity >= all && scene[0] == 0) scene[1] |= 2;
   return all;
 }
@@ -54,6 +66,12 @@ void lookup(std::uint32_t bits, const std::uint8_t* code, std::size_t code_size,
     if (wrong_is("looks_in_the_first") && map[k] == 1) {
       const std::uint32_t first = 0;
       right_dag()->dag_lookup(bits, code, code_size, &first, index + k, state + k, 1);
+    }
+    const bool other = (wrong_is("looks_for_257_in_the_first") && map[k] == 256) ||
+                       (wrong_is("numbers_of_16_bits") && map[k] >= 65536);
+    if (other) {
+      const std::uint32_t taken = map[k] == 256 ? 0 : map[k] - 65536;
+      right_dag()->dag_lookup(bits, code, code_size, &taken, index + k, state + k, 1);
     }
     if (wrong_is("lookup_crashes") && index[k] == 255) *nowhere = 1;
   }

@@ -47,7 +47,9 @@ void blend(std::uint32_t operation, const std::uint32_t* payload, const std::uin
     const bool here = operation == MMVERIFY_BLEND_MAX && (payload[k] & 255) == 9 && (value[k] & 255) == 200;
     if (here && wrong_is("blend_crash")) *nowhere = 1;
     if (here && wrong_is("blend_unwritten")) continue;
-    right_traverse()->traverse_blend(operation, payload + k, value + k, out + k, 1);
+    std::uint32_t p = payload[k];
+    if (wrong_is("blend_takes_r_for_b_of_the_payload")) p = (p & ~0xFF0000u) | (p & 255) << 16;
+    right_traverse()->traverse_blend(operation, &p, value + k, out + k, 1);
     // The quotient is cut, or the sum wraps.
     if (wrong_is("blend_truncates") && operation == MMVERIFY_BLEND_MULTIPLY)
       out[k] = (out[k] & ~255u) | (payload[k] & 255) * (value[k] & 255) / 255;
@@ -83,6 +85,8 @@ void blend_hits(const mmverify_blend_case_t* what, std::uint8_t* payload) {
   if (wrong_is("hits_beside_blend"))
     for (std::uint32_t k = 0; k < what->count; ++k)
       if (hits[k].accepted != 0) hits[k].distance += 0.25f;
+  if (wrong_is("hits_know_no_g_of_the_payload"))
+    changed.payload = (changed.payload & ~0xFF00u) | (changed.payload & 255) << 8;
   right_traverse()->traverse_blend_hits(&changed, payload);
 }
 

@@ -24,6 +24,22 @@ std::uint64_t number_of(const std::string& digits, const std::string& text, std:
   return std::stoull(digits);
 }
 
+bool is_rounded(Rounding r, const Codes& x, std::uint32_t m) {
+  const auto sum = static_cast<std::int64_t>(x[0] + x[1] + x[2] + x[3]),
+             off = 4 * static_cast<std::int64_t>(m) - sum;
+  switch (r) {
+    case Rounding::half_up:
+      return -2 < off && off <= 2;
+    case Rounding::half_to_even:
+      return (-2 < off && off < 2) || ((off == 2 || off == -2) && m % 2 == 0);
+    case Rounding::truncate:
+      return -4 < off && off <= 0;
+    case Rounding::halves_up:
+      break;
+  }
+  return m == ((x[0] + x[1] + 1) / 2 + (x[2] + x[3] + 1) / 2 + 1) / 2;
+}
+
 std::function<void(Functions&)> meaning(Mean mean) {
   return [mean](Functions& f) {
     f.mips.face_mip = [mean, real = f.mips.face_mip](Rounding r, std::span<const std::uint32_t> children,

@@ -14,6 +14,8 @@ namespace mmverify::proofs::attribute {
 
 /// Roundings of means, and what chains of them are off by.
 std::vector<Law> rounding_laws();
+/// Whole pictures, each code drawn on its own.
+Law mip_sample_law();
 /// Levels of detail.
 std::vector<Law> lod_laws();
 std::vector<Law> lod_paper_laws();
@@ -29,6 +31,9 @@ std::uint64_t number_of(const std::string& digits, const std::string& text, std:
 
 /// The codes of four children.
 using Codes = std::array<std::uint32_t, 4>;
+/// Whether m is what the rounding makes of a sum of four codes, said by the distance that it may be off; of halves_up also
+/// by its own formula.
+bool is_rounded(Rounding r, const Codes& x, std::uint32_t m);
 /// The mean of four codes; what is right, and which of a word's four they are.
 using Mean = std::function<std::uint32_t(Rounding, const Codes&, std::uint32_t right, unsigned which)>;
 /// A subject whose means are those.

@@ -325,7 +325,7 @@ Law vertex_mip_law() {
 }  // namespace
 
 std::vector<Law> mip_laws() {
-  std::vector<Law> all{face_mean_law(), mip_counts_law(), vertex_mip_law()};
+  std::vector<Law> all{face_mean_law(), mip_counts_law(), vertex_mip_law(), mip_sample_law()};
   for (const auto& group : {rounding_laws(), lod_laws()}) all.insert(all.end(), group.begin(), group.end());
   return all;
 }

@@ -11,28 +11,16 @@ namespace {
 
 using spec::attribute::face_count;
 
-/// Two children; with them go all pairs of some codes.
+/// Two children of the first channel; with them go all pairs of some codes.
 struct TwoCodes {
   Rounding rounding;
   std::uint32_t a, b;
 };
 
-/// Whether m is what the rounding makes of a sum of four codes, said by the distance that it may be off; of halves_up also
-/// by its own formula.
-bool is_rounded(Rounding r, const Codes& x, std::uint32_t m) {
-  const auto sum = static_cast<std::int64_t>(x[0] + x[1] + x[2] + x[3]),
-             off = 4 * static_cast<std::int64_t>(m) - sum;
-  switch (r) {
-    case Rounding::half_up:
-      return -2 < off && off <= 2;
-    case Rounding::half_to_even:
-      return (-2 < off && off < 2) || ((off == 2 || off == -2) && m % 2 == 0);
-    case Rounding::truncate:
-      return -4 < off && off <= 0;
-    case Rounding::halves_up:
-      break;
-  }
-  return m == ((x[0] + x[1] + 1) / 2 + (x[2] + x[3] + 1) / 2 + 1) / 2;
+/// The pair of a channel: each has all pairs, in an order of its own.
+std::uint32_t pair_of(const TwoCodes& two, unsigned which) {
+  const std::uint32_t pair = two.a << 8 | two.b;
+  return which == 0 ? pair : shuffled(pair, 16, which);
 }
 
 /// The other two.
@@ -40,8 +28,8 @@ struct TwoMore {
   std::uint32_t c, d;
 };
 
-/// Pairs (c, d): word k has quadruple (a, b, c, d) number k in its first code, the next in its second, and so on, so that
-/// each is met in each of the four.  A second round takes the next but one, for carries from code to code.  Three words
+/// Pairs (c, d): word k has pair number k in its first code, the next in its second, and so on, so that each is met in each
+/// of the four.  A second round takes the next but one, for carries from code to code.  Three words
 /// more begin anew, for what is left of whole eights.
 Finding all_with(const AttributeSubject& s, const TwoCodes& two, std::span<const TwoMore> pairs,
                  std::size_t rounds) {
@@ -50,7 +38,8 @@ Finding all_with(const AttributeSubject& s, const TwoCodes& two, std::span<const
   const auto codes = [&](std::size_t k, unsigned which) {
     const std::size_t step = k / count == 1 ? 2 : 1;
     const auto [c, d] = pairs[(k + which * step) % count];
-    return Codes{two.a, two.b, c, d};
+    const std::uint32_t pair = pair_of(two, which);
+    return Codes{pair >> 8, pair & 255, c, d};
   };
   for (std::size_t k = 0; k < words; ++k)
     for (unsigned which = 0; which < 4; ++which)
@@ -109,9 +98,10 @@ Law mip_rounding_law(const char* id, bool all) {
       .fast_seconds = 0.4,
       .domain =
           [all](const Subject&, Level) {
-            return all ? std::string("the 2^32 quadruples of codes, 4 roundings")
+            return all ? std::string("4 roundings; in each of the four codes the 2^32 quadruples")
                        : std::string(
-                             "all pairs of codes for two children, 8 pairs for the others; 4 roundings");
+                             "4 roundings; in each of the four codes all pairs for two children, 8 pairs for "
+                             "the others");
           },
       .mutants =
           {mutant("half to even is half up", "attribute", {0, 0},
@@ -142,8 +132,9 @@ Law mip_rounding_law(const char* id, bool all) {
 Finding drifts(const AttributeSubject& s, Rounding r) {
   constexpr std::array<std::int64_t, 4> eighths{1, 0, -3, 4};  // of a code
   std::vector<std::uint32_t> children(4096), parents(1024);
-  const auto code = [](std::size_t quadruple, unsigned child) {
-    return static_cast<std::uint32_t>(quadruple >> 3 * child & 7);
+  // Shuffled, so that a word's four codes are of quadruples that have nothing to do with each other.
+  const auto code = [](std::size_t q, unsigned child) {
+    return shuffled(static_cast<std::uint32_t>(q), 12, 0) >> 3 * child & 7;
   };
   for (std::size_t q = 0; q < 4096; ++q)
     for (unsigned child = 0; child < 4; ++child)

@@ -108,13 +108,15 @@ Law nested_law() {
   return law;
 }
 
-/// Levels further on; the last setting goes to level 16.
-constexpr std::array<Level, 3> steps{2, 3, 4};
+constexpr Level last_level = 16;
+/// How many levels on: one more than the setting's number, to level 16 at most.
 Level levels_on(std::size_t setting, Level n) {
-  return setting < 3 ? std::min(steps[setting], 16 - n) : 16 - n;
+  return std::min(static_cast<Level>(setting) + 1, last_level - n);
 }
 
 Law prefix_law() {
+  std::vector<std::string> settings;
+  for (Level on = 1; on <= last_level; ++on) settings.push_back(fmt::format("{}", on));
   TwoIndices two;
   two.both = [](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Vertex> at) {
     const Level a = std::min(levels_on(setting, n), s.functions.max_level - n);
@@ -129,15 +131,20 @@ Law prefix_law() {
       {.id = "attribute.bird_prefix",
        .topic = "attribute",
        .says = "Bird's map of a level begins with the map of each coarser level: the vertex of index x < "
-               "V(n) is the "
-               "same place 2, 3 and 4 levels on and at level 16",
+               "V(n) is the same place any number of levels on, to level 16",
        .source = "Color and Attribute Micromaps, 3.1 and 4.4.1",
        .subjects = related_subjects,
-       .fast = {0, 9},
+       .fast = {0, 8},
        .long_run = {0, 14},
        .fast_seconds = 1,
-       .domain = [](const Subject&, Level) { return std::string("the V(n) vertices, at 4 finer levels"); },
-       .mutants = {mutant("at level 16 number 32768 is 0", "attribute-spec", {8, 8},
+       .domain = [](const Subject&,
+                    Level) { return std::string("the V(n) vertices, 1 to 16 levels on, to level 16"); },
+       .mutants = {mutant("5 levels on from level 7 one number is another", "attribute-spec", {7, 7},
+                          on_vertex_index(VertexOrder::bird,
+                                          [](Level n, const Vertex&, std::uint32_t x) {
+                                            return n == 12 && x == 8000 ? x + 1 : x;
+                                          })),
+                   mutant("at level 16 number 32768 is 0", "attribute-spec", {8, 8},
                           on_vertex_index(VertexOrder::bird,
                                           [](Level n, const Vertex&, std::uint32_t x) {
                                             return n == 16 && x == 32'768 ? 0 : x;
@@ -156,7 +163,7 @@ Law prefix_law() {
                                                        ? x ^ 1
                                                        : x;
                                           }))}},
-      needing({entry::vertex_index}), on_two({"2", "3", "4", "16"}, two));
+      needing({entry::vertex_index}), on_two(settings, two));
 }
 
 Law reversed_law() {

@@ -8,7 +8,12 @@
 namespace mmverify::proofs::dag::induction {
 namespace {
 
-constexpr Levels search{3, 4};
+/// The small scenes of levels 3 and 4, whose nodes have 64 and 4 children, and beyond them the two scenes of a level of
+/// which every child of the root is mixed and another one: 16 of them at levels 5 and 7, 4 at level 6.
+constexpr Levels search{3, 7}, small{3, 4};
+std::uint64_t first_scene(Level n) { return n <= small.last ? 0 : mask_scenes(n) - 2; }
+std::uint64_t scenes(Level n) { return n <= small.last ? small_scenes(n) : mask_scenes(n); }
+Scene scene(Level n, std::uint64_t k) { return n <= small.last ? small_scene(n, k) : mask_scene(n, k); }
 constexpr char about[] = "dag-spec";
 
 Finding as_specified(const DagSubject& s, const Scene& scene) {
@@ -19,8 +24,8 @@ Finding as_specified(const DagSubject& s, const Scene& scene) {
 std::vector<Counterexample> counterexamples(const DagSubject& subject, const Run& run) {
   std::vector<Counterexample> found;
   for (Level n = search.first; n <= search.last && found.empty(); ++n)
-    for (std::uint64_t k = 0; k < small_scenes(n) && found.size() < run.errors && !interrupted(); ++k)
-      if (const Finding f = as_specified(subject, small_scene(n, k)); !f.holds)
+    for (std::uint64_t k = first_scene(n); k < scenes(n) && found.size() < run.errors && !interrupted(); ++k)
+      if (const Finding f = as_specified(subject, scene(n, k)); !f.holds)
         found.push_back({{n, k, 0}, n, text_of_number(k), {}, f.expected, f.got});
   return found;
 }
@@ -38,7 +43,8 @@ Tally discharge(const std::vector<Statement>& statements, const DagSubject& subj
   return proofs::induction::discharge(
       statements,
       {[&] { return counterexamples(subject, run); },
-       fmt::format("the small scenes of levels {} and {}", search.first, search.last)},
+       fmt::format("the small scenes of levels {} and {}, and maps of 16 different children", small.first,
+                   small.last)},
       run, effort);
 }
 
@@ -65,9 +71,9 @@ Law all_levels_law() {
     return discharge(statements_about(s).value(), dynamic_cast<const DagSubject&>(s), run);
   };
   law.replay = [](const Subject& s, Level n, const std::string& at) {
-    if (n > 4) throw BadCase("its scenes are those of levels 0..4");
-    return replayed(as_specified(dynamic_cast<const DagSubject&>(s),
-                                 small_scene(n, number_from_text(at, small_scenes(n)))));
+    if (n > search.last) throw BadCase("its scenes are those of levels 0..7");
+    return replayed(
+        as_specified(dynamic_cast<const DagSubject&>(s), scene(n, number_from_text(at, scenes(n)))));
   };
   law.mutants = mutants_of_all_levels();
   return law;

@@ -10,8 +10,9 @@ using proofs::induction::Effort;
 using proofs::induction::Provable;
 using proofs::induction::Statement;
 
-/// Judges a subject by the statements about it, one case each.  Where one fails, looks for a small scene of levels 3 and 4
-/// of which the subject's container is not the specification's or a lookup is not the map's state.
+/// Judges a subject by the statements about it, one case each.  Where one fails, looks for a small scene of levels 3 and 4,
+/// or a map of levels 5 to 7 whose root has 16 or 4 different children, of which the subject's container is not the
+/// specification's or a lookup is not the map's state.
 Tally discharge(const std::vector<Statement>& statements, const DagSubject& subject, const Run& run,
                 const Effort& effort = {});
 
