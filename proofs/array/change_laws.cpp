@@ -242,11 +242,11 @@ Law changes_on_samples() {
                  "to three geometries of up to 40 triangles, each of any encoding, base and indices",
                  n);
            },
-       .mutants = {mutant("an array with a map of level 2 is empty", "array", {2, 5},
+       .mutants = {mutant("an array with a map of level 4 is empty", "array", {2, 5},
                           changing(&Functions::compact,
                                    [](const Bundle& was, Bundle& is) {
                                      for (const Record& r : was.array.records)
-                                       if (r.level >= 2) is = {};
+                                       if (r.level >= 4) is = {};
                                    })),
                    mutant("the third geometry's indices stay as they were", "array-spec", {0, 5},
                           changing(&Functions::reorder,

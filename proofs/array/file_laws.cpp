@@ -136,10 +136,10 @@ Law files_on_samples() {
                             if (b && b->parts.size() > 1 && b->parts[1].encoding == Encoding::u16)
                               b->parts[1].base = b->parts[0].base;
                           })),
-                   mutant("an array with a map of level 3 is refused", "array", {3, 5},
+                   mutant("an array with a map of level 4 is refused", "array", {2, 5},
                           misreading([](std::span<const std::uint8_t>, std::optional<Bundle>& b) {
                             if (b && std::any_of(b->array.records.begin(), b->array.records.end(),
-                                                 [](const Record& r) { return r.level == 3; }))
+                                                 [](const Record& r) { return r.level == 4; }))
                               b.reset();
                           }))}},
       {entry::file},

@@ -86,12 +86,13 @@ Law damaged_codes_law() {
        .fast = {0, 5},
        .long_run = {0, 6},
        .fast_seconds = 0.4,
+       .how = [](const Subject&, Level) { return std::string("sample, by what comes back"); },
        .mutants = {mutant("the empty code is a scene without maps", "dag", {0, 0},
                           opens([](std::span<const std::uint8_t> bytes, std::optional<Code>& code,
                                    const Functions& real) {
                             if (bytes.empty()) code = real.encode({Format::two_state, {}});
                           })),
-                   mutant("what was opened before shows", "dag", {0, 3},
+                   mutant("what was opened before shows", "dag", {4, 5},
                           [](Functions& f) {
                             f.open = [real = f, last = std::make_shared<std::size_t>(0)](
                                          Format format, std::span<const std::uint8_t> bytes) {

@@ -70,7 +70,8 @@ using Sampled = Scene (*)(Level, std::uint64_t seed, std::uint64_t k);
 Law on_sampled(Law law, std::vector<Entry> entries, std::function<std::uint64_t(Level)> count,
                Sampled sampled, Check check) {
   law.method = Method::sample;
-  law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
+  if (!law.how)
+    law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
   law.unfit = needing(std::move(entries), {0, law.long_run.last}, "it is run up to a lower level");
   return on_numbered_cases(std::move(law), {[count](Level n, const Run&) { return count(n); },
                                             [=](const Subject& s, Level n, std::uint64_t k, const Run& run) {
