@@ -528,11 +528,9 @@ typedef struct mmverify_subject {
 
   /* An array as a file of a version, 1 or 2, and the array of a file again, as mmverify_array_parts has it; sizes as of
    * tree_encode.  Version 2 holds every array; 0 if version 1 does not hold this one, and for bytes that are no file.
-   *   - Any form of file will do.  What is saved in a version is loaded as it was.
-   *   - With the flag MMVERIFY_ARRAY_FILES the files are those of docs/ARRAYS.md, byte by byte, and array_load refuses all
-   *     other bytes: cut short, one bit flipped, 0 bytes.
-   *   - Bytes may be laid out as a file and hold no array: a plain index that names no record, a record without a format, of a
-   *     level above 12, or with bytes outside the data.  array_load gives them as they are, or refuses them: 0. */
+   *   - Any form of file will do; what is saved in a version is loaded as it was.  With the flag MMVERIFY_ARRAY_FILES files
+   *     are docs/ARRAYS.md's, byte by byte, and array_load refuses other bytes: cut short, one bit flipped, 0 bytes.  A file
+   *     whose indices or records make no array ("Files" there says which) it may load as it is, or refuse. */
   size_t (*array_save)(uint32_t version, const uint8_t* array, size_t array_size, uint8_t* file,
                        size_t capacity);
   size_t (*array_load)(const uint8_t* file, size_t file_size, uint8_t* array, size_t capacity);
@@ -555,8 +553,7 @@ typedef struct mmverify_subject {
                        size_t capacity);
 
   /* The size of the scene of a code, and the scene, likewise; 0 if no scene has that code, which may be anything: cut short,
-   * 0 bytes, one bit flipped.  Of a form of its own nobody else can say which codes those are: an answer is 0 or a scene, the
-   * same one at each call. */
+   * 0 bytes, one bit flipped.  Of a form of its own nobody else can tell: 0 or a scene, the same one at each call. */
   size_t (*dag_decode)(uint32_t format, const uint8_t* code, size_t code_size, uint8_t* scene,
                        size_t capacity);
 

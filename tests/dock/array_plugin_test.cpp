@@ -63,7 +63,8 @@ INSTANTIATE_TEST_SUITE_P(
                    "expected triangle 0: special T got "},
         WrongArray{"array_order_from_level_2", "array.order --levels 0..2", "level 2 case "},
         WrongArray{"array_less_or_equal", "array.codes",
-                   "case u8,mesh,base=0,records=0 expected code 0x0: no record 0 got record 0"},
+                   "case u8,mesh,base=0,records=0 expected code 0x0 with base 0, 0 records: no record 0 got "
+                   "record 0"},
         WrongArray{"array_minus_5_everywhere", "array.codes", "case u32,mesh,"},
         WrongArray{"array_state_4", "array.codes", "got kind 255"},
         WrongArray{"array_one_base_a_batch", "array.codes_on_samples", "case sample:1:"},

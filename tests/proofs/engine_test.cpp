@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/random.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/kinds.hpp"
 
@@ -24,6 +25,39 @@ namespace {
 using namespace mmverify::proofs;
 using testing::ElementsAre;
 using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Random
+// ---------------------------------------------------------------------------------------------------------------------
+
+TEST(Shuffled, IsAPermutationForEachKey) {
+  for (const unsigned bits : {2u, 12u, 16u})
+    for (std::uint32_t key = 0; key < 5; ++key) {
+      std::vector<bool> met(std::size_t{1} << bits);
+      for (std::uint32_t x = 0; x < met.size(); ++x) met[shuffled(x, bits, key)] = true;
+      EXPECT_THAT(met, testing::Each(true)) << bits << " bits, key " << key;
+    }
+}
+
+// What laws have it for: no bit of one channel tells one of another.  A quarter of 2^16 numbers is 16,384.
+TEST(Shuffled, HasBitsUnderTwoKeysThatAreIndependent) {
+  for (std::uint32_t key = 1; key < 4; ++key)
+    for (unsigned bit = 0; bit < 256; ++bit) {
+      std::array<int, 4> count{};
+      for (std::uint32_t x = 0; x < 65'536; x += 3)
+        ++count[(shuffled(x, 16, 0) >> bit % 16 & 1) * 2 + (shuffled(x, 16, key) >> bit / 16 & 1)];
+      EXPECT_THAT(count, testing::Each(testing::AllOf(testing::Gt(3'500), testing::Lt(7'500))))
+          << key << ", " << bit;
+    }
+}
+
+TEST(Random, HalfOfItsCodesAreCorners) {
+  std::array<int, 256> count{};
+  Random random(1, 2, 3);
+  for (int k = 0; k < 30'000; ++k) ++count[random.code()];
+  for (const std::size_t corner : {0, 1, 127, 128, 254, 255}) EXPECT_GT(count[corner], 2'300) << corner;
+  EXPECT_THAT(count, testing::Each(testing::Gt(20)));
+}
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Tally
