@@ -49,8 +49,11 @@ Scene scene_of(Format f, const Bytes& bytes) {
 }
 
 std::string text_of(const Scene& scene) {
+  constexpr std::size_t most = 8;
   std::string levels;
-  for (const Map& map : scene.maps) levels += fmt::format("{}{}", levels.empty() ? "" : ", ", map.level);
+  for (std::size_t m = 0; m < std::min(scene.maps.size(), most); ++m)
+    levels += fmt::format("{}{}", levels.empty() ? "" : ", ", scene.maps[m].level);
+  if (scene.maps.size() > most) levels += fmt::format(", ... of {} maps", scene.maps.size());
   return fmt::format("the {}-state scene of levels {}", 1u << bits(scene.format), levels);
 }
 

@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongAttributeAnswer{"attribute_bird_vertex_at_12", "bird_prefix", "7", "level 7 case 5:"},
         WrongAttributeAnswer{"attribute_halves_go_up", "mip_rounding", "0", "case "},
         WrongAttributeAnswer{"lockstep_face_mip", "mip_rounding", "0", "case "},
-        WrongAttributeAnswer{"lockstep_face_mip", "mip_on_samples", "0", "A: the mean of "},
+        WrongAttributeAnswer{"lockstep_face_mip", "mip_on_samples", "0", ", G: the mean of "},
         WrongAttributeAnswer{"attribute_alpha_of_the_first_child", "mip_on_samples", "0",
                              ", A: the mean of "},
         WrongAttributeAnswer{"attribute_first_green_of_the_parent_before", "mip_on_samples", "0",

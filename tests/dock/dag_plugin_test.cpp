@@ -54,11 +54,22 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongDagAnswer{"dag_forgets_the_second", "dag.round_trip", "0", "2 maps got 1"},
                     WrongDagAnswer{"dag_padding_set", "dag.round_trip", "0", "map 0 padding bits 0"},
                     WrongDagAnswer{"dag_looks_in_the_first", "dag.lookup_is_decode", "3", "map 1 state 63 0"},
-                    WrongDagAnswer{"dag_looks_for_257_in_the_first", "dag.many_maps", "0", "map 256 state "},
-                    WrongDagAnswer{"dag_numbers_of_16_bits", "dag.many_maps", "0", "map 655"},
                     WrongDagAnswer{"dag_answers_no_scene", "dag.damaged_codes", "2", ""},
                     WrongDagAnswer{"dag_promises_the_container", "dag.canonical", "0", ""}),
     [](const auto& info) { return std::string(info.param.name); });
+
+// Of more than 65,536 maps some hundred have such numbers; encoding them takes a busy machine its time.
+TEST(DagSubject, that_takes_one_of_many_maps_for_another_is_refuted) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  for (const char* name : {"dag_looks_for_257_in_the_first", "dag_numbers_of_16_bits"}) {
+    const Outcome o = shell(
+        "mmverify prove dag.many_maps --levels 0 --quiet --no-mutants --timeout 20 --threads 1 --subject " +
+        library(name));
+    expect_refuted_and_replayed(o, "dag.many_maps");
+    EXPECT_THAT(o.out,
+                HasSubstr(std::string(name) == "dag_numbers_of_16_bits" ? "map 655" : "map 256 state "));
+  }
+}
 
 TEST(DagSubject, what_it_does_in_place_of_an_answer_is_told_with_the_case) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();

@@ -113,10 +113,11 @@ std::size_t load(const std::uint8_t* file, std::size_t file_size, std::uint8_t* 
     return size != 0 || file_size == 0 ? size : real(file, file_size - 1, array, capacity);
   }
   const std::size_t size = real(file, file_size, array, capacity);
-  if (size != 0 && size <= capacity) {
-    if (wrong_is("load_refuses_level_2") && has_level_2(array)) return 0;
-    if (wrong_is("load_refuses_no_array") && !is_array(array)) return 0;
-  }
+  // Whatever room there is.
+  std::vector<std::uint8_t> loaded(size);
+  real(file, file_size, loaded.data(), size);
+  if (size != 0 && wrong_is("load_refuses_level_2") && has_level_2(loaded.data())) return 0;
+  if (size != 0 && wrong_is("load_refuses_no_array") && !is_array(loaded.data())) return 0;
   if (wrong_is("load_forgets_signs") && size != 0 && size <= capacity)
     for (std::size_t g = 0; g < head_of(array).geometries; ++g)
       if (word_at(geometry(array, g)) == MMVERIFY_INDEX_I16) {

@@ -45,8 +45,8 @@ std::size_t decode(std::uint32_t bits, const std::uint8_t* code, std::size_t cod
   // As if the code were whole.
   if (wrong_is("decoder_reads_past_its_code") && code_size < 4) *nowhere = 1;
   const std::size_t all = right_dag()->dag_decode(bits, code, code_size, scene, capacity);
-  if (wrong_is("answers_no_scene") && all == 0 && code_size != 0 && capacity != 0) {
-    scene[0] = 13;
+  if (wrong_is("answers_no_scene") && all == 0 && code_size != 0) {
+    if (capacity != 0) scene[0] = 13;
     return 1;
   }
   static volatile std::size_t last = 0;
