@@ -35,7 +35,7 @@ std::set<std::string> listed_in(const fs::path& folder) {
   std::ifstream in(folder / vectors::manifest_name);
   const auto manifest = nlohmann::json::parse(in, nullptr, false);
   if (!manifest.is_object() || !manifest.contains("schema") || !manifest["schema"].is_string()) return {};
-  // Of this form, or of an earlier one: its files make room for this one's.
+  // A folder of this form, or of an earlier one, makes room for this one's files.
   if (!manifest["schema"].get<std::string>().starts_with("mmverify.vectors/")) return {};
   std::set<std::string> names{vectors::manifest_name};
   const auto files = manifest.find("files");

@@ -19,7 +19,7 @@ const next = (x: number, steps: number): number => {
   return new Float32Array(words.buffer)[0]!;
 };
 
-/** By numbers whose last bit is 2^-40 or more, in which doubles have room for a sum. */
+/** The right index. Domain: numbers whose last bit is 2^-40 or more: doubles have room for their sums. */
 function right(level: number, u: number, v: number): number {
   const N = 2 ** level;
   const i = Math.min(Math.floor(u * N), N - 1), j = Math.min(Math.floor(v * N), N - 1);

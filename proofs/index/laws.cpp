@@ -14,7 +14,7 @@
 namespace mmverify::proofs::index {
 namespace {
 
-/// What is wrong on cells, and at one of them on Boost.Rational alone.
+/// Subjects that are wrong on cells, and one that is wrong on Boost.Rational alone.
 std::vector<Mutant> wrong_in_rationals() {
   std::vector<Mutant> mutants = wrong_on_cells("step");
   mutants.push_back(

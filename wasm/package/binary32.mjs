@@ -8,7 +8,7 @@ const whole = Number.isSafeInteger;
 const { fround } = Math;
 const rounded = (result, a, b) => (typeof result !== "number" || (whole(a) && whole(b) && whole(result)) ? result : fround(result));
 
-/** What operators become. */
+/** Functions that take the place of operators. */
 const operations = {
   add: (a, b) => rounded(a + b, a, b),
   subtract: (a, b) => rounded(a - b, a, b),
@@ -42,7 +42,7 @@ class Place {
   }
 }
 
-// What these return is one of their arguments, a whole number, or rounded.
+// These return one of their arguments, a whole number, or a rounded one.
 const asTheyAre = new Set(["abs", "ceil", "clz32", "floor", "fround", "imul", "max", "min", "round", "sign", "trunc"]);
 const binary32Math = Object.fromEntries(
   Object.getOwnPropertyNames(Math).map((name) => {
@@ -56,13 +56,13 @@ const binary32Math = Object.fromEntries(
   }),
 );
 
-/** By this name rewritten text calls the operations. */
+/** The name by which rewritten text calls the operations. */
 export const operationsName = "__mmverify_binary32";
 /** The values of the names that rewritten text uses without declaring them. */
 export const scope = { [operationsName]: operations, Math: binary32Math };
 export const scopeNames = Object.keys(scope);
 
-/** What a verdict says of the numbers that it is about. */
+/** The words of a verdict about the numbers that it is about. */
 export const arithmeticWords = {
   binary32: "each operation rounded to binary32, between whole numbers exact",
   binary64: "in binary64, as JavaScript computes; in binary32, as shaders do, it may answer otherwise",

@@ -8,7 +8,7 @@ import { inBinary32 } from "./rewrite.mjs";
 const mark = "mmverify-binary32";
 const marked = (url) => url?.startsWith("file:") && new URL(url).searchParams.has(mark);
 
-/** What an error says of a file that is no module: who loads it may go without the rounding. */
+/** The words of an error about a file that is no module: who loads it may go without the rounding. */
 export const noModule = "no ES module, whose arithmetic alone can be rounded";
 
 export function withMark(url) {
@@ -34,7 +34,7 @@ export async function load(url, context, next) {
   } catch (error) {
     throw new Error(`${path}: ${error.message}`);
   }
-  // On the first line, so that lines keep their numbers.
+  // They stand on the first line, so that lines keep their numbers.
   const names = `const { ${scopeNames.join(", ")} } = globalThis[Symbol.for("${mark}")];`;
   return { ...loaded, source: `${names} ${rounded}` };
 }

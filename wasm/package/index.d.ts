@@ -5,7 +5,7 @@ export interface Subject {
   name?: string;
   /** The highest level that it knows; 12 where it says nothing. */
   maxLevel?: number;
-  /** What the verdict says of the numbers that it computes in; where it says nothing, that JavaScript computes in binary64. */
+  /** The verdict's words about the numbers that it computes in; where there are none, binary64, as JavaScript has it. */
   arithmetic?: string;
   index_f32?(level: number, u: Float32Array, v: Float32Array, index: Uint32Array): void;
   index_f64?(level: number, u: Float64Array, v: Float64Array, index: Uint32Array): void;

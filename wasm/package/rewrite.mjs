@@ -6,7 +6,7 @@ import { operationsName } from "./binary32.mjs";
 const binary = { "+": "add", "-": "subtract", "*": "multiply", "/": "divide", "%": "remainder", "**": "power" };
 const bindsText = new Set(["eval", "Function"]);
 
-/** What of a script cannot be judged in binary32, by its line. */
+/** Names what cannot be rounded, by its line. */
 export class CannotRound extends Error {}
 
 class Rewriting {
@@ -66,7 +66,7 @@ class Rewriting {
     return this.text.slice(from, value.start) + this.of(value) + this.text.slice(value.end, node.end);
   }
 
-  /** As an argument of a call: the parentheses around a comma are not the node's. */
+  /** The text as an argument of a call: the parentheses around a comma are not the node's. */
   argument(node) {
     return node.type === "SequenceExpression" ? `(${this.of(node)})` : this.of(node);
   }
@@ -94,7 +94,7 @@ class Rewriting {
       (place) => `${place}.${node.prefix ? "set" : "step"}("${operation}")`);
   }
 
-  /** What is assigned to: text that may stand twice, or a place that is evaluated once. */
+  /** A target of assignment: text that may stand twice, or a place that is evaluated once. */
   onPlace(target, twice, once) {
     if (target.type === "Identifier") return twice(this.of(target));
     const { object, property, computed } = target;
@@ -131,7 +131,7 @@ export function inBinary32(text, sourceType = "module") {
   return new Rewriting(text).of(parsed(text, sourceType));
 }
 
-/** What `export const arithmetic = "..."` of a module says; undefined where it says nothing. */
+/** The value of a module's `export const arithmetic = "..."`; undefined where it has none. */
 export function declaredArithmetic(text) {
   for (const { type, declaration } of parsed(text, "module").body) {
     if (type !== "ExportNamedDeclaration" || declaration?.type !== "VariableDeclaration") continue;

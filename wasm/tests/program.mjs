@@ -1,5 +1,5 @@
-// In the place of emscripten's program: asks a script's index_f32 at pairs of floats beside diagonals, where sums are rounded,
-// and says on how many it is wrong. What is tested is the package around it, which needs no WebAssembly for that.
+// A stand-in of emscripten's program: asks a script's index_f32 at pairs of floats beside diagonals, where sums are rounded,
+// and says on how many it is wrong. The package around it is what is tested, and needs no WebAssembly for that.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 
 const { fround } = Math;

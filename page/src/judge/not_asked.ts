@@ -1,4 +1,4 @@
-// What a verdict on an index function leaves open.
+// Inputs that a verdict on an index function leaves open.
 
 /** The highest level that there is. */
 const highest = 16;

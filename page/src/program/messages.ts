@@ -15,7 +15,7 @@ export interface Judge {
   kind: "judge";
   args: readonly string[];
   highest: number;
-  /** What the verdict says of the numbers that the function computes in. */
+  /** The verdict's words about the numbers that the function computes in. */
   arithmetic: string;
   /** In the place of a function: answers that were had elsewhere. */
   table?: Answered[];
