@@ -126,11 +126,12 @@ void Worker::start_process() {
   posix_spawn_file_actions_adddup2(&actions, printed_->write_end(), STDERR_FILENO);
   posix_spawn_file_actions_adddup2(&actions, fd_, shared_memory_descriptor);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  // A session of its own: no terminal is its own, what a subject forks ends with it, and Ctrl-C stays this process's
-  // business.
+  // A group of its own: what a subject forks ends with it, and Ctrl-C stays this process's business.  No session of its
+  // own: where the kernel shares processors among sessions, each of the two would wait for everybody else's turn.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
   std::vector<char*> environment;
   for (std::string& setting : environment_) environment.push_back(setting.data());
   environment.push_back(nullptr);

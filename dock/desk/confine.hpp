@@ -4,7 +4,7 @@
 namespace mmverify::dock {
 
 /// From here on this process, and with it the subject,
-///   - starts no other process (fork and its like fail with EAGAIN; threads are free) and stays in its session;
+///   - starts no other process (fork and its like fail with EAGAIN; threads are free) and stays in its group and session;
 ///   - sends signals to none but itself, and none that would look as if it came from outside: SIGKILL, stops;
 ///   - reads and writes no other process's memory, also as root, and takes no other process's descriptors;
 ///   - writes to no terminal, and to nothing below /proc and /sys;
