@@ -157,7 +157,8 @@ TEST(Tally, DigestSeesAChangedAnswerAndTwoThatChangePlaces) {
 
 /// Clears an interrupt that a test before it in this process left behind.
 class Engine : public testing::Test {
-  const InterruptGuard guard_;
+ protected:
+  Engine() { const InterruptGuard clears_what_was_raised; }
 };
 using Sweep = Engine;
 using Runner = Engine;
@@ -452,6 +453,16 @@ TEST_F(Runner, AnInterruptEndsWithItsRun) {
   const Report next = run_jobs({{&law, subject("s"), {0, 0}, {}}}, quiet(), nothing);
   EXPECT_FALSE(next.interrupted);
   EXPECT_EQ(next.results[0].verdict, Verdict::proved);
+}
+
+// A guard around the run has seen it already, while a library was loaded, say.
+TEST_F(Runner, WhatCameBeforeItsRunEndsItToo) {
+  const InterruptGuard around;
+  std::raise(SIGTERM);
+  const Law law = law_judged_by(all_right);
+  const Report report = run_jobs({{&law, subject("s"), {0, 0}, {}}}, quiet(), nothing);
+  EXPECT_TRUE(report.interrupted);
+  EXPECT_EQ(report.results[0].verdict, Verdict::incomplete);
 }
 
 // The second Ctrl-C ends the process, whatever it is at.
