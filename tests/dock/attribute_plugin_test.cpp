@@ -80,8 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongAttributeAnswer{"lockstep_face_mip", "mip_on_samples", "0", ", G: the mean of "},
         WrongAttributeAnswer{"attribute_alpha_of_the_first_child", "mip_on_samples", "0",
                              ", A: the mean of "},
-        WrongAttributeAnswer{"attribute_first_green_of_the_parent_before", "mip_on_samples", "0",
-                             ", G: the mean of "}),
+        WrongAttributeAnswer{"attribute_second_child_without_alpha_is_black", "mip_on_samples", "0",
+                             ": the mean of "}),
     [](const auto& info) { return std::string(info.param.name) + "_" + info.param.law; });
 
 struct AttributeMisbehaviour {

@@ -171,7 +171,7 @@ mmverify_add_part(right_traverse ${traverse_example} mmverify_subject_v1=right_t
 mmverify_add_part(wrong_traverse subjects/wrong_traverse.cpp)
 foreach(wrong instance_after_ray khr_query_forgets_2_state opaque_fills_holes outcome_3 crash throws unwritten counts_calls old_header
     geometry_of_the_first_of_four blend_crash blend_unwritten blend_truncates blend_wraps blend_chains hits_as_met
-    hits_beside_blend hits_throw hits_unwritten blend_takes_r_for_b_of_the_payload hits_know_no_g_of_the_payload)
+    hits_beside_blend hits_throw hits_unwritten blend_guesses_b_of_the_value blend_knows_no_b_without_r hits_guess_g_of_the_payload)
   mmverify_add_wrong(traverse_${wrong} ${wrong} wrong_traverse right_traverse)
 endforeach()
 mmverify_add_subject(lockstep_blend subjects/lockstep_blend.c)
@@ -204,7 +204,7 @@ mmverify_add_part(right_attribute ${attribute_example} mmverify_subject_v1=right
 mmverify_add_part(wrong_attribute subjects/wrong_attribute.cpp)
 foreach(wrong bird_vertex_twice w_minor_row_turned curve_as_rows half_is_2 figure_4_cycle lower_for_upper rounded_carry
     lower_weights_on_upper towards_the_middle halves_go_up index_beyond crash unwritten order_of_before weights_count_calls
-    vertex_without_level old_header indices_only alpha_of_the_first_child first_green_of_the_parent_before
+    vertex_without_level old_header indices_only second_child_is_grey second_child_without_alpha_is_black
     bird_vertex_at_12)
   mmverify_add_wrong(attribute_${wrong} ${wrong} wrong_attribute right_attribute)
 endforeach()

@@ -56,8 +56,9 @@ INSTANTIATE_TEST_SUITE_P(
         WrongDecision{"traverse_blend_wraps", "traverse.blend_duplicates", "case add,"},
         WrongDecision{"lockstep_blend", "traverse.blend", "case max,"},
         WrongDecision{"lockstep_blend", "traverse.blend_on_samples", ", by "},
-        WrongDecision{"traverse_blend_takes_r_for_b_of_the_payload", "traverse.blend_on_samples", ", by "},
-        WrongDecision{"traverse_hits_know_no_g_of_the_payload", "traverse.blend_many_on_samples", "case "}),
+        WrongDecision{"traverse_blend_guesses_b_of_the_value", "traverse.blend_on_samples", ", by "},
+        WrongDecision{"traverse_blend_knows_no_b_without_r", "traverse.blend_on_samples", ", by "},
+        WrongDecision{"traverse_hits_guess_g_of_the_payload", "traverse.blend_many_on_samples", "case "}),
     [](const auto& info) { return std::to_string(info.index) + "_" + info.param.name; });
 
 // One case each: the whole law is 233,820 questions.

@@ -1,4 +1,5 @@
 // The example of attribute maps but for one thing, chosen when it is linked.
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <vector>
@@ -144,10 +145,11 @@ void face_mip(Word rounding, const std::uint8_t* children, std::size_t parents, 
   const bool up = wrong_is("halves_go_up") && rounding == MMVERIFY_ROUND_HALF_TO_EVEN;
   std::vector<std::uint8_t> read(children, children + 16 * parents);
   for (std::size_t p = 0; p < parents; ++p) {
-    // A of the third child is that of the first.
-    if (wrong_is("alpha_of_the_first_child")) read[16 * p + 11] = read[16 * p + 3];
-    // G of the first child is that of the parent before.
-    if (wrong_is("first_green_of_the_parent_before") && p % 4 == 3) read[16 * p + 1] = read[16 * p - 15];
+    // Of the second child all codes are the greatest, or none where it has no alpha.
+    std::uint8_t* const second = &read[16 * p + 4];
+    if (wrong_is("second_child_is_grey")) std::fill_n(second, 4, *std::max_element(second, second + 4));
+    if (wrong_is("second_child_without_alpha_is_black") && second[3] == 0)
+      std::fill_n(second, 4, std::uint8_t{0});
   }
   right_attribute()->attribute_face_mip(up ? MMVERIFY_ROUND_HALF_UP : rounding, read.data(), parents, out);
 }

@@ -47,9 +47,11 @@ void blend(std::uint32_t operation, const std::uint32_t* payload, const std::uin
     const bool here = operation == MMVERIFY_BLEND_MAX && (payload[k] & 255) == 9 && (value[k] & 255) == 200;
     if (here && wrong_is("blend_crash")) *nowhere = 1;
     if (here && wrong_is("blend_unwritten")) continue;
-    std::uint32_t p = payload[k];
-    if (wrong_is("blend_takes_r_for_b_of_the_payload")) p = (p & ~0xFF0000u) | (p & 255) << 16;
-    right_traverse()->traverse_blend(operation, &p, value + k, out + k, 1);
+    // Of the value B is what it is beside G where one code is in all channels in turn, or beside an R of 0.
+    std::uint32_t v = value[k];
+    if (wrong_is("blend_guesses_b_of_the_value")) v = (v & ~0xFF0000u) | (((v >> 8) + 85) & 255) << 16;
+    if (wrong_is("blend_knows_no_b_without_r") && (v & 255) == 0) v = (v & ~0xFF0000u) | 170 << 16;
+    right_traverse()->traverse_blend(operation, payload + k, &v, out + k, 1);
     // The quotient is cut, or the sum wraps.
     if (wrong_is("blend_truncates") && operation == MMVERIFY_BLEND_MULTIPLY)
       out[k] = (out[k] & ~255u) | (payload[k] & 255) * (value[k] & 255) / 255;
@@ -85,8 +87,11 @@ void blend_hits(const mmverify_blend_case_t* what, std::uint8_t* payload) {
   if (wrong_is("hits_beside_blend"))
     for (std::uint32_t k = 0; k < what->count; ++k)
       if (hits[k].accepted != 0) hits[k].distance += 0.25f;
-  if (wrong_is("hits_know_no_g_of_the_payload"))
-    changed.payload = (changed.payload & ~0xFF00u) | (changed.payload & 255) << 8;
+  // Of the payload before G is one less than R, or what a few others have.
+  if (wrong_is("hits_guess_g_of_the_payload")) {
+    const std::uint32_t r = what->payload & 255, a = what->payload >> 24, g = a == r ? r : a == 3 ? 1 : r - 1;
+    changed.payload = (what->payload & ~0xFF00u) | (g & 255) << 8;
+  }
   right_traverse()->traverse_blend_hits(&changed, payload);
 }
 
