@@ -26,7 +26,7 @@ constexpr std::uint64_t bundle_stream = 307;
 
 /// As many records as have their maps in the data, which are put there in any order.
 spec::array::Array any_array(Level n, Random& random) {
-  const bool many = random.below(12) == 0;
+  const bool many = random.below(6) == 0;
   std::vector<PackedMap> all(many ? 250 + random.below(351) : random.below(46));
   for (PackedMap& map : all) map = any_map(many ? 0 : n, random);
   std::vector<std::size_t> order(all.size());
@@ -68,7 +68,7 @@ Part any_part(std::uint64_t records, Random& random) {
 Bundle sample_bundle(Level n, std::uint64_t seed, std::uint64_t k) {
   Random random(seed, bundle_stream + n, k);
   Bundle b{any_array(n, random), {}};
-  for (std::uint64_t left = random.below(4); left > 0; --left)
+  for (std::uint64_t left = random.below(9); left > 0; --left)
     b.parts.push_back(any_part(b.array.records.size(), random));
   return b;
 }

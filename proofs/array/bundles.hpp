@@ -9,7 +9,7 @@ namespace mmverify::proofs::array {
 Bundle bundle_of(const BuildCase& c);
 
 /// Any array with any geometries, its numbers drawn one by one: up to 45 records, or 600 of level 0, of maps of levels up to
-/// n, each at bytes of its own in any order and with gaps; none to three geometries, each of any encoding, base triangle and
+/// n, each at bytes of its own in any order and with gaps; none to eight geometries, each of any encoding, base triangle and
 /// up to 40 triangles, of special indices and of records in any order.  Sample k of a seed is the same everywhere.
 Bundle sample_bundle(Level n, std::uint64_t seed, std::uint64_t k);
 

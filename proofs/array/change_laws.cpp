@@ -238,8 +238,7 @@ Law changes_on_samples() {
            [](const Subject&, Level n) {
              return fmt::format(
                  "arrays of up to 45 maps of levels up to {}, or 600 of level 0, in any order and with gaps; "
-                 "up "
-                 "to three geometries of up to 40 triangles, each of any encoding, base and indices",
+                 "up to eight geometries of up to 40 triangles, each of any encoding, base and indices",
                  n);
            },
        .mutants = {mutant("an array with a map of level 4 is empty", "array", {2, 5},

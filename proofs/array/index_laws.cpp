@@ -87,14 +87,16 @@ Finding mean(const ArraySubject& s, const Reading& r, const std::vector<Referenc
 }
 Finding means(const ArraySubject& s, const Geometry& r) { return mean(s, r.how, codes_for(r)); }
 
-/// Up to 70 references of one batch, each with a base and a number of records of its own: small, or any words; codes at
+/// Up to 70 references of one batch, each with a base and a number of records of its own: of any size; codes at
 /// the end of their width, beside the number of records less the base, or any.
 std::pair<Reading, std::vector<Reference>> references_number(std::uint64_t seed, std::uint64_t k) {
   Random random(seed, 401, k);
   const Reading r{maps::encodings[random.below(5)], random.below(2) != 0};
   const std::uint64_t end = std::uint64_t{1} << maps::width(r.encoding);
+  // Of any number of bits, or of codes that are mostly corners.
   const auto number = [&random] {
-    return random.below(2) == 0 ? random.four_codes() : static_cast<std::uint32_t>(random.below(600));
+    return random.below(3) == 0 ? random.four_codes()
+                                : static_cast<std::uint32_t>(random.next() >> (32 + random.below(32)));
   };
   std::vector<Reference> all(1 + random.below(70));
   for (Reference& of : all) {
