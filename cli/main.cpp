@@ -27,14 +27,15 @@ int complain(int code, const std::string& what, const char* more = "") {
 }
 
 /// What an unset variable of a script comes to is no name of anything: neither of our own sample, nor of nothing.
-std::string not_empty(const std::string& text) {
+std::string not_empty(std::string& text) {
   return text.empty() ? "it is given as an empty text; is a variable not set? Name it, or leave it out" : "";
 }
 
 void refuse_empty_texts(CLI::App& program) {
   for (CLI::App* command : program.get_subcommands({}))
     for (CLI::Option* option : command->get_options())
-      if (option->get_items_expected_max() != 0) option->check(not_empty);
+      if (option->get_items_expected_max() != 0)
+        option->transform(CLI::Validator(not_empty, ""));  // before its own checks
 }
 
 /// The threads that --threads asks for are there: TBB has no more than cores where nobody says otherwise.
