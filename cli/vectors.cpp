@@ -34,7 +34,7 @@ void print(const vectors::Family& family) {
 }
 
 int run_vectors(const VectorsOptions& options) {
-  if (options.folder.empty() || options.folder == "-")
+  if (options.folder == "-")
     throw UsageError(
         fmt::format("-o {}: vectors are several files; name a folder", shell_quoted(options.folder)));
   const proofs::InterruptGuard guard;
