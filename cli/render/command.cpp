@@ -108,18 +108,6 @@ void check_files(const RenderOptions& options) {
 
 /// Options that would do nothing, or not what they seem to.
 void check_given(const CLI::App& command, const RenderOptions& options) {
-  const std::array<std::pair<const char*, const std::string*>, 8> texts{
-      {{"--blend", &options.blend},
-       {"--colours", &options.colours},
-       {"--output", &options.picture},
-       {"--heat", &options.heat},
-       {"--json", &options.json},
-       {"--attributes", &options.attributes},
-       {"--shading", &options.shading},
-       {"--pictures", &options.pictures}}};
-  for (const auto& [name, text] : texts)
-    if (command.count(name) != 0 && text->empty())
-      throw UsageError(fmt::format("{}: empty; give it a value, or leave it out", name));
   const bool views = !options.attributes.empty();
   for (const char* name : {"--shading", "--rays", "--pictures"})
     if (command.count(name) != 0 && !views)
