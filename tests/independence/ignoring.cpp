@@ -101,19 +101,38 @@ Target neighbour(const Target& t, const Regions& all, std::size_t region) {
   return {};
 }
 
-/// Writes to the file MMVERIFY_TALLY once the field has had two values.
+/// A line in the file MMVERIFY_TALLY, once: what the questions asked of the field.
+class Note {
+ public:
+  explicit Note(const char* line) : line_(line) {}
+  bool wanted() const { return !done_; }
+  void write() {
+    if (!done_.exchange(true)) std::ofstream(std::getenv("MMVERIFY_TALLY"), std::ios::app) << line_ << "\n";
+  }
+
+ private:
+  const char* line_;
+  std::atomic<bool> done_ = std::getenv("MMVERIFY_TALLY") == nullptr;
+};
+Note& varied() {
+  static Note note("varied");
+  return note;
+}
+/// The right function answers otherwise.
+Note& wrong() {
+  static Note note("wrong");
+  return note;
+}
+
 void note_value(const Target& t) {
   static std::mutex lock;
   static std::optional<std::array<std::uint8_t, 8>> first;
-  static std::atomic<bool> varied = std::getenv("MMVERIFY_TALLY") == nullptr;
-  if (varied) return;
+  if (!varied().wanted()) return;
   std::array<std::uint8_t, 8> value{};
   for (std::size_t k = 0; k < t.bytes; ++k) value[k] = t.at[k] & t.mask;
   const std::lock_guard guard(lock);
   if (!first) first = value;
-  if (*first == value || varied) return;
-  varied = true;
-  std::ofstream(std::getenv("MMVERIFY_TALLY"), std::ios::app) << "varied\n";
+  if (*first != value) varied().write();
 }
 
 void ignore(Regions& all) {
@@ -157,6 +176,14 @@ template <class... P>
 constexpr std::size_t last_size = [] {
   std::size_t at = 0, k = 0;
   ((at = std::is_same_v<P, std::size_t> ? k : at, ++k), ...);
+  return at;
+}();
+
+/// The place of the answer.
+template <class... P>
+constexpr std::size_t answer_at = [] {
+  std::size_t at = 0, k = 0;
+  ((at = dock::is_answer<P> ? k : at, ++k), ...);
   return at;
 }();
 
@@ -205,14 +232,43 @@ struct Asked<entry, R (*)(P...)> {
         copy.regions(name, all);
       });
       if constexpr (of_elements) std::get<last_size<P...>>(copies).size = 1;
-      ignore(all);
-      const auto call = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return right_function(std::get<I>(copies).argument()...);
+      const auto call = [&] {
+        return [&]<std::size_t... I>(std::index_sequence<I...>) {
+          return right_function(std::get<I>(copies).argument()...);
+        }(std::index_sequence_for<P...>{});
       };
-      if constexpr (std::is_void_v<R>)
-        call(std::index_sequence_for<P...>{});
-      else
-        return call(std::index_sequence_for<P...>{});
+      using Result = std::conditional_t<std::is_void_v<R>, int, R>;
+      const auto result = [&]() -> Result {
+        if constexpr (std::is_void_v<R>) return call(), 1;
+        else return call();
+      };
+      auto& out = std::get<answer_at<P...>>(copies).out;
+      auto* const real_out = out;
+      // What is right is asked as long as it has not been seen that this is wrong.
+      thread_local std::vector<std::uint64_t> right_answer;
+      std::size_t room = 0;
+      Result right_result{};
+      if (wrong().wanted()) {
+        ([&](const auto& g) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(g)>, const mmverify_bake_case_t*>)
+            numbers = {g->level, g->format};
+          if constexpr (std::is_same_v<std::decay_t<decltype(g)>, const mmverify_attribute_case_t*>)
+            numbers = {g->level};
+        }(given), ...);
+        room = of_elements                       ? answer
+               : std::is_same_v<R, std::size_t> ? sizes.back()
+                                                 : answer_bytes(entry, numbers, sizes);
+        right_answer.resize((room + 7) / 8);
+        out = reinterpret_cast<decltype(+real_out)>(right_answer.data());
+        right_result = result();
+        out = real_out;
+        if (std::is_same_v<R, std::size_t>) room = std::min<std::size_t>(room, static_cast<std::size_t>(right_result));
+      }
+      ignore(all);
+      const Result got = result();
+      if (wrong().wanted() && (got != right_result || (right_result != 0 && std::memcmp(real_out, right_answer.data(), room) != 0)))
+        wrong().write();
+      if constexpr (!std::is_void_v<R>) return got;
     }
     if constexpr (!std::is_void_v<R>) return {};
   }

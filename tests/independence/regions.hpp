@@ -62,6 +62,46 @@ inline std::size_t blob_bytes(dock::Call entry, const std::vector<std::uint32_t>
   }
 }
 
+/// Bytes of the answer of an entry point that neither says its size nor has elements, from its numbers and sizes.  A case
+/// gives its level and format as numbers.
+inline std::size_t answer_bytes(dock::Call entry, const std::vector<std::uint32_t>& numbers,
+                                const std::vector<std::size_t>& sizes) {
+  using dock::Call;
+  const std::size_t level = numbers.empty() ? 0 : numbers[0];
+  switch (entry) {
+    case Call::micromap_pack:
+      return (sizes[0] * numbers[0] + 7) / 8;
+    case Call::micromap_unpack:
+      return sizes[0];
+    case Call::micromap_force2:
+      return map_bytes(numbers[0], MMVERIFY_2_STATE);
+    case Call::micromap_widen:
+    case Call::micromap_through:
+    case Call::micromap_substitute:
+      return map_bytes(numbers[0], MMVERIFY_4_STATE);
+    case Call::micromap_up:
+      return map_bytes(numbers[0] + 1, numbers[1]);
+    case Call::micromap_down:
+      return map_bytes(numbers[0] - 1, numbers[1]);
+    case Call::vq2_decode:
+      return 256;
+    case Call::vq4_decode:
+      return 1024;
+    case Call::vq2_encode:
+      return 32;
+    case Call::vq4_encode:
+      return 64;
+    case Call::attribute_bake_faces:
+      return std::size_t{4} << 2 * level;
+    case Call::attribute_bake_vertices:
+      return 2 * ((std::size_t{1} << level) + 1) * ((std::size_t{1} << level) + 2);
+    case Call::traverse_blend_hits:
+      return 4;
+    default:  // tree_decode, bake
+      return map_bytes(numbers[0], numbers[1]);
+  }
+}
+
 /// One parameter's own copy: `take` reads it as element k has it, `argument` is what the right function gets, and
 /// `regions` are the places at which a question can be changed.
 template <class T>
