@@ -17,7 +17,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "tests/independence/regions.hpp"
+#include "tests/independence/fields.hpp"
+#include "tests/independence/measure.hpp"
 #include "tests/independence/right.hpp"
 
 namespace mmverify::independence {
@@ -35,43 +36,9 @@ const mmverify_subject_t& right() {
 }
 const Ignored& ignored();
 
-/// The bytes of a field, or one bit of one byte.
-struct Target {
-  std::uint8_t* at = nullptr;
-  std::size_t bytes = 0;
-  std::uint8_t mask = 0xFF;
-};
-
-/// A part of a region: "all", "bN" a byte, "bN.K" its bit K, "wN" a word. N counts from the end where it is negative, and
-/// is "mid" for the one in the middle. Null where the region is too short.
-Target target_of(const Region& r, std::string_view part) {
-  if (part == "all") return {r.at, r.bytes};
-  const std::size_t width = part[0] == 'w' ? 4 : 1, count = r.bytes / width;
-  std::string number(part.substr(1));
-  std::uint8_t mask = 0xFF;
-  if (const auto dot = number.find('.'); dot != std::string::npos) {
-    mask = static_cast<std::uint8_t>(1u << std::stoul(number.substr(dot + 1)));
-    number.resize(dot);
-  }
-  long n = number == "mid" ? static_cast<long>(count / 2) : std::stol(number);
-  if (n < 0) n += static_cast<long>(count);
-  if (n < 0 || static_cast<std::size_t>(n) >= count) return {};
-  return {r.at + static_cast<std::size_t>(n) * width, width, mask};
-}
-
 void put(const Target& t, const std::uint8_t* from) {
   for (std::size_t k = 0; k < t.bytes; ++k)
     t.at[k] = static_cast<std::uint8_t>((t.at[k] & ~t.mask) | (from[k] & t.mask));
-}
-
-std::uint64_t hash(const Regions& all) {
-  std::uint64_t h = 0xcbf29ce484222325;
-  for (const Region& r : all) {
-    for (std::size_t k = 0; k < r.bytes; ++k) h = (h ^ r.at[k]) * 0x100000001b3;
-    h = (h ^ r.bytes) * 0x9E3779B97F4A7C15;
-    h ^= h >> 29;
-  }
-  return h;
 }
 
 /// The field as it was when the rest was first as it is now.
@@ -144,12 +111,15 @@ void ignore(Regions& all) {
     note_value(t);
     constexpr std::array<std::uint8_t, 8> zeros{}, ones{255, 255, 255, 255, 255, 255, 255, 255};
     switch (i.way) {
-      case Way::zero: return put(t, zeros.data());
-      case Way::ones: return put(t, ones.data());
+      case Way::zero:
+        return put(t, zeros.data());
+      case Way::ones:
+        return put(t, ones.data());
       case Way::like:
         if (const Target n = neighbour(t, all, k); n.at != nullptr) put(t, n.at);
         return;
-      case Way::rest: return as_at_first(t, all);
+      case Way::rest:
+        return as_at_first(t, all);
     }
   }
 }
@@ -166,8 +136,7 @@ std::vector<std::string> names_of(const char* arguments) {
       names.back() += *c;
     }
   }
-  for (std::string& name : names)
-    name = name.rfind("a.", 0) == 0 ? name.substr(2) : "what";
+  for (std::string& name : names) name = name.rfind("a.", 0) == 0 ? name.substr(2) : "what";
   return names;
 }
 
@@ -217,9 +186,8 @@ struct Asked<entry, R (*)(P...)> {
       std::tuple<Copy<P>...> copies;
       all.clear();
       const auto each = [&](auto&& f) {
-        [&]<std::size_t... I>(std::index_sequence<I...>) {
-          (f(std::get<I>(copies), given, names[I]), ...);
-        }(std::index_sequence_for<P...>{});
+        [&]<std::size_t... I>(std::index_sequence<I...>) { (f(std::get<I>(copies), given, names[I]), ...); }
+        (std::index_sequence_for<P...>{});
       };
       each([&](auto& copy, auto g, const std::string& name) {
         using G = decltype(g);
@@ -235,12 +203,15 @@ struct Asked<entry, R (*)(P...)> {
       const auto call = [&] {
         return [&]<std::size_t... I>(std::index_sequence<I...>) {
           return right_function(std::get<I>(copies).argument()...);
-        }(std::index_sequence_for<P...>{});
+        }
+        (std::index_sequence_for<P...>{});
       };
       using Result = std::conditional_t<std::is_void_v<R>, int, R>;
       const auto result = [&]() -> Result {
-        if constexpr (std::is_void_v<R>) return call(), 1;
-        else return call();
+        if constexpr (std::is_void_v<R>)
+          return call(), 1;
+        else
+          return call();
       };
       auto& out = std::get<answer_at<P...>>(copies).out;
       auto* const real_out = out;
@@ -248,25 +219,38 @@ struct Asked<entry, R (*)(P...)> {
       thread_local std::vector<std::uint64_t> right_answer;
       std::size_t room = 0;
       Result right_result{};
-      if (wrong().wanted()) {
-        ([&](const auto& g) {
-          if constexpr (std::is_same_v<std::decay_t<decltype(g)>, const mmverify_bake_case_t*>)
-            numbers = {g->level, g->format};
-          if constexpr (std::is_same_v<std::decay_t<decltype(g)>, const mmverify_attribute_case_t*>)
-            numbers = {g->level};
-        }(given), ...);
-        room = of_elements                       ? answer
+      if (wrong().wanted() || measures()) {
+        (
+            [&](const auto& g) {
+              if constexpr (std::is_same_v<std::decay_t<decltype(g)>, const mmverify_bake_case_t*>)
+                numbers = {g->level, g->format};
+              if constexpr (std::is_same_v<std::decay_t<decltype(g)>, const mmverify_attribute_case_t*>)
+                numbers = {g->level};
+            }(given),
+            ...);
+        room = of_elements                      ? answer
                : std::is_same_v<R, std::size_t> ? sizes.back()
-                                                 : answer_bytes(entry, numbers, sizes);
+                                                : answer_bytes(entry, numbers, sizes);
+      }
+      if (wrong().wanted()) {
         right_answer.resize((room + 7) / 8);
         out = reinterpret_cast<decltype(+real_out)>(right_answer.data());
         right_result = result();
         out = real_out;
-        if (std::is_same_v<R, std::size_t>) room = std::min<std::size_t>(room, static_cast<std::size_t>(right_result));
+        if (std::is_same_v<R, std::size_t>)
+          room = std::min<std::size_t>(room, static_cast<std::size_t>(right_result));
       }
       ignore(all);
       const Result got = result();
-      if (wrong().wanted() && (got != right_result || (right_result != 0 && std::memcmp(real_out, right_answer.data(), room) != 0)))
+      if (measures()) {
+        const std::size_t told = std::is_same_v<R, std::size_t>
+                                     ? std::min<std::size_t>(room, static_cast<std::size_t>(got))
+                                 : got != 0 ? room
+                                            : 0;
+        measure(entry, all, {{}, {}, reinterpret_cast<std::uint8_t*>(real_out), told});
+      }
+      if (wrong().wanted() && (got != right_result ||
+                               (right_result != 0 && std::memcmp(real_out, right_answer.data(), room) != 0)))
         wrong().write();
       if constexpr (!std::is_void_v<R>) return got;
     }
@@ -296,24 +280,6 @@ const Ignored& ignored() {
   return it;
 }
 
-/// The parts of a region that a field may be, by what the region is.
-std::vector<std::string> parts_of(const Region& r, dock::Call entry) {
-  const auto begins = [&](std::string_view with) { return r.parameter.substr(0, with.size()) == with; };
-  std::vector<std::string> of_a_face_each;
-  for (const char* child : {"b0", "b4", "b8", "b12", "b1", "b5", "b9", "b13", "b2", "b6", "b10", "b14", "b3", "b7", "b11", "b15"})
-    of_a_face_each.emplace_back(child);
-  if (entry == dock::Call::attribute_face_mip && begins("blob")) return of_a_face_each;
-  if (r.member == "hits") return {"w0", "w1", "b8", "b9", "b10", "b11", "w-3", "w-2", "b-4", "b-3", "b-2", "b-1"};
-  if (r.member == "triangles") return {"w0", "w1", "w2", "w-3", "w-2", "w-1"};
-  if (begins("blob") || r.member == "texels" || r.member == "maps")
-    return {"b0", "b1", "bmid", "b-1", "b0.0", "b0.1", "b0.7", "bmid.3", "b-1.6", "b-1.7"};
-  if (begins("words")) return {"all", "b0", "b1", "b2", "b3", "b0.0", "b0.1", "b0.2", "b0.3", "b0.7"};
-  if (begins("floats")) return {"all", "b0", "b1", "b2", "b3", "b3.7"};
-  if (begins("doubles")) return {"all", "b0", "b3", "b4", "b6", "b7"};
-  if (r.member == "payload") return {"all", "b0", "b1", "b2", "b3"};
-  return {"all"};
-}
-
 /// What stands beside an entry point, since the contract or the laws want both.
 bool goes_with(dock::Call other, dock::Call entry) {
   using dock::Call;
@@ -322,7 +288,8 @@ bool goes_with(dock::Call other, dock::Call entry) {
   return pair(Call::dag_encode, Call::dag_decode) || pair(Call::dag_decode, Call::dag_encode) ||
          pair(Call::dag_lookup, Call::dag_encode) || pair(Call::dag_lookup_f32, Call::dag_encode) ||
          pair(Call::array_save, Call::array_load) || pair(Call::array_load, Call::array_save) ||
-         pair(Call::micromap_pack, Call::micromap_unpack) || pair(Call::micromap_unpack, Call::micromap_pack) ||
+         pair(Call::micromap_pack, Call::micromap_unpack) ||
+         pair(Call::micromap_unpack, Call::micromap_pack) ||
          pair(Call::micromap_widen, Call::micromap_force2) ||
          pair(Call::attribute_vertex_place, Call::attribute_vertex_index) ||
          pair(Call::attribute_face_place, Call::attribute_face_index) ||
@@ -377,8 +344,9 @@ using namespace mmverify;
 extern "C" const char* mmverify_fields(void) {
   static const std::string lines = [] {
     std::string all;
-#define MMVERIFY_FIELDS(name, topic, values, arguments) \
-  all += independence::fields_of(static_cast<decltype(mmverify_subject_t::name)>(nullptr), dock::Call::name, #arguments);
+#define MMVERIFY_FIELDS(name, topic, values, arguments)                                                      \
+  all += independence::fields_of(static_cast<decltype(mmverify_subject_t::name)>(nullptr), dock::Call::name, \
+                                 #arguments);
     MMVERIFY_ENTRY_POINTS(MMVERIFY_FIELDS)
 #undef MMVERIFY_FIELDS
     return all;
@@ -398,7 +366,8 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
     s.flags = all.flags;
     s.attribute_support = all.attribute_support;
 #define MMVERIFY_WRAP(name, topic, values, arguments) \
-  if (independence::stands_beside(Call::name)) s.name = independence::wrapped<Call::name>(all.name, #arguments);
+  if (independence::stands_beside(Call::name))        \
+    s.name = independence::wrapped<Call::name>(all.name, #arguments);
     MMVERIFY_ENTRY_POINTS(MMVERIFY_WRAP)
 #undef MMVERIFY_WRAP
     return s;

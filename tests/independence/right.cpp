@@ -57,8 +57,8 @@ mmverify_subject_t right_of_all() {
   all.size = sizeof all;
   all.max_level = 16;
   for (const mmverify_subject_t* one :
-       {right_batched(), right_several(), right_c_face(), right_vq(), right_attribute(), right_attribute_bake(),
-        right_traverse(), right_array(), right_array_changes(), right_dag()}) {
+       {right_batched(), right_several(), right_c_face(), right_vq(), right_attribute(),
+        right_attribute_bake(), right_traverse(), right_array(), right_array_changes(), right_dag()}) {
     mmverify_subject_t its{};
     std::memcpy(&its, one, one->size);
     for (const dock::EntryPoint& e : dock::entry_points)
