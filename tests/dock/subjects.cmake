@@ -1,7 +1,7 @@
 # Shared libraries to judge: the example, ours, wrong ones, misbehaving ones.
 # Of those of topics other than index, ./run test --brief links the ones that of_every_change names: the examples, those of
-# large batches, and the wrong ones that transcripts and a harness judge.  The others are linked on demand.
-set(of_every_change "^(large_batches_.*|.*_example|tree_merges_ut|bake_settles_all)$")
+# large batches, and those that transcripts, a harness and scripts/ignored-fields judge.  The others are linked on demand.
+set(of_every_change "^(ignoring|large_batches_.*|.*_example|tree_merges_ut|bake_settles_all)$")
 function(mmverify_add_subject name source)
   add_library(subject_${name} MODULE ${source})
   target_include_directories(subject_${name} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/sdk)
