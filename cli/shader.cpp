@@ -76,7 +76,7 @@ std::vector<SubjectPtr> of_shader(const std::string& name, double timeout_second
   } catch (const shaders::BadShader& why) {
     throw UsageError(why.what());
   } catch (const shaders::NotAvailable& why) {
-    return absent_subjects(called, entry_points, why.what());
+    throw EnvironmentError(fmt::format("{}: {}", called, why.what()));
   } catch (const dock::NotHere& why) {
     return absent_subjects(called, entry_points, why.what());
   } catch (const dock::CannotLoad& why) {

@@ -19,8 +19,8 @@ bool is_shader(const std::string& name);
 std::string with_device(const std::string& name, std::optional<std::uint32_t> device,
                         const std::optional<std::string>& entry_point);
 
-/// Compiles it and opens the device.  Where there is no device, no compiler or no Vulkan in this build: subjects whose laws
-/// are not_applicable.  UsageError where it does not compile; EnvironmentError where the file is missing.
+/// Compiles it and opens the device.  Where there is no device: subjects whose laws are not_applicable.  UsageError where it
+/// does not compile; EnvironmentError where the file, a compiler or Vulkan in this build is missing.
 std::vector<proofs::SubjectPtr> of_shader(const std::string& name, double timeout_seconds,
                                           std::vector<RunsOn>* runs_on);
 

@@ -93,8 +93,12 @@ std::string compiled_shader(const SourceOptions& options, const program::Folder&
 }
 
 /// A shader's floats are what its device makes of them: of which device the proof speaks.
-std::string read_as(const source::Compiled& made) {
-  if (made.compiler() != "SPIR-V") return "LLVM bitcode of " + made.compiler();
+std::string read_as(const source::Compiled& made, const SourceOptions& options) {
+  if (made.compiler() != "SPIR-V") {
+    std::string text = "LLVM bitcode of " + made.compiler();
+    for (const std::string& flag : options.flags) text += " " + flag;
+    return text;
+  }
   return "SPIR-V of a device that rounds to nearest, keeps subnormal numbers and contracts nothing";
 }
 
@@ -113,7 +117,7 @@ SubjectPtr subject_of(const SourceOptions& options, const std::string& name, dou
   law::SourceSubject::Code code{
       [programs](Level n, const law::Range& u, const law::Range& v) { return programs->formula(n, u, v); },
       [programs](Level n) { return programs->not_known(n); },
-      [programs](Level n) { return programs->fields(n); }, read_as(made)};
+      [programs](Level n) { return programs->fields(n); }, read_as(made, options)};
   return std::make_shared<law::SourceSubject>(name, "a function in a source", run->functions,
                                               run->fingerprint(), std::move(code));
 }
@@ -142,8 +146,7 @@ Job source_job(const SourceOptions& options, const std::optional<Levels>& levels
   } catch (const source::BadSource& why) {
     throw UsageError(why.what());
   } catch (const source::NotAvailable& why) {
-    job.subject = absent_subjects(name, {}, why.what()).front();
-    job.unfit = why.what();
+    throw EnvironmentError(fmt::format("{}: {}", name, why.what()));
   } catch (const source::UnknownInstruction& why) {
     job.subject = absent_subjects(name, {}, why.what()).front();
     job.unfit = why.what();

@@ -61,7 +61,9 @@ std::string reader() {
                                 here / "../cli/mmverify-source"})
     if (fs::exists(place, error)) return place.string();
   throw NotAvailable(
-      "this build reads no LLVM bitcode: install llvm-14-dev and build again (./run build does both)");
+      "mmverify-source, which reads LLVM's bitcode, is missing in this build; install LLVM (Debian: "
+      "llvm-14-dev) and "
+      "build again (./run build does both)");
 }
 
 ProgramEnd ended(const std::vector<std::string>& words) {
@@ -75,7 +77,8 @@ ProgramEnd of_clang(std::vector<std::string> words) {
     return ended(words);
   } catch (const program::NoProgram&) {
     throw NotAvailable(
-        clang() + ": there is no such compiler; install the Debian package clang, or set MMVERIFY_CLANG");
+        clang() +
+        ": there is no such compiler; install it (Debian: clang), or name another by MMVERIFY_CLANG");
   }
 }
 

@@ -16,7 +16,7 @@ namespace mmverify::source {
 struct BadSource : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// No clang, or no reader of bitcode in this build; what() says what would do.
+/// No clang, or no reader of bitcode in this build; what() names the tool and its package.
 struct NotAvailable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -12,16 +12,17 @@ namespace mmverify::source {
 /// What an operation does.  Words are unsigned and wrap; signed ones say so.  Semantics: LLVM's Language Reference, of the
 /// instruction or intrinsic of that name; floats are IEEE 754's, rounded to nearest, ties to even.
 ///   constant    numbers[0]: the value, or a float's bits
-///   poison      a value that nobody may use
+///   unset       a value that nobody has set, or that is left open: it may be used where none of its bits matters
+///   read        of[0], which must not be used where none of its bits is set
 ///   table       numbers: bytes of an element, then the elements; of[0]: a byte offset of 64 bits
 ///   fcmp        numbers[0]: 1 equal + 2 greater + 4 less + 8 unordered
-///   poisoned    whether of[0] is poison
+///   poisoned    whether of[0] must not be used, or any bit of it
 ///   bits_of, float_of   a float's bits as a word, and back
 enum class Op : std::uint8_t {
   input_u,
   input_v,
   constant,
-  poison,
+  unset,
   add,
   sub,
   mul,
@@ -61,6 +62,7 @@ enum class Op : std::uint8_t {
   usub_sat,
   sadd_sat,
   ssub_sat,
+  read,
   freeze,
   poisoned,
   table,
@@ -110,7 +112,7 @@ struct Type {
 };
 
 struct Node {
-  Op op = Op::poison;
+  Op op = Op::unset;
   Type type;
   std::vector<std::uint32_t> of = {};  ///< numbers of earlier nodes
   std::vector<std::uint64_t> numbers = {};

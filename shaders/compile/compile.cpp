@@ -115,9 +115,9 @@ class Compiler {
     if (!end) {
       if (language_ == Language::slang)
         throw NotAvailable(
-            "Slang is not available here: no slangc in PATH, which compiles it; Debian has none, "
+            "no slangc in PATH, which compiles Slang; Debian has none, "
             "https://github.com/shader-slang/slang/releases has");
-      throw NotAvailable("no glslangValidator (Debian: glslang-tools), which compiles GLSL and HLSL");
+      throw NotAvailable("no glslangValidator, which compiles GLSL and HLSL; install it (Debian: glslang-tools)");
     }
     if (!end->by_itself)
       throw BadShader(fmt::format("{}: {}: {}; does the file include itself?", file_, words[0], end->how));
@@ -173,7 +173,7 @@ void check_interface(const std::string& file, const Module& m, const program::Fo
     throw BadShader(fmt::format("{}: {}: {}", file, m.entry_point, why.what()));
   }
   if (!found)
-    throw NotAvailable("no spirv-cross (Debian: spirv-cross), which reads what a shader wants to be given");
+    throw NotAvailable("no spirv-cross, which reads what a shader wants to be given; install it (Debian: spirv-cross)");
   if (!found->faults.empty())
     throw BadShader(fmt::format(
         "{}: {}: {}{}", file, m.entry_point, found->faults.front(),
@@ -316,7 +316,7 @@ std::string compile_function(const std::string& file, const std::string& functio
                              const program::Folder& folder) {
   const Compiler compiler({file}, folder);
   if (compiler.language() == Language::slang)
-    throw NotAvailable(file +
+    throw BadShader(file +
                        ": Slang's compiler keeps nothing but what an entry point calls; name its SPIR-V");
   std::string text = source_of(file);
   // A file that is whole stays so.
@@ -345,7 +345,7 @@ std::string device_library() {
   std::error_code error;
   for (const auto& place : {here / "mmverify-shaders.so", here / "../libexec/mmverify/mmverify-shaders.so"})
     if (fs::exists(place, error)) return place.string();
-  throw NotAvailable("this build runs no shaders: libvulkan-dev was not there");
+  throw NotAvailable("this build runs no shaders; install Vulkan's headers (Debian: libvulkan-dev) and build again");
 }
 
 }  // namespace mmverify::shaders

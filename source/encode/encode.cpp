@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
+#include <set>
 
 #include "source/encode/number.hpp"
+#include "source/encode/unset.hpp"
 
 namespace mmverify::source {
 namespace {
@@ -14,7 +17,8 @@ struct Value {
   Bits word = {};
   std::uint64_t most = 0;  ///< no word of it is above, unless poison
   Number number = {format_of(32)};
-  Condition poison = "false";
+  Condition poison = "false";  ///< it must not be used
+  Bits unset = {};             ///< bits of the word that must not be used (unset.hpp)
 };
 
 std::uint64_t mask(unsigned bits) { return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1; }
@@ -32,23 +36,28 @@ class Encoder {
       // Whoever uses poison has poison, but a choice only by what it chooses.
       own_poison_ = "false";
       Value value = value_of(node);
-      if (own_poison_ != "false") {
-        own_poison_ = d.name(own_poison_);
-        (node.op == Op::poison ? last_causes_ : causes_).push_back({own_poison_, said(node)});
-      }
+      value.unset = unset_of(node);
+      own_poison_ = d.name(own_poison_);
+      own_.push_back(own_poison_);
       value.poison = d.name(either(inherited(node), own_poison_));
+      if (value.unset.width == 1) {
+        value.poison = d.name(either(value.poison, d.bit(value.unset, 0)));
+        value.unset = {};
+      }
       values_.push_back(std::move(value));
     }
     Formula formula;
-    Condition undefined = values_[program_.result].poison;
+    Condition undefined = must_not_be_used(values_[program_.result]);
+    find_causes(program_.result);
     for (const Forbidden& f : program_.forbidden) {
       const Condition hit = d.name(either(values_[f.node].condition, values_[f.node].poison));
       if (hit == "false") continue;
       formula.causes.push_back({hit, f.what});
       undefined = either(undefined, hit);
+      find_causes(f.node);
     }
-    formula.causes.insert(formula.causes.end(), causes_.begin(), causes_.end());
-    formula.causes.insert(formula.causes.end(), last_causes_.begin(), last_causes_.end());
+    for (const auto* some : {&causes_, &last_causes_})
+      for (const auto& [node, cause] : *some) formula.causes.push_back(cause);
     formula.index = values_[program_.result].word.text;
     formula.undefined = d.name(undefined);
     formula.declarations = d.declarations();
@@ -63,31 +72,80 @@ class Encoder {
     const char* what =
         node.op == Op::shl || node.op == Op::lshr || node.op == Op::ashr ? "a shift too far, or bits lost"
         : node.op == Op::fptoui || node.op == Op::fptosi ? "a float beyond the integers it becomes"
+        : node.op == Op::ctlz || node.op == Op::cttz     ? "the zeros of 0"
         : node.op == Op::table                           ? "a read outside of a table"
-        : node.op == Op::poison                          ? "a value that is left open or was never set"
-                                                         : "overflow that must not be";
+        : node.op == Op::unset || node.op == Op::read || node.op == Op::bit_and || node.op == Op::bit_or
+            ? "a value that was never set, or is left open"
+            : "overflow that must not be";
     return std::string(to_string(node.op)) + ": " + what + (node.where.empty() ? "" : ", " + node.where);
   }
 
-  /// Where a choice is of a value that is left open: there it comes in.
-  void open_choice(const Node& node, std::size_t k) {
-    Node open = program_.nodes[node.of[k]];
-    if (open.op != Op::poison) return;
-    if (!node.where.empty()) open.where = node.where;
-    causes_.push_back(
-        {d.name(k == 1 ? of(node, 0).condition : choose(of(node, 0).condition, "false", "true")),
-         said(open)});
+  Condition must_not_be_used(const Value& v) { return d.name(either(v.poison, any_unset(d, v.unset))); }
+
+  /// What may make that node's value one that must not be used.
+  void find_causes(std::uint32_t root) {
+    std::vector<std::uint32_t> next{root};
+    while (!next.empty()) {
+      const std::uint32_t k = next.back();
+      next.pop_back();
+      if (!looked_at_.insert(k).second) continue;
+      const Node& node = program_.nodes[k];
+      const bool asks = node.op == Op::poisoned;
+      if (!asks && values_[k].poison == "false" && values_[k].unset.width == 0) continue;
+      const std::string where = said(node);
+      if (node.op == Op::unset)
+        last_causes_.emplace(k, Cause{"true", where});
+      else if (own_[k] != "false")
+        causes_.emplace(k, Cause{own_[k], where});
+      if (node.op == Op::freeze) continue;
+      for (std::size_t j = 0; j < node.of.size(); ++j) {
+        const Node& from = program_.nodes[node.of[j]];
+        // Where a choice is of a value that is left open, there it comes in.
+        if (node.op == Op::select && j > 0 && from.op == Op::unset) {
+          Node open = from;
+          if (!node.where.empty()) open.where = node.where;
+          const Condition& c = of(node, 0).condition;
+          causes_.emplace(k, Cause{d.name(j == 1 ? c : choose(c, "false", "true")), said(open)});
+        }
+        next.push_back(node.of[j]);
+      }
+    }
+  }
+
+  Bits unset_of(const Node& node) {
+    if (node.type.floating) return {};
+    const unsigned bits = node.type.bits;
+    if (node.op == Op::unset) return ones(bits);
+    const auto full = [&](std::size_t k) {
+      return of(node, k).unset.width == 0 ? zeros(bits) : of(node, k).unset;
+    };
+    if (node.op == Op::select) {
+      if (of(node, 1).unset.width == 0 && of(node, 2).unset.width == 0) return {};
+      return d.choose_word(of(node, 0).condition, full(1), full(2));
+    }
+    std::vector<Shadowed> operands;
+    bool any = false;
+    for (std::size_t k = 0; k < node.of.size(); ++k) {
+      any = any || of(node, k).unset.width != 0;
+      operands.push_back({of(node, k).word, of(node, k).unset});
+    }
+    if (!any) return {};
+    if (node.op == Op::read) poison_where(all_unset(d, of(node, 0).unset));
+    const Bits unset = shadow_of(d, node, operands);
+    // Bits go one by one, but a word of which none is set has no use: C leaves x & 0 undefined.
+    if ((node.op == Op::bit_and || node.op == Op::bit_or) && unset.width == 0)
+      for (const std::size_t k : {0u, 1u}) poison_where(all_unset(d, of(node, k).unset));
+    return unset;
   }
 
   Condition inherited(const Node& node) {
     if (node.op == Op::freeze || node.op == Op::poisoned) return "false";
-    if (node.op == Op::select) {
-      for (const std::size_t k : {1u, 2u}) open_choice(node, k);
+    if (node.op == Op::select)
       return either(of(node, 0).poison,
                     choose(of(node, 0).condition, of(node, 1).poison, of(node, 2).poison));
-    }
     Condition any = "false";
-    for (std::size_t k = 0; k < node.of.size(); ++k) any = either(any, of(node, k).poison);
+    for (std::size_t k = 0; k < node.of.size(); ++k)
+      any = either(any, keeps_bits(node.op, k) ? of(node, k).poison : must_not_be_used(of(node, k)));
     return any;
   }
 
@@ -149,7 +207,7 @@ class Encoder {
         return is(n.of_bits(v_bits_, v_.negative, v_.first, v_.last));
       case Op::constant:
         return is(n.of_constant(node.numbers[0], node.type.bits));
-      case Op::poison:
+      case Op::unset:
         poison_where("true");
         return is(n.of_constant(0, node.type.bits));
       case Op::table:
@@ -157,6 +215,8 @@ class Encoder {
       case Op::freeze:
         if (of(node, 0).poison == "false") return of(node, 0);
         return is(n.chosen(of(node, 0).poison, n.of_bits(d.free_word(node.type.bits)), x(0)));
+      case Op::read:
+        return of(node, 0);
       case Op::float_of:
         return is(n.of_bits(word(node, 0)));
       case Op::fadd:
@@ -204,7 +264,7 @@ class Encoder {
     const unsigned bits = node.type.bits;
     switch (node.op) {
       case Op::poisoned:
-        return is(of(node, 0).poison);
+        return is(must_not_be_used(of(node, 0)));
       case Op::bits_of:
         return is(d_numbers.to_bits(x), mask(bits));
       case Op::fptoui:
@@ -226,16 +286,24 @@ class Encoder {
     switch (node.op) {
       case Op::constant:
         return is(constant(node.numbers[0], bits), node.numbers[0]);
-      case Op::poison:
-        poison_where("true");
+      case Op::unset:
         return is(zeros(bits), 0);
       case Op::table:
         return is(looked_up(node), *std::max_element(node.numbers.begin() + 1, node.numbers.end()));
-      case Op::freeze:
-        if (of(node, 0).poison == "false") return of(node, 0);
-        return is(d.choose_word(of(node, 0).poison, d.free_word(bits), word(node, 0)), mask(bits));
+      case Op::read:
+        return of(node, 0);
+      case Op::freeze: {
+        const Condition open = must_not_be_used(of(node, 0));
+        if (open == "false") return of(node, 0);
+        const Bits free = d.free_word(bits), whole = d.choose_word(open, free, word(node, 0)),
+                   &unset = of(node, 0).unset;
+        if (unset.width == 0 || unset.value == ones(bits).value) return is(whole, mask(bits));
+        const Bits some = d.binary("bvor", d.binary("bvand", free, unset),
+                                   d.binary("bvand", word(node, 0), d.unary("bvnot", unset)));
+        return is(d.choose_word(of(node, 0).poison, free, some), mask(bits));
+      }
       case Op::poisoned:
-        return is(of(node, 0).poison);
+        return is(must_not_be_used(of(node, 0)));
       case Op::zext:
         return is(d.widened(word(node, 0), bits), of(node, 0).most);
       case Op::sext: {
@@ -313,12 +381,8 @@ class Encoder {
         return is(sum, mask(bits));
       }
       case Op::bswap:
-      case Op::bitreverse: {
-        const unsigned step = node.op == Op::bswap ? 8 : 1;
-        Bits turned;
-        for (unsigned k = 0; k < bits; k += step) turned = d.concat(turned, d.extract(a, k + step - 1, k));
-        return is(turned, mask(bits));
-      }
+      case Op::bitreverse:
+        return is(turned(d, node.op, a), mask(bits));
       default: {
         const Condition negative = d.bit(a, bits - 1);
         if (node.flags & defined_at_all_but_zero)
@@ -330,12 +394,8 @@ class Encoder {
 
   Value funnel(const Node& node) {
     const unsigned bits = node.type.bits;
-    const Bits both_words = d.concat(word(node, 0), word(node, 1));
-    const Bits by = d.widened(d.binary("bvurem", word(node, 2), constant(bits, bits)), 2 * bits);
     if (!std::has_single_bit(bits)) not_encoded(node, "of words of another size than a power of two");
-    if (node.op == Op::fshl)
-      return is(d.extract(d.binary("bvshl", both_words, by), 2 * bits - 1, bits), mask(bits));
-    return is(d.extract(d.binary("bvlshr", both_words, by), bits - 1, 0), mask(bits));
+    return is(funnelled(d, node.op, word(node, 0), word(node, 1), word(node, 2)), mask(bits));
   }
 
   Value two_words(const Node& node) {
@@ -448,8 +508,10 @@ class Encoder {
   Definitions d{"code_"};
   Numbers d_numbers;
   std::vector<Value> values_;
-  std::vector<Cause> causes_, last_causes_;  ///< the last ones where no other holds
+  std::multimap<std::uint32_t, Cause> causes_, last_causes_;  ///< by node; the last ones where no other holds
   Condition own_poison_ = "false";
+  std::vector<Condition> own_;  ///< of each node: it makes poison of what is none
+  std::set<std::uint32_t> looked_at_;
 };
 
 }  // namespace

@@ -19,6 +19,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "source/reader/accesses.hpp"
+#include "source/reader/certain.hpp"
 #include "source/reader/spirv/module.hpp"
 #include "source/reader/spirv/spirv.hpp"
 #include "source/reader/undefined.hpp"
@@ -80,9 +82,12 @@ llvm::Function& calling(llvm::Module& module, llvm::Function& index, const char*
     given[k] = wanted->isIntegerTy() ? build.CreateZExtOrTrunc(given[k], wanted)
                                      : build.CreateFPCast(given[k], wanted);
   }
+  // A caller in C gets a narrow result as the function's own words say: int16_t with its sign.
+  const bool with_sign = index.hasRetAttribute(llvm::Attribute::SExt);
   llvm::CallInst* call = build.CreateCall(&index, given);
   call->setCallingConv(index.getCallingConv());
-  build.CreateRet(build.CreateZExtOrTrunc(call, word));
+  call->setAttributes(index.getAttributes());
+  build.CreateRet(with_sign ? build.CreateSExtOrTrunc(call, word) : build.CreateZExtOrTrunc(call, word));
   return *f;
 }
 
@@ -184,27 +189,31 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
       if (llvm::Instruction* end = block.getTerminator())
         end->setMetadata(llvm::LLVMContext::MD_loop, nullptr);
   }
-  // Passes take undefined behaviour for what never happens: it is put out of their reach first.  Then no more is done than
-  // the function needs.  Variables become values in any case, and loops are unrolled where there are some.
+  // Passes take undefined behaviour for what never happens: it is put out of their reach first.  Variables become values in
+  // any case, and loops are unrolled where there are some.
   run_passes(module, "globaldce");
   guard(module);
-  run_passes(module, "always-inline,globaldce,function(sroa)");
-  decided(module);
-  llvm::Function& alone = *module.getFunction(asked);
-  // Ways that the level closes.
-  for (llvm::BasicBlock& block : alone) llvm::ConstantFoldTerminator(&block);
-  llvm::removeUnreachableBlocks(alone);
-  llvm::SmallVector<std::pair<const llvm::BasicBlock*, const llvm::BasicBlock*>, 4> loops;
-  llvm::FindFunctionBackedges(alone, loops);
-  if (!loops.empty()) {
-    const std::string once =
+  run_passes(module, "always-inline,globaldce");
+  promote_pointers(*module.getFunction(asked));
+  guard_accesses(*module.getFunction(asked));
+  const auto round = [&](const char* passes) {
+    run_passes(module, passes);
+    llvm::Function& alone = *module.getFunction(asked);
+    make_certain_plain(alone);
+    // Ways that the level closes.
+    for (llvm::BasicBlock& block : alone) llvm::ConstantFoldTerminator(&block);
+    llvm::removeUnreachableBlocks(alone);
+    llvm::SmallVector<std::pair<const llvm::BasicBlock*, const llvm::BasicBlock*>, 4> loops;
+    llvm::FindFunctionBackedges(alone, loops);
+    return !loops.empty();
+  };
+  round("function(sroa)");
+  bool loops = round("function(sroa,instsimplify,sccp,sroa)");
+  for (int k = 0; loops && k < 4; ++k)
+    loops = round(
         "function(sroa,early-cse,simplifycfg,sccp,loop-simplify,lcssa,loop-mssa(loop-rotate),"
-        "loop(indvars,loop-unroll-full),sroa,early-cse,sccp,simplifycfg,adce)";
-    for (int round = 0; round < 3; ++round) {
-      run_passes(module, once);
-      decided(module);
-    }
-  }
+        "loop(indvars,loop-unroll-full),sroa,early-cse,sccp,simplifycfg,adce)");
+  round("function(sroa,instsimplify,adce)");
   return *module.getFunction(asked);
 }
 

@@ -102,8 +102,9 @@ class Translation {
     if (const auto* k = llvm::dyn_cast<llvm::ConstantInt>(v)) return word(k->getZExtValue(), type.bits);
     if (const auto* x = llvm::dyn_cast<llvm::ConstantFP>(v))
       return add({Op::constant, type, {}, {x->getValueAPF().bitcastToAPInt().getZExtValue()}});
-    // What is undef may be anything, each time anew: nobody may lean on it.
-    if (llvm::isa<llvm::UndefValue>(v)) return add({Op::poison, type});
+    // What undefined.hpp left of the source's is a call.  This a pass wrote, where every bit is set later or none matters: it
+    // may be anything, each time anew.
+    if (llvm::isa<llvm::UndefValue>(v)) return add({Op::freeze, type, {add({Op::unset, type})}});
     not_known(at, "an operand of a kind that is not known");
   }
 
@@ -155,7 +156,9 @@ class Translation {
         continue;
       }
       if (at.getType()->isPointerTy()) {
-        if (!llvm::isa<llvm::GetElementPtrInst>(at) && !llvm::isa<llvm::BitCastInst>(at))
+        const auto* call = llvm::dyn_cast<llvm::CallInst>(&at);
+        if (!llvm::isa<llvm::GetElementPtrInst>(at) && !llvm::isa<llvm::BitCastInst>(at) &&
+            (call == nullptr || guarded(*call) != Guarded::address))
           not_known(at, "a pointer");
         continue;  // a load follows it
       }
@@ -174,17 +177,7 @@ class Translation {
     }
     if (llvm::isa<llvm::UnreachableInst>(at))
       return forbid(at, yes_or_no(true), "a place that must not be reached");
-    const llvm::Value* condition = nullptr;
-    if (const auto* branch = llvm::dyn_cast<llvm::BranchInst>(&at)) {
-      if (branch->isUnconditional()) return;
-      condition = branch->getCondition();
-    } else if (const auto* choice = llvm::dyn_cast<llvm::SwitchInst>(&at)) {
-      condition = choice->getCondition();
-    } else {
-      not_known(at);
-    }
-    forbid(at, add({Op::poisoned, {false, 1}, {value(at, condition)}}),
-           "a branch on a value that is undefined");
+    if (!llvm::isa<llvm::BranchInst>(at) && !llvm::isa<llvm::SwitchInst>(at)) not_known(at);
   }
 
   std::optional<Number> instruction(const llvm::Instruction& at) {
@@ -193,9 +186,9 @@ class Translation {
       not_known(at, "fast-math flags, which leave its value open");
     if (const auto* phi = llvm::dyn_cast<llvm::PHINode>(&at)) return choice_of(*phi);
     if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) return table(*load);
-    if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) return intrinsic(*call);
-    if (const auto* compare = llvm::dyn_cast<llvm::ICmpInst>(&at)) return comparison(*compare);
-    return plain(at, at.getOpcode(), flags_of(at), 0);
+    if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) return called(*call);
+    const auto* compare = llvm::dyn_cast<llvm::CmpInst>(&at);
+    return plain(at, at.getOpcode(), compare != nullptr ? compare->getPredicate() : flags_of(at), 0);
   }
 
   Number choice_of(const llvm::PHINode& phi) {
@@ -213,10 +206,8 @@ class Translation {
     return all;
   }
 
-  Number comparison(const llvm::ICmpInst& at) {
+  Number comparison(llvm::CmpInst::Predicate p, Number a, Number b) {
     using P = llvm::CmpInst::Predicate;
-    Number a = value(at, at.getOperand(0)), b = value(at, at.getOperand(1));
-    P p = at.getPredicate();
     if (p == P::ICMP_UGT || p == P::ICMP_UGE || p == P::ICMP_SGT || p == P::ICMP_SGE) {
       std::swap(a, b);
       p = llvm::CmpInst::getSwappedPredicate(p);
@@ -264,9 +255,11 @@ class Translation {
     while (!llvm::isa<llvm::GlobalVariable>(pointer)) {
       const auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer);
       if (step == nullptr) {
-        const auto* cast = llvm::dyn_cast<llvm::BitCastOperator>(pointer);
-        if (cast == nullptr) not_known(load, "memory that is no constant table");
-        pointer = cast->getOperand(0);
+        const auto* call = llvm::dyn_cast<llvm::CallInst>(pointer);
+        if (!llvm::isa<llvm::BitCastOperator>(pointer) &&
+            (call == nullptr || guarded(*call) != Guarded::address))
+          not_known(load, "memory that is no constant table");
+        pointer = llvm::cast<llvm::User>(pointer)->getOperand(0);
         continue;
       }
       offset = moved(load, *step, layout, offset);
@@ -321,9 +314,9 @@ class Translation {
     return add({op, type_at(call, call.getArgOperand(2)->getType()), {a, b}, {}, flags});
   }
 
-  std::optional<Number> intrinsic(const llvm::CallInst& call) {
-    using namespace llvm::Intrinsic;
-    const auto of = [&](unsigned k) { return value(call, call.getArgOperand(k)); };
+  /// The intrinsic's, whose operands in the call begin with `first`.
+  std::optional<Number> intrinsic(const llvm::CallInst& call, llvm::Intrinsic::ID id, unsigned first) {
+    const auto of = [&](unsigned k) { return value(call, call.getArgOperand(first + k)); };
     const auto make = [&](Op op, unsigned count) {
       Node node{op, type_at(call, call.getType())};
       for (unsigned k = 0; k < count; ++k) node.of.push_back(of(k));
@@ -331,33 +324,9 @@ class Translation {
     };
     const auto flagged = [&](Op op) {
       const Number made = make(op, 1);
-      if (llvm::cast<llvm::ConstantInt>(call.getArgOperand(1))->isOne())
-        program_.nodes[made].flags = defined_at_all_but_zero;
+      if (word_of(call, first + 1) != 0) program_.nodes[made].flags = defined_at_all_but_zero;
       return made;
     };
-    const auto constant = [&](unsigned k) {
-      return static_cast<unsigned>(llvm::cast<llvm::ConstantInt>(call.getArgOperand(k))->getZExtValue());
-    };
-    switch (guarded(call)) {
-      case Guarded::operation:
-        return plain(call, constant(0), constant(1), 2);
-      case Guarded::unset:
-        return add({Op::poison, type_at(call, call.getType())});
-      case Guarded::overflow: {
-        const Number made = plain_sum(call, constant(0), constant(1), of(2), of(3));
-        forbid(call, add({Op::poisoned, {false, 1}, {made}}),
-               "a sum, difference or product that does not fit");
-        return std::nullopt;
-      }
-      case Guarded::unreachable:
-        forbid(call, yes_or_no(true), "a place that must not be reached");
-        return std::nullopt;
-      case Guarded::assumption:
-        return assumed(call, of(0));
-      case Guarded::none:
-        break;
-    }
-    const ID id = call.getIntrinsicID();
     if (const auto known = plain_intrinsic(id)) return make(known->first, known->second);
     switch (id) {
       case llvm::Intrinsic::ctlz:
@@ -373,8 +342,41 @@ class Translation {
       case llvm::Intrinsic::experimental_noalias_scope_decl:
         return std::nullopt;
       default:
-        not_known(call);
+        not_known(call, id == llvm::Intrinsic::not_intrinsic ? "" : llvm::Intrinsic::getBaseName(id).str());
     }
+  }
+
+  std::optional<Number> called(const llvm::CallInst& call) {
+    const auto of = [&](unsigned k) { return value(call, call.getArgOperand(k)); };
+    switch (guarded(call)) {
+      case Guarded::operation:
+        if (word_of(call, 0) == llvm::Instruction::Call)
+          return intrinsic(call, static_cast<llvm::Intrinsic::ID>(word_of(call, 1)), 2);
+        return plain(call, word_of(call, 0), word_of(call, 1), 2);
+      case Guarded::unset:
+        return add({Op::unset, type_at(call, call.getType())});
+      case Guarded::overflow: {
+        const Number made = plain_sum(call, word_of(call, 0), word_of(call, 1), of(2), of(3));
+        forbid(call, add({Op::poisoned, {false, 1}, {made}}),
+               "a sum, difference or product that does not fit");
+        return std::nullopt;
+      }
+      case Guarded::branch:
+        forbid(call, add({Op::poisoned, {false, 1}, {of(0)}}), "a branch on a value that is undefined");
+        return std::nullopt;
+      case Guarded::outside:
+        forbid(call, of(0), "an access outside of a variable");
+        return std::nullopt;
+      case Guarded::unreachable:
+        forbid(call, yes_or_no(true), "a place that must not be reached");
+        return std::nullopt;
+      case Guarded::assumption:
+        return assumed(call, of(0));
+      case Guarded::address:
+      case Guarded::none:
+        break;
+    }
+    return intrinsic(call, call.getIntrinsicID(), 0);
   }
 
   Number division(const llvm::Instruction& at, Op op, Number a, Number b, bool is_signed, unsigned flags) {
@@ -391,9 +393,11 @@ class Translation {
     return add({op, type_of(a), {a, b}, {}, flags});
   }
 
-  /// The instruction of that opcode, which is `at` or stands in `at` as a call, its operands from `first` on.
-  Number plain(const llvm::Instruction& at, unsigned opcode, unsigned flags, unsigned first) {
+  /// The instruction of that opcode and detail (undefined.hpp), which is `at` or stands in `at` as a call, its operands from `first` on.
+  Number plain(const llvm::Instruction& at, unsigned opcode, unsigned detail, unsigned first) {
     using I = llvm::Instruction;
+    using P = llvm::CmpInst::Predicate;
+    const unsigned flags = opcode == I::ICmp || opcode == I::FCmp ? 0 : detail;
     const Type type = type_at(at, at.getType());
     const auto of = [&](unsigned k) { return value(at, at.getOperand(first + k)); };
     const auto binary = [&](Op op) { return add({op, type, {of(0), of(1)}, {}, flags}); };
@@ -452,8 +456,12 @@ class Translation {
         return binary(Op::fdiv);
       case I::FNeg:
         return unary(Op::fneg);
+      case I::ICmp:
+        return comparison(static_cast<P>(detail), of(0), of(1));
       case I::FCmp:
-        return add({Op::fcmp, type, {of(0), of(1)}, {llvm::cast<llvm::FCmpInst>(at).getPredicate()}});
+        return add({Op::fcmp, type, {of(0), of(1)}, {detail}});
+      case I::Load:
+        return unary(Op::read);
       case I::FPToUI:
         return unary(Op::fptoui);
       case I::FPToSI:

@@ -1,6 +1,7 @@
 #include "source/reader/undefined.hpp"
 
 #include <llvm/IR/Constants.h>
+#include <llvm/IR/DebugInfo.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/InstIterator.h>
@@ -8,7 +9,7 @@
 #include <llvm/IR/Operator.h>
 #include <llvm/Support/raw_ostream.h>
 
-#include <optional>
+#include <algorithm>
 #include <vector>
 
 #include "source/program.hpp"
@@ -21,122 +22,144 @@ using I = llvm::Instruction;
 
 constexpr const char* operation = "mmverify.operation";
 constexpr const char* unset = "mmverify.unset";
+constexpr const char* address = "mmverify.address";
 constexpr const char* overflow = "mmverify.overflow";
+constexpr const char* branch = "mmverify.branch";
+constexpr const char* outside = "mmverify.outside";
 constexpr const char* unreachable = "mmverify.unreachable";
 constexpr const char* assumption = "mmverify.assumption";
 
-std::string name_of(const llvm::Type* type) {
-  std::string text;
-  llvm::raw_string_ostream(text) << *type;
-  return text;
-}
+/// Words, floats and vectors of them, of any width: what the translator does not know it says itself.
+bool is_value(const llvm::Type* t) { return t->isIntOrIntVectorTy() || t->isFPOrFPVectorTy(); }
 
-bool is_number(const llvm::Type* t) {
-  return t->isFloatTy() || t->isDoubleTy() || (t->isIntegerTy() && t->getIntegerBitWidth() <= 64);
-}
-
-/// Passes may drop it where nobody looks at its value, if it `only_gives` one; else they leave it where it is.
-llvm::Function* opaque(llvm::Module& module, const std::string& name, llvm::Type* gives,
-                       const std::vector<llvm::Type*>& takes, bool only_gives) {
-  if (llvm::Function* known = module.getFunction(name)) return known;
-  auto* f = llvm::Function::Create(llvm::FunctionType::get(gives, takes, false),
-                                   llvm::Function::ExternalLinkage, name, module);
-  f->addFnAttr(llvm::Attribute::NoUnwind);
-  f->addFnAttr(llvm::Attribute::WillReturn);
-  if (only_gives)
-    f->addFnAttr(llvm::Attribute::ReadNone);
-  else
-    f->addFnAttr(llvm::Attribute::InaccessibleMemOnly);
-  return f;
-}
-
-llvm::Value* what_was_never_set(llvm::IRBuilder<>& build, llvm::Type* type) {
-  return build.CreateCall(
-      opaque(*build.GetInsertBlock()->getModule(), std::string(unset) + "." + name_of(type), type, {}, true));
-}
-
-bool divides(unsigned opcode) {
-  return opcode == I::UDiv || opcode == I::SDiv || opcode == I::URem || opcode == I::SRem;
-}
-bool shifts(unsigned opcode) { return opcode == I::Shl || opcode == I::LShr || opcode == I::AShr; }
-bool wraps(unsigned opcode) { return opcode == I::Add || opcode == I::Sub || opcode == I::Mul; }
-bool becomes_a_word(unsigned opcode) { return opcode == I::FPToUI || opcode == I::FPToSI; }
-
-/// Whether it is defined whatever its other operand is.
-bool is_safe(unsigned opcode, unsigned flags, const llvm::Value* by) {
-  const auto* k = llvm::dyn_cast<llvm::ConstantInt>(by);
-  if (k == nullptr || flags != 0) return false;
-  if (shifts(opcode)) return k->getValue().ult(k->getBitWidth());
-  if (divides(opcode)) return !k->isZero() && !((opcode == I::SDiv || opcode == I::SRem) && k->isMinusOne());
-  return false;
-}
-
-void guard_operation(I& at) {
-  const unsigned opcode = at.getOpcode(), flags = flags_of(at);
-  llvm::IRBuilder<> build(&at);
-  std::vector<llvm::Value*> given{build.getInt32(opcode), build.getInt32(flags)};
-  std::vector<llvm::Type*> takes{build.getInt32Ty(), build.getInt32Ty()};
-  for (llvm::Value* v : at.operand_values()) {
-    given.push_back(v);
-    takes.push_back(v->getType());
+/// Passes may drop it where nobody looks at its value, if it `only_gives` one; else they leave it where it is, and never make
+/// one of two.
+llvm::CallInst* call_opaque(llvm::IRBuilder<>& build, const std::string& kind, llvm::Type* gives,
+                            const std::vector<llvm::Value*>& given, bool only_gives) {
+  std::vector<llvm::Type*> takes;
+  for (const llvm::Value* v : given) takes.push_back(v->getType());
+  auto* type = llvm::FunctionType::get(gives, takes, false);
+  std::string name = kind + " ";
+  llvm::raw_string_ostream(name) << *type;
+  llvm::Module& module = *build.GetInsertBlock()->getModule();
+  llvm::Function* f = module.getFunction(name);
+  if (f == nullptr) {
+    f = llvm::Function::Create(type, llvm::Function::ExternalLinkage, name, module);
+    f->addFnAttr(llvm::Attribute::NoUnwind);
+    if (only_gives) {
+      f->addFnAttr(llvm::Attribute::WillReturn);
+      f->addFnAttr(llvm::Attribute::ReadNone);
+    } else {
+      f->addFnAttr(llvm::Attribute::InaccessibleMemOnly);
+    }
   }
+  llvm::CallInst* call = build.CreateCall(f, given);
+  if (!only_gives) call->addFnAttr(llvm::Attribute::NoMerge);
+  return call;
+}
+
+bool wraps(unsigned opcode) { return opcode == I::Add || opcode == I::Sub || opcode == I::Mul; }
+/// Puts a call in its place: of the opcode, of what else decides its meaning (flags, a predicate, an intrinsic's number), and
+/// of its operands.
+void hold(I& at) {
+  unsigned detail = flags_of(at);
+  if (const auto* compare = llvm::dyn_cast<llvm::CmpInst>(&at)) detail = compare->getPredicate();
+  llvm::IRBuilder<> build(&at);
+  std::vector<llvm::Value*> given{build.getInt32(at.getOpcode()), nullptr};
+  if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) {
+    detail = call->getIntrinsicID();
+    given.insert(given.end(), call->arg_begin(), call->arg_end());
+  } else {
+    given.insert(given.end(), at.value_op_begin(), at.value_op_end());
+  }
+  given[1] = build.getInt32(detail);
   // A division by zero is undefined by itself, whoever looks at its value.
-  const std::string name = std::string(operation) + (divides(opcode) ? ".division." : ".") +
-                           name_of(at.getType()) + "." + name_of(at.getOperand(0)->getType());
-  llvm::CallInst* call =
-      build.CreateCall(opaque(*at.getModule(), name, at.getType(), takes, !divides(opcode)), given);
-  at.replaceAllUsesWith(call);
+  const bool divided = divides(at.getOpcode());
+  llvm::CallInst* held = call_opaque(build, operation, at.getType(), given, !divided);
+  at.replaceAllUsesWith(held);
   at.eraseFromParent();
+}
+
+/// A variable that is read: C has no use for one that was never set, not even one that comes to nothing.
+void hold_read(llvm::LoadInst& load) {
+  llvm::IRBuilder<> build(load.getNextNode());
+  build.SetCurrentDebugLocation(load.getDebugLoc());
+  llvm::CallInst* held = call_opaque(build, operation, load.getType(),
+                                     {build.getInt32(I::Load), build.getInt32(0), &load}, true);
+  load.replaceUsesWithIf(held, [&](const llvm::Use& use) { return use.getUser() != held; });
 }
 
 void guard_overflow(I& at) {
   llvm::IRBuilder<> build(&at);
-  llvm::Value *a = at.getOperand(0), *b = at.getOperand(1);
-  llvm::Function* f =
-      opaque(*at.getModule(), std::string(overflow) + "." + name_of(at.getType()), build.getVoidTy(),
-             {build.getInt32Ty(), build.getInt32Ty(), a->getType(), b->getType()}, false);
-  build.CreateCall(f, {build.getInt32(at.getOpcode()), build.getInt32(flags_of(at)), a, b});
+  call_opaque(
+      build, overflow, build.getVoidTy(),
+      {build.getInt32(at.getOpcode()), build.getInt32(flags_of(at)), at.getOperand(0), at.getOperand(1)},
+      false);
   at.setHasNoUnsignedWrap(false);
   at.setHasNoSignedWrap(false);
 }
 
 constexpr unsigned most_numbers = 1 << 16;
 
-/// Each number of a variable is what was never set, until it is set.
-void guard_leaves(llvm::IRBuilder<>& build, llvm::Value* address, llvm::Type* type, unsigned& room) {
-  if (is_number(type)) {
+/// Each number of a variable is what was never set, until it is set; what lies between them too.
+void guard_leaves(llvm::IRBuilder<>& build, llvm::Value* address_of, llvm::Type* type, unsigned& room) {
+  const llvm::DataLayout& layout = build.GetInsertBlock()->getModule()->getDataLayout();
+  if (is_value(type) || type->isPointerTy()) {
     if (room-- == 0) throw NotKnown("a variable of more than 65536 numbers");
-    build.CreateStore(what_was_never_set(build, type), address);
+    build.CreateStore(never_set(build, type), address_of);
     return;
   }
   const std::uint64_t parts = type->isStructTy()  ? type->getStructNumElements()
                               : type->isArrayTy() ? type->getArrayNumElements()
                                                   : 0;
+  if (auto* record = llvm::dyn_cast<llvm::StructType>(type)) {
+    llvm::Value* bytes = build.CreateBitCast(address_of, build.getInt8PtrTy());
+    std::vector<bool> covered(layout.getTypeAllocSize(record), false);
+    for (unsigned k = 0; k < parts; ++k) {
+      const std::uint64_t from = layout.getStructLayout(record)->getElementOffset(k),
+                          size = layout.getTypeAllocSize(record->getElementType(k));
+      std::fill_n(covered.begin() + static_cast<std::ptrdiff_t>(from), size, true);
+    }
+    for (std::uint64_t k = 0; k < covered.size(); ++k)
+      if (!covered[k])
+        build.CreateStore(never_set(build, build.getInt8Ty()),
+                          build.CreateConstGEP1_64(build.getInt8Ty(), bytes, k));
+  }
   for (std::uint64_t k = 0; k < parts; ++k)
     guard_leaves(
-        build, build.CreateGEP(type, address, {build.getInt32(0), build.getInt32(static_cast<unsigned>(k))}),
+        build,
+        build.CreateGEP(type, address_of, {build.getInt32(0), build.getInt32(static_cast<unsigned>(k))}),
         llvm::GetElementPtrInst::getTypeAtIndex(type, k), room);
 }
 
-void guard_variable(llvm::AllocaInst& variable) {
-  if (variable.isArrayAllocation()) return;
-  llvm::IRBuilder<> build(variable.getNextNode());
-  build.SetCurrentDebugLocation({});
-  if (const auto* f = variable.getFunction()->getSubprogram())
-    build.SetCurrentDebugLocation(
-        llvm::DILocation::get(variable.getContext(), 0, 0, const_cast<llvm::DISubprogram*>(f)));
+/// The line that declares it, or none of its function.
+llvm::DebugLoc declared_at(llvm::AllocaInst& variable) {
+  for (const llvm::DbgVariableIntrinsic* declared : llvm::FindDbgAddrUses(&variable))
+    return declared->getDebugLoc();
+  const auto* f = variable.getFunction()->getSubprogram();
+  if (f == nullptr) return {};
+  return llvm::DILocation::get(variable.getContext(), 0, 0, const_cast<llvm::DISubprogram*>(f));
+}
+
+void guard_variable_from(I* next, llvm::AllocaInst& variable) {
+  llvm::IRBuilder<> build(next);
+  build.SetCurrentDebugLocation(declared_at(variable));
   unsigned room = most_numbers;
   guard_leaves(build, &variable, variable.getAllocatedType(), room);
 }
 
+void guard_variable(llvm::AllocaInst& variable) {
+  if (!variable.isArrayAllocation()) guard_variable_from(variable.getNextNode(), variable);
+}
+
 void guard_end(llvm::UnreachableInst& at) {
   llvm::IRBuilder<> build(&at);
-  build.CreateCall(opaque(*at.getModule(), unreachable, build.getVoidTy(), {}, false));
+  call_opaque(build, unreachable, build.getVoidTy(), {}, false);
   llvm::Type* gives = at.getFunction()->getReturnType();
   if (gives->isVoidTy())
     build.CreateRetVoid();
-  else if (is_number(gives))
-    build.CreateRet(what_was_never_set(build, gives));
+  else if (is_value(gives))
+    build.CreateRet(never_set(build, gives));
   else
     build.CreateRet(llvm::Constant::getNullValue(gives));
   at.eraseFromParent();
@@ -150,18 +173,16 @@ void guard_call(llvm::CallInst& call) {
                      ": whether a value is known before it runs");
     case llvm::Intrinsic::assume: {
       llvm::IRBuilder<> build(&call);
-      build.CreateCall(opaque(*call.getModule(), assumption, build.getVoidTy(), {build.getInt1Ty()}, false),
-                       {call.getArgOperand(0)});
+      call_opaque(build, assumption, build.getVoidTy(), {call.getArgOperand(0)}, false);
       call.eraseFromParent();
       return;
     }
-    case llvm::Intrinsic::lifetime_start: {
-      // A loop's variable is not what it was the last time.
+    case llvm::Intrinsic::lifetime_start:
+    case llvm::Intrinsic::lifetime_end: {
+      // A loop's variable is not what it was the last time, and none is what it was after its end.
       auto* variable = llvm::dyn_cast<llvm::AllocaInst>(call.getArgOperand(1)->stripPointerCasts());
-      if (variable == nullptr || variable->isArrayAllocation()) return;
-      llvm::IRBuilder<> build(call.getNextNode());
-      unsigned room = most_numbers;
-      guard_leaves(build, variable, variable->getAllocatedType(), room);
+      if (variable != nullptr && !variable->isArrayAllocation())
+        guard_variable_from(call.getNextNode(), *variable);
       return;
     }
     default:
@@ -169,19 +190,58 @@ void guard_call(llvm::CallInst& call) {
   }
 }
 
-/// What is undefined from the start is as what was never set.
+/// What is undefined from the start is as what was never set, and no pass looks into a table.
 void guard_operands(I& at) {
   auto* phi = llvm::dyn_cast<llvm::PHINode>(&at);
   for (unsigned k = 0; k < at.getNumOperands(); ++k) {
-    llvm::Type* type = at.getOperand(k)->getType();
-    if (!llvm::isa<llvm::UndefValue>(at.getOperand(k)) || !is_number(type)) continue;
+    auto* constant = llvm::dyn_cast<llvm::Constant>(at.getOperand(k));
+    if (constant == nullptr) continue;
+    llvm::Type* type = constant->getType();
     llvm::IRBuilder<> build(phi != nullptr ? phi->getIncomingBlock(k)->getTerminator() : &at);
-    at.setOperand(k, what_was_never_set(build, type));
+    build.SetCurrentDebugLocation(at.getDebugLoc());
+    if (llvm::isa<llvm::UndefValue>(constant) && (is_value(type) || type->isPointerTy()))
+      at.setOperand(k, never_set(build, type));
+    else if (llvm::isa<llvm::GlobalVariable>(constant->stripInBoundsOffsets()))
+      at.setOperand(k, call_opaque(build, address, type, {constant}, true));
   }
 }
 
+/// Whether it makes a value of values alone.
+bool is_operation(const I& at) {
+  if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) {
+    if (call->getIntrinsicID() == llvm::Intrinsic::not_intrinsic || !call->doesNotAccessMemory() ||
+        call->getType()->isVoidTy() || call->arg_empty())
+      return false;
+    return std::all_of(call->arg_begin(), call->arg_end(),
+                       [](const auto& v) { return is_value(v->getType()); });
+  }
+  const bool known = at.isBinaryOp() || at.isUnaryOp() || at.isCast() || llvm::isa<llvm::CmpInst>(at) ||
+                     llvm::isa<llvm::SelectInst>(at) || llvm::isa<llvm::FreezeInst>(at);
+  return known && is_value(at.getType()) && is_value(at.getOperand(0)->getType());
+}
+
+/// A branch on what is undefined.
+void guard_branch(I& at) {
+  const auto* way = llvm::dyn_cast<llvm::BranchInst>(&at);
+  llvm::Value* on = way == nullptr         ? llvm::cast<llvm::SwitchInst>(at).getCondition()
+                    : way->isConditional() ? way->getCondition()
+                                           : nullptr;
+  llvm::IRBuilder<> build(&at);
+  if (on != nullptr && !llvm::isa<llvm::Constant>(on))
+    call_opaque(build, branch, build.getVoidTy(), {on}, false);
+}
+
+void guard_load(llvm::LoadInst& load) {
+  const auto* variable = llvm::dyn_cast<llvm::AllocaInst>(load.getPointerOperand());
+  if (variable != nullptr && variable->getAllocatedType() == load.getType() && is_value(load.getType()))
+    hold_read(load);
+}
+
 void guard_instruction(I& at) {
-  guard_operands(at);
+  at.dropUnknownNonDebugMetadata();
+  if (llvm::isa<llvm::DbgInfoIntrinsic>(at)) return;
+  if (!llvm::isa<llvm::IntrinsicInst>(at) || llvm::isa<llvm::MemTransferInst>(at) || is_operation(at))
+    guard_operands(at);
   if (const auto* math = llvm::dyn_cast<llvm::FPMathOperator>(&at);
       math != nullptr && math->getFastMathFlags().any())
     throw NotKnown(place_of(at) + ": " + at.getOpcodeName() +
@@ -189,39 +249,38 @@ void guard_instruction(I& at) {
   if (auto* step = llvm::dyn_cast<llvm::GetElementPtrInst>(&at)) return step->setIsInBounds(false);
   if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(&at)) return guard_variable(*variable);
   if (auto* end = llvm::dyn_cast<llvm::UnreachableInst>(&at)) return guard_end(*end);
-  if (auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) return guard_call(*call);
-  if (llvm::isa<llvm::LoadInst>(at)) return at.dropUnknownNonDebugMetadata();
-  if (!is_number(at.getType())) return;
-  const unsigned opcode = at.getOpcode();
-  if (wraps(opcode) && flags_of(at) != 0) return guard_overflow(at);
-  if (becomes_a_word(opcode) ||
-      ((divides(opcode) || shifts(opcode)) && !is_safe(opcode, flags_of(at), at.getOperand(1))))
-    guard_operation(at);
+  if (auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) return guard_load(*load);
+  if (llvm::isa<llvm::BranchInst>(at) || llvm::isa<llvm::SwitchInst>(at)) return guard_branch(at);
+  if (auto* call = llvm::dyn_cast<llvm::CallInst>(&at); call != nullptr && !is_operation(at))
+    return guard_call(*call);
+  if (!is_operation(at)) return;
+  if (wraps(at.getOpcode()) && flags_of(at) != 0) guard_overflow(at);
+  hold(at);
 }
 
-/// The instruction that a call stands for, where its operands leave nothing undefined.
-llvm::Value* plain_again(llvm::CallInst& call) {
-  const auto word = [&](unsigned k) {
-    return static_cast<unsigned>(llvm::cast<llvm::ConstantInt>(call.getArgOperand(k))->getZExtValue());
-  };
-  const unsigned opcode = word(0), flags = word(1);
-  llvm::IRBuilder<> build(&call);
-  if (becomes_a_word(opcode)) {
-    const auto* x = llvm::dyn_cast<llvm::ConstantFP>(call.getArgOperand(2));
-    if (x == nullptr) return nullptr;
-    llvm::APSInt whole(call.getType()->getIntegerBitWidth(), opcode == I::FPToUI);
-    bool same = false;
-    if (x->getValueAPF().convertToInteger(whole, llvm::APFloat::rmTowardZero, &same) ==
-        llvm::APFloat::opInvalidOp)
-      return nullptr;
-    return llvm::ConstantInt::get(call.getType(), whole);
-  }
-  llvm::Value *a = call.getArgOperand(2), *b = call.getArgOperand(3);
-  if (is_safe(opcode, flags, b)) return build.CreateBinOp(static_cast<I::BinaryOps>(opcode), a, b);
-  return nullptr;
+/// What a function's own words promise, and passes would take for given: it returns, pointers are apart and not null.
+void drop_promises(llvm::Function& f) {
+  for (const auto promise :
+       {llvm::Attribute::MustProgress, llvm::Attribute::WillReturn, llvm::Attribute::ReadNone,
+        llvm::Attribute::ReadOnly, llvm::Attribute::ArgMemOnly, llvm::Attribute::Speculatable})
+    f.removeFnAttr(promise);
+  f.addFnAttr(llvm::Attribute::NullPointerIsValid);
+  llvm::AttributeMask of_values;
+  for (const auto promise :
+       {llvm::Attribute::NoAlias, llvm::Attribute::NonNull, llvm::Attribute::NoUndef,
+        llvm::Attribute::Dereferenceable, llvm::Attribute::DereferenceableOrNull, llvm::Attribute::ReadOnly,
+        llvm::Attribute::ReadNone, llvm::Attribute::WriteOnly, llvm::Attribute::NoCapture,
+        llvm::Attribute::Returned, llvm::Attribute::Alignment})
+    of_values.addAttribute(promise);
+  for (unsigned k = 0; k < f.arg_size(); ++k) f.removeParamAttrs(k, of_values);
+  f.removeRetAttrs(of_values);
 }
 
 }  // namespace
+
+bool divides(unsigned opcode) {
+  return opcode == I::UDiv || opcode == I::SDiv || opcode == I::URem || opcode == I::SRem;
+}
 
 unsigned flags_of(const I& at) {
   unsigned flags = 0;
@@ -244,42 +303,36 @@ std::string place_of(const llvm::Instruction& at) {
 Guarded guarded(const llvm::CallInst& call) {
   const llvm::Function* to = call.getCalledFunction();
   if (to == nullptr) return Guarded::none;
+  static const std::pair<const char*, Guarded> kinds[] = {
+      {operation, Guarded::operation},     {unset, Guarded::unset},          {address, Guarded::address},
+      {overflow, Guarded::overflow},       {branch, Guarded::branch},        {outside, Guarded::outside},
+      {unreachable, Guarded::unreachable}, {assumption, Guarded::assumption}};
   const llvm::StringRef name = to->getName();
-  if (name.startswith(operation)) return Guarded::operation;
-  if (name.startswith(unset)) return Guarded::unset;
-  if (name.startswith(overflow)) return Guarded::overflow;
-  if (name == unreachable) return Guarded::unreachable;
-  if (name == assumption) return Guarded::assumption;
+  for (const auto& [prefix, kind] : kinds)
+    if (name.startswith(prefix)) return kind;
   return Guarded::none;
+}
+
+llvm::CallInst* never_set(llvm::IRBuilder<>& build, llvm::Type* type) {
+  return call_opaque(build, unset, type, {}, true);
+}
+
+void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition) {
+  call_opaque(build, outside, build.getVoidTy(), {condition}, false);
+}
+
+unsigned word_of(const llvm::CallInst& call, unsigned k) {
+  return static_cast<unsigned>(llvm::cast<llvm::ConstantInt>(call.getArgOperand(k))->getZExtValue());
 }
 
 void guard(llvm::Module& module) {
   for (llvm::Function& f : module) {
     if (f.isDeclaration()) continue;
+    drop_promises(f);
     std::vector<I*> all;
     for (I& at : llvm::instructions(f)) all.push_back(&at);
     for (I* at : all) guard_instruction(*at);
   }
-}
-
-bool decided(llvm::Module& module) {
-  bool any = false;
-  for (llvm::Function& f : module) {
-    std::vector<llvm::CallInst*> calls;
-    for (I& at : llvm::instructions(f))
-      if (auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) calls.push_back(call);
-    for (llvm::CallInst* call : calls) {
-      const Guarded what = guarded(*call);
-      llvm::Value* plain = what == Guarded::operation ? plain_again(*call) : nullptr;
-      if (plain != nullptr)
-        call->replaceAllUsesWith(plain);
-      else if (what != Guarded::unset || !call->use_empty())
-        continue;
-      call->eraseFromParent();
-      any = true;
-    }
-  }
-  return any;
 }
 
 }  // namespace mmverify::source

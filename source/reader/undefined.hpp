@@ -1,7 +1,8 @@
-// Undefined behaviour, kept from LLVM's passes: what may be undefined becomes a call that they know nothing of, so that
-// none of them can take it for what never happens.
+// Undefined behaviour, kept from LLVM's passes: each operation becomes a call that they know nothing of, before any of them
+// runs.  What cannot be undefined is made plain again (certain.hpp), so that loops have their counts.
 #pragma once
 
+#include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/InstrTypes.h>
 #include <llvm/IR/Instructions.h>
 #include <llvm/IR/Module.h>
@@ -13,20 +14,31 @@ namespace mmverify::source {
 /// What such a call stands for.
 enum class Guarded {
   none,
-  operation,  ///< (opcode, flags, operands...): an instruction whose value may be poison, or that may be undefined itself
-  unset,        ///< what a variable holds before it is set
-  overflow,     ///< (opcode, flags, a, b): forbidden where a sum, difference or product of words does not fit
+  operation,  ///< (opcode, detail, operands...): an instruction; detail: flags, a comparison's predicate, an intrinsic's number.
+              ///< Of opcode Load: a variable's value, which is poison where it was never set
+  unset,      ///< what memory holds before it is set
+  address,    ///< (pointer): of a table
+  overflow,   ///< (opcode, flags, a, b): forbidden where a sum, difference or product of words does not fit
+  branch,     ///< (condition): forbidden where it is undefined
+  outside,    ///< (condition): forbidden, an access outside of a variable
   unreachable,  ///< a place that must not be reached
   assumption,   ///< (condition)
 };
 Guarded guarded(const llvm::CallInst& call);
 
+/// An argument that is a constant number.
+unsigned word_of(const llvm::CallInst& call, unsigned k);
+
 /// Makes them, in all functions of the module.  Throws NotKnown: what passes would decide in another way than the compiled
 /// code does, such as whether the level is a constant.
 void guard(llvm::Module& module);
 
-/// Takes back those that constants have decided, and those that nobody looks at.  Returns whether there were some.
-bool decided(llvm::Module& module);
+/// A value that nobody has set: an opaque call.
+llvm::CallInst* never_set(llvm::IRBuilder<>& build, llvm::Type* type);
+void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition);
+
+/// Whether it is a division or a remainder of words, which is undefined by itself.
+bool divides(unsigned opcode);
 
 /// Flags of source/program.hpp.
 unsigned flags_of(const llvm::Instruction& at);

@@ -25,6 +25,7 @@ class ShaderOnDevice : public testing::Test {
   static void SetUpTestSuite() {
     const Outcome o = judge(ours("index.glsl"), "index.in_range --levels 0");
     if (o.exit_code == 2 && o.out.find("n/a") != std::string::npos) why_not_ = o.out;
+    if (o.exit_code == 4) why_not_ = o.err;
   }
   void SetUp() override {
     if (!why_not_.empty()) GTEST_SKIP() << "no Vulkan device: " << why_not_;

@@ -26,9 +26,6 @@ using induction::Statement;
 constexpr Level highest = 16;
 /// Hard pairs that are run before any prover is asked: most that is wrong is wrong on one of them.
 constexpr std::uint64_t pairs_run = 1 << 15;
-/// Of one statement; a tenth of a second is usual.
-constexpr unsigned most_milliseconds = 900'000;
-
 const SourceSubject& of_source(const Subject& s) { return dynamic_cast<const SourceSubject&>(s); }
 
 std::string number_text(float x) { return fmt::format("{:a}", x); }
@@ -88,11 +85,10 @@ class OfLevel {
     if (refuted_) return tally.break_off();
     const Pair& pair = pairs_[k];
     const Formula formula = subject_.code.formulas(level_, pair.u, pair.v);
-    const induction::Effort effort{most_milliseconds, 0};
     const Statement witness = witness_of(level_, pair), statement = statement_of(level_, pair, formula);
-    if (const Solved found = induction::ask_words(witness, effort); found.answer != Answer::sat)
+    if (const Solved found = induction::ask_words(witness); found.answer != Answer::sat)
       return undecided(witness.name + ": its hypotheses: " + said(found), tally);
-    const Solved found = induction::ask_words(statement, effort);
+    const Solved found = induction::ask_words(statement);
     if (found.answer == Answer::unknown) return undecided(statement.name + ": " + said(found), tally);
     if (found.answer == Answer::sat) return refute(claimed_by(found, pair, formula), tally);
     tally.count(Kind::interior, 1);
@@ -222,8 +218,7 @@ std::string undefined_at(const IndexSubject& any, Level n, float u, float v) {
   const Pair pair{range(u), range(v)};
   const Formula formula = subject->code.formulas(n, pair.u, pair.v);
   const Solved found = induction::ask_words(
-      statement_of(n, pair, formula, Bits{std::bit_cast<std::uint32_t>(u), std::bit_cast<std::uint32_t>(v)}),
-      induction::Effort{most_milliseconds, 0});
+      statement_of(n, pair, formula, Bits{std::bit_cast<std::uint32_t>(u), std::bit_cast<std::uint32_t>(v)}));
   const Claimed c = claimed_by(found, pair, formula);
   return found.answer == Answer::sat && c.undefined ? c.cause : "";
 }

@@ -216,7 +216,7 @@ class Body {
   }
   void join(const Instruction& i, const std::vector<llvm::PHINode*>& phis) {
     for (std::size_t k = 0; k + 1 < i.operands.size(); k += 2) {
-      const Scalars all = values_.value(i.operands[k]);
+      const Scalars all = values_.constant_or_value(i.operands[k]);
       if (all.size() != phis.size()) invalid("a choice of values of different types");
       for (std::size_t s = 0; s < phis.size(); ++s) {
         if (all[s]->getType() != phis[s]->getType()) invalid("a choice of values of different types");

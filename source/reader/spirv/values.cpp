@@ -1,12 +1,21 @@
 #include "source/reader/spirv/values.hpp"
 
 #include "source/reader/module.hpp"
+#include "source/reader/undefined.hpp"
 
 namespace mmverify::source {
 
 using I = llvm::Intrinsic::IndependentIntrinsics;
 
-Scalars Values::value(Id id) const {
+/// What OpUndef leaves open is a value of its own at each use, before any builder or pass makes something of it.
+Scalars Values::value(Id id) {
+  Scalars all = constant_or_value(id);
+  for (llvm::Value*& v : all)
+    if (llvm::isa<llvm::UndefValue>(v) && !v->getType()->isPointerTy()) v = never_set(build_, v->getType());
+  return all;
+}
+
+Scalars Values::constant_or_value(Id id) const {
   if (const auto known = values_.find(id); known != values_.end()) return known->second;
   if (types_.is_constant(id)) return types_.constant(id);
   const auto outside = module_.globals.find(id);
@@ -23,17 +32,17 @@ Id Values::type_of(Id id) const {
   return known != kinds_.end() ? known->second : types_.global(id).type;
 }
 
-llvm::Value* Values::one(Id id) const {
+llvm::Value* Values::one(Id id) {
   const Scalars all = value(id);
   if (all.size() != 1) invalid("a scalar is due");
   return all[0];
 }
-llvm::Value* Values::word(Id id) const {
+llvm::Value* Values::word(Id id) {
   const Scalars all = checked(id, Sort::words);
   if (all.size() != 1) invalid("a scalar is due");
   return all[0];
 }
-llvm::Value* Values::number(Id id) const {
+llvm::Value* Values::number(Id id) {
   const Scalars all = checked(id, Sort::floats);
   if (all.size() != 1) invalid("a scalar is due");
   return all[0];
@@ -47,7 +56,7 @@ void Values::set(Id id, Id type, Scalars all) {
   kinds_[id] = type;
 }
 
-Scalars Values::checked(Id id, Sort sort) const {
+Scalars Values::checked(Id id, Sort sort) {
   Scalars all = value(id);
   for (const llvm::Value* v : all)
     if (sort == Sort::floats ? !v->getType()->isFloatingPointTy() : !v->getType()->isIntegerTy())
@@ -229,7 +238,7 @@ bool Values::composite(const Instruction& i) {
         std::uint32_t from = i.operands[k];
         if (planted_ == Planted::shuffled_otherwise && from == 1) from = 0;
         if (from != 0xffffffff && from >= both.size()) invalid("there is no such component");
-        all.push_back(from == 0xffffffff ? llvm::UndefValue::get(both.at(0)->getType()) : both[from]);
+        all.push_back(from == 0xffffffff ? never_set(build_, both.at(0)->getType()) : both[from]);
       }
       set(i, std::move(all));
       return true;

@@ -20,11 +20,12 @@ class Values {
   llvm::IRBuilder<>& build() { return build_; }
 
   /// Throws CannotRead: there is none; NotKnown: memory outside of functions.
-  Scalars value(Id id) const;
+  Scalars value(Id id);
+  Scalars constant_or_value(Id id) const;  ///< where an instruction is built elsewhere
   Id type_of(Id id) const;
-  llvm::Value* one(Id id) const;
-  llvm::Value* word(Id id) const;
-  llvm::Value* number(Id id) const;
+  llvm::Value* one(Id id);
+  llvm::Value* word(Id id);
+  llvm::Value* number(Id id);
   void set(const Instruction& i, Scalars all);
   void set(Id id, Id type, Scalars all);
 
@@ -42,7 +43,7 @@ class Values {
   enum class Sort { words, floats };
 
   static std::uint32_t operand(const Instruction& i, std::size_t k) { return Types::operand(i, k); }
-  Scalars checked(Id id, Sort sort) const;
+  Scalars checked(Id id, Sort sort);
   void each(const Instruction& i, std::size_t at, Sort sort, const Unary& make);
   void pairs(const Instruction& i, std::size_t at, Sort sort, const Binary& make);
   void shifts(const Instruction& i, llvm::Instruction::BinaryOps how);

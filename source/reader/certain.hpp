@@ -1,0 +1,12 @@
+// What cannot be undefined is plain again.
+#pragma once
+
+#include <llvm/IR/Function.h>
+
+namespace mmverify::source {
+
+/// Makes plain instructions of the function's guarded ones (undefined.hpp) that nothing undefined comes into, and drops what
+/// guards them.  The rest stay calls, whatever passes do.
+void make_certain_plain(llvm::Function& function);
+
+}  // namespace mmverify::source
