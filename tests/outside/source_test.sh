@@ -33,10 +33,10 @@ undefined() {
 }
 undefined 'a sum, difference or product that does not fit, .*wrong_source.c:' "$wrong" overflows
 undefined 'shl: a shift too far' "$wrong" shifted
-undefined 'poison: a value that is left open or was never set' "$wrong" never_set
+undefined 'read: a value that was never set' "$wrong" never_set
 undefined "a read outside of a table's row" "$wrong" other_row
 undefined 'fptoui: a float beyond the integers it becomes' "$wrong" cast
-undefined 'poison: a value that is left open or was never set' "$wrong" of_a_loop
+undefined 'read: a value that was never set' "$wrong" of_a_loop
 undefined 'a place that must not be reached, .*wrong_source.c:' "$wrong" without_end
 undefined 'an assumption that does not hold, .*wrong_source.c:' "$wrong" assuming
 judged 2 'wrong_source.c:[0-9]+: call of llvm.is.constant' --source "$wrong" --function constant_level --levels 1
@@ -79,7 +79,7 @@ if command -v glslangValidator >/dev/null; then
   done
   judged 1 "undefined: fptoui|expected 0 got" --source "$shader" --function far --levels 0
   for function in "${undefined_in_shaders[@]}"; do
-    undefined '(poison: a value that is left open or was never set|shl: a shift too far).*' "$shader" "$function"
+    undefined '(a value that was never set|shl: a shift too far).*' "$shader" "$function"
     [[ $function == never_set ]] || grep -qE '(never set|bits lost), .*wrong_source.glsl:' said || fail "$function: no place"
   done
   judged 2 'a pointer|memory that is no constant table' --source "$shader" --function set_late --levels 1
@@ -103,8 +103,8 @@ else
 fi
 printf 'unsigned index_of(unsigned level, float u, float v) { return leve; }\n' >typo.c
 judged 2 "typo.c:1:[0-9]+: error: use of undeclared identifier 'leve'" --source typo.c
-MMVERIFY_CLANG=no-clang judged 2 'no-clang: there is no such compiler; install the Debian package clang' --source "$wrong" --function right
-MMVERIFY_SOURCE_READER=$folder/none judged 2 'none: there is no program of that name|llvm-14-dev' --source "$wrong" --function right
+MMVERIFY_CLANG=no-clang judged 4 '^mmverify: .*no-clang: there is no such compiler; install it \(Debian: clang\)' --source "$wrong" --function right
+MMVERIFY_SOURCE_READER=$folder/none judged 4 'mmverify: .*none: there is no program of that name|llvm-14-dev' --source "$wrong" --function right
 
 if [[ ${3-} == --every ]]; then
   judged 0 '^proved \(bit vectors\) index.floats .* level 0 ' --source "$wrong" --function right --levels 0

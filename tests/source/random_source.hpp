@@ -17,7 +17,13 @@ class RandomSource : private RandomStatements {
     text_ += "uint32_t all(uint32_t level, float u, float v) {\n  switch (level) {\n";
     for (unsigned k = 0; k < functions; ++k) text_ += fmt::format("    case {0}: return f{0}(u, v);\n", k);
     text_ += "  }\n  return 0;\n}\n";
+    // A caller gets a narrow result as its type says.
+    for (const char* type : narrow)
+      text_ += fmt::format(
+          "{0} all_{0}(uint32_t level, float u, float v) {{ return ({0})all(level, u, v); }}\n", type);
   }
+  /// What the functions all_TYPE return.
+  static constexpr const char* narrow[] = {"int8_t", "uint8_t", "int16_t", "uint16_t"};
   std::string text() const { return head + text_; }
 
  private:
@@ -29,6 +35,51 @@ static const int8_t bytes[2][4] = {{1, -1, 127, -128}, {0, 5, -7, 64}};
 static const float floats[5] = {0.5f, -3.25f, 0x1p-30f, 1e20f, 0x1.fffffep-1f};
 static uint32_t bits(float x) { uint32_t b; memcpy(&b, &x, 4); return b; }
 static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
+struct pair { uint32_t x, y; };
+struct mixed { uint8_t tag; uint32_t x; uint16_t y; };
+struct large { uint32_t x[5]; float y; };
+struct fields { uint32_t a : 5, b : 16, c : 11; };
+union sizes { uint64_t all; float x; uint32_t words[2]; uint8_t bytes[8]; };
+static struct pair paired(uint32_t x, uint32_t y) { struct pair p; p.y = y; p.x = x; return p; }
+static uint32_t of_pair(struct pair p) { return p.x * 3u ^ p.y; }
+static struct mixed mixed_of(uint32_t x, int with_y) {
+  struct mixed m;
+  m.x = x;
+  if (with_y) m.y = (uint16_t)(x >> 7);
+  return m;
+}
+static uint32_t of_mixed(struct mixed m, int with_y) { return with_y ? m.x + m.y : m.x; }
+static struct large large_of(uint32_t x, float y) { struct large l; l.x[1] = x; l.x[4] = ~x; l.y = y; return l; }
+static uint32_t of_large(struct large l) { return l.x[1] + (l.x[4] ^ bits(l.y)); }
+static uint32_t second(uint32_t x, uint32_t y) {
+  struct fields s;
+  s.b = x & 0xffffu;
+  struct fields t = s;
+  t.c = y & 0x7ffu;
+  return t.b * 5u ^ t.c;
+}
+static uint32_t lower(float x) { union sizes s; s.x = x; return (uint32_t)s.all; }
+static uint32_t put_together(uint32_t x) {
+  uint8_t b[8];
+  for (int k = 0; k < 4; ++k) b[k] = (uint8_t)(x >> 8 * k);
+  uint64_t w;
+  memcpy(&w, b, 8);
+  return (uint32_t)w << 3;
+}
+static uint32_t turned(uint32_t x) {
+  uint32_t a[4], sum = 0;
+  for (int k = 0; k < 4; ++k) a[k] = x >> 8 * k & 255u;
+  for (int k = 3; k >= 0; --k) sum = sum << 4 ^ a[3 - k];
+  return sum;
+}
+static int8_t narrow_i8(uint32_t x) { return (int8_t)x; }
+static uint16_t narrow_u16(uint32_t x) { return (uint16_t)x; }
+static int16_t narrow_i16(uint32_t x) { return (int16_t)x; }
+uint32_t add_up_to(uint32_t, uint32_t) __asm__("llvm.uadd.sat.i32");
+uint32_t less_down_to(uint32_t, uint32_t) __asm__("llvm.usub.sat.i32");
+int32_t signed_up_to(int32_t, int32_t) __asm__("llvm.sadd.sat.i32");
+int32_t signed_down_to(int32_t, int32_t) __asm__("llvm.ssub.sat.i32");
+uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
 )";
 
   std::string condition() final {
@@ -91,7 +142,39 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
   }
 
   std::string word() final {
-    switch (random_.below(22)) {
+    switch (random_.below(35)) {
+      case 22:
+        return fmt::format("of_pair(paired({}, {}))", a(), a());
+      case 23:
+        return fmt::format("paired({}, {}).{}", a(), a(), one_of({"x", "y"}));
+      case 24: {
+        const std::string with = condition();
+        return fmt::format("of_mixed(mixed_of({}, {}), {})", a(), with, with);
+      }
+      case 25:
+        return fmt::format("of_large(large_of({}, {}))", a(), x());
+      case 26:
+        return fmt::format("second({}, {})", a(), a());
+      case 27:
+        return fmt::format("lower({})", x());
+      case 28:
+        return fmt::format("{}({})", one_of({"put_together", "turned"}), a());
+      case 29:
+        return fmt::format("(uint32_t){}({})", one_of({"narrow_i8", "narrow_u16", "narrow_i16"}), a());
+      case 30:
+        return fmt::format("{}({}, {})", one_of({"add_up_to", "less_down_to"}), a(), a());
+      case 31:
+        return fmt::format("(uint32_t){}((int32_t){}, (int32_t){})",
+                           one_of({"signed_up_to", "signed_down_to"}), a(), a());
+      case 32:
+        return fmt::format("__builtin_elementwise_{}({}, {})", one_of({"min", "max"}), a(), a());
+      case 33:
+        return fmt::format("(uint32_t)__builtin_elementwise_{}((int32_t){}, (int32_t){})",
+                           one_of({"min", "max"}), a(), a());
+      case 34: {
+        const std::string y = x();
+        return fmt::format("{0} == {0} ? word_up_to({0}) : 3u", y);
+      }
       case 0:
         return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
       case 1:
@@ -147,6 +230,14 @@ static float of_bits(uint32_t b) { float x; memcpy(&x, &b, 4); return x; }
       default:
         return fmt::format("({}) + ({}) * 2u", condition(), condition());
     }
+  }
+
+  /// A variable that is set where it is used, and not elsewhere.
+  bool has_further() const final { return true; }
+  std::string further() final {
+    const std::string set = condition(), to = a();
+    return fmt::format("{{ int c = {}; uint32_t late; if (c) late = {}; {} ^= c ? late * 3u : 5u; }}\n", set,
+                       word(), to);
   }
 
   void function(unsigned number) {

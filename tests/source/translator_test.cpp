@@ -67,10 +67,11 @@ struct Tried {
 
 class Fuzzed {
  public:
-  Fuzzed(std::uint64_t seed, unsigned functions) : seed_(seed), functions_(functions) {
+  Fuzzed(std::uint64_t seed, unsigned functions, const std::string& name = "all")
+      : seed_(seed), functions_(functions) {
     const std::string file = (folder_ / "random.c").string();
     std::ofstream(file) << tests::RandomSource(seed, functions).text();
-    made_.emplace(file, "all");
+    made_.emplace(file, name);
     run_.emplace(*made_);
   }
 
@@ -133,11 +134,20 @@ TEST_F(Translator, GivesTheBitsThatTheCompiledCodeGives) {
   for (unsigned long seed = 1; seed <= last; ++seed) {
     const Tried one = Fuzzed(seed, functions).tried(4);
     EXPECT_EQ(one.differs, 0u) << one.first;
+    EXPECT_EQ(one.undefined, 0u) << "seed " << seed << ": what is right is said to be undefined";
     all.same += one.same;
     all.undefined += one.undefined;
   }
   fmt::print("{} pairs the same, {} undefined\n", all.same, all.undefined);
   EXPECT_GE(all.same, 3 * last * functions) << "too many programs are undefined: the sample says little";
+}
+
+TEST_F(Translator, NarrowResultsAreExtendedAsTheirTypesSay) {
+  for (const char* type : tests::RandomSource::narrow) {
+    const Tried one = Fuzzed(1, 2, std::string("all_") + type).tried(4);
+    EXPECT_EQ(one.differs, 0u) << type << ": " << one.first;
+    EXPECT_GE(one.same, 6u) << type;
+  }
 }
 
 /// A mistake of the translator, and that the programs of some seed tell.
