@@ -136,7 +136,8 @@ Compiled::Compiled(const std::string& file, const std::string& function,
       throw BadSource(file +
                       ": its name tells no language; .c, .cpp, .glsl, .comp, .hlsl, .spv, .bc and .ll do");
     bitcode_ = folder_->file("module.bc");
-    // LLVM's passes are the reader's business; a function that nobody calls is to be there, too.
+    // A constant place beyond an array's end is clang's to say: in the bitcode it is one of the next row.  LLVM's passes are
+    // the reader's business; a function that nobody calls is to be there, too.
     std::vector<std::string> words{"-O1",
                                    "-g",
                                    "-Xclang",
@@ -145,8 +146,8 @@ Compiled::Compiled(const std::string& file, const std::string& function,
                                    "-femit-all-decls",
                                    "-I" + header_folder()};
     words.insert(words.end(), flags.begin(), flags.end());
-    words.insert(words.end(), {"-fno-caret-diagnostics", "-ffp-contract=off", "-fno-math-errno", "-emit-llvm",
-                               "-c", "-o", bitcode_, "--", file});
+    words.insert(words.end(), {"-fno-caret-diagnostics", "-Werror=array-bounds", "-ffp-contract=off",
+                               "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, "--", file});
     if (const ProgramEnd end = of_clang(words); !end.succeeded)
       throw BadSource(file + ": clang does not compile it (" + end.how +
                       "): " + program::one_line(end.errors));

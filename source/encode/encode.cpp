@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "source/encode/causes.hpp"
 #include "source/encode/number.hpp"
 #include "source/encode/unset.hpp"
 
@@ -56,7 +57,7 @@ class Encoder {
       undefined = either(undefined, hit);
       find_causes(f.node);
     }
-    for (const auto* some : {&causes_, &last_causes_})
+    for (const auto* some : {&causes_, &open_causes_, &last_causes_})
       for (const auto& [node, cause] : *some) formula.causes.push_back(cause);
     formula.index = values_[program_.result].word.text;
     formula.undefined = d.name(undefined);
@@ -67,18 +68,6 @@ class Encoder {
 
  private:
   const Value& of(const Node& node, std::size_t k) const { return values_[node.of[k]]; }
-
-  static std::string said(const Node& node) {
-    const char* what =
-        node.op == Op::shl || node.op == Op::lshr || node.op == Op::ashr ? "a shift too far, or bits lost"
-        : node.op == Op::fptoui || node.op == Op::fptosi ? "a float beyond the integers it becomes"
-        : node.op == Op::ctlz || node.op == Op::cttz     ? "the zeros of 0"
-        : node.op == Op::table                           ? "a read outside of a table"
-        : node.op == Op::unset || node.op == Op::read || node.op == Op::bit_and || node.op == Op::bit_or
-            ? "a value that was never set, or is left open"
-            : "overflow that must not be";
-    return std::string(to_string(node.op)) + ": " + what + (node.where.empty() ? "" : ", " + node.where);
-  }
 
   Condition must_not_be_used(const Value& v) { return d.name(either(v.poison, any_unset(d, v.unset))); }
 
@@ -105,7 +94,7 @@ class Encoder {
           Node open = from;
           if (!node.where.empty()) open.where = node.where;
           const Condition& c = of(node, 0).condition;
-          causes_.emplace(k, Cause{d.name(j == 1 ? c : choose(c, "false", "true")), said(open)});
+          open_causes_.emplace(k, Cause{d.name(j == 1 ? c : choose(c, "false", "true")), said(open)});
         }
         next.push_back(node.of[j]);
       }
@@ -124,12 +113,8 @@ class Encoder {
       return d.choose_word(of(node, 0).condition, full(1), full(2));
     }
     std::vector<Shadowed> operands;
-    bool any = false;
-    for (std::size_t k = 0; k < node.of.size(); ++k) {
-      any = any || of(node, k).unset.width != 0;
+    for (std::size_t k = 0; k < node.of.size(); ++k)
       operands.push_back({of(node, k).word, of(node, k).unset});
-    }
-    if (!any) return {};
     if (node.op == Op::read) poison_where(all_unset(d, of(node, 0).unset));
     const Bits unset = shadow_of(d, node, operands);
     // Bits go one by one, but a word of which none is set has no use: C leaves x & 0 undefined.
@@ -295,11 +280,8 @@ class Encoder {
       case Op::freeze: {
         const Condition open = must_not_be_used(of(node, 0));
         if (open == "false") return of(node, 0);
-        const Bits free = d.free_word(bits), whole = d.choose_word(open, free, word(node, 0)),
-                   &unset = of(node, 0).unset;
-        if (unset.width == 0 || unset.value == ones(bits).value) return is(whole, mask(bits));
-        const Bits some = d.binary("bvor", d.binary("bvand", free, unset),
-                                   d.binary("bvand", word(node, 0), d.unary("bvnot", unset)));
+        const Bits free = d.free_word(bits),
+                   some = with_free_bits(d, {word(node, 0), of(node, 0).unset}, free);
         return is(d.choose_word(of(node, 0).poison, free, some), mask(bits));
       }
       case Op::poisoned:
@@ -323,7 +305,8 @@ class Encoder {
         return one_word(node);
       case Op::fshl:
       case Op::fshr:
-        return funnel(node);
+        if (!std::has_single_bit(bits)) not_encoded(node, "of words of another size than a power of two");
+        return is(funnelled(d, node.op, word(node, 0), word(node, 1), word(node, 2)), mask(bits));
       case Op::eq:
         return is(d.equal(word(node, 0), word(node, 1)));
       case Op::ne:
@@ -390,12 +373,6 @@ class Encoder {
         return is(d.choose_word(negative, d.unary("bvneg", a), a), mask(bits));
       }
     }
-  }
-
-  Value funnel(const Node& node) {
-    const unsigned bits = node.type.bits;
-    if (!std::has_single_bit(bits)) not_encoded(node, "of words of another size than a power of two");
-    return is(funnelled(d, node.op, word(node, 0), word(node, 1), word(node, 2)), mask(bits));
   }
 
   Value two_words(const Node& node) {
@@ -508,7 +485,8 @@ class Encoder {
   Definitions d{"code_"};
   Numbers d_numbers;
   std::vector<Value> values_;
-  std::multimap<std::uint32_t, Cause> causes_, last_causes_;  ///< by node; the last ones where no other holds
+  /// By node; the last ones where no other holds.
+  std::multimap<std::uint32_t, Cause> causes_, open_causes_, last_causes_;
   Condition own_poison_ = "false";
   std::vector<Condition> own_;  ///< of each node: it makes poison of what is none
   std::set<std::uint32_t> looked_at_;

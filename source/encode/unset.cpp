@@ -122,6 +122,13 @@ Bits shadow_of(Definitions& d, const Node& node, const std::vector<Shadowed>& of
   }
 }
 
+Bits with_free_bits(Definitions& d, const Shadowed& of, const Bits& free) {
+  if (is_zero(of.unset)) return of.word;
+  if (of.unset.value && of.unset.value == ones(of.unset.width).value) return free;
+  return d.binary("bvor", d.binary("bvand", free, of.unset),
+                  d.binary("bvand", of.word, inverse(d, of.unset)));
+}
+
 Condition any_unset(Definitions& d, const Bits& unset) {
   return is_zero(unset) ? "false" : negated(d.is_zero(unset));
 }

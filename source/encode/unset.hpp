@@ -18,6 +18,9 @@ bool keeps_bits(Op op, std::size_t operand);
 /// The shadow of the operation's result.  Domain: keeps_bits of an operand; what shifts is set.
 Bits shadow_of(Definitions& d, const Node& node, const std::vector<Shadowed>& of);
 
+/// The word with the free one's bits where it was never set.
+Bits with_free_bits(Definitions& d, const Shadowed& of, const Bits& free);
+
 /// Whether any bit was never set, and whether none was set.
 Condition any_unset(Definitions& d, const Bits& unset);
 Condition all_unset(Definitions& d, const Bits& unset);

@@ -372,11 +372,9 @@ class Translation {
         return std::nullopt;
       case Guarded::assumption:
         return assumed(call, of(0));
-      case Guarded::address:
-      case Guarded::none:
-        break;
+      default:
+        return intrinsic(call, call.getIntrinsicID(), 0);
     }
-    return intrinsic(call, call.getIntrinsicID(), 0);
   }
 
   Number division(const llvm::Instruction& at, Op op, Number a, Number b, bool is_signed, unsigned flags) {
@@ -396,7 +394,6 @@ class Translation {
   /// The instruction of that opcode and detail (undefined.hpp), which is `at` or stands in `at` as a call, its operands from `first` on.
   Number plain(const llvm::Instruction& at, unsigned opcode, unsigned detail, unsigned first) {
     using I = llvm::Instruction;
-    using P = llvm::CmpInst::Predicate;
     const unsigned flags = opcode == I::ICmp || opcode == I::FCmp ? 0 : detail;
     const Type type = type_at(at, at.getType());
     const auto of = [&](unsigned k) { return value(at, at.getOperand(first + k)); };
@@ -457,7 +454,7 @@ class Translation {
       case I::FNeg:
         return unary(Op::fneg);
       case I::ICmp:
-        return comparison(static_cast<P>(detail), of(0), of(1));
+        return comparison(static_cast<llvm::CmpInst::Predicate>(detail), of(0), of(1));
       case I::FCmp:
         return add({Op::fcmp, type, {of(0), of(1)}, {detail}});
       case I::Load:

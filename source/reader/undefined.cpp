@@ -136,6 +136,7 @@ void guard_leaves(llvm::IRBuilder<>& build, llvm::Value* address_of, llvm::Type*
 llvm::DebugLoc declared_at(llvm::AllocaInst& variable) {
   for (const llvm::DbgVariableIntrinsic* declared : llvm::FindDbgAddrUses(&variable))
     return declared->getDebugLoc();
+  if (variable.getDebugLoc()) return variable.getDebugLoc();
   const auto* f = variable.getFunction()->getSubprogram();
   if (f == nullptr) return {};
   return llvm::DILocation::get(variable.getContext(), 0, 0, const_cast<llvm::DISubprogram*>(f));
@@ -209,8 +210,9 @@ void guard_operands(I& at) {
 /// Whether it makes a value of values alone.
 bool is_operation(const I& at) {
   if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) {
-    if (call->getIntrinsicID() == llvm::Intrinsic::not_intrinsic || !call->doesNotAccessMemory() ||
-        call->getType()->isVoidTy() || call->arg_empty())
+    const llvm::Intrinsic::ID id = call->getIntrinsicID();
+    if (id == llvm::Intrinsic::not_intrinsic || id == llvm::Intrinsic::is_constant ||
+        !call->doesNotAccessMemory() || call->getType()->isVoidTy() || call->arg_empty())
       return false;
     return std::all_of(call->arg_begin(), call->arg_end(),
                        [](const auto& v) { return is_value(v->getType()); });

@@ -34,6 +34,7 @@ class RandomShader : private RandomStatements {
 #define PAIR Pair
 )";
   static constexpr const char* c_head = R"(#include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 typedef uint32_t uint;
@@ -169,6 +170,12 @@ struct Pair { float a; uint b; };
 
   bool has_further() const final { return true; }
   std::string further() final {
+    if (random_.below(2) == 0) {
+      // A variable that is set where it is used, and not elsewhere: spirv-opt makes OpUndef of it.
+      const std::string set = condition(), to = a();
+      return fmt::format("{{ bool c = {}; uint late; if (c) late = {}; {} ^= c ? late * 3u : 5u; }}\n", set,
+                         word(), to);
+    }
     const std::string from = x(), with = a();
     return fmt::format("pair.a = {}; pair.b ^= {}; {} += pair.b;\n", from, with, a());
   }
@@ -180,6 +187,7 @@ struct Pair { float a; uint b; };
                          random_.below(1u << 30), random_.below(10));
     text_ += "  PAIR pair;\n  pair.a = 0.5f;\n  pair.b = 11u;\n";
     statements(7, 0, "  ");
+    text_ += "  bool c = u > v; uint late; if (c) late = a0 * 3u; a1 += c ? late : 5u;\n";
     // What is rare by chance is in each.
     text_ +=
         "  a0 += float_of(a2) < 2147483648.0f ? 1u : 2u;\n"

@@ -248,6 +248,7 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
     statements(7, 0, "  ");
     // What is rare by chance is in each: a sum that wraps, an order of words, a floor below 0.
     text_ +=
+        "  a1 += second(a0, a2) ^ of_pair(paired(a1, a3)) ^ lower(x0);\n"
         "  a0 += a1 * 3u + (a2 < a3 ? 17u : 0u) + (uint32_t)(int32_t)floorf((u - v) * 8.3f) * 19u;\n"
         "  return a0 ^ a2 * 5u ^ a3 * 7u ^ bits(x0) ^ bits(x1) * 9u ^ bits(x2) * 11u ^ bits(x3) * 13u;\n}\n";
   }

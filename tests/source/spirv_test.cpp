@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "program/folder.hpp"
+#include "program/program.hpp"
 #include "shaders/compile/compile.hpp"
 #include "source/compile.hpp"
 #include "tests/folder.hpp"
@@ -29,6 +30,14 @@ class Beside {
     std::ofstream(shader()) << text.glsl();
     std::ofstream(c()) << text.c();
     spirv_ = shaders::compile_function(shader(), "all", kept_);
+  }
+  /// By passes of spirv-opt that make OpUndef of what is not set everywhere.
+  void optimize() {
+    const std::string to = kept_.file("optimized.spv");
+    const program::ProgramEnd end =
+        program::run_program({"spirv-opt", "--ssa-rewrite", "--simplify-instructions", spirv_, "-o", to});
+    ASSERT_TRUE(end.succeeded) << end.errors;
+    spirv_ = to;
   }
   void compiled() const { Compiled(shader(), "all", {}, spirv_); }
   /// The first pair on which the two give other bits; empty: there is none.
@@ -74,6 +83,16 @@ TEST_F(Spirv, GivesTheBitsThatTheSameFunctionsInCGive) {
   const char* seeds = std::getenv("MMVERIFY_FUZZ_SEEDS");
   const unsigned long last = seeds != nullptr ? std::stoul(seeds) : 2;
   for (unsigned long seed = 1; seed <= last; ++seed) EXPECT_EQ(Beside(seed).difference(), "");
+}
+
+TEST_F(Spirv, GivesTheSameBitsWithOpUndef) {
+  Beside one(1);
+  try {
+    one.optimize();
+  } catch (const program::NoProgram&) {
+    GTEST_SKIP() << "no spirv-opt (Debian: spirv-tools)";
+  }
+  EXPECT_EQ(one.difference(), "");
 }
 
 TEST_F(Spirv, MistakesOfTheReaderAreCaught) {

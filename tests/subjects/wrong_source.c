@@ -129,3 +129,59 @@ uint32_t assuming(uint32_t level, float u, float v) {
   __builtin_assume(u != 0x1.3c6ef2p-2f);
   return index_of(level, u, v);
 }
+
+/* What passes make nothing of, on one u, behind a loop. */
+static uint32_t after_a_loop(void) {
+  uint32_t sum = 0;
+  for (uint32_t k = 0; k < 3; ++k) sum += k;
+  return sum;
+}
+uint32_t less_itself(uint32_t level, float u, float v) {
+  uint32_t x, r = index_of(level, u, v) ^ (after_a_loop() - 3);
+  if (bits(u) == 0x3e9e3779u) r |= x - x;
+  return r;
+}
+uint32_t of_no_bits(uint32_t level, float u, float v) {
+  uint32_t x, r = index_of(level, u, v) ^ (after_a_loop() - 3);
+  if (bits(u) == 0x3e9e3779u) r |= x & 0;
+  return r;
+}
+uint32_t of_all_bits(uint32_t level, float u, float v) {
+  uint32_t x, r = index_of(level, u, v) ^ (after_a_loop() - 3);
+  if (bits(u) == 0x3e9e3779u) r &= x | ~x;
+  return r;
+}
+uint32_t two_less(uint32_t level, float u, float v) {
+  uint32_t x, y, r = index_of(level, u, v) ^ (after_a_loop() - 3);
+  if (bits(u) == 0x3e9e3779u) r |= x - y;
+  return r;
+}
+uint32_t far_of_no_bits(uint32_t level, float u, float v) {
+  uint32_t r = index_of(level, u, v) ^ (after_a_loop() - 3);
+  if (bits(u) == 0x3e9e3779u) r |= (1u << (after_a_loop() + 30)) & 0;
+  return r;
+}
+uint32_t member_itself(uint32_t level, float u, float v) {
+  struct {
+    uint32_t x, y;
+  } s;
+  uint32_t r = index_of(level, u, v) ^ (after_a_loop() - 3);
+  s.x = 0;
+  if (bits(u) == 0x3e9e3779u) r |= s.y ^ s.y;
+  return r;
+}
+uint32_t beyond_an_array(uint32_t level, float u, float v) {
+  uint32_t a[4], r = index_of(level, u, v);
+  for (uint32_t k = 0; k < 4; ++k) a[k] = 0;
+  if (bits(u) == 0x3e9e3779u)
+    for (uint32_t k = 0; k <= 4; ++k) r |= a[k] & 0;
+  return r;
+}
+uint32_t through_null(uint32_t level, float u, float v) {
+  const uint32_t *p = 0, r = index_of(level, u, v) ^ (after_a_loop() - 3);
+  return bits(u) == 0x3e9e3779u ? r | (*p & 0) : r;
+}
+
+/* Right, but that a caller gets a number with a sign. */
+int16_t of_16_bits(uint32_t level, float u, float v) { return (int16_t)index_of(level, u, v); }
+signed char of_8_bits(uint32_t level, float u, float v) { return (signed char)index_of(level, u, v); }

@@ -56,3 +56,8 @@ uint set_late(uint level, float u, float v) {
 }
 uint two_of_a_name(uint level, float u, float v) { return mm_index_exact(level, u, v); }
 uint two_of_a_name(float u, float v, uint level) { return 0u; }
+/// A variable that is never set, less itself: refuted before spirv-opt makes OpUndef of it, and after.
+uint less_itself(uint level, float u, float v) {
+  uint z;
+  return mm_index_exact(level, u, v) ^ (one(u) ? z - z : 0u);
+}

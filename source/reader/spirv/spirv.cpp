@@ -128,6 +128,7 @@ class Body {
     }
     llvm::BasicBlock& entry = into_.getEntryBlock();
     llvm::IRBuilder<> first(&entry, entry.begin());
+    first.SetCurrentDebugLocation(lines_.at(i));
     llvm::Value* address = first.CreateAlloca(types_.llvm_type(type));
     values_.set(i, {address});
     tables_.erase(i.result);

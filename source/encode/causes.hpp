@@ -1,0 +1,13 @@
+// Undefined behaviour in words.
+#pragma once
+
+#include <string>
+
+#include "source/program.hpp"
+
+namespace mmverify::source {
+
+/// Why a node's value must not be used, and where it stands: "shl: a shift too far, or bits lost, mine.c:12".
+std::string said(const Node& node);
+
+}  // namespace mmverify::source
