@@ -31,11 +31,10 @@ class Beside {
     std::ofstream(c()) << text.c();
     spirv_ = shaders::compile_function(shader(), "all", kept_);
   }
-  /// By passes of spirv-opt that make OpUndef of what is not set everywhere.
+  /// By a pass of spirv-opt that makes OpUndef of what is not set everywhere.
   void optimize() {
     const std::string to = kept_.file("optimized.spv");
-    const program::ProgramEnd end =
-        program::run_program({"spirv-opt", "--ssa-rewrite", "--simplify-instructions", spirv_, "-o", to});
+    const program::ProgramEnd end = program::run_program({"spirv-opt", "--ssa-rewrite", spirv_, "-o", to});
     ASSERT_TRUE(end.succeeded) << end.errors;
     spirv_ = to;
   }
