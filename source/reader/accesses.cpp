@@ -1,16 +1,15 @@
 #include "source/reader/accesses.hpp"
 
 #include <llvm/IR/Constants.h>
-#include <llvm/IR/Dominators.h>
 #include <llvm/IR/GetElementPtrTypeIterator.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
 #include <llvm/IR/Operator.h>
-#include <llvm/Transforms/Utils/PromoteMemToReg.h>
 
 #include <vector>
 
+#include "source/reader/module.hpp"
 #include "source/reader/undefined.hpp"
 
 namespace mmverify::source {
@@ -69,6 +68,33 @@ class Access {
   const llvm::DataLayout& layout_;
 };
 
+bool holds_pointers(const llvm::Type* type) {
+  if (type->isPointerTy()) return true;
+  for (const llvm::Type* part : type->subtypes())
+    if (holds_pointers(part)) return true;
+  return false;
+}
+
+/// A variable of one number that is read or written as a number of another kind, by a pointer to such: C forbids it, the
+/// compiled code may go on with the old number.
+void check_alias(const I& at, const llvm::Value* pointer, const llvm::Type* as) {
+  const auto* variable = llvm::dyn_cast<llvm::AllocaInst>(pointer->stripPointerCasts());
+  const llvm::MDNode* tag = at.getMetadata(llvm::LLVMContext::MD_tbaa);
+  if (variable == nullptr || tag == nullptr || tag->getNumOperands() < 2) return;
+  const llvm::Type* is = variable->getAllocatedType();
+  if (is->isAggregateType() || is->isPointerTy() || as->isPointerTy() ||
+      (is->isFloatingPointTy() == as->isFloatingPointTy() &&
+       is->getPrimitiveSizeInBits() == as->getPrimitiveSizeInBits()))
+    return;
+  const auto* kind = llvm::dyn_cast<llvm::MDNode>(tag->getOperand(1));
+  const auto* name = kind == nullptr ? nullptr : llvm::dyn_cast<llvm::MDString>(kind->getOperand(0));
+  if (name == nullptr || name->getString() != "omnipotent char")
+    throw NotKnown(
+        place_of(at) +
+        ": a number taken for one of another type by a pointer, which C leaves undefined; use memcpy "
+        "or a union");
+}
+
 void guard_access(I& at, llvm::Value* pointer, llvm::Value* bytes) {
   Access access(at);
   llvm::Value* outside = access.lies_outside(pointer, bytes);
@@ -78,15 +104,16 @@ void guard_access(I& at, llvm::Value* pointer, llvm::Value* bytes) {
 
 }  // namespace
 
-void promote_pointers(llvm::Function& function) {
-  std::vector<llvm::AllocaInst*> all;
-  for (I& at : llvm::instructions(function))
-    if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(&at); variable != nullptr &&
-                                                                variable->getAllocatedType()->isPointerTy() &&
-                                                                llvm::isAllocaPromotable(variable))
-      all.push_back(variable);
-  llvm::DominatorTree tree(function);
-  llvm::PromoteMemToReg(all, tree);
+std::vector<llvm::Instruction*> keep_variables(llvm::Function& function) {
+  std::vector<I*> all, kept;
+  for (I& at : llvm::instructions(function)) all.push_back(&at);
+  for (I* at : all)
+    if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(at);
+        variable != nullptr && !holds_pointers(variable->getAllocatedType())) {
+      llvm::IRBuilder<> build(variable->getNextNode());
+      kept.push_back(hold_variable(build, variable));
+    }
+  return kept;
 }
 
 void guard_accesses(llvm::Function& function) {
@@ -99,8 +126,10 @@ void guard_accesses(llvm::Function& function) {
                                     layout.getTypeStoreSize(t));
     };
     if (auto* load = llvm::dyn_cast<llvm::LoadInst>(at)) {
+      check_alias(*at, load->getPointerOperand(), load->getType());
       guard_access(*at, load->getPointerOperand(), size_of(load->getType()));
     } else if (auto* store = llvm::dyn_cast<llvm::StoreInst>(at)) {
+      check_alias(*at, store->getPointerOperand(), store->getValueOperand()->getType());
       guard_access(*at, store->getPointerOperand(), size_of(store->getValueOperand()->getType()));
     } else if (auto* moved = llvm::dyn_cast<llvm::MemIntrinsic>(at)) {
       guard_access(*at, moved->getRawDest(), moved->getLength());

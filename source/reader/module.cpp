@@ -7,6 +7,7 @@
 #include <llvm/Demangle/Demangle.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/InstIterator.h>
 #include <llvm/IR/PassManager.h>
 #include <llvm/IR/Verifier.h>
 #include <llvm/IRReader/IRReader.h>
@@ -194,8 +195,13 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
   run_passes(module, "globaldce");
   guard(module);
   run_passes(module, "always-inline,globaldce");
-  promote_pointers(*module.getFunction(asked));
   guard_accesses(*module.getFunction(asked));
+  const std::vector<llvm::Instruction*> kept = keep_variables(*module.getFunction(asked));
+  run_passes(module, "function(sroa)");
+  for (llvm::Instruction* call : kept) call->eraseFromParent();
+  guard_accesses(*module.getFunction(asked));
+  for (llvm::Instruction& at : llvm::instructions(*module.getFunction(asked)))
+    at.dropUnknownNonDebugMetadata();
   const auto round = [&](const char* passes) {
     run_passes(module, passes);
     llvm::Function& alone = *module.getFunction(asked);

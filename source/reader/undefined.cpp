@@ -240,7 +240,7 @@ void guard_load(llvm::LoadInst& load) {
 }
 
 void guard_instruction(I& at) {
-  at.dropUnknownNonDebugMetadata();
+  at.dropUnknownNonDebugMetadata(llvm::LLVMContext::MD_tbaa);  // for accesses.hpp, which drops it
   if (llvm::isa<llvm::DbgInfoIntrinsic>(at)) return;
   if (!llvm::isa<llvm::IntrinsicInst>(at) || llvm::isa<llvm::MemTransferInst>(at) || is_operation(at))
     guard_operands(at);
@@ -317,6 +317,10 @@ Guarded guarded(const llvm::CallInst& call) {
 
 llvm::CallInst* never_set(llvm::IRBuilder<>& build, llvm::Type* type) {
   return call_opaque(build, unset, type, {}, true);
+}
+
+llvm::CallInst* hold_variable(llvm::IRBuilder<>& build, llvm::AllocaInst* variable) {
+  return call_opaque(build, "mmverify.variable", build.getVoidTy(), {variable}, false);
 }
 
 void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition) {

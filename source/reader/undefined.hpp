@@ -35,6 +35,8 @@ void guard(llvm::Module& module);
 
 /// A value that nobody has set: an opaque call.
 llvm::CallInst* never_set(llvm::IRBuilder<>& build, llvm::Type* type);
+/// A call that nobody knows what it does with the variable.
+llvm::CallInst* hold_variable(llvm::IRBuilder<>& build, llvm::AllocaInst* variable);
 void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition);
 
 /// Whether it is a division or a remainder of words, which is undefined by itself.
