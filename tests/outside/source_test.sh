@@ -47,6 +47,8 @@ for function in "${unset[@]}"; do undefined 'a value that was never set, .*wrong
 undefined 'shl: a shift too far' "$wrong" far_of_no_bits
 undefined 'an access outside of a variable, .*wrong_source.c:' "$wrong" beyond_an_array
 judged 2 'wrong_source.c:[0-9]+: load: memory that is no constant table' --source "$wrong" --function through_null --levels 1
+undefined 'an access outside of a variable, .*wrong_source.cpp:' "${wrong}pp" captured
+judged 2 'wrong_source.c:[0-9]+: a number taken for one of another type' --source "$wrong" --function by_pointer --levels 1
 # A caller in C gets the sign.
 judged 1 'expected [0-9]+ got 4294' --source "$wrong" --function of_16_bits --levels 8
 judged 1 'expected [0-9]+ got 4294' --source "$wrong" --function of_8_bits --levels 4

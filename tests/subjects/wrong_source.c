@@ -185,3 +185,9 @@ uint32_t through_null(uint32_t level, float u, float v) {
 /* Right, but that a caller gets a number with a sign. */
 int16_t of_16_bits(uint32_t level, float u, float v) { return (int16_t)index_of(level, u, v); }
 signed char of_8_bits(uint32_t level, float u, float v) { return (signed char)index_of(level, u, v); }
+
+/* A float taken for a word by a pointer. */
+uint32_t by_pointer(uint32_t level, float u, float v) {
+  const uint32_t* p = (const uint32_t*)&u;
+  return index_of(level, u, v) ^ (*p == 0x3e9e3779u ? 1u : 0u);
+}
