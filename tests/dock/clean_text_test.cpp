@@ -40,7 +40,7 @@ TEST(CleanText, WritesOutWhatIsNoUtf8) {
 TEST(CleanText, IsCleanOnce) {
   std::string all;
   for (int byte = 0; byte < 256; ++byte) all += static_cast<char>(byte);
-  for (const std::string text : {all, std::string("::::"), std::string("####")})
+  for (const std::string& text : {all, std::string("::::"), std::string("####")})
     EXPECT_EQ(clean_text(clean_text(text)), clean_text(text));
 }
 

@@ -128,7 +128,7 @@ bool has_descriptors_of_the_tool() {
 /// The tool reads there all the time: memory that a file no longer has ends it by SIGBUS.
 bool can_shrink_the_shared_memory() {
   bool shrunk = false;
-  for (const std::string process : {std::string("self"), std::to_string(getppid())})
+  for (const std::string& process : {std::string("self"), std::to_string(getppid())})
     for (int fd = 0; fd < 256; ++fd) {
       const std::string name = "/proc/" + process + "/fd/" + std::to_string(fd);
       char target[256]{};
