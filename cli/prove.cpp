@@ -11,6 +11,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/json.hpp"
 #include "cli/junit.hpp"
+#include "cli/left_out.hpp"
 #include "cli/output_file.hpp"
 #include "cli/run_identity.hpp"
 #include "cli/shader.hpp"
@@ -129,54 +130,6 @@ int replay_of_source(const Job& job, const std::string& text) {
   }
 }
 
-/// 4, 5, 6 and 9 as "4..6, 9".
-std::string ranges(const std::vector<Level>& levels) {
-  std::string text;
-  for (std::size_t from = 0; from < levels.size();) {
-    std::size_t to = from;
-    while (to + 1 < levels.size() && levels[to + 1] == levels[to] + 1) ++to;
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", levels[from]);
-    if (to != from) text += fmt::format("..{}", levels[to]);
-    from = to + 1;
-  }
-  return text;
-}
-
-/// Whether one of the jobs' laws is about the level on this subject; of laws that were named, all levels are asked for.
-bool is_asked(const ProveOptions& options, const std::vector<Job>& jobs, const std::string& subject,
-              Level n) {
-  return !options.laws.empty() || std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
-    const Levels& of_law = job.law->long_run;
-    return job.subject->name() == subject && job.law->at_once.empty() && of_law.first <= n &&
-           n <= of_law.last;
-  });
-}
-
-/// A level that was asked for by hand and that no law judged is no success: of each subject that was named and is here, or
-/// of all together where none was.
-void refuse_levels_left_out(const ProveOptions& options, const std::vector<Job>& jobs, const Report& report) {
-  if (!options.levels) return;
-  const Levels asked = parse_levels(*options.levels);
-  std::vector<std::string> subjects;
-  if (options.subjects.empty()) subjects.emplace_back();
-  for (const Job& job : jobs)
-    if (!options.subjects.empty() && job.subject->absent().empty()) subjects.push_back(job.subject->name());
-  for (const std::string& subject : subjects) {
-    std::vector<Level> left = levels_not_judged(report.results, subject, asked);
-    if (!subject.empty()) std::erase_if(left, [&](Level n) { return !is_asked(options, jobs, subject, n); });
-    if (left.empty()) continue;
-    const auto result = std::find_if(report.results.begin(), report.results.end(), [&](const Result& r) {
-      return r.verdict == Verdict::not_applicable && r.at_once.empty() &&
-             (r.level == left.front() || r.level == left.back()) && (subject.empty() || r.subject == subject);
-    });
-    throw UsageError(fmt::format("--levels {}: {} {} not judged{}{}; ask for levels that it has",
-                                 *options.levels, left.size() == 1 ? "level" : "levels",
-                                 ranges(left) + (left.size() == 1 ? " was" : " were"),
-                                 subject.empty() ? "" : " of " + subject,
-                                 result == report.results.end() ? "" : ": " + result->reason));
-  }
-}
-
 int prove(const ProveOptions& options) {
   if (!options.source && (options.function || options.one_case || !options.flags.empty()))
     throw UsageError("--function, --flag, --case: of a --source; name one, or leave them out");
@@ -241,7 +194,8 @@ int prove(const ProveOptions& options) {
   if (!report.gave_up.empty()) throw EnvironmentError(report.gave_up);
   refuse_nothing(report);
   const int code = exit_code(report);
-  if (code == ExitCode::complete && !options.source) refuse_levels_left_out(options, jobs, report);
+  if (code == ExitCode::complete && !options.source)
+    refuse_what_was_left_out({options.levels, options.laws, options.subjects}, jobs, report);
   return code;
 }
 

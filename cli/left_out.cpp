@@ -1,0 +1,103 @@
+#include "cli/left_out.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "cli/exit_code.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace proofs;
+
+/// 4, 5, 6 and 9 as "4..6, 9".
+std::string ranges(const std::vector<Level>& levels) {
+  std::string text;
+  for (std::size_t from = 0; from < levels.size();) {
+    std::size_t to = from;
+    while (to + 1 < levels.size() && levels[to + 1] == levels[to] + 1) ++to;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", levels[from]);
+    if (to != from) text += fmt::format("..{}", levels[to]);
+    from = to + 1;
+  }
+  return text;
+}
+
+/// Whether one of the jobs' laws is about the level on this subject; of laws that were named, all levels are asked for.
+bool is_asked(const Names& names, const std::vector<Job>& jobs, const std::string& subject, Level n) {
+  return !names.laws.empty() || std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
+    const Levels& of_law = job.law->long_run;
+    return job.subject->name() == subject && job.law->at_once.empty() && of_law.first <= n &&
+           n <= of_law.last;
+  });
+}
+
+/// A level that was asked for by hand and that no law judged is no success: of each subject that was named and is here, or
+/// of all together where none was.
+void refuse_levels(const Names& names, const std::vector<Job>& jobs, const Report& report) {
+  if (!names.levels) return;
+  const Levels asked = parse_levels(*names.levels);
+  std::vector<std::string> subjects;
+  if (names.subjects.empty()) subjects.emplace_back();
+  for (const Job& job : jobs)
+    if (!names.subjects.empty() && job.subject->absent().empty()) subjects.push_back(job.subject->name());
+  for (const std::string& subject : subjects) {
+    std::vector<Level> left = levels_not_judged(report.results, subject, asked);
+    if (!subject.empty()) std::erase_if(left, [&](Level n) { return !is_asked(names, jobs, subject, n); });
+    if (left.empty()) continue;
+    const auto result = std::find_if(report.results.begin(), report.results.end(), [&](const Result& r) {
+      return r.verdict == Verdict::not_applicable && r.at_once.empty() &&
+             (r.level == left.front() || r.level == left.back()) && (subject.empty() || r.subject == subject);
+    });
+    throw UsageError(fmt::format("--levels {}: {} {} not judged{}{}; ask for levels that it has",
+                                 *names.levels, left.size() == 1 ? "level" : "levels",
+                                 ranges(left) + (left.size() == 1 ? " was" : " were"),
+                                 subject.empty() ? "" : " of " + subject,
+                                 result == report.results.end() ? "" : ": " + result->reason));
+  }
+}
+
+/// Why no result of those that `is_of` picks judged anything; empty where one did, or where there is none.
+std::string why_nothing(const Report& report, const std::function<bool(const Result&)>& is_of) {
+  std::string why;
+  for (const Result& r : report.results) {
+    if (!is_of(r)) continue;
+    if (r.verdict != Verdict::not_applicable || r.share) return {};
+    why = r.reason;
+  }
+  return why;
+}
+
+/// A law and a subject that were named and judged nothing are no success, whatever else was judged.
+void refuse_names(const Names& names, const std::vector<Job>& jobs, const Report& report) {
+  const auto refuse = [](const std::string& name, const std::string& why) {
+    if (!why.empty())
+      throw UsageError(fmt::format("{} was asked for, and nothing was judged: {}", name, why));
+  };
+  const auto is_here = [&](const std::string& subject) {
+    return std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
+      return job.subject->name() == subject && job.subject->absent().empty();
+    });
+  };
+  for (const std::string& law : names.laws)
+    refuse(law, why_nothing(report, [&](const Result& r) { return r.law == law && is_here(r.subject); }));
+  std::set<std::string> subjects;
+  for (const Job& job : jobs)
+    if (!names.subjects.empty() && job.subject->absent().empty()) subjects.insert(job.subject->name());
+  for (const std::string& subject : subjects)
+    refuse(subject, why_nothing(report, [&](const Result& r) { return r.subject == subject; }));
+}
+
+}  // namespace
+
+void refuse_what_was_left_out(const Names& names, const std::vector<Job>& jobs, const Report& report) {
+  refuse_levels(names, jobs, report);
+  refuse_names(names, jobs, report);
+}
+
+}  // namespace mmverify::cli
