@@ -111,7 +111,7 @@ TEST(DagLaws, AllLevelsRunsANodeOfSixteenDifferentChildren) {
       if (const Map& m = scene.maps[map[k]]; m.level == 5 && index[k] == 1023) state[k] ^= 1;
   };
   const DagSubject subject("sixteen", "of sixteen children the last is wrong", std::move(wrong));
-  const Tally tally = dag::induction::discharge({}, subject, Run{});
+  const Tally tally = dag::induction::discharge({}, subject, mmverify::proofs::Run{});
   ASSERT_EQ(tally.found().size(), 1u);
   EXPECT_EQ(tally.found()[0].level, 5u);
   EXPECT_EQ(tally.found()[0].at, "k=131070");
