@@ -8,8 +8,7 @@
 namespace mmverify::dock {
 namespace {
 
-constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64,
-                        first_in_a_large_batch = 2;
+constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64;
 /// Of the first so many, one in this many is asked from threads as long as the first ones are: laws begin with what is
 /// plain, and a plain map leaves nothing behind in memory that two threads share.
 constexpr std::uint32_t later_from_threads = 1u << 14, one_in_from_threads = 256;
@@ -157,7 +156,11 @@ void Desk::encode(bool thorough) {
   // What is read lies in exactly the room that it needs.
   same_size(call_at_guard(size, blank_again, other_blob), size);
   compare(again_.data(), blob_answer(size), static_cast<std::size_t>(size), 0, "asked again");
-  if (thorough) ask_blob_from_threads(size);
+  if (thorough) {
+    ask_blob_after_another_format(blob, size);
+    ask_blob_after_kept_formats(blob, size);
+    ask_blob_from_threads(size);
+  }
   mailbox_.report.taken = size != 0 ? 1 : 0;
   mailbox_.report.answer_bytes = size;
 }
@@ -170,21 +173,27 @@ void Desk::answer(bool thorough) {
   if (first != second)
     stop(Outcome::non_deterministic, 0, first != 0 ? "taken, then refused" : "refused, then taken");
   if (first != 0) compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, "asked again");
+  // Elements in a blob are asked again as elements, however many they are.
+  if (first != 0 && (thorough || mailbox_.asked_before < first_thorough)) ask_blob_in_each_size(blob);
   if (thorough) {
     if (any_bytes_are_one(mailbox_.call)) ask_blob_after_like_ones(blob);
-    if (asked().topic == Topic::micromap && any_bytes_are_one(mailbox_.call)) ask_blob_after_another(blob);
-    if (asked().signature.arrays != 0 && mailbox_.asked_before < first_in_a_large_batch)
-      ask_blob_many_times_over(blob);
+    if (asked().topic == Topic::micromap && any_bytes_are_one(mailbox_.call))
+      ask_blob_after_level_below(blob);
+    ask_blob_after_another_format(blob, first);
+    ask_blob_after_kept_formats(blob, first);
     ask_blob_from_threads(first);
   }
   mailbox_.report.taken = first != 0 ? 1 : 0;
   mailbox_.report.answer_bytes = first;
 }
 
-void Desk::ask_blob_after(const Arguments& before, const std::uint8_t* blob, const std::string& how) {
+void Desk::ask_blob_after(const Arguments& before, const std::uint8_t* blob, std::uint64_t size,
+                          const std::string& how) {
   guarded(before, 0);
-  call_at_guard(mailbox_.room, blank_again, blob);
-  compare(again_.data(), blob_answer(mailbox_.room), static_cast<std::size_t>(mailbox_.room), 0, how);
+  const std::uint64_t again = call_at_guard(again_.size(), blank_again, blob);
+  if (again != size)
+    stop(Outcome::non_deterministic, 0, how + ": " + text(size) + " returned, then " + text(again));
+  if (size != 0) compare(again_.data(), blob_answer(again_.size()), again_.size(), 0, how);
 }
 
 void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
@@ -206,7 +215,7 @@ void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
     before.blob = unlike.data();
     guarded(before, 0);
     before.blob = bytes.data();
-    ask_blob_after(before, blob, how);
+    ask_blob_after(before, blob, mailbox_.room, how);
   };
   std::vector<std::uint8_t> turned = these;
   std::rotate(turned.begin(), turned.begin() + word,
@@ -216,47 +225,14 @@ void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
   after(inverted(0, size / 2), "asked after other bytes with the same second half");
 }
 
-void Desk::ask_blob_many_times_over(const std::uint8_t* blob) {
-  const std::size_t bytes = asked().signature.number_bytes;
-  std::vector<std::byte> answers(odd_batch, std::byte{blank_again});
-  Arguments a = whole(answers.data(), odd_batch);
-  const std::size_t count = a.count;
-  // A lookup may take time by its code's length, and 65,543 of them have a call's.
-  constexpr std::uint64_t longest = 512;
-  if (count == 0 || count >= odd_batch || mailbox_.room != count || mailbox_.blob_bytes > longest) return;
-  std::vector<std::byte> inputs[most_arrays];
-  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array] = gathered(a.arrays[array], bytes, odd_batch,
-                             [=](std::size_t k) { return element_over_and_over(k, count); });
-    a.arrays[array] = inputs[array].data();
-  }
-  a.blob = blob;
-  a.count = odd_batch;
-  guarded(a, 0);
-  const std::string how = "asked in a batch of " + text(odd_batch);
-  for (std::size_t k = 0; k < odd_batch; ++k)
-    compare(again_.data() + element_over_and_over(k, count), answers.data() + k, 1, 0, how);
-}
-
-void Desk::ask_blob_after_another(const std::uint8_t* blob) {
-  const std::uint64_t room = mailbox_.room;
-  // A map of the other format with the same bytes, where they are too few again and again.
-  constexpr std::uint32_t two_state = 1, four_state = 2;
-  std::vector<std::uint8_t> bytes(blob, blob + mailbox_.blob_bytes);
-  bytes.insert(bytes.end(), blob, blob + mailbox_.blob_bytes);
-  std::vector<std::byte> answer(2 * static_cast<std::size_t>(room));
-  Arguments before = whole(answer.data(), 2 * room);
-  before.blob = bytes.data();
-  if (mailbox_.call == Call::micromap_up || mailbox_.call == Call::micromap_down) {
-    before.format = mailbox_.format == two_state ? four_state : two_state;
-    ask_blob_after(before, blob, "asked after the same bytes in the other format");
-    before.format = mailbox_.format;
-  }
-  // And a map of the level below, which is the first quarter of them.
-  if (mailbox_.level > 1) {
-    before.level = mailbox_.level - 1;
-    ask_blob_after(before, blob, "asked after level " + text(mailbox_.level - 1));
-  }
+void Desk::ask_blob_after_level_below(const std::uint8_t* blob) {
+  if (mailbox_.level < 2) return;
+  // The first quarter of the bytes.
+  std::vector<std::byte> answer(static_cast<std::size_t>(mailbox_.room));
+  Arguments before = whole(answer.data(), mailbox_.room);
+  before.blob = blob;
+  before.level = mailbox_.level - 1;
+  ask_blob_after(before, blob, mailbox_.room, "asked after level " + text(before.level));
 }
 
 Desk::Question Desk::this_question(std::uint64_t size) const {

@@ -10,7 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -146,6 +148,19 @@ class Desk {
   void ask_slot_rearranged(std::size_t slot, const std::vector<std::size_t>& order, const std::string& how);
   /// Asks a batch again with each array, and the answers, at addresses of their own modulo 64.
   void ask_slot_at_other_places(std::size_t slot);
+  /// Asks element order[k] of a batch at place k, the answers at a guard page (tails.cpp).
+  void ask_slot_elements(std::size_t slot, const std::vector<std::size_t>& order, const std::string& how);
+  /// Asks elements of a batch in batches of each size up to that of two vectors.
+  void ask_slot_in_each_size(std::size_t slot);
+  /// Asks elements, together and one by one, right after others of the batch that differ in one number alone, and in one
+  /// of its bits alone (neighbours.cpp).
+  void ask_slot_after_neighbours(std::size_t slot);
+  /// Asks the first elements, together and one by one, right after the same in each other format that has them, and
+  /// those that were asked in another one before right after that.
+  void ask_slot_after_another_format(std::size_t slot);
+  /// `ask_after` is called with each element of a kept batch, and where it is in this one.
+  void ask_slot_after_kept_formats(std::size_t slot,
+                                   const std::function<void(const Arguments&, std::size_t)>& ask_after);
   bool first_at_this_level() const;
   void mark_level();
 
@@ -168,16 +183,32 @@ class Desk {
   void compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size);
   void encode(bool thorough);
   void answer(bool thorough);
-  /// Asks a map or a block again right after what `before` asks.  Domain: it was taken, its answer is in again_.
-  void ask_blob_after(const Arguments& before, const std::uint8_t* blob, const std::string& how);
+  /// Asks a map, a code or a block again right after what `before` asks.  Domain: `size` was returned for it, its answer
+  /// is in again_.
+  void ask_blob_after(const Arguments& before, const std::uint8_t* blob, std::uint64_t size,
+                      const std::string& how);
   /// The same after bytes that a memo may take for these: the same words in another order, the same first half, the same
   /// second half.  Domain: any bytes are a map, or a block, of the question.
   void ask_blob_after_like_ones(const std::uint8_t* blob);
-  /// Asks what is looked up as often as fills a batch of more than 2^16.
-  void ask_blob_many_times_over(const std::uint8_t* blob);
-  /// Asks a map again right after its bytes were asked as another one's: of the other format, and of the level below.
+  /// Asks a map again right after its bytes were asked as one of the level below.
   /// Domain: it was taken, its answer is in its place and in again_.
-  void ask_blob_after_another(const std::uint8_t* blob);
+  void ask_blob_after_level_below(const std::uint8_t* blob);
+  /// Asks a question again right after its bytes were asked in each other format that has them (neighbours.cpp).
+  void ask_blob_after_another_format(const std::uint8_t* blob, std::uint64_t size);
+  /// The same right after questions that were asked in another format before: the last one, and those on the same bytes.
+  /// Then keeps this one.
+  void ask_blob_after_kept_formats(const std::uint8_t* blob, std::uint64_t size);
+  /// Elements that are looked up in a short code, or that lie in the blob themselves; else 0 (tails.cpp).
+  std::size_t elements_of_blob() const;
+  /// Asks element order[k] of those at place k.  Domain: the answers are in again_.
+  void ask_blob_elements(const std::uint8_t* blob, const std::vector<std::size_t>& order,
+                         const std::string& how);
+  /// Asks those in another order; of the first questions in batches of each small size, and as often as fills one of more
+  /// than 2^16.
+  void ask_blob_in_each_size(const std::uint8_t* blob);
+  /// Asks elements with every value in each byte, alone and then each right after each other one.  Domain: any bytes are
+  /// an element.
+  void ask_codes_after_each_other();
   /// Both threads ask the question; then the other one asks an earlier one to the same entry point, where there is one.
   /// Domain: the answer of `size` bytes is in its place.
   void ask_blob_from_threads(std::uint64_t size);
@@ -208,6 +239,8 @@ class Desk {
     std::vector<std::byte> arrays[most_arrays];
   };
   std::optional<Batch> level_before_[calls][formats];
+  /// Questions on blobs by entry point, level and format: the first ones, and the last one.
+  std::map<std::array<std::uint32_t, 3>, std::deque<Question>> kept_;
   std::optional<Question> earlier_[calls];                ///< the last one that was asked from two threads
   std::vector<std::byte> again_;                          ///< the other of two answers to one question
   std::vector<std::byte> elsewhere_;                      ///< holds blob_elsewhere()

@@ -33,7 +33,10 @@ void Desk::run_on_numbers(std::uint64_t number) {
     ask_slot_from_threads(slot);
     if (slot != 0) continue;
     ask_slot_in_runs(slot);
+    ask_slot_in_each_size(slot);
     ask_slot_after_another_level(slot);
+    ask_slot_after_another_format(slot);
+    ask_slot_after_neighbours(slot);
     ask_slot_after_one_of_the_level_before(slot);
     ask_slot_many_times_over(slot);
     ask_slot_at_other_places(slot);

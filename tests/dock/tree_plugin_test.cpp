@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(
         TreeMisbehaviour{"several_loads_at_16", "micromap.force2", "threw an exception: no multiple of 16",
                          "force-2-state of 4-state:"},
         TreeMisbehaviour{"several_keeps_without_format", "micromap.down",
-                         "asked after the same bytes in the other format: byte 0 was 2, then 1",
+                         "asked after the same bytes in another format, order or mode: byte 0 was 2, then 1",
                          "one level down from 4-state:"},
         TreeMisbehaviour{"several_leaves_unwritten", "micromap.packing", "left its output unwritten",
                          "unpacking 2-state:0110"}),
