@@ -101,7 +101,7 @@ foreach(fault 0 1 2)
   mmverify_add_subject(fault_${fault} subjects/no_subject.c FAULT=${fault})
 endforeach()
 
-mmverify_add_room(subjects_tests large_batches_test tree_plugin_test dag_plugin_test vq_plugin_test traverse_plugin_test array_plugin_test array_changes_plugin_test attribute_plugin_test
+mmverify_add_room(subjects_tests large_batches_test tree_plugin_test dag_plugin_test vq_plugin_test forgetful_plugin_test traverse_plugin_test array_plugin_test array_changes_plugin_test attribute_plugin_test
   attribute_bake_plugin_test bake_plugin_test LIBRARIES mmverify::proofs)
 target_compile_definitions(subjects_tests PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
 add_dependencies(subjects_tests mmverify mmverify-worker)
@@ -235,4 +235,11 @@ endforeach()
 mmverify_add_part(declared_bake subjects/declared_bake.cpp)
 foreach(wrong nothing meets_the_cutoff cutoff_half_a_slack_off all_unknowns_opaque one_unknown_transparent upside_down says_nothing)
   mmverify_add_wrong(bake_declares_${wrong} ${wrong} declared_bake mmverify::impl)
+endforeach()
+
+# And of several topics, each right wherever a law asks.
+mmverify_add_part(forgetful subjects/forgetful.cpp)
+foreach(wrong decide_without_flag_1024 blend_without_operation encode_without_format decode_without_format
+    lookup_without_format vertex_without_order decide_tail_of_16 lookup_tail_of_16 mip_tail_of_4 mip_after_13)
+  mmverify_add_wrong(forgetful_${wrong} ${wrong} forgetful right_traverse right_tree right_attribute)
 endforeach()
