@@ -116,6 +116,7 @@ void face_mip(std::uint32_t rounding, const std::uint8_t* children, std::size_t 
 extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   static mmverify_subject_t subject = *right_traverse();
   subject.name = "forgetful";
+  subject.max_level = 12;
   subject.traverse_decide = decide;
   subject.traverse_blend = blend;
   subject.flags |= MMVERIFY_TREE_STREAM;
