@@ -148,8 +148,18 @@ void Desk::ask_blob_after_another_format(const std::uint8_t* blob, std::uint64_t
     const std::vector<std::uint8_t> same = as_of_format(mailbox_.call, mailbox_.level, other, bytes);
     std::vector<std::byte> answer(2 * static_cast<std::size_t>(std::max(room, size)));
     Arguments before = whole(answer.data(), asked().signature.sizes_answer ? answer.size() : room);
-    before.blob = same.data();
     before.format = other;
+    // First of all something else, or what is kept is still this question's and the other format's gets it: a code of no
+    // bytes, or the bytes inverted.  An array inverted is none.
+    const bool of_code = mailbox_.call == Call::tree_decode || mailbox_.call == Call::dag_decode;
+    std::vector<std::uint8_t> inverted(bytes.begin(), bytes.end());
+    for (std::uint8_t& byte : inverted) byte = static_cast<std::uint8_t>(~byte);
+    const std::vector<std::uint8_t> unlike = as_of_format(mailbox_.call, mailbox_.level, other, inverted);
+    before.blob = unlike.data();
+    if (of_code) before.blob_bytes = 0;
+    if (mailbox_.call != Call::array_save) guarded(before, 0);
+    before.blob = same.data();
+    before.blob_bytes = bytes.size();
     ask_blob_after(before, blob, size, "asked after the same bytes in another format, order or mode");
   }
 }
