@@ -324,8 +324,9 @@ TEST(SceneLoad, FilesOutOfTheFolder) {
   };
   for (const char* kind : {"buffers", "images"}) {
     const std::string name = kind == std::string_view("buffers") ? "secret" : "secret.png";
-    for (const std::string& uri : {"../" + name, "./../" + name, "a/../../" + name, "%2e%2e/" + name,
-                                   "%2E%2E%2f" + name, (outer / name).string(), "..", "a/../.."})
+    for (const std::string& uri :
+         std::vector<std::string>{"../" + name, "./../" + name, "a/../../" + name, "%2e%2e/" + name,
+                                  "%2E%2E%2f" + name, (outer / name).string(), "..", "a/../.."})
       EXPECT_THAT(says(kind, uri), HasSubstr("is no relative path in the file's folder"))
           << kind << ' ' << uri;
     EXPECT_THAT(says(kind, "file://" + (outer / name).string()),
