@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
 #include <string>
 
 #include "cli/arguments.hpp"
@@ -86,11 +85,17 @@ void refuse_names(const Names& names, const std::vector<Job>& jobs, const Report
   };
   for (const std::string& law : names.laws)
     refuse(law, why_nothing(report, [&](const Result& r) { return r.law == law && is_here(r.subject); }));
-  std::set<std::string> subjects;
-  for (const Job& job : jobs)
-    if (!names.subjects.empty() && job.subject->absent().empty()) subjects.insert(job.subject->name());
-  for (const std::string& subject : subjects)
-    refuse(subject, why_nothing(report, [&](const Result& r) { return r.subject == subject; }));
+  // A library's subjects and a shader's bear its name, and behind it which of them they are.
+  const auto is_of = [](const std::string& name, const std::string& subject) {
+    return subject.starts_with(name);
+  };
+  for (const std::string& name : names.subjects) {
+    const auto job =
+        std::find_if(jobs.begin(), jobs.end(), [&](const Job& j) { return is_of(name, j.subject->name()); });
+    if (job == jobs.end()) refuse(name, "none of these laws asks it");
+    if (job->subject->absent().empty())
+      refuse(name, why_nothing(report, [&](const Result& r) { return is_of(name, r.subject); }));
+  }
 }
 
 }  // namespace

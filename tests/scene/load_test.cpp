@@ -275,8 +275,8 @@ TEST(SceneLoad, DamagedImages) {
   EXPECT_NO_THROW(load_glb(with_image(good)));
   for (const char* type : {"IHDR", "IDAT", "IEND"}) {
     std::string damaged = good;
-    damaged[good.find(type) + 4] ^= 1;
-    // IEND has no data: that is its CRC.
+    // The fourth byte of the data; IEND has none: that one is of its CRC.
+    damaged[good.find(type) + 7] ^= 1;
     EXPECT_THAT(complaint(with_image(damaged)), HasSubstr("another CRC than its bytes")) << type;
   }
   EXPECT_THAT(complaint(with_image(good.substr(0, good.find("IEND") - 4))),
