@@ -1,15 +1,18 @@
 #include "source/reader/accesses.hpp"
 
 #include <llvm/IR/Constants.h>
-#include <llvm/IR/GetElementPtrTypeIterator.h>
+#include <llvm/IR/Dominators.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
-#include <llvm/IR/Operator.h>
+#include <llvm/Transforms/Utils/Local.h>
+#include <llvm/Transforms/Utils/PromoteMemToReg.h>
 
+#include <algorithm>
 #include <vector>
 
-#include "source/reader/module.hpp"
+#include "source/reader/apart.hpp"
+#include "source/reader/pointers.hpp"
 #include "source/reader/undefined.hpp"
 
 namespace mmverify::source {
@@ -17,90 +20,151 @@ namespace {
 
 using I = llvm::Instruction;
 
-class Access {
- public:
-  explicit Access(I& at) : build_(&at), layout_(at.getModule()->getDataLayout()) {}
+/// A variable of which a pointer may be loaded; SROA comes to it first.
+bool is_holder(const llvm::Value* base) {
+  const auto* call = llvm::dyn_cast<llvm::CallInst>(base);
+  const auto* variable = llvm::dyn_cast<llvm::AllocaInst>(call != nullptr ? call->getArgOperand(0) : base);
+  return variable != nullptr && holds_pointers(variable->getAllocatedType());
+}
 
-  /// Whether `bytes` bytes at the pointer, of a variable, are not all in it, or in another row than is said.
-  llvm::Value* lies_outside(llvm::Value* pointer, llvm::Value* bytes) {
-    llvm::Value *offset = build_.getInt64(0), *any = build_.getFalse();
-    while (!llvm::isa<llvm::AllocaInst>(pointer)) {
-      if (auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer))
-        offset = build_.CreateAdd(offset, moved(*step, any));
-      else if (!llvm::isa<llvm::BitCastOperator>(pointer))
-        return build_.getFalse();  // of no variable, or of one of several
-      pointer = llvm::cast<llvm::User>(pointer)->getOperand(0);
+std::vector<I*> all_of(llvm::Function& function) {
+  std::vector<I*> all;
+  for (I& at : llvm::instructions(function)) all.push_back(&at);
+  return all;
+}
+
+/// A variable of one bit that is 1 from where the variable begins to where it ends; null: it is always there.  Takes the
+/// marks away: what is in it then is written already.
+llvm::AllocaInst* lifetime_of(llvm::AllocaInst& variable, const std::vector<llvm::IntrinsicInst*>& marks) {
+  llvm::AllocaInst* alive = nullptr;
+  for (llvm::IntrinsicInst* mark : marks) {
+    if (mark->getArgOperand(1)->stripPointerCasts() != &variable) continue;
+    llvm::IRBuilder<> build(&variable);
+    if (alive == nullptr) {
+      alive = build.CreateAlloca(build.getInt1Ty());
+      build.CreateStore(build.getFalse(), alive);
     }
-    const auto size = llvm::cast<llvm::AllocaInst>(pointer)->getAllocationSizeInBits(layout_);
-    if (!size || size->isScalable()) return build_.getFalse();
-    llvm::Value* whole = build_.getInt64(size->getFixedSize() / 8);
-    llvm::Value* last = build_.CreateSub(whole, bytes);
-    llvm::Value* beyond =
-        build_.CreateOr(build_.CreateICmpUGT(bytes, whole), build_.CreateICmpUGT(offset, last));
-    return build_.CreateOr(any, beyond);
+    build.SetInsertPoint(mark);
+    build.CreateStore(build.getInt1(mark->getIntrinsicID() == llvm::Intrinsic::lifetime_start), alive);
   }
-  llvm::IRBuilder<>& build() { return build_; }
+  return alive;
+}
+
+void hide_variables(llvm::Function& function) {
+  std::vector<llvm::AllocaInst*> variables;
+  std::vector<llvm::IntrinsicInst*> marks;
+  for (I* at : all_of(function)) {
+    if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(at)) variables.push_back(variable);
+    if (at->isLifetimeStartOrEnd()) marks.push_back(llvm::cast<llvm::IntrinsicInst>(at));
+  }
+  std::vector<std::pair<llvm::AllocaInst*, llvm::AllocaInst*>> lives;
+  for (llvm::AllocaInst* variable : variables) lives.emplace_back(variable, lifetime_of(*variable, marks));
+  for (llvm::IntrinsicInst* mark : marks) mark->eraseFromParent();
+  for (const auto& [variable, alive] : lives) {
+    if (variable->isArrayAllocation()) continue;
+    llvm::IRBuilder<> build(variable->getNextNode());
+    auto* bit = llvm::Type::getInt1PtrTy(function.getContext());
+    llvm::CallInst* call = hidden(build, variable, alive != nullptr ? static_cast<llvm::Value*>(alive)
+                                                                    : llvm::ConstantPointerNull::get(bit));
+    variable->replaceUsesWithIf(call, [&](const llvm::Use& use) { return use.getUser() != call; });
+  }
+}
+
+void show_variables(llvm::Function& function, bool holders) {
+  for (I* at : all_of(function)) {
+    auto* call = llvm::dyn_cast<llvm::CallInst>(at);
+    if (call == nullptr || guarded(*call) != Guarded::variable || is_holder(call) != holders) continue;
+    call->replaceAllUsesWith(call->getArgOperand(0));
+    call->eraseFromParent();
+  }
+}
+
+class Guards {
+ public:
+  Guards(llvm::Function& function, bool holders)
+      : function_(function), layout_(function.getParent()->getDataLayout()), pointers_(function), holders_(holders) {}
+
+  void run() {
+    const std::vector<I*> all = all_of(function_);
+    if (!holders_) refuse_types(function_, pointers_);
+    for (I* at : all) {
+      if (auto* load = llvm::dyn_cast<llvm::LoadInst>(at))
+        access(*at, load->getPointerOperand(), size_of(load->getType()));
+      else if (auto* store = llvm::dyn_cast<llvm::StoreInst>(at); store != nullptr && !begins(*store))
+        access(*at, store->getPointerOperand(), size_of(store->getValueOperand()->getType()));
+      else if (auto* moved = llvm::dyn_cast<llvm::MemIntrinsic>(at)) {
+        access(*at, moved->getRawDest(), moved->getLength());
+        if (auto* copied = llvm::dyn_cast<llvm::MemTransferInst>(at))
+          access(*at, copied->getRawSource(), copied->getLength());
+      }
+    }
+  }
 
  private:
-  /// Bytes; `any`: or whether a place is none of its row.
-  llvm::Value* moved(llvm::GEPOperator& step, llvm::Value*& any) {
-    llvm::Value* sum = build_.getInt64(0);
-    const llvm::Type* inside = nullptr;
-    for (auto part = llvm::gep_type_begin(step); part != llvm::gep_type_end(step); ++part) {
-      if (llvm::StructType* record = part.getStructTypeOrNull()) {
-        const auto field = llvm::cast<llvm::ConstantInt>(part.getOperand())->getZExtValue();
-        sum = build_.CreateAdd(
-            sum,
-            build_.getInt64(layout_.getStructLayout(record)->getElementOffset(static_cast<unsigned>(field))));
-      } else {
-        llvm::Value* k = build_.CreateSExtOrTrunc(part.getOperand(), build_.getInt64Ty());
-        if (inside != nullptr && inside->isArrayTy())
-          any = build_.CreateOr(any, build_.CreateICmpUGE(k, build_.getInt64(inside->getArrayNumElements())));
-        sum = build_.CreateAdd(
-            sum, build_.CreateMul(k, build_.getInt64(layout_.getTypeAllocSize(part.getIndexedType()))));
-      }
-      inside = part.getIndexedType();
-    }
-    return sum;
+  llvm::Value* size_of(llvm::Type* t) const {
+    return llvm::ConstantInt::get(llvm::Type::getInt64Ty(function_.getContext()), layout_.getTypeStoreSize(t));
+  }
+  /// A variable's begin, written by undefined.cpp, or its lifetime.
+  static bool begins(const llvm::StoreInst& store) {
+    const auto* set = llvm::dyn_cast<llvm::CallInst>(store.getValueOperand());
+    return (set != nullptr && guarded(*set) == Guarded::unset) ||
+           llvm::isa<llvm::AllocaInst>(store.getPointerOperand());
   }
 
-  llvm::IRBuilder<> build_;
+  void access(I& at, llvm::Value* pointer, llvm::Value* bytes) {
+    const Reach reach = pointers_.reach(pointer);
+    llvm::IRBuilder<> build(&at);
+    const bool all_holders =
+        reach.known && !reach.bases.empty() && std::all_of(reach.bases.begin(), reach.bases.end(), is_holder);
+    // The first run is for these alone; the second one leaves what that has guarded, and lifetimes.
+    if (holders_ ? !all_holders : shown(reach)) return;
+    if (!reach.known || some_shown(reach)) return refuse(build, Refusal::pointer);
+    if (is_plain(pointer)) return;
+    const Place& place = pointers_.place(pointer);
+    const bool moves = llvm::isa<llvm::MemIntrinsic>(at);
+    bytes = build.CreateZExtOrTrunc(bytes, build.getInt64Ty());
+    forbid_outside(build,
+                   build.CreateOr(place.wrong, Pointers::beyond(build, moves ? place.in_whole : place.offset, bytes,
+                                                                moves ? place.whole : place.size)),
+                   std::any_of(reach.bases.begin(), reach.bases.end(), is_table) ? Outside::of_table
+                                                                                 : Outside::of_variable);
+    llvm::Value* ended = build.getFalse();
+    for (llvm::Value* base : reach.bases) {
+      const auto* call = llvm::dyn_cast<llvm::CallInst>(base);
+      auto* alive = call == nullptr ? nullptr : llvm::dyn_cast<llvm::AllocaInst>(call->getArgOperand(1));
+      if (alive == nullptr) continue;
+      llvm::Value* gone = build.CreateNot(build.CreateLoad(build.getInt1Ty(), alive));
+      if (reach.bases.size() > 1)
+        gone = build.CreateAnd(gone, build.CreateICmpEQ(place.base, pointers_.number(base)));
+      ended = build.CreateOr(ended, gone);
+    }
+    forbid_outside(build, ended, Outside::of_lifetime);
+  }
+
+  static bool is_table(const llvm::Value* base) { return llvm::isa<llvm::GlobalVariable>(base); }
+  static bool is_shown(const llvm::Value* base) { return llvm::isa<llvm::AllocaInst>(base); }
+  static bool shown(const Reach& reach) {
+    return reach.known && !reach.bases.empty() && std::all_of(reach.bases.begin(), reach.bases.end(), is_shown);
+  }
+  static bool some_shown(const Reach& reach) {
+    return std::any_of(reach.bases.begin(), reach.bases.end(), is_shown);
+  }
+  /// A table's number by one step from its start: the translator looks at each row.
+  static bool is_plain(llvm::Value* pointer) {
+    auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer);
+    if (step == nullptr) return false;
+    llvm::Value* from = step->getPointerOperand();
+    if (auto* call = llvm::dyn_cast<llvm::CallInst>(from); call != nullptr && guarded(*call) == Guarded::address)
+      from = call->getArgOperand(0);
+    const auto* none = llvm::dyn_cast<llvm::ConstantInt>(step->idx_begin()->get());
+    return llvm::isa<llvm::GlobalVariable>(from) && none != nullptr && none->isZero();
+  }
+
+  llvm::Function& function_;
   const llvm::DataLayout& layout_;
+  Pointers pointers_;
+  bool holders_;
 };
-
-bool holds_pointers(const llvm::Type* type) {
-  if (type->isPointerTy()) return true;
-  for (const llvm::Type* part : type->subtypes())
-    if (holds_pointers(part)) return true;
-  return false;
-}
-
-/// A variable of one number that is read or written as a number of another kind, by a pointer to such: C forbids it, the
-/// compiled code may go on with the old number.
-void check_alias(const I& at, const llvm::Value* pointer, const llvm::Type* as) {
-  const auto* variable = llvm::dyn_cast<llvm::AllocaInst>(pointer->stripPointerCasts());
-  const llvm::MDNode* tag = at.getMetadata(llvm::LLVMContext::MD_tbaa);
-  if (variable == nullptr || tag == nullptr || tag->getNumOperands() < 2) return;
-  const llvm::Type* is = variable->getAllocatedType();
-  if (is->isAggregateType() || is->isPointerTy() || as->isPointerTy() ||
-      (is->isFloatingPointTy() == as->isFloatingPointTy() &&
-       is->getPrimitiveSizeInBits() == as->getPrimitiveSizeInBits()))
-    return;
-  const auto* kind = llvm::dyn_cast<llvm::MDNode>(tag->getOperand(1));
-  const auto* name = kind == nullptr ? nullptr : llvm::dyn_cast<llvm::MDString>(kind->getOperand(0));
-  if (name == nullptr || name->getString() != "omnipotent char")
-    throw NotKnown(
-        place_of(at) +
-        ": a number taken for one of another type by a pointer, which C leaves undefined; use memcpy "
-        "or a union");
-}
-
-void guard_access(I& at, llvm::Value* pointer, llvm::Value* bytes) {
-  Access access(at);
-  llvm::Value* outside = access.lies_outside(pointer, bytes);
-  if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(outside); known == nullptr || !known->isZero())
-    forbid_outside(access.build(), outside);
-}
 
 }  // namespace
 
@@ -116,27 +180,14 @@ std::vector<llvm::Instruction*> keep_variables(llvm::Function& function) {
   return kept;
 }
 
-void guard_accesses(llvm::Function& function) {
-  const llvm::DataLayout& layout = function.getParent()->getDataLayout();
-  std::vector<I*> all;
-  for (I& at : llvm::instructions(function)) all.push_back(&at);
-  for (I* at : all) {
-    const auto size_of = [&](llvm::Type* t) {
-      return llvm::ConstantInt::get(llvm::Type::getInt64Ty(function.getContext()),
-                                    layout.getTypeStoreSize(t));
-    };
-    if (auto* load = llvm::dyn_cast<llvm::LoadInst>(at)) {
-      check_alias(*at, load->getPointerOperand(), load->getType());
-      guard_access(*at, load->getPointerOperand(), size_of(load->getType()));
-    } else if (auto* store = llvm::dyn_cast<llvm::StoreInst>(at)) {
-      check_alias(*at, store->getPointerOperand(), store->getValueOperand()->getType());
-      guard_access(*at, store->getPointerOperand(), size_of(store->getValueOperand()->getType()));
-    } else if (auto* moved = llvm::dyn_cast<llvm::MemIntrinsic>(at)) {
-      guard_access(*at, moved->getRawDest(), moved->getLength());
-      if (auto* copied = llvm::dyn_cast<llvm::MemTransferInst>(at))
-        guard_access(*at, copied->getRawSource(), copied->getLength());
-    }
-  }
+void guard_accesses(llvm::Function& function, const std::function<void()>& sroa) {
+  llvm::removeUnreachableBlocks(function);
+  hide_variables(function);
+  Guards(function, true).run();
+  show_variables(function, true);
+  sroa();
+  Guards(function, false).run();
+  show_variables(function, false);
 }
 
 }  // namespace mmverify::source

@@ -1,9 +1,9 @@
-// Accesses of variables, kept from LLVM's passes where they may lie outside.
+// Accesses of variables and tables, kept from LLVM's passes where they may lie outside.
 #pragma once
 
 #include <llvm/IR/Function.h>
 
-#include <vector>
+#include <functional>
 
 namespace mmverify::source {
 
@@ -11,8 +11,10 @@ namespace mmverify::source {
 /// that it is known which variable a pointer leads to.
 std::vector<llvm::Instruction*> keep_variables(llvm::Function& function);
 
-/// Forbids, in so many words, each access of a variable or its row that may lie outside: passes would take it for none.
-/// Throws NotKnown: a number taken for one of another type.
-void guard_accesses(llvm::Function& function);
+/// Forbids, in so many words, each access of a variable, a table or a row or member of either that may lie outside, or may
+/// come when the variable is no more: passes would take it for none.  Refuses those that are not known to have none of
+/// that, and those that C lets compilers take for apart.  `sroa`: runs LLVM's pass of that name.
+/// Domain: a function without calls.
+void guard_accesses(llvm::Function& function, const std::function<void()>& sroa);
 
 }  // namespace mmverify::source

@@ -195,13 +195,8 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
   run_passes(module, "globaldce");
   guard(module);
   run_passes(module, "always-inline,globaldce");
-  guard_accesses(*module.getFunction(asked));
-  const std::vector<llvm::Instruction*> kept = keep_variables(*module.getFunction(asked));
-  run_passes(module, "function(sroa)");
-  for (llvm::Instruction* call : kept) call->eraseFromParent();
-  guard_accesses(*module.getFunction(asked));
-  for (llvm::Instruction& at : llvm::instructions(*module.getFunction(asked)))
-    at.dropUnknownNonDebugMetadata();
+  promote_pointers(*module.getFunction(asked));
+  guard_accesses(*module.getFunction(asked), [&] { run_passes(module, "function(sroa)"); });
   const auto round = [&](const char* passes) {
     run_passes(module, passes);
     llvm::Function& alone = *module.getFunction(asked);

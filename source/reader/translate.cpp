@@ -44,6 +44,33 @@ std::string name_of(const llvm::Instruction& at) {
   throw NotKnown((where.empty() ? file : where) + ": " + name_of(at) + (why.empty() ? "" : ": " + why));
 }
 
+const char* said(Outside what) {
+  switch (what) {
+    case Outside::of_table:
+      return "a read outside of a table, or of a row or member of it";
+    case Outside::of_lifetime:
+      return "an access of a variable whose block has ended, or not begun";
+    case Outside::of_type:
+      return "a value that its type does not have, such as a bool of 2";
+    default:
+      return "an access outside of a variable";
+  }
+}
+
+const char* said(Refusal why) {
+  switch (why) {
+    case Refusal::types:
+      return "an access by another type than the variable's: C lets compilers take the two for apart (memcpy or a "
+             "union is no such access)";
+    case Refusal::restricted:
+      return "a call whose restricted pointer may lead to what another one leads to";
+    case Refusal::scopes:
+      return "an access that is said to be apart from others (noalias)";
+    default:
+      return "an access through a pointer of which it is not known where it leads";
+  }
+}
+
 class Translation {
  public:
   Translation(const llvm::Function& f, Planted planted) : function_(f), planted_(planted) {}
@@ -365,8 +392,10 @@ class Translation {
         forbid(call, add({Op::poisoned, {false, 1}, {of(0)}}), "a branch on a value that is undefined");
         return std::nullopt;
       case Guarded::outside:
-        forbid(call, of(0), "an access outside of a variable");
+        forbid(call, of(0), said(static_cast<Outside>(word_of(call, 1))));
         return std::nullopt;
+      case Guarded::refused:
+        throw NotKnown(place_of(call) + ": " + said(static_cast<Refusal>(word_of(call, 0))));
       case Guarded::unreachable:
         forbid(call, yes_or_no(true), "a place that must not be reached");
         return std::nullopt;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "source/program.hpp"
+#include "source/reader/lifetimes.hpp"
 #include "source/reader/module.hpp"
 
 namespace mmverify::source {
@@ -23,6 +24,9 @@ using I = llvm::Instruction;
 constexpr const char* operation = "mmverify.operation";
 constexpr const char* unset = "mmverify.unset";
 constexpr const char* address = "mmverify.address";
+constexpr const char* variable_of = "mmverify.variable";
+constexpr const char* apart = "mmverify.apart";
+constexpr const char* refused = "mmverify.refused";
 constexpr const char* overflow = "mmverify.overflow";
 constexpr const char* branch = "mmverify.branch";
 constexpr const char* outside = "mmverify.outside";
@@ -166,6 +170,21 @@ void guard_end(llvm::UnreachableInst& at) {
   at.eraseFromParent();
 }
 
+/// A call whose callee may take one of its pointers for apart from all others.
+void guard_restricted(llvm::CallInst& call) {
+  llvm::IRBuilder<> build(&call);
+  std::vector<llvm::Value*> pointers;
+  bool any = false;
+  for (unsigned k = 0; k < call.arg_size(); ++k) {
+    if (!call.getArgOperand(k)->getType()->isPointerTy()) continue;
+    const bool restricted =
+        call.paramHasAttr(k, llvm::Attribute::NoAlias) && !call.paramHasAttr(k, llvm::Attribute::StructRet);
+    pointers.insert(pointers.end(), {build.getInt1(restricted), call.getArgOperand(k)});
+    any = any || restricted;
+  }
+  if (any) call_opaque(build, apart, build.getVoidTy(), pointers, false);
+}
+
 void guard_call(llvm::CallInst& call) {
   switch (call.getIntrinsicID()) {
     case llvm::Intrinsic::is_constant:
@@ -187,7 +206,7 @@ void guard_call(llvm::CallInst& call) {
       return;
     }
     default:
-      return;
+      return guard_restricted(call);
   }
 }
 
@@ -233,6 +252,23 @@ void guard_branch(I& at) {
     call_opaque(build, branch, build.getVoidTy(), {on}, false);
 }
 
+/// A bool's byte is 0 or 1.
+void guard_range(llvm::LoadInst& load, const llvm::MDNode& range) {
+  llvm::IRBuilder<> build(load.getNextNode());
+  build.SetCurrentDebugLocation(load.getDebugLoc());
+  llvm::Value* none = build.getTrue();
+  for (unsigned k = 0; k + 1 < range.getNumOperands(); k += 2) {
+    const auto number = [&](unsigned of) {
+      return llvm::mdconst::extract<llvm::ConstantInt>(range.getOperand(of))->getValue();
+    };
+    const llvm::APInt first = number(k), size = number(k + 1) - first;
+    none = build.CreateAnd(
+        none, build.CreateICmpUGE(build.CreateSub(&load, llvm::ConstantInt::get(load.getType(), first)),
+                                  llvm::ConstantInt::get(load.getType(), size)));
+  }
+  forbid_outside(build, none, Outside::of_type);
+}
+
 void guard_load(llvm::LoadInst& load) {
   const auto* variable = llvm::dyn_cast<llvm::AllocaInst>(load.getPointerOperand());
   if (variable != nullptr && variable->getAllocatedType() == load.getType() && is_value(load.getType()))
@@ -240,7 +276,14 @@ void guard_load(llvm::LoadInst& load) {
 }
 
 void guard_instruction(I& at) {
-  at.dropUnknownNonDebugMetadata(llvm::LLVMContext::MD_tbaa);  // for accesses.hpp, which drops it
+  const llvm::MDNode* range = at.getMetadata(llvm::LLVMContext::MD_range);
+  if (at.getMetadata(llvm::LLVMContext::MD_noalias) != nullptr ||
+      at.getMetadata(llvm::LLVMContext::MD_alias_scope) != nullptr) {
+    llvm::IRBuilder<> build(&at);
+    refuse(build, Refusal::scopes);
+  }
+  // aliasing.hpp looks at types once calls are inlined.
+  at.dropUnknownNonDebugMetadata({llvm::LLVMContext::MD_tbaa, llvm::LLVMContext::MD_tbaa_struct});
   if (llvm::isa<llvm::DbgInfoIntrinsic>(at)) return;
   if (!llvm::isa<llvm::IntrinsicInst>(at) || llvm::isa<llvm::MemTransferInst>(at) || is_operation(at))
     guard_operands(at);
@@ -251,13 +294,30 @@ void guard_instruction(I& at) {
   if (auto* step = llvm::dyn_cast<llvm::GetElementPtrInst>(&at)) return step->setIsInBounds(false);
   if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(&at)) return guard_variable(*variable);
   if (auto* end = llvm::dyn_cast<llvm::UnreachableInst>(&at)) return guard_end(*end);
-  if (auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) return guard_load(*load);
+  if (auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) {
+    if (range != nullptr) guard_range(*load, *range);
+    return guard_load(*load);
+  }
   if (llvm::isa<llvm::BranchInst>(at) || llvm::isa<llvm::SwitchInst>(at)) return guard_branch(at);
   if (auto* call = llvm::dyn_cast<llvm::CallInst>(&at); call != nullptr && !is_operation(at))
     return guard_call(*call);
   if (!is_operation(at)) return;
   if (wraps(at.getOpcode()) && flags_of(at) != 0) guard_overflow(at);
   hold(at);
+}
+
+/// Modes of floats that are not IEEE 754's, by a function's own words.
+void check_floats(const llvm::Function& f) {
+  const auto said = [&](const char* name) { return f.getFnAttribute(name).getValueAsString(); };
+  for (const char* mode : {"denormal-fp-math", "denormal-fp-math-f32"})
+    if (const llvm::StringRef is = said(mode); !is.empty() && is != "ieee" && is != "ieee,ieee")
+      throw NotKnown(place_of(f) + ": " + mode + " " + is.str() + ": subnormal numbers are flushed");
+  for (const char* mode : {"unsafe-fp-math", "no-nans-fp-math", "no-infs-fp-math", "no-signed-zeros-fp-math",
+                           "approx-func-fp-math", "less-precise-fpmad"})
+    if (said(mode) == "true")
+      throw NotKnown(place_of(f) + ": " + mode + ": fast-math, which leaves floats open");
+  if (f.hasFnAttribute(llvm::Attribute::StrictFP))
+    throw NotKnown(place_of(f) + ": strictfp: another rounding may be set");
 }
 
 /// What a function's own words promise, and passes would take for given: it returns, pointers are apart and not null.
@@ -302,12 +362,19 @@ std::string place_of(const llvm::Instruction& at) {
   return line->getFilename().str() + ":" + std::to_string(line->getLine());
 }
 
+std::string place_of(const llvm::Function& f) {
+  const llvm::DISubprogram* at = f.getSubprogram();
+  return at == nullptr ? f.getParent()->getSourceFileName()
+                       : at->getFilename().str() + ":" + std::to_string(at->getLine());
+}
+
 Guarded guarded(const llvm::CallInst& call) {
   const llvm::Function* to = call.getCalledFunction();
   if (to == nullptr) return Guarded::none;
   static const std::pair<const char*, Guarded> kinds[] = {
       {operation, Guarded::operation},     {unset, Guarded::unset},          {address, Guarded::address},
       {overflow, Guarded::overflow},       {branch, Guarded::branch},        {outside, Guarded::outside},
+      {variable_of, Guarded::variable},    {apart, Guarded::apart},          {refused, Guarded::refused},
       {unreachable, Guarded::unreachable}, {assumption, Guarded::assumption}};
   const llvm::StringRef name = to->getName();
   for (const auto& [prefix, kind] : kinds)
@@ -319,12 +386,19 @@ llvm::CallInst* never_set(llvm::IRBuilder<>& build, llvm::Type* type) {
   return call_opaque(build, unset, type, {}, true);
 }
 
-llvm::CallInst* hold_variable(llvm::IRBuilder<>& build, llvm::AllocaInst* variable) {
-  return call_opaque(build, "mmverify.variable", build.getVoidTy(), {variable}, false);
+void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition, Outside what) {
+  if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(condition); known != nullptr && known->isZero())
+    return;
+  call_opaque(build, outside, build.getVoidTy(), {condition, build.getInt32(static_cast<unsigned>(what))},
+              false);
 }
 
-void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition) {
-  call_opaque(build, outside, build.getVoidTy(), {condition}, false);
+void refuse(llvm::IRBuilder<>& build, Refusal why) {
+  call_opaque(build, refused, build.getVoidTy(), {build.getInt32(static_cast<unsigned>(why))}, false);
+}
+
+llvm::CallInst* hidden(llvm::IRBuilder<>& build, llvm::Value* variable, llvm::Value* alive) {
+  return call_opaque(build, variable_of, variable->getType(), {variable, alive}, true);
 }
 
 unsigned word_of(const llvm::CallInst& call, unsigned k) {
@@ -334,11 +408,14 @@ unsigned word_of(const llvm::CallInst& call, unsigned k) {
 void guard(llvm::Module& module) {
   for (llvm::Function& f : module) {
     if (f.isDeclaration()) continue;
-    drop_promises(f);
+    check_floats(f);
+    check_lifetimes(f);
     std::vector<I*> all;
     for (I& at : llvm::instructions(f)) all.push_back(&at);
     for (I* at : all) guard_instruction(*at);
   }
+  for (llvm::Function& f : module)
+    if (!f.isDeclaration()) drop_promises(f);
 }
 
 }  // namespace mmverify::source

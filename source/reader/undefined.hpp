@@ -18,13 +18,21 @@ enum class Guarded {
               ///< Of opcode Load: a variable's value, which is poison where it was never set
   unset,      ///< what memory holds before it is set
   address,    ///< (pointer): of a table
+  variable,   ///< (pointer, its Lifetime): of a variable, as long as no pass may look into it
+  apart,      ///< (whether it is restricted, pointer, ...): a call's pointers
+  refused,    ///< (Refusal): what stands there is not judged
   overflow,   ///< (opcode, flags, a, b): forbidden where a sum, difference or product of words does not fit
   branch,     ///< (condition): forbidden where it is undefined
-  outside,    ///< (condition): forbidden, an access outside of a variable
+  outside,    ///< (condition, Outside): forbidden
   unreachable,  ///< a place that must not be reached
   assumption,   ///< (condition)
 };
 Guarded guarded(const llvm::CallInst& call);
+
+/// What is forbidden of an access.
+enum class Outside : unsigned { of_variable, of_table, of_lifetime, of_type };
+/// Why an access is not judged.
+enum class Refusal : unsigned { pointer, types, restricted, scopes };
 
 /// An argument that is a constant number.
 unsigned word_of(const llvm::CallInst& call, unsigned k);
@@ -35,9 +43,10 @@ void guard(llvm::Module& module);
 
 /// A value that nobody has set: an opaque call.
 llvm::CallInst* never_set(llvm::IRBuilder<>& build, llvm::Type* type);
-/// A call that nobody knows what it does with the variable.
-llvm::CallInst* hold_variable(llvm::IRBuilder<>& build, llvm::AllocaInst* variable);
-void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition);
+void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition, Outside what);
+void refuse(llvm::IRBuilder<>& build, Refusal why);
+/// Hides a variable; `alive`: a variable of one bit that says whether its lifetime is on, or null.
+llvm::CallInst* hidden(llvm::IRBuilder<>& build, llvm::Value* variable, llvm::Value* alive);
 
 /// Whether it is a division or a remainder of words, which is undefined by itself.
 bool divides(unsigned opcode);
@@ -47,5 +56,6 @@ unsigned flags_of(const llvm::Instruction& at);
 
 /// "mine.c:12", or the module's file.
 std::string place_of(const llvm::Instruction& at);
+std::string place_of(const llvm::Function& f);
 
 }  // namespace mmverify::source
