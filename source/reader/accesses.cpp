@@ -64,8 +64,9 @@ void hide_variables(llvm::Function& function) {
     if (variable->isArrayAllocation()) continue;
     llvm::IRBuilder<> build(variable->getNextNode());
     auto* bit = llvm::Type::getInt1PtrTy(function.getContext());
-    llvm::CallInst* call = hidden(build, variable, alive != nullptr ? static_cast<llvm::Value*>(alive)
-                                                                    : llvm::ConstantPointerNull::get(bit));
+    llvm::CallInst* call =
+        hidden(build, variable,
+               alive != nullptr ? static_cast<llvm::Value*>(alive) : llvm::ConstantPointerNull::get(bit));
     variable->replaceUsesWithIf(call, [&](const llvm::Use& use) { return use.getUser() != call; });
   }
 }
@@ -82,7 +83,10 @@ void show_variables(llvm::Function& function, bool holders) {
 class Guards {
  public:
   Guards(llvm::Function& function, bool holders)
-      : function_(function), layout_(function.getParent()->getDataLayout()), pointers_(function), holders_(holders) {}
+      : function_(function),
+        layout_(function.getParent()->getDataLayout()),
+        pointers_(function),
+        holders_(holders) {}
 
   void run() {
     const std::vector<I*> all = all_of(function_);
@@ -102,7 +106,8 @@ class Guards {
 
  private:
   llvm::Value* size_of(llvm::Type* t) const {
-    return llvm::ConstantInt::get(llvm::Type::getInt64Ty(function_.getContext()), layout_.getTypeStoreSize(t));
+    return llvm::ConstantInt::get(llvm::Type::getInt64Ty(function_.getContext()),
+                                  layout_.getTypeStoreSize(t));
   }
   /// A variable's begin, written by undefined.cpp, or its lifetime.
   static bool begins(const llvm::StoreInst& store) {
@@ -124,8 +129,8 @@ class Guards {
     const bool moves = llvm::isa<llvm::MemIntrinsic>(at);
     bytes = build.CreateZExtOrTrunc(bytes, build.getInt64Ty());
     forbid_outside(build,
-                   build.CreateOr(place.wrong, Pointers::beyond(build, moves ? place.in_whole : place.offset, bytes,
-                                                                moves ? place.whole : place.size)),
+                   build.CreateOr(place.wrong, Pointers::beyond(build, moves ? place.in_whole : place.offset,
+                                                                bytes, moves ? place.whole : place.size)),
                    std::any_of(reach.bases.begin(), reach.bases.end(), is_table) ? Outside::of_table
                                                                                  : Outside::of_variable);
     llvm::Value* ended = build.getFalse();
@@ -144,7 +149,8 @@ class Guards {
   static bool is_table(const llvm::Value* base) { return llvm::isa<llvm::GlobalVariable>(base); }
   static bool is_shown(const llvm::Value* base) { return llvm::isa<llvm::AllocaInst>(base); }
   static bool shown(const Reach& reach) {
-    return reach.known && !reach.bases.empty() && std::all_of(reach.bases.begin(), reach.bases.end(), is_shown);
+    return reach.known && !reach.bases.empty() &&
+           std::all_of(reach.bases.begin(), reach.bases.end(), is_shown);
   }
   static bool some_shown(const Reach& reach) {
     return std::any_of(reach.bases.begin(), reach.bases.end(), is_shown);
@@ -154,7 +160,8 @@ class Guards {
     auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer);
     if (step == nullptr) return false;
     llvm::Value* from = step->getPointerOperand();
-    if (auto* call = llvm::dyn_cast<llvm::CallInst>(from); call != nullptr && guarded(*call) == Guarded::address)
+    if (auto* call = llvm::dyn_cast<llvm::CallInst>(from);
+        call != nullptr && guarded(*call) == Guarded::address)
       from = call->getArgOperand(0);
     const auto* none = llvm::dyn_cast<llvm::ConstantInt>(step->idx_begin()->get());
     return llvm::isa<llvm::GlobalVariable>(from) && none != nullptr && none->isZero();

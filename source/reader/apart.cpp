@@ -79,10 +79,11 @@ void refuse_two_types(llvm::Function& function, const Pointers& pointers) {
   const std::vector<Typed> all = typed_accesses(function, pointers);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Typed& b = all[k];
-    const bool any = std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k), [&](const Typed& a) {
-      return a.type != b.type && !is_within(a.type, b.type) && !is_within(b.type, a.type) &&
-             have_a_common_variable(a.reach, b.reach) && overlap(a.reach, a.bytes, b.reach, b.bytes);
-    });
+    const bool any =
+        std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k), [&](const Typed& a) {
+          return a.type != b.type && !is_within(a.type, b.type) && !is_within(b.type, a.type) &&
+                 have_a_common_variable(a.reach, b.reach) && overlap(a.reach, a.bytes, b.reach, b.bytes);
+        });
     if (!any) continue;
     llvm::IRBuilder<> build(b.at);
     refuse(build, Refusal::types);

@@ -190,14 +190,13 @@ Place Pointers::moved(llvm::GEPOperator& step) {
     const std::uint64_t size = layout_.getTypeAllocSize(part.getIndexedType());
     if (llvm::StructType* record = part.getStructTypeOrNull()) {
       const auto field = llvm::cast<llvm::ConstantInt>(part.getOperand())->getZExtValue();
-      llvm::Value* ahead = build.getInt64(
-          layout_.getStructLayout(record)->getElementOffset(static_cast<unsigned>(field)));
+      llvm::Value* ahead =
+          build.getInt64(layout_.getStructLayout(record)->getElementOffset(static_cast<unsigned>(field)));
       add(at.offset, ahead);
       add(at.in_whole, ahead);
-      at.wrong =
-          build.CreateOr(at.wrong, beyond(build, at.offset, build.getInt64(layout_.getTypeStoreSize(
-                                                                part.getIndexedType())),
-                                          at.size));
+      at.wrong = build.CreateOr(
+          at.wrong,
+          beyond(build, at.offset, build.getInt64(layout_.getTypeStoreSize(part.getIndexedType())), at.size));
       at.offset = build.getInt64(0);
       at.size = build.getInt64(size);
     } else {
@@ -209,8 +208,8 @@ Place Pointers::moved(llvm::GEPOperator& step) {
       }
       llvm::Value* k = build.CreateSExtOrTrunc(part.getOperand(), build.getInt64Ty());
       const std::uint64_t most = farthest / std::max<std::uint64_t>(size, 1);
-      at.wrong = build.CreateOr(at.wrong, build.CreateICmpUGT(build.CreateAdd(k, build.getInt64(most)),
-                                                              build.getInt64(2 * most)));
+      at.wrong = build.CreateOr(
+          at.wrong, build.CreateICmpUGT(build.CreateAdd(k, build.getInt64(most)), build.getInt64(2 * most)));
       llvm::Value* ahead = build.CreateMul(k, build.getInt64(size));
       add(at.offset, ahead);
       add(at.in_whole, ahead);
@@ -225,8 +224,8 @@ Place Pointers::chosen(llvm::SelectInst& choice) {
   llvm::IRBuilder<> build(&choice);
   Place at{};
   for (const auto member : members)
-    at.*member = a.*member == b.*member ? a.*member
-                                        : build.CreateSelect(choice.getCondition(), a.*member, b.*member);
+    at.*member =
+        a.*member == b.*member ? a.*member : build.CreateSelect(choice.getCondition(), a.*member, b.*member);
   return at;
 }
 

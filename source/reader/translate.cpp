@@ -47,7 +47,7 @@ std::string name_of(const llvm::Instruction& at) {
 const char* said(Outside what) {
   switch (what) {
     case Outside::of_table:
-      return "a read outside of a table, or of a row or member of it";
+      return "a read outside of a table's row, of a member or of the whole";
     case Outside::of_lifetime:
       return "an access of a variable whose block has ended, or not begun";
     case Outside::of_type:
@@ -60,7 +60,8 @@ const char* said(Outside what) {
 const char* said(Refusal why) {
   switch (why) {
     case Refusal::types:
-      return "an access by another type than the variable's: C lets compilers take the two for apart (memcpy or a "
+      return "an access by another type than the variable's: C lets compilers take the two for apart (memcpy "
+             "or a "
              "union is no such access)";
     case Refusal::restricted:
       return "a call whose restricted pointer may lead to what another one leads to";
