@@ -1,7 +1,7 @@
 /* Indices that are wrong on one u, each by another misuse of memory that compilers take for what never happens. */
 #include <string.h>
 
-#include "examples/subject_source/subject.c"
+#include "examples/subject/subject.c"
 
 static uint32_t bits(float x) {
   uint32_t b;
