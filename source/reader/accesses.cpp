@@ -175,16 +175,15 @@ class Guards {
 
 }  // namespace
 
-std::vector<llvm::Instruction*> keep_variables(llvm::Function& function) {
-  std::vector<I*> all, kept;
-  for (I& at : llvm::instructions(function)) all.push_back(&at);
-  for (I* at : all)
-    if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(at);
-        variable != nullptr && !holds_pointers(variable->getAllocatedType())) {
-      llvm::IRBuilder<> build(variable->getNextNode());
-      kept.push_back(hold_variable(build, variable));
-    }
-  return kept;
+void promote_pointers(llvm::Function& function) {
+  std::vector<llvm::AllocaInst*> all;
+  for (I& at : llvm::instructions(function))
+    if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(&at); variable != nullptr &&
+                                                                variable->getAllocatedType()->isPointerTy() &&
+                                                                llvm::isAllocaPromotable(variable))
+      all.push_back(variable);
+  llvm::DominatorTree tree(function);
+  llvm::PromoteMemToReg(all, tree);
 }
 
 void guard_accesses(llvm::Function& function, const std::function<void()>& sroa) {

@@ -7,9 +7,8 @@
 
 namespace mmverify::source {
 
-/// Calls that keep variables without pointers out of passes' reach, until they are erased: the others become values first, so
-/// that it is known which variable a pointer leads to.
-std::vector<llvm::Instruction*> keep_variables(llvm::Function& function);
+/// Makes values of variables that hold pointers.
+void promote_pointers(llvm::Function& function);
 
 /// Forbids, in so many words, each access of a variable, a table or a row or member of either that may lie outside, or may
 /// come when the variable is no more: passes would take it for none.  Refuses those that are not known to have none of

@@ -60,9 +60,8 @@ const char* said(Outside what) {
 const char* said(Refusal why) {
   switch (why) {
     case Refusal::types:
-      return "an access by another type than the variable's: C lets compilers take the two for apart (memcpy "
-             "or a "
-             "union is no such access)";
+      return "a number taken for one of another type by a pointer, which C leaves undefined; use memcpy or a "
+             "union";
     case Refusal::restricted:
       return "a call whose restricted pointer may lead to what another one leads to";
     case Refusal::scopes:

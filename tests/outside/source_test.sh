@@ -56,7 +56,7 @@ for function in next_member wrapped_around; do
   judged 1 "undefined: a read outside of a table's row, .*wrong_memory.c:" --source "$memory" --function $function --case $there
 done
 judged 1 'undefined: a value that its type does not have, .*wrong_memory.c:' --source "$memory" --function bool_of_two --case $there
-judged 2 'wrong_memory.c:[0-9]+: an access by another type' --source "$memory" --function by_another_type --levels 0
+judged 2 'wrong_memory.c:[0-9]+: a number taken for one of another type' --source "$memory" --function by_another_type --levels 0
 judged 2 'wrong_memory.c:[0-9]+: a call whose restricted pointer' --source "$memory" --function restricted --levels 0
 judged 2 'wrong_memory.c: alloca: a pointer' --source "$memory" --function after_its_block --levels 0
 judged 2 'wrong_memory.c:[0-9]+: load: a variable whose declaration is jumped past' --source "$memory" --function jumped_past --levels 0
