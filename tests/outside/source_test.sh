@@ -47,6 +47,8 @@ for function in "${unset[@]}"; do undefined 'a value that was never set, .*wrong
 undefined 'shl: a shift too far' "$wrong" far_of_no_bits
 undefined 'an access outside of a variable, .*wrong_source.c:' "$wrong" beyond_an_array
 judged 2 'wrong_source.c:[0-9]+: load: memory that is no constant table' --source "$wrong" --function through_null --levels 1
+undefined 'an access outside of a variable, .*wrong_source.cpp:' "${wrong}pp" captured
+judged 2 'wrong_source.c:[0-9]+: a number taken for one of another type' --source "$wrong" --function by_pointer --levels 1
 # Memory: what passes would drop, and what compilers may take for apart; --case alone, as it says so in a second.
 memory=$root/tests/subjects/wrong_memory.c there=1@u=0x1.3c6ef2p-2,v=0.25
 for function in written_by_one_more cleared_beyond copied_beyond; do
