@@ -124,7 +124,8 @@ void Desk::ask_blob_in_each_size(const std::uint8_t* blob) {
 
 void Desk::ask_codes_after_each_other() {
   constexpr std::size_t codes = 256;
-  const auto [in, out] = elements_in_blob(mailbox_.call);
+  const std::size_t in = elements_in_blob(mailbox_.call).bytes,
+                    out = elements_in_blob(mailbox_.call).answer_bytes;
   // Each byte of an element takes all values, each in a step of its own, which is odd.
   std::vector<std::byte> elements(codes * in), alone(codes * out, std::byte{blank_again});
   for (std::size_t k = 0; k < elements.size(); ++k)

@@ -52,7 +52,8 @@ int main(void) {
     prose += p->prose_given != 0 && answer == p->prose;
     if (answer != p->published && first == NULL) first = p;
   }
-  printf("published: %u of %u, exact: %u of %u, prose: %u of %u\n", published, all, exact, all, prose, inside);
+  printf("published: %u of %u, exact: %u of %u, prose: %u of %u\n", published, all, exact, all, prose,
+         inside);
   if (first != NULL)
     printf("first: level %u, u %a, v %a: %s\n", (unsigned)first->level, (double)number(first->u),
            (double)number(first->v), mmverify_vectors_index_about[first->about]);

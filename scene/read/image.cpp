@@ -67,7 +67,8 @@ void decode(ImageBytes bytes, const std::string& file, const std::string& place,
     const std::unique_ptr<stbi_uc, void (*)(void*)> grey(
         stbi_load_from_memory(marked.data(), static_cast<int>(marked.size()), &width, &height, &channels, 1),
         stbi_image_free);
-    if (grey && std::memchr(grey.get(), 0xff, static_cast<std::size_t>(width) * height) != nullptr)
+    if (grey && std::memchr(grey.get(), 0xff,
+                            static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) != nullptr)
       bad("a texel has a colour beyond the end of the palette; damaged file?");
   }
   const auto decoded = [&](auto* rgba) {

@@ -117,7 +117,8 @@ class Compiler {
         throw NotAvailable(
             "no slangc in PATH, which compiles Slang; Debian has none, "
             "https://github.com/shader-slang/slang/releases has");
-      throw NotAvailable("no glslangValidator, which compiles GLSL and HLSL; install it (Debian: glslang-tools)");
+      throw NotAvailable(
+          "no glslangValidator, which compiles GLSL and HLSL; install it (Debian: glslang-tools)");
     }
     if (!end->by_itself)
       throw BadShader(fmt::format("{}: {}: {}; does the file include itself?", file_, words[0], end->how));
@@ -173,7 +174,8 @@ void check_interface(const std::string& file, const Module& m, const program::Fo
     throw BadShader(fmt::format("{}: {}: {}", file, m.entry_point, why.what()));
   }
   if (!found)
-    throw NotAvailable("no spirv-cross, which reads what a shader wants to be given; install it (Debian: spirv-cross)");
+    throw NotAvailable(
+        "no spirv-cross, which reads what a shader wants to be given; install it (Debian: spirv-cross)");
   if (!found->faults.empty())
     throw BadShader(fmt::format(
         "{}: {}: {}{}", file, m.entry_point, found->faults.front(),
@@ -316,8 +318,7 @@ std::string compile_function(const std::string& file, const std::string& functio
                              const program::Folder& folder) {
   const Compiler compiler({file}, folder);
   if (compiler.language() == Language::slang)
-    throw BadShader(file +
-                       ": Slang's compiler keeps nothing but what an entry point calls; name its SPIR-V");
+    throw BadShader(file + ": Slang's compiler keeps nothing but what an entry point calls; name its SPIR-V");
   std::string text = source_of(file);
   // A file that is whole stays so.
   const bool versioned = text.find("#version") != std::string::npos;
@@ -345,7 +346,8 @@ std::string device_library() {
   std::error_code error;
   for (const auto& place : {here / "mmverify-shaders.so", here / "../libexec/mmverify/mmverify-shaders.so"})
     if (fs::exists(place, error)) return place.string();
-  throw NotAvailable("this build runs no shaders; install Vulkan's headers (Debian: libvulkan-dev) and build again");
+  throw NotAvailable(
+      "this build runs no shaders; install Vulkan's headers (Debian: libvulkan-dev) and build again");
 }
 
 }  // namespace mmverify::shaders

@@ -55,7 +55,7 @@ TEST(Random, HalfOfItsCodesAreCorners) {
   std::array<int, 256> count{};
   Random random(1, 2, 3);
   for (int k = 0; k < 30'000; ++k) ++count[random.code()];
-  for (const std::size_t corner : {0, 1, 127, 128, 254, 255}) EXPECT_GT(count[corner], 2'300) << corner;
+  for (const std::size_t corner : {0u, 1u, 127u, 128u, 254u, 255u}) EXPECT_GT(count[corner], 2'300) << corner;
   EXPECT_THAT(count, testing::Each(testing::Gt(20)));
 }
 

@@ -27,9 +27,7 @@ uint32_t copied_beyond(uint32_t level, float u, float v) {
   if (THERE) memcpy(&b, a, sizeof a);
   return b;
 }
-static const struct {
-  uint32_t a[4], b[4];
-} table = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+static const struct { uint32_t a[4], b[4]; } table = {{0, 0, 0, 0}, {0, 0, 0, 0}};
 uint32_t next_member(uint32_t level, float u, float v) {
   const uint32_t* p = table.a;
   return index_of(level, u, v) ^ p[THERE ? 5 : bits(u) & 3];
