@@ -169,7 +169,7 @@ struct Copy<float*> : Answer<float> {};
 
 // A case's words, and what it points to.
 #define MMVERIFY_WORD(member) \
-  all.push_back({name, #member, reinterpret_cast<std::uint8_t*>(&what.member), sizeof what.member});
+  all.push_back({name, #member, reinterpret_cast<std::uint8_t*>(&what.member), sizeof what.member})
 
 template <>
 struct Copy<const mmverify_bake_case_t*> {
@@ -188,14 +188,29 @@ struct Copy<const mmverify_bake_case_t*> {
   }
   const mmverify_bake_case_t* argument() { return &what; }
   void regions(std::string_view name, Regions& all) {
-    MMVERIFY_WORD(level)
-    MMVERIFY_WORD(format)
-    MMVERIFY_WORD(width) MMVERIFY_WORD(height) MMVERIFY_WORD(mips) MMVERIFY_WORD(texel) MMVERIFY_WORD(border)
-        MMVERIFY_WORD(filter) MMVERIFY_WORD(wrap_u) MMVERIFY_WORD(wrap_v) MMVERIFY_WORD(factor)
-            MMVERIFY_WORD(vertex_factor) MMVERIFY_WORD(alpha_mode) MMVERIFY_WORD(cutoff_numerator)
-                MMVERIFY_WORD(cutoff_denominator) MMVERIFY_WORD(margin) MMVERIFY_WORD(uv[0])
-                    MMVERIFY_WORD(uv[1]) MMVERIFY_WORD(uv[2]) MMVERIFY_WORD(uv[3]) MMVERIFY_WORD(uv[4])
-                        MMVERIFY_WORD(uv[5]) all.push_back({name, "texels", texels.data(), texels.size()});
+    MMVERIFY_WORD(level);
+    MMVERIFY_WORD(format);
+    MMVERIFY_WORD(width);
+    MMVERIFY_WORD(height);
+    MMVERIFY_WORD(mips);
+    MMVERIFY_WORD(texel);
+    MMVERIFY_WORD(border);
+    MMVERIFY_WORD(filter);
+    MMVERIFY_WORD(wrap_u);
+    MMVERIFY_WORD(wrap_v);
+    MMVERIFY_WORD(factor);
+    MMVERIFY_WORD(vertex_factor);
+    MMVERIFY_WORD(alpha_mode);
+    MMVERIFY_WORD(cutoff_numerator);
+    MMVERIFY_WORD(cutoff_denominator);
+    MMVERIFY_WORD(margin);
+    MMVERIFY_WORD(uv[0]);
+    MMVERIFY_WORD(uv[1]);
+    MMVERIFY_WORD(uv[2]);
+    MMVERIFY_WORD(uv[3]);
+    MMVERIFY_WORD(uv[4]);
+    MMVERIFY_WORD(uv[5]);
+    all.push_back({name, "texels", texels.data(), texels.size()});
   }
 };
 
@@ -211,13 +226,25 @@ struct Copy<const mmverify_attribute_case_t*> {
   }
   const mmverify_attribute_case_t* argument() { return &what; }
   void regions(std::string_view name, Regions& all) {
-    MMVERIFY_WORD(level)
-    MMVERIFY_WORD(width)
-    MMVERIFY_WORD(height) MMVERIFY_WORD(texel) MMVERIFY_WORD(border[0]) MMVERIFY_WORD(border[1])
-        MMVERIFY_WORD(border[2]) MMVERIFY_WORD(border[3]) MMVERIFY_WORD(filter) MMVERIFY_WORD(wrap_u)
-            MMVERIFY_WORD(wrap_v) MMVERIFY_WORD(meaning) MMVERIFY_WORD(uv[0]) MMVERIFY_WORD(uv[1])
-                MMVERIFY_WORD(uv[2]) MMVERIFY_WORD(uv[3]) MMVERIFY_WORD(uv[4]) MMVERIFY_WORD(uv[5])
-                    all.push_back({name, "texels", texels.data(), texels.size()});
+    MMVERIFY_WORD(level);
+    MMVERIFY_WORD(width);
+    MMVERIFY_WORD(height);
+    MMVERIFY_WORD(texel);
+    MMVERIFY_WORD(border[0]);
+    MMVERIFY_WORD(border[1]);
+    MMVERIFY_WORD(border[2]);
+    MMVERIFY_WORD(border[3]);
+    MMVERIFY_WORD(filter);
+    MMVERIFY_WORD(wrap_u);
+    MMVERIFY_WORD(wrap_v);
+    MMVERIFY_WORD(meaning);
+    MMVERIFY_WORD(uv[0]);
+    MMVERIFY_WORD(uv[1]);
+    MMVERIFY_WORD(uv[2]);
+    MMVERIFY_WORD(uv[3]);
+    MMVERIFY_WORD(uv[4]);
+    MMVERIFY_WORD(uv[5]);
+    all.push_back({name, "texels", texels.data(), texels.size()});
   }
 };
 
@@ -232,9 +259,10 @@ struct Copy<const mmverify_blend_case_t*> {
   }
   const mmverify_blend_case_t* argument() { return &what; }
   void regions(std::string_view name, Regions& all) {
-    MMVERIFY_WORD(operation)
-    MMVERIFY_WORD(payload)
-    MMVERIFY_WORD(count) all.push_back(
+    MMVERIFY_WORD(operation);
+    MMVERIFY_WORD(payload);
+    MMVERIFY_WORD(count);
+    all.push_back(
         {name, "hits", reinterpret_cast<std::uint8_t*>(hits.data()), hits.size() * sizeof(mmverify_hit_t)});
   }
 };
@@ -256,12 +284,15 @@ struct Copy<const mmverify_array_case_t*> {
   }
   const mmverify_array_case_t* argument() { return &what; }
   void regions(std::string_view name, Regions& all) {
-    MMVERIFY_WORD(api)
-    MMVERIFY_WORD(index_type)
-    MMVERIFY_WORD(base_triangle) MMVERIFY_WORD(flags) MMVERIFY_WORD(bound) MMVERIFY_WORD(before)
-        MMVERIFY_WORD(count)
-            all.push_back({name, "triangles", reinterpret_cast<std::uint8_t*>(triangles.data()),
-                           triangles.size() * sizeof(mmverify_array_triangle_t)});
+    MMVERIFY_WORD(api);
+    MMVERIFY_WORD(index_type);
+    MMVERIFY_WORD(base_triangle);
+    MMVERIFY_WORD(flags);
+    MMVERIFY_WORD(bound);
+    MMVERIFY_WORD(before);
+    MMVERIFY_WORD(count);
+    all.push_back({name, "triangles", reinterpret_cast<std::uint8_t*>(triangles.data()),
+                   triangles.size() * sizeof(mmverify_array_triangle_t)});
     all.push_back({name, "maps", maps.data(), maps.size()});
   }
 };
