@@ -1,4 +1,4 @@
-// What was asked of mmverify prove by name or number, and judged by no law.
+// Refuses a run of mmverify prove in which a law, a subject or a level that was named was not judged.
 #pragma once
 
 #include <optional>

@@ -26,7 +26,7 @@ int complain(int code, const std::string& what, const char* more = "") {
   return code;
 }
 
-/// What an unset variable of a script comes to is no name of anything: neither of our own sample, nor of nothing.
+/// Refuses empty text: a script's unset variable names neither our own sample nor anything else.
 std::string not_empty(std::string& text) {
   return text.empty() ? "it is given as an empty text; is a variable not set? Name it, or leave it out" : "";
 }

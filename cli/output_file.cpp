@@ -31,7 +31,7 @@ bool is_stream(const fs::path& path) {
       .starts_with("/proc/");
 }
 
-/// What the path's links lead to, there or not; nothing where they go in a circle.
+/// The file that the path's links lead to, there or not; nothing where they go in a circle.
 std::optional<fs::path> behind_links(fs::path path) {
   constexpr int most_links = 40;  // the kernel's own limit
   std::error_code error;

@@ -1,4 +1,4 @@
-// What a worker says of the library that it loaded, as far as it can be true.
+// Checks the description that a worker gives of its library.
 #pragma once
 
 #include <string>

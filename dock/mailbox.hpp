@@ -26,7 +26,7 @@ enum class Outcome : std::uint32_t {
   no_resources  ///< the machine gave no thread or no memory to ask with
 };
 
-/// What was loaded.  The worker writes it, and so may whatever runs there: see description_fault().
+/// The library that was loaded.  The worker writes it, and so may whatever runs there: see description_fault().
 struct Description {
   char name[128];
   char runs_on[4096];
@@ -36,7 +36,7 @@ struct Description {
   mmverify_attribute_support_t attribute_support;
 };
 
-/// What came of a command.
+/// The result of a command.
 struct Report {
   Outcome outcome;
   std::uint64_t element;  ///< the one that `outcome` is about

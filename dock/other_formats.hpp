@@ -1,4 +1,4 @@
-// What else an entry point may be asked about the same numbers, map, code or array.
+// Other valid formats of an entry point for the same numbers, map, code or array.
 #pragma once
 
 #include <cstddef>

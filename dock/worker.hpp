@@ -74,7 +74,7 @@ struct Reply {
 /// way, which takes a hundred times as long as the answer.
 using QuestionCounts = std::map<std::tuple<Call, std::uint32_t, std::uint32_t>, std::uint32_t>;
 
-/// What is known from the workers before.
+/// Knowledge from earlier workers.
 struct Before {
   QuestionCounts asked = {};          ///< what those were asked whose place this one takes
   bool loaded = false;                ///< another one has loaded the library

@@ -1,4 +1,4 @@
-// What a worker may not do to the machine, and to the tool.
+// Limits of a worker process: it harms neither the machine nor the tool.
 #pragma once
 
 namespace mmverify::dock {

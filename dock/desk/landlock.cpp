@@ -28,7 +28,7 @@ struct [[gnu::packed]] PathBeneath {
   std::int32_t parent_fd;
 };
 
-/// What it refuses: by default everything of these kinds.
+/// The kinds of access that it refuses by default.
 class Ruleset {
  public:
   explicit Ruleset(long version)

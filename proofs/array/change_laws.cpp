@@ -159,7 +159,7 @@ Finding concatenates(const ArraySubject& s, const Bundle& first, const Bundle& s
   });
 }
 
-// What the laws on small arrays hand over.
+// The arrays that laws on small arrays hand over.
 Finding compacts_case(const ArraySubject& s, const BuildCase& c) { return compacts(s, shared_bundle_of(c)); }
 Finding reorders_case(const ArraySubject& s, const BuildCase& c) { return reorders(s, shared_bundle_of(c)); }
 Finding concatenates_case(const ArraySubject& s, const BuildCase& c) {

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t most_cuts = 40, most_flips = 60;
 constexpr Level highest = 12;
 
-/// What a decoder made of bytes: none where it refuses them.
+/// The scene that a decoder made of bytes; none where it refuses them.
 std::optional<Scene> opened(const DagSubject& s, Format f, const Bytes& bytes) {
   const std::optional<Code> code = s.functions.open(f, bytes);
   return code ? std::optional(s.functions.decode(*code)) : std::nullopt;

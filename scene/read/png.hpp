@@ -1,4 +1,4 @@
-// What a PNG says of itself, before it is decoded.
+// Checks a PNG's chunks before it is decoded.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What cannot be undefined is plain again.
+// Makes operations plain again that nothing undefined can reach.
 #pragma once
 
 #include <llvm/IR/Function.h>

@@ -1,4 +1,4 @@
-// Where pointers lead: to which variables and tables, and how far into them.
+// Follows pointers to their variables and tables, and how far into them.
 #pragma once
 
 #include <llvm/IR/IRBuilder.h>

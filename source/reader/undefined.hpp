@@ -29,7 +29,7 @@ enum class Guarded {
 };
 Guarded guarded(const llvm::CallInst& call);
 
-/// What is forbidden of an access.
+/// The rule that an access breaks.
 enum class Outside : unsigned { of_variable, of_table, of_lifetime, of_type };
 /// Why an access is not judged.
 enum class Refusal : unsigned { pointer, types, restricted, scopes };
