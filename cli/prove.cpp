@@ -96,6 +96,20 @@ void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
   for (const std::string& line : said) text.note(line);
 }
 
+/// A verdict without companions is about few numbers; the last line names the laws that would have asked more.
+void name_left_out_companions(Request request, const std::vector<Job>& jobs, TextReport& text) {
+  if (request.companions) return;
+  request.companions = true;
+  std::vector<std::string> said;
+  for (const Job& job : plan(request))
+    if (job.unfit.empty() && std::find(said.begin(), said.end(), job.law->id) == said.end() &&
+        std::none_of(jobs.begin(), jobs.end(), [&](const Job& ran) { return ran.law == job.law; }))
+      said.push_back(job.law->id);
+  if (!said.empty())
+    text.note(
+        fmt::format("left out by --no-companions: {}, which would ask other floats", fmt::join(said, ", ")));
+}
+
 /// The one law that is proved of a source, on it.
 Job job_of_source(const ProveOptions& options) {
   if (options.laws != std::vector<std::string>{"index.floats"})
@@ -145,8 +159,8 @@ int prove(const ProveOptions& options) {
   // Loading a library may take long.
   const InterruptGuard guard;
   std::vector<RunsOn> runs_on;
-  const std::vector<Job> jobs =
-      options.source ? std::vector<Job>{job_of_source(options)} : plan(request(options, runs_on));
+  const Request asked = options.source ? Request{} : request(options, runs_on);
+  const std::vector<Job> jobs = options.source ? std::vector<Job>{job_of_source(options)} : plan(asked);
   if (options.one_case) return replay_of_source(jobs.front(), *options.one_case);
   if (options.cells == "interior" && std::none_of(jobs.begin(), jobs.end(), [](const Job& job) {
         return has(job.law->heeds, index::interiors_only);
@@ -184,6 +198,7 @@ int prove(const ProveOptions& options) {
   announce_companions(jobs, text);
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, !options.subjects.empty() || options.source);
+  name_left_out_companions(asked, jobs, text);
   if (report.interrupted && journal)
     say(stderr, "stopped; the same command goes on from {}\n", options.journal);
   const auto as_json = [&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); };
