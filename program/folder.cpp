@@ -3,9 +3,11 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -66,9 +68,24 @@ Folder::Folder(const std::string& kind) {
     lock_ = locked(path_);
   }
   if (lock_ < 0) throw std::runtime_error(path_ + ": no lock on it");
+  try {
+    check_room();
+  } catch (...) {
+    remove();
+    throw;
+  }
 }
 
-Folder::~Folder() {
+void Folder::check_room() const {
+  struct statvfs system {};
+  constexpr std::uint64_t least = 64 << 10;
+  if (statvfs(path_.c_str(), &system) == 0 && std::uint64_t{system.f_bavail} * system.f_frsize < least)
+    throw std::runtime_error(path_ + ": its file system is full; set TMPDIR to a folder with room");
+}
+
+Folder::~Folder() { remove(); }
+
+void Folder::remove() const {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
   close(lock_);

@@ -11,14 +11,18 @@ namespace mmverify::program {
 class Folder {
  public:
   /// Named mmverify-KIND-, and six letters.
-  /// Errors: std::runtime_error where it cannot be made.
+  /// Errors: std::runtime_error where it cannot be made, or no room is left for files in it.
   explicit Folder(const std::string& kind);
   ~Folder();
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   std::string file(const std::string& name) const;
+  /// Errors: std::runtime_error where the file system has less than 64 KiB left.
+  void check_room() const;
 
  private:
+  void remove() const;
+
   std::string path_;
   int lock_ = -1;
 };

@@ -148,12 +148,15 @@ Compiled::Compiled(const std::string& file, const std::string& function,
     words.insert(words.end(), flags.begin(), flags.end());
     words.insert(words.end(), {"-fno-caret-diagnostics", "-Werror=array-bounds", "-ffp-contract=off",
                                "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, "--", file});
-    if (const ProgramEnd end = of_clang(words); !end.succeeded)
+    if (const ProgramEnd end = of_clang(words); !end.succeeded) {
+      folder_->check_room();
       throw BadSource(file + ": clang does not compile it (" + end.how +
                       "): " + program::one_line(end.errors));
+    }
   }
   const std::string alone = folder_->file("index.bc"), wrapper = folder_->file("subject.c");
   const ProgramEnd end = of_reader({bitcode_, function_, "export", alone, fault.empty() ? "none" : fault});
+  if (!end.succeeded) folder_->check_room();
   if (end.how == "exit code 3") throw UnknownInstruction(said(end));
   if (!end.succeeded) throw BadSource(file + ": " + said(end));
   exported_ = bytes_of(alone);
@@ -162,6 +165,7 @@ Compiled::Compiled(const std::string& file, const std::string& function,
   const ProgramEnd linked =
       of_clang({"-O1", "-ffp-contract=off", "-fno-math-errno", "-Wno-override-module", "-shared", "-fPIC",
                 "-I" + header_folder(), wrapper, alone, "-lm", "-o", library_});
+  if (!linked.succeeded) folder_->check_room();
   if (!linked.succeeded)
     throw BadSource(file + ": clang makes no shared library of it (" + linked.how + "):\n" +
                     program::one_line(linked.errors));

@@ -1,6 +1,8 @@
 // Folders of temporary files: whose they are, and who removes them.
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
+#include <sys/mount.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,6 +65,41 @@ TEST(Folder, ThatCannotBeMadeSaysWhere) {
   fs::remove(gone);
   EXPECT_THROW(Folder("files"), std::exception);
   setenv("TMPDIR", before.c_str(), 1);
+}
+
+// A file system of 16 KiB is mounted in a namespace of a child; where nobody may make one, the test skips.
+TEST(Folder, OnAFullFileSystemSaysSo) {
+  const tests::Folder place;
+  const std::string path = place.path().string();
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  constexpr int no_namespace = 77;
+  if (child == 0) {
+    const auto written = [](const char* file, const std::string& text) {
+      return !!(std::ofstream(file) << text).flush();
+    };
+    const std::string user = std::to_string(getuid()), group = std::to_string(getgid());
+    if (unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0 || !written("/proc/self/setgroups", "deny") ||
+        !written("/proc/self/uid_map", user + ' ' + user + " 1") ||
+        !written("/proc/self/gid_map", group + ' ' + group + " 1") ||
+        mount("none", path.c_str(), "tmpfs", 0, "size=16k") != 0)
+      _exit(no_namespace);
+    setenv("TMPDIR", path.c_str(), 1);
+    try {
+      const Folder full("files");
+    } catch (const std::exception& error) {
+      const bool left = fs::directory_iterator(place.path()) != fs::directory_iterator();
+      _exit(!left && std::string(error.what())
+                         .ends_with(": its file system is full; set TMPDIR to a folder with room")
+                ? 0
+                : 1);
+    }
+    _exit(2);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  if (WEXITSTATUS(status) == no_namespace) GTEST_SKIP() << "no file system can be mounted here";
+  EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 }  // namespace
