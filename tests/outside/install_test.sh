@@ -61,6 +61,12 @@ PKG_CONFIG_LIBDIR=/nowhere cmake -S "$folder/without" -B "$folder/without/build"
 grep 'mmverify::impl is left out' "$folder/configure.log"
 cmake --build "$folder/without/build" >"$folder/build.log" || { cat "$folder/build.log"; exit 1; }
 ctest --test-dir "$folder/without/build" --no-tests=error | tail -1
+# A keyword that an unset variable left without its value would judge less than was asked.
+for left in 'LAWS LEVELS 0..2' 'LAWS index.in_range LEVELS'; do
+  sed -i "s/ LAWS.*)/ $left)/" "$folder/without/CMakeLists.txt"
+  cmake "$folder/without/build" >"$folder/configure.log" 2>&1 && fail "mmverify_add_proof takes $left"
+  grep 'mmverify_add_proof(NAME SUBJECT TARGET' "$folder/configure.log"
+done
 
 # By pkg-config.
 PKG_CONFIG_PATH=$(dirname "$(find "$folder/installed" -name mmverify.pc)")
