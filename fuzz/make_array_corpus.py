@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpus of array_differential: python3 fuzz/make_array_corpus.py fuzz/corpus
+"""Writes the seed corpus of array_differential: python3 fuzz/make_array_corpus.py build/seeds
 
 The records are described in array_differential.cpp, the files in docs/ARRAYS.md.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpus of attribute_container: python3 fuzz/make_attribute_corpus.py fuzz/corpus
+"""Writes the seed corpus of attribute_container: python3 fuzz/make_attribute_corpus.py build/seeds
 
 What an input is: the head of fuzz/attribute_container.cpp; a file's bytes: docs/ATTRIBUTE_FORMAT.md.
 """

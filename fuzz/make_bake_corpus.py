@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpus of the bakers' harness: python3 fuzz/make_bake_corpus.py fuzz/corpus
+"""Writes the seed corpus of the bakers' harness: python3 fuzz/make_bake_corpus.py build/seeds
 
 Below it the folder bake_differential; see the head of the harness for what an input is.
 """

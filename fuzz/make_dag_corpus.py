@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpus of dag_container: python3 fuzz/make_dag_corpus.py fuzz/corpus
+"""Writes the seed corpus of dag_container: python3 fuzz/make_dag_corpus.py build/seeds
 
 See the head of the harness for what an input is.  Containers are put together by hand here; one checksum is left wrong.
 """

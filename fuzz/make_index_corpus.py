@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpus of index_differential: python3 fuzz/make_index_corpus.py fuzz/corpus
+"""Writes the seed corpus of index_differential: python3 fuzz/make_index_corpus.py build/seeds
 
 Below it the folder index_differential. A record is u, v (binary32) and a level byte; see index_differential.cpp.
 """

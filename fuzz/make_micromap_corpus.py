@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpora of micromap_codec and micromap_array: python3 fuzz/make_micromap_corpus.py fuzz/corpus
+"""Writes the seed corpora of micromap_codec and micromap_array: python3 fuzz/make_micromap_corpus.py build/seeds
 
 The records are described in micromap_codec.cpp and micromap_array.cpp.
 """

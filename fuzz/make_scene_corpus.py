@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpora of scene_load and scene_validate: python3 fuzz/make_scene_corpus.py fuzz/corpus
+"""Writes the seed corpora of scene_load and scene_validate: python3 fuzz/make_scene_corpus.py build/seeds
 
 See scene_input.hpp for what an input is.
 """

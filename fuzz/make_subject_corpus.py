@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpus of the harness of other people's libraries: python3 fuzz/make_subject_corpus.py fuzz/corpus
+"""Writes the seed corpus of the harness of other people's libraries: python3 fuzz/make_subject_corpus.py build/seeds
 
 Below it the folder subject; one seed for each thing that subject.cpp asks.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpus of traverse_differential: python3 fuzz/make_traverse_corpus.py fuzz/corpus
+"""Writes the seed corpus of traverse_differential: python3 fuzz/make_traverse_corpus.py build/seeds
 
 Below it the folder traverse_differential. A record is who, candidate, instance and ray; see traverse_differential.cpp.
 """

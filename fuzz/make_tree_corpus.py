@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpora of the tree's harnesses: python3 fuzz/make_tree_corpus.py fuzz/corpus
+"""Writes the seed corpora of the tree's harnesses: python3 fuzz/make_tree_corpus.py build/seeds
 
 Below it the folders tree_round_trip and tree_decoder; see the head of each harness for what an input is.
 """

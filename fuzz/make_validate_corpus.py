@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpus of scene_validate_file: python3 fuzz/make_validate_corpus.py fuzz/corpus
+"""Writes the seed corpus of scene_validate_file: python3 fuzz/make_validate_corpus.py build/seeds
 
 An input is a byte that says what the rest is, as the harness's head has it."""
 import json

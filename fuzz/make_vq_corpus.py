@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the seed corpora of the square maps' harnesses: python3 fuzz/make_vq_corpus.py fuzz/corpus
+"""Writes the seed corpora of the square maps' harnesses: python3 fuzz/make_vq_corpus.py build/seeds
 
 Below it the folders vq_encode and vq_decode; see the head of each harness for what an input is.
 """

@@ -28,7 +28,8 @@ fi
 cmake -S "$project" -B "$WORK/mmverify" -DCMAKE_BUILD_TYPE=None -DMMVERIFY_ONLY_FUZZ=ON -DMMVERIFY_FUZZ=ON \
   -DMMVERIFY_FUZZ_ENGINE="$LIB_FUZZING_ENGINE" "${found[@]}"
 
-cd "$project/fuzz/corpus"
+"$project/fuzz/write-seeds" "$WORK/seeds"
+cd "$WORK/seeds"
 # subject attacks a library that its user names: there is none here.
 targets=()
 for target in *; do [[ $target == subject ]] || targets+=("$target"); done

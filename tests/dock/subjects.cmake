@@ -118,7 +118,7 @@ set(tree_example ${PROJECT_SOURCE_DIR}/examples/subject_tree/subject_tree.c)
 mmverify_add_subject(tree_example ${tree_example})
 if(NOT MMVERIFY_SANITIZE)
   # The harness of other people's codecs, on a right one and on a wrong one.
-  set(corpus ${PROJECT_SOURCE_DIR}/fuzz/corpus/subject)
+  set(corpus ${PROJECT_BINARY_DIR}/seeds/subject)
   add_test(NAME fuzz_subject_corpus COMMAND fuzz_subject_replay ${corpus})
   mmverify_add_planted(subject fuzz_subject_replay "fuzz_subject: tree.equals_spec: not Algorithm 1's bytes")
   set_tests_properties(fuzz_subject_corpus PROPERTIES ENVIRONMENT MMVERIFY_SUBJECT=${subjects_dir}/tree_example.so)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# fuzz/corpus is what fuzz/make_*_corpus.py write, no seed more or less; each of its folders has a generator.
+# Every harness has seeds, every folder of seeds a harness, and two runs of the generators write the same bytes.
 # usage: tests/outside/corpora_test.sh
 set -euo pipefail
 
@@ -8,14 +8,19 @@ cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../../fuzz"
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 
+./write-seeds "$folder/first"
+./write-seeds "$folder/second"
+diff -rq "$folder/first" "$folder/second"
 for generator in make_*_corpus.py; do
-  python3 -B "$generator" "$folder/corpus"  # -B: nothing beside the sources
   code=0
   python3 -B "$generator" 2>/dev/null || code=$?
   ((code == 2)) || { echo "FAILED: $generator without a folder: exit code $code"; exit 1; }
 done
-diff -rq "$folder/corpus" corpus || {
-  echo "FAILED: a seed belongs into its generator; then: for g in fuzz/make_*_corpus.py; do python3 \$g fuzz/corpus; done"
+for harness in "$folder/first"/*; do
+  [[ -n $(find "$harness" -type f -print -quit) ]] || { echo "FAILED: ${harness##*/} has no seeds"; exit 1; }
+done
+diff <(printf '%s\n' "$folder/first"/* | sed 's|.*/||') <(grep -l LLVMFuzzerTestOneInput ./*.cpp | grep -v replay_main | sed 's|.*/||; s|[.]cpp$||' | LC_ALL=C sort) || {
+  echo "FAILED: seeds without a harness (<), or a harness without seeds (>)"
   exit 1
 }
-find corpus -type f | wc -l | sed 's/$/ seeds, all as their generators write them/'
+find "$folder/first" -type f | wc -l | sed 's/$/ seeds, the same in two runs/'

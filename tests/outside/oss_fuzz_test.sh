@@ -93,7 +93,8 @@ started=$SECONDS
 said "built in $((SECONDS - started)) s, $SANITIZER"
 
 count=0
-for corpus in "$SRC"/mmverify/fuzz/corpus/*; do
+"$SRC/mmverify/fuzz/write-seeds" "$place/corpus"
+for corpus in "$place/corpus"/*; do
   target=${corpus##*/}
   [[ $target != subject ]] || continue  # attacks a library that its user names
   program=$OUT/$target seeds=$place/seeds/$target

@@ -81,7 +81,7 @@ endif()
 # Every harness on its corpus.
 if(MMVERIFY_FUZZ)
   foreach(name ${MMVERIFY_HARNESSES})
-    add_test(NAME fuzz_${name}_corpus COMMAND fuzz_${name} -runs=0 ${PROJECT_SOURCE_DIR}/fuzz/corpus/${name})
+    add_test(NAME fuzz_${name}_corpus COMMAND fuzz_${name} -runs=0 ${PROJECT_BINARY_DIR}/seeds/${name})
     set_tests_properties(fuzz_${name}_corpus PROPERTIES LABELS corpus)
   endforeach()
 endif()
@@ -92,7 +92,7 @@ if(NOT MMVERIFY_SANITIZE)
       return()
     endif()
     add_test(NAME fuzz_${name}_finds_what_was_planted COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/finds_planted_test.sh
-      $<TARGET_FILE:${program}> ${PROJECT_SOURCE_DIR}/fuzz/corpus/${name} ${finding})
+      $<TARGET_FILE:${program}> ${PROJECT_BINARY_DIR}/seeds/${name} ${finding})
   endfunction()
   mmverify_add_planted(attribute_container fuzz_attribute_container_planted_replay
     "attribute_container: other bytes of the same maps")
