@@ -12,8 +12,8 @@
 #include "cli/exit_code.hpp"
 #include "cli/shader.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/plugin.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/plugin.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {
 

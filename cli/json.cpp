@@ -9,7 +9,7 @@
 #include "cli/text.hpp"
 #include "cli/tool.hpp"
 #include "gate/seal.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "proofs/engine/runner.hpp"
-#include "proofs/plan.hpp"
+#include "proofs/planning/plan.hpp"
 
 namespace mmverify::cli {
 

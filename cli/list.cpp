@@ -12,9 +12,9 @@
 #include "cli/json_text.hpp"
 #include "cli/output_file.hpp"
 #include "cli/streams.hpp"
-#include "proofs/fast_levels.hpp"
-#include "proofs/registry.hpp"
-#include "proofs/statements.hpp"
+#include "proofs/planning/fast_levels.hpp"
+#include "proofs/registry/registry.hpp"
+#include "proofs/registry/statements.hpp"
 
 namespace mmverify::cli {
 namespace {

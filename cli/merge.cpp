@@ -14,7 +14,7 @@
 #include "cli/read_json.hpp"
 #include "cli/run_identity.hpp"
 #include "cli/text.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {
 namespace {

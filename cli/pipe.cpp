@@ -20,7 +20,7 @@
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/pipe/lines.hpp"
-#include "proofs/topics.hpp"
+#include "proofs/registry/topics.hpp"
 #include "proofs/traverse/rays/conformance.hpp"
 
 namespace mmverify::cli {

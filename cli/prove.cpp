@@ -21,8 +21,8 @@
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/options.hpp"
-#include "proofs/plan.hpp"
-#include "proofs/plugin.hpp"
+#include "proofs/planning/plan.hpp"
+#include "proofs/registry/plugin.hpp"
 
 namespace mmverify::cli {
 namespace {

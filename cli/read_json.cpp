@@ -12,7 +12,7 @@
 #include "cli/exit_code.hpp"
 #include "gate/contradictions.hpp"
 #include "gate/seal.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "scene/read/unique_names.hpp"
 
 namespace mmverify::cli {

@@ -12,7 +12,7 @@
 #include "cli/shader.hpp"
 #include "cli/streams.hpp"
 #include "proofs/index/subjects/built_in.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {
 namespace {

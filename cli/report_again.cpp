@@ -11,7 +11,7 @@
 #include "proofs/bake/subject.hpp"
 #include "proofs/bake/truth/truth.hpp"
 #include "proofs/index/wrong_cells.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -61,10 +61,10 @@ class Asked {
   /// The cells around a counterexample that is a point.
   static std::optional<index::CellWindow> around(const std::string& at, Level n) {
     try {
-      const index::RationalPoint p = index::parse_point(at);
+      const points::RationalPoint p = points::parse_point(at);
       const double quarters = 4.0 * spec::side(n);
-      const auto u = static_cast<std::int64_t>(index::nearest(p.u) * quarters),
-                 v = static_cast<std::int64_t>(index::nearest(p.v) * quarters);
+      const auto u = static_cast<std::int64_t>(points::nearest(p.u) * quarters),
+                 v = static_cast<std::int64_t>(points::nearest(p.v) * quarters);
       // From grid line to grid line.
       const auto low = [](std::int64_t k) { return std::max<std::int64_t>(0, (k / 4 - squares_around) * 4); };
       const auto high = [](std::int64_t k) { return (k / 4 + squares_around) * 4; };

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "cli/exit_code.hpp"
-#include "proofs/plugin.hpp"
+#include "proofs/registry/plugin.hpp"
 #include "shaders/compile/compile.hpp"
 
 namespace mmverify::cli {

@@ -11,7 +11,7 @@
 #include "proofs/engine/bytes.hpp"
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/index/source/law.hpp"
-#include "proofs/plugin.hpp"
+#include "proofs/registry/plugin.hpp"
 #include "shaders/compile/compile.hpp"
 #include "source/compile.hpp"
 #include "source/encode/encode.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/plan.hpp"
+#include "proofs/planning/plan.hpp"
 
 namespace mmverify::cli {
 

@@ -9,8 +9,8 @@
 #include "cli/arguments.hpp"
 #include "cli/streams.hpp"
 #include "dock/clean_text.hpp"
-#include "proofs/plan.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/planning/plan.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {
 

@@ -7,7 +7,7 @@
 #include "cli/exit_code.hpp"
 #include "dock/cost.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {
 

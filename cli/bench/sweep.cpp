@@ -8,10 +8,10 @@
 
 #include "cli/exit_code.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/index/grid/cells.hpp"
 #include "proofs/index/judges/plain_sweep.hpp"
 #include "proofs/index/options.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/points/cells.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -39,7 +39,7 @@ PlainLoop plain_loop(Level n, const Run& run) {
   const auto start = Clock::now();
   const std::uint64_t digest = proofs::index::plain_sweep(n, run).digest();
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return {static_cast<double>(proofs::index::cell_count(n)) / seconds, digest};
+  return {static_cast<double>(proofs::points::cell_count(n)) / seconds, digest};
 }
 
 /// plain: of this level, where it was run.
@@ -51,7 +51,7 @@ bench::Swept swept(const char* subject, Level n, const Run& run, const std::opti
     throw EnvironmentError(fmt::format("{} at level {} is {}, digest {:016x}; the plain loop's is {:016x}",
                                        subject, n, to_string(r.verdict), r.digest,
                                        plain ? plain->digest : 0));
-  return {.seconds = r.seconds, .per_second = static_cast<double>(proofs::index::cell_count(n)) / r.seconds};
+  return {.seconds = r.seconds, .per_second = static_cast<double>(proofs::points::cell_count(n)) / r.seconds};
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ bench::SweepFigures sweep_figures(const proofs::Levels& levels, unsigned threads
   std::optional<double> plain_rate;
   for (Level n = levels.first; n <= levels.last; ++n) {
     progress(fmt::format("level {}", n));
-    bench::SweepLevel row{.level = n, .cells = proofs::index::cell_count(n)};
+    bench::SweepLevel row{.level = n, .cells = proofs::points::cell_count(n)};
     std::optional<PlainLoop> plain;
     if (n <= last_plain) plain = plain_loop(n, run);
     if (plain) plain_rate = row.plain_per_second = plain->per_second;

@@ -16,8 +16,8 @@
 #include "cli/describe/shells.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/streams.hpp"
-#include "proofs/registry.hpp"
-#include "proofs/topics.hpp"
+#include "proofs/registry/registry.hpp"
+#include "proofs/registry/topics.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::array {
 namespace {
@@ -20,8 +20,8 @@ PackedMap taken(const tree::Map& map) { return {map.level, map.format, map.packe
 std::vector<PackedMap> make_all(Level n) {
   std::vector<PackedMap> all;
   for (Level level = 0; level <= n; ++level)
-    for (std::uint64_t k = 0; k < tree::map_count(level); ++k)
-      all.push_back(taken(tree::map_number(level, k)));
+    for (std::uint64_t k = 0; k < micromap::map_count(level); ++k)
+      all.push_back(taken(micromap::map_number(level, k)));
   return all;
 }
 
@@ -81,12 +81,12 @@ std::vector<Group> groups(Level n) {
       {all, 1, 0, 1}, {sorted, 1, 1, choices}, {all, 2, 0, 1}, {sorted, 2, 1, choices}, {sorted, 3, 0, 1}};
 }
 
-std::string text_of_map(const PackedMap& m) { return tree::text_of_states({m.level, m.format, m.bytes}); }
+std::string text_of_map(const PackedMap& m) { return micromap::text_of_states({m.level, m.format, m.bytes}); }
 
 PackedMap map_of_text(const std::string& text) {
-  const std::string_view digits = tree::format_and_rest(text).second;
+  const std::string_view digits = micromap::format_and_rest(text).second;
   for (Level level = 0; level <= 4; ++level)
-    if (digits.size() == maps::micro_triangles(level)) return taken(tree::map_from_text(level, text));
+    if (digits.size() == maps::micro_triangles(level)) return taken(micromap::map_from_text(level, text));
   throw BadCase("'" + text.substr(0, 40) + "': a map has 1, 4, 16, 64 or 256 digits");
 }
 
@@ -115,10 +115,10 @@ PackedMap nearly(PackedMap map, Random& random) {
 PackedMap any_map(Level n, Random& random) {
   const Level level = static_cast<Level>(random.below(n + 1));
   if (random.below(6) == 0)
-    return taken(
-        tree::map_of(level, tree::chosen_apart(level, random.below(tree::chosen_apart_count(level)))));
+    return taken(micromap::map_of(
+        level, micromap::chosen_apart(level, random.below(micromap::chosen_apart_count(level)))));
   const std::uint64_t kind = random.below(10);
-  return taken(tree::sample_map(level, random.next() >> 32, kind));
+  return taken(micromap::sample_map(level, random.next() >> 32, kind));
 }
 
 const char* name_of(Encoding e) {

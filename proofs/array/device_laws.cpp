@@ -5,7 +5,7 @@
 #include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::array {
 namespace {
@@ -40,7 +40,7 @@ Finding emulates(const ArraySubject& s, const PackedMap& m, Level most) {
 }
 
 PackedMap four_state(Level n, std::uint64_t seed, std::uint64_t k) {
-  const tree::Map map = tree::sample_map(n, seed, k);
+  const tree::Map map = micromap::sample_map(n, seed, k);
   return packed(n, Format::four_state, maps::unpack(map.packed, map.format, maps::micro_triangles(n)));
 }
 
@@ -95,10 +95,10 @@ Law emulation() {
                      return emulates(s, {1, Format::four_state, {static_cast<std::uint8_t>(k)}}, 0);
                    },
                    [](Level, std::uint64_t k, const Run&) {
-                     return tree::text_of_states({1, Format::four_state, {static_cast<std::uint8_t>(k)}});
+                     return micromap::text_of_states({1, Format::four_state, {static_cast<std::uint8_t>(k)}});
                    },
                    [](const ArraySubject& s, Level n, const std::string& at) {
-                     const tree::Map map = tree::map_from_text(n, at);
+                     const tree::Map map = micromap::map_from_text(n, at);
                      if (map.format != Format::four_state) throw BadCase("4-state alone is lossy");
                      return emulates(s, {map.level, map.format, map.packed}, 0);
                    }});

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "proofs/array/answers.hpp"
-#include "proofs/kinds.hpp"
-#include "proofs/spoils.hpp"
+#include "proofs/engine/kinds.hpp"
+#include "proofs/engine/spoils.hpp"
 
 namespace mmverify::proofs::array {
 

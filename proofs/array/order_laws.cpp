@@ -1,7 +1,7 @@
 // Builders on one triangle of one state but for one node of the curve: where the order within a map shows.
 #include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::array {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 constexpr Level highest = 5;
 
 BuildCase apart(Level n, std::uint64_t k) {
-  const tree::Map map = tree::map_of(n, tree::one_apart_number(n, k));
+  const tree::Map map = micromap::map_of(n, micromap::one_apart_number(n, k));
   BuildCase c;
   c.maps = {{map.level, map.format, map.packed}};
   c.options.encoding = Encoding::u8;
@@ -63,15 +63,17 @@ std::vector<Law> order_laws() {
                                   static_cast<std::uint8_t>((a.data.back() & 0x3f) | a.data.front() << 6);
                           }))}},
       {entry::build},
-      {[](Level n) { return n > highest ? 0 : tree::one_apart_count(n); },
+      {[](Level n) { return n > highest ? 0 : micromap::one_apart_count(n); },
        [](const ArraySubject& s, Level n, std::uint64_t k, const Run&) {
          return built(s, apart(n, k), resolves);
        },
-       [](Level n, std::uint64_t k, const Run&) { return tree::text_of(tree::one_apart_number(n, k)); },
+       [](Level n, std::uint64_t k, const Run&) {
+         return micromap::text_of(micromap::one_apart_number(n, k));
+       },
        [](const ArraySubject& s, Level n, const std::string& at) {
-         const auto which = tree::apart_from_text(n, at);
+         const auto which = micromap::apart_from_text(n, at);
          if (!which) throw BadCase("'" + at.substr(0, 60) + "': write 4-state:0+2@3:17");
-         const tree::Map map = tree::map_of(n, *which);
+         const tree::Map map = micromap::map_of(n, *which);
          BuildCase c = apart(0, 0);
          c.maps = {{map.level, map.format, map.packed}};
          return built(s, c, resolves);

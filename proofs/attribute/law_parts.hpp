@@ -9,7 +9,7 @@
 
 #include "proofs/attribute/subject.hpp"
 #include "proofs/engine/cases.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 
 namespace mmverify::proofs::attribute {
 

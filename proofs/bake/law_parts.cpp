@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

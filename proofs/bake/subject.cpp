@@ -8,7 +8,7 @@
 #include "impl/bake/triangles.hpp"
 #include "proofs/bake/truth/exact_texture.hpp"
 #include "proofs/bake/truth/truth.hpp"
-#include "proofs/narrow.hpp"
+#include "proofs/points/narrow.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

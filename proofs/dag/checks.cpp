@@ -7,8 +7,8 @@
 
 #include "proofs/engine/bytes.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/index/floats/exact_float.hpp"
-#include "proofs/index/floats/hard_floats.hpp"
+#include "proofs/points/exact_float.hpp"
+#include "proofs/points/hard_floats.hpp"
 #include "spec/fixed.hpp"
 
 namespace mmverify::proofs::dag {
@@ -163,10 +163,10 @@ Finding points(const DagSubject& s, const Scene& scene, std::uint64_t most) {
     const std::int64_t side = 4 * std::int64_t{spec::side(scene.maps[m].level)};
     // Pairs near what breaks index functions.
     for (std::uint64_t k = 0; k < most / 4; ++k) {
-      const index::FloatPair p = index::hard_floats(scene.maps[m].level, hash_of_scene(scene), k);
+      const points::FloatPair p = points::hard_floats(scene.maps[m].level, hash_of_scene(scene), k);
       u.push_back(p.u);
       v.push_back(p.v);
-      e.add(m, index::on_exact(
+      e.add(m, points::on_exact(
                    p.u, p.v, [&](const auto& q) { return spec::index::reference(q, scene.maps[m].level); }));
     }
     if (scene.maps[m].level <= 2) {

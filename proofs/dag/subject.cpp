@@ -4,7 +4,7 @@
 
 #include "impl/dag/container.hpp"
 #include "impl/dag/dag.hpp"
-#include "proofs/index/floats/exact_float.hpp"
+#include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::dag {
 namespace {
@@ -38,7 +38,7 @@ Functions specified() {
                std::span<std::uint8_t> state) {
     const Dag& dag = form_of<Dag>(c);
     for (std::size_t k = 0; k < state.size(); ++k) {
-      const std::uint32_t index = index::on_exact(
+      const std::uint32_t index = points::on_exact(
           u[k], v[k], [&](const auto& p) { return spec::index::reference(p, dag.maps[map[k]].level); });
       state[k] = spec::micromap::code(spec::dag::at_index(dag, map[k], index));
     }

@@ -19,7 +19,7 @@ enum class Verdict { proved, refuted, checked, broken, not_applicable, incomplet
 
 std::string to_string(Verdict v);
 
-/// What cases are counted by: numbers below `kinds`, whose names are the topics' (proofs/kinds.hpp).
+/// What cases are counted by: numbers below `kinds`, whose names are the topics' (proofs/engine/kinds.hpp).
 enum class Kind : std::uint8_t;
 constexpr std::size_t kinds = 3;
 

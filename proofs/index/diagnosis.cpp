@@ -7,8 +7,8 @@
 #include <numeric>
 #include <optional>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/index/judges/judges.hpp"
-#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -1,6 +1,6 @@
 #include "proofs/index/mutants.hpp"
 
-#include "proofs/spoils.hpp"
+#include "proofs/engine/spoils.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "proofs/canvas.hpp"
+#include "proofs/drawing/canvas.hpp"
 #include "spec/index/index.hpp"
 
 namespace mmverify::proofs::index {

@@ -1,7 +1,7 @@
 // A counterexample as a picture.
 #pragma once
 
-#include "proofs/index/grid/point.hpp"
+#include "proofs/points/point.hpp"
 
 namespace mmverify::proofs::index {
 

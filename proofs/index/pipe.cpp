@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/diagnosis.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/index/laws.hpp"
 #include "proofs/index/laws/named_corner_order.hpp"
 #include "proofs/index/subjects/rounded_subject.hpp"
-#include "proofs/kinds.hpp"
 #include "proofs/pipe/lines.hpp"
 
 namespace mmverify::proofs::index {

@@ -9,10 +9,13 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
-#include "proofs/index/grid/cells.hpp"
-#include "proofs/index/grid/point.hpp"
+#include "proofs/points/cells.hpp"
+#include "proofs/points/point.hpp"
 
 namespace mmverify::proofs::index {
+
+// Subjects are judged at points of a level's grid and at floats.
+using namespace points;
 
 using spec::index::Corners;
 

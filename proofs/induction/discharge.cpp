@@ -6,7 +6,7 @@
 
 #include "proofs/engine/bytes.hpp"
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 
 namespace mmverify::proofs::induction {
 namespace {

@@ -4,17 +4,17 @@
 
 #include <algorithm>
 
+#include "proofs/engine/spoils.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/spoils.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {
 
 namespace slow = mmverify::spec::micromap;
 using slow::code;
-using tree::OneApart;
+
 using enum State;
 
 constexpr Format two = Format::two_state, four = Format::four_state;
@@ -30,7 +30,7 @@ OneApart with(OneApart apart, Format f, State now_common, State now_odd) {
   return apart;
 }
 
-Bytes bytes(Level n, const OneApart& apart) { return tree::map_of(n, apart).packed; }
+Bytes bytes(Level n, const OneApart& apart) { return map_of(n, apart).packed; }
 
 OneApart forced(const OneApart& a) { return with(a, two, slow::force2(common(a)), slow::force2(odd(a))); }
 
@@ -117,9 +117,9 @@ Cases cases(std::function<std::uint64_t(Level)> count, std::function<OneApart(Le
           [number](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
             return judged(s, n, number(n, k));
           },
-          [number](Level n, std::uint64_t k, const Run&) { return tree::text_of(number(n, k)); },
+          [number](Level n, std::uint64_t k, const Run&) { return text_of(number(n, k)); },
           [](const MicromapSubject& s, Level n, const std::string& at) {
-            const auto apart = tree::apart_from_text(n, at);
+            const auto apart = apart_from_text(n, at);
             if (!apart) throw BadCase(fmt::format("'{:.60}': write 4-state:0+2@3:17", at));
             return judged(s, n, *apart);
           },
@@ -173,7 +173,7 @@ Law every_one() {
                                  [](Level n, Mode m, auto in, Bytes& out) {
                                    if (m == Mode::O_C && is(n, in, 3, {four, 2, 2, 0, 0})) change(out, 8, 1);
                                  }))}},
-      {}, cases(tree::one_apart_count, tree::one_apart_number, 64)));
+      {}, cases(one_apart_count, one_apart_number, 64)));
 }
 
 Law chosen_ones() {
@@ -192,7 +192,7 @@ Law chosen_ones() {
                       return fmt::format(
                           "{} maps of level {} of one state but for one micro-triangle at a word's or the "
                           "map's end, or for none{}",
-                          tree::chosen_apart_count(n), n, parts_of(s));
+                          chosen_apart_count(n), n, parts_of(s));
                     },
                 .how = [](const Subject&, Level) { return std::string("sample, against the closed form"); },
                 .mutants = {mutant("the last UO among O of level 7 is O", "micromap", {7, 7},
@@ -213,7 +213,7 @@ Law chosen_ones() {
                                             if (f == four && out.size() == 1 << 16)
                                               std::fill(out.begin() + (1 << 15), out.end(), std::uint8_t{0});
                                           }))}},
-               {}, cases(tree::chosen_apart_count, tree::chosen_apart, 1)));
+               {}, cases(chosen_apart_count, chosen_apart, 1)));
 }
 
 }  // namespace

@@ -5,11 +5,11 @@
 #include <set>
 #include <tuple>
 
+#include "proofs/engine/spoils.hpp"
 #include "proofs/micromap/arrays.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/spoils.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {
@@ -139,10 +139,10 @@ auto builds_otherwise(Choose choose) {
 // Every ordered pair of maps of one small level, shared and with special indices.
 Law pairs() {
   const auto pair = [](Level n, std::uint64_t k) {
-    const std::uint64_t maps = tree::map_count(n);
+    const std::uint64_t maps = map_count(n);
     BuildCase c;
     for (const std::uint64_t number : {k / maps, k % maps}) {
-      const tree::Map map = tree::map_number(n, number);
+      const Map map = map_number(n, number);
       c.maps.push_back({map.level, map.format, map.packed});
     }
     c.options = {Encoding::u8, 0, true, true};
@@ -151,7 +151,7 @@ Law pairs() {
   const auto at = [](const BuildCase& c) {
     std::string line;
     for (const PackedMap& m : c.maps)
-      line += (line.empty() ? "" : "|") + tree::text_of_states({m.level, m.format, m.bytes});
+      line += (line.empty() ? "" : "|") + text_of_states({m.level, m.format, m.bytes});
     return line;
   };
   return on_cases(
@@ -188,7 +188,7 @@ Law pairs() {
                             if (are(maps, 1, {0x40, 0x40})) o.deduplicate = false;
                           }))}},
       {entry::build},
-      {[](Level n) -> std::uint64_t { return n > 1 ? 0 : tree::map_count(n) * tree::map_count(n); },
+      {[](Level n) -> std::uint64_t { return n > 1 ? 0 : map_count(n) * map_count(n); },
        [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) { return builds(s, pair(n, k)); },
        [=](Level n, std::uint64_t k, const Run&) { return at(pair(n, k)); },
        [](const MicromapSubject& s, Level n, const std::string& text) {
@@ -196,7 +196,7 @@ Law pairs() {
          if (bar == std::string::npos) throw BadCase("'" + text + "': write 4-state:0123|2-state:0110");
          BuildCase c;
          for (const std::string& part : {text.substr(0, bar), text.substr(bar + 1)}) {
-           const tree::Map map = tree::map_from_text(n, part);
+           const Map map = map_from_text(n, part);
            c.maps.push_back({map.level, map.format, map.packed});
          }
          c.options = {Encoding::u8, 0, true, true};

@@ -4,7 +4,7 @@
 
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {
@@ -13,12 +13,11 @@ namespace slow = mmverify::spec::micromap;
 
 PackedMap any_map(Level n, Random& random) {
   const Level level = static_cast<Level>(random.below(n + 1));
-  const auto taken = [](const tree::Map& map) { return PackedMap{map.level, map.format, map.packed}; };
+  const auto taken = [](const Map& map) { return PackedMap{map.level, map.format, map.packed}; };
   if (random.below(6) == 0)
-    return taken(
-        tree::map_of(level, tree::chosen_apart(level, random.below(tree::chosen_apart_count(level)))));
+    return taken(map_of(level, chosen_apart(level, random.below(chosen_apart_count(level)))));
   const std::uint64_t kind = random.below(10);
-  return taken(tree::sample_map(level, random.next() >> 32, kind));
+  return taken(sample_map(level, random.next() >> 32, kind));
 }
 
 // The map but for one state, the last or any.

@@ -4,10 +4,10 @@
 #include <array>
 
 #include "proofs/engine/random.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/spoils.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {
@@ -29,7 +29,7 @@ std::string text(const Sequence& s) {
 }
 
 Sequence from_text(const std::string& text) {
-  const auto [format, digits] = tree::format_and_rest(text);
+  const auto [format, digits] = format_and_rest(text);
   Sequence s{format, {}};
   for (const char c : digits) {
     if (c < '0' || c > (format == two ? '1' : '3'))

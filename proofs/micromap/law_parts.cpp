@@ -2,25 +2,25 @@
 
 #include <fmt/format.h>
 
-#include "proofs/kinds.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/engine/kinds.hpp"
+#include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {
 
 const MicromapSubject& of_micromap(const Subject& s) { return dynamic_cast<const MicromapSubject&>(s); }
 
-PackedMap packed(const tree::Map& map) { return {map.level, map.format, map.packed}; }
+PackedMap packed(const Map& map) { return {map.level, map.format, map.packed}; }
 
 // A 4-state map of a sample: the 2-state ones are widened, state by state.
-tree::Map sampled(Level n, std::uint64_t seed, std::uint64_t k, Maps maps) {
-  tree::Map map = tree::sample_map(n, seed, k);
+Map sampled(Level n, std::uint64_t seed, std::uint64_t k, Maps maps) {
+  Map map = sample_map(n, seed, k);
   if (maps == Maps::both_formats || map.format == Format::four_state) return map;
-  const States states = spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
+  const States states = spec::micromap::unpack(map.packed, map.format, spec::micro_triangles(n));
   return {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
 }
 
-std::uint64_t two_state_maps(Level n) { return std::uint64_t{1} << spec::micromap::micro_triangles(n); }
+std::uint64_t two_state_maps(Level n) { return std::uint64_t{1} << spec::micro_triangles(n); }
 
 std::string first_bytes(const Bytes& bytes) {
   constexpr std::size_t shown = 24;
@@ -38,8 +38,7 @@ constexpr std::pair<Entry, const char*> map_parts[] = {{entry::pack, "packing"},
 }  // namespace
 
 std::vector<Bytes> with_paddings(const PackedMap& map) {
-  const unsigned used =
-      static_cast<unsigned>(spec::micromap::micro_triangles(map.level) * bits(map.format) % 8);
+  const unsigned used = static_cast<unsigned>(spec::micro_triangles(map.level) * bits(map.format) % 8);
   std::vector<Bytes> all;
   for (unsigned padding = 0; padding < (used == 0 ? 1u : 256u >> used); ++padding) {
     all.push_back(map.bytes);
@@ -97,19 +96,19 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, Map
   };
   // map_number() has the 2-state maps first.
   const auto number = [both](Level n, std::uint64_t k) {
-    return tree::map_number(n, both ? k : k + two_state_maps(n));
+    return map_number(n, both ? k : k + two_state_maps(n));
   };
   return on_cases(std::move(law), std::move(entries),
                   {[both](Level n) -> std::uint64_t {
                      if (n > (both ? 2u : 1u)) return 0;
-                     return both ? tree::map_count(n) : two_state_maps(n) * two_state_maps(n);
+                     return both ? map_count(n) : two_state_maps(n) * two_state_maps(n);
                    },
                    [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
                      return check(s, packed(number(n, k)));
                    },
-                   [=](Level n, std::uint64_t k, const Run&) { return tree::text_of_states(number(n, k)); },
+                   [=](Level n, std::uint64_t k, const Run&) { return text_of_states(number(n, k)); },
                    [=](const MicromapSubject& s, Level n, const std::string& at) {
-                     const tree::Map map = tree::map_from_text(n, at);
+                     const Map map = map_from_text(n, at);
                      if (!both && map.format != Format::four_state)
                        throw BadCase("the law is about 4-state maps");
                      return check(s, packed(map));
@@ -150,13 +149,13 @@ Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check) {
                     return check(s, packed(sampled(n, run.seed, k, maps)));
                   },
                   [=](Level n, std::uint64_t k, const Run& run) {
-                    return tree::text_of_sample(sampled(n, run.seed, k, maps), run.seed, k);
+                    return text_of_sample(sampled(n, run.seed, k, maps), run.seed, k);
                   },
                   [=](const MicromapSubject& s, Level n, const std::string& at) {
-                    tree::Map map = tree::map_from_text(n, at);
+                    Map map = map_from_text(n, at);
                     if (maps == Maps::four_state && map.format != Format::four_state) {
                       const States states =
-                          spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
+                          spec::micromap::unpack(map.packed, map.format, spec::micro_triangles(n));
                       map = {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
                     }
                     return check(s, packed(map));

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "proofs/engine/shape.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/spoils.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 #include "spec/micromap/lossy.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -126,9 +126,7 @@ std::uint64_t four_state_maps(Level n) { return std::uint64_t{1} << (2 * slow::m
 PackedMap four_state_map(Level n, std::uint64_t k) { return {n, four, Bytes{static_cast<std::uint8_t>(k)}}; }
 
 Law judge_law() {
-  const auto text = [](const PackedMap& map) {
-    return tree::text_of_states({map.level, map.format, map.bytes});
-  };
+  const auto text = [](const PackedMap& map) { return text_of_states({map.level, map.format, map.bytes}); };
   const auto pair = [](Level n, std::uint64_t k) {
     return std::pair(four_state_map(n, k / four_state_maps(n)), four_state_map(n, k % four_state_maps(n)));
   };
@@ -169,8 +167,7 @@ Law judge_law() {
        [](const MicromapSubject& s, Level n, const std::string& at) {
          const auto bar = at.find('|');
          if (bar == std::string::npos) throw BadCase("'" + at + "': write 4-state:0123|4-state:2323");
-         const tree::Map was = tree::map_from_text(n, at.substr(0, bar)),
-                         is = tree::map_from_text(n, at.substr(bar + 1));
+         const Map was = map_from_text(n, at.substr(0, bar)), is = map_from_text(n, at.substr(bar + 1));
          if (was.format != four || is.format != four)
            throw BadCase("'" + at + "': the law is about 4-state maps");
          return judges(s, {n, four, was.packed}, {n, four, is.packed});
@@ -203,7 +200,7 @@ Substituted substituted(Level n, std::uint64_t k) {
 }
 
 std::pair<PackedMap, PackedMap> maps_of(Level n, std::uint64_t seed, const Substituted& s) {
-  const tree::Map sample = tree::sample_map(n, seed, 2 * s.map + 1);
+  const Map sample = sample_map(n, seed, 2 * s.map + 1);
   PackedMap is{n, four, sample.packed};
   const std::uint64_t run = slow::micro_triangles(n - s.depth);
   for (std::uint64_t k = s.node * run; k < (s.node + 1) * run; ++k) {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "proofs/engine/spoils.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/spoils.hpp"
 #include "spec/micromap/lossy.hpp"
 
 namespace mmverify::proofs::micromap {

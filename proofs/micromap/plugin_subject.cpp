@@ -9,7 +9,7 @@ namespace {
 
 using dock::Call;
 using dock::LibraryPtr;
-using spec::micromap::micro_triangles;
+using spec::micro_triangles;
 
 constexpr std::uint32_t two = 1, four = 2;
 

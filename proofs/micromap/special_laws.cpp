@@ -3,9 +3,9 @@
 
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
-#include "proofs/spoils.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {

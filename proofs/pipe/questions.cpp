@@ -10,7 +10,7 @@
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 #include "proofs/pipe/lines.hpp"
-#include "proofs/plan.hpp"
+#include "proofs/planning/plan.hpp"
 
 namespace mmverify::proofs::pipe {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <memory>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/kinds.hpp"
 #include "proofs/scene/exact_surface.hpp"
 #include "proofs/scene/law_groups.hpp"
 #include "spec/micromap/micromap.hpp"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <variant>
 
-#include "proofs/narrow.hpp"
+#include "proofs/points/narrow.hpp"
 #include "spec/bake/state.hpp"
 
 namespace mmverify::proofs::scene {

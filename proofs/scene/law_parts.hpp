@@ -7,7 +7,7 @@
 #include <string>
 
 #include "proofs/engine/cases.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 
 namespace mmverify::proofs::scene {
 

@@ -7,7 +7,7 @@
 
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/spoils.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"

@@ -1,5 +1,5 @@
 // What becomes of a candidate, in every combination that an API defines; and which ones none does.
-#include "proofs/spoils.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"
 #include "proofs/traverse/premises.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "proofs/spoils.hpp"
+#include "proofs/engine/spoils.hpp"
 
 namespace mmverify::proofs::traverse {
 

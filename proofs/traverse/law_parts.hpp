@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "proofs/engine/cases.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "proofs/traverse/subject.hpp"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "proofs/engine/cases.hpp"
-#include "proofs/spoils.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/hit_lists.hpp"
 #include "proofs/traverse/law_groups.hpp"

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "proofs/engine/bytes.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/kinds.hpp"
-#include "proofs/spoils.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/tree/checks.hpp"
 #include "proofs/tree/mutants.hpp"
 

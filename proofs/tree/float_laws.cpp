@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/index/floats/exact_float.hpp"
-#include "proofs/index/floats/hard_floats.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/points/exact_float.hpp"
+#include "proofs/points/hard_floats.hpp"
 #include "proofs/tree/law_parts.hpp"
 #include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
 
-using index::FloatPair;
+using points::FloatPair;
 using spec::micromap::micro_triangles;
 
 const TreeSubject& of_tree(const Subject& s) { return dynamic_cast<const TreeSubject&>(s); }
@@ -34,11 +34,11 @@ Sizes sizes(Level n, const Run& run) {
 }
 
 std::uint32_t index_of(Level n, const FloatPair& p) {
-  return index::on_exact(p.u, p.v, [n](const auto& q) { return spec::index::reference(q, n); });
+  return points::on_exact(p.u, p.v, [n](const auto& q) { return spec::index::reference(q, n); });
 }
 
 FloatPair pair(Level n, std::uint64_t seed, std::uint64_t map, std::uint64_t k) {
-  return index::hard_floats(n, seed, map * 256 + k);
+  return points::hard_floats(n, seed, map * 256 + k);
 }
 
 /// Map number `map` of a level, 2-state and 4-state in turn. Its noise lies where its pairs fall, so that

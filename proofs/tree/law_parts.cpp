@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {

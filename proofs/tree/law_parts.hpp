@@ -6,7 +6,7 @@
 #include <string>
 
 #include "proofs/engine/cases.hpp"
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::tree {
 

@@ -5,7 +5,7 @@
 #include "impl/tree/container.hpp"
 #include "impl/tree/stream.hpp"
 #include "impl/tree/tree.hpp"
-#include "proofs/index/floats/exact_float.hpp"
+#include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
@@ -41,7 +41,7 @@ Functions specified() {
   s.point = [](const Code& c, std::span<const float> u, std::span<const float> v,
                std::span<std::uint8_t> state) {
     for (std::size_t k = 0; k < u.size(); ++k)
-      state[k] = index::on_exact(u[k], v[k], [&](const auto& p) {
+      state[k] = points::on_exact(u[k], v[k], [&](const auto& p) {
         return spec::micromap::code(spec::tree::at_point(form_of<Succinct>(c), p).state);
       });
   };

@@ -10,22 +10,17 @@
 #include <vector>
 
 #include "proofs/engine/law.hpp"
+#include "proofs/micromap/maps.hpp"
 #include "spec/tree/tree.hpp"
 
 namespace mmverify::proofs::tree {
 
+using micromap::Map;
 using spec::micromap::bits;
 using spec::micromap::Bytes;
 using spec::micromap::Format;
 using spec::micromap::State;
 using spec::micromap::States;
-
-/// A map, packed: 4^n states of the format.
-struct Map {
-  Level level = 0;
-  Format format = Format::two_state;
-  Bytes packed;
-};
 
 /// An encoded map, in a form that its subject alone reads.
 struct Code {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "proofs/engine/cases.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/vq/subject.hpp"
 
 namespace mmverify::proofs::vq {

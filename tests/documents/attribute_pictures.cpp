@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "proofs/canvas.hpp"
+#include "proofs/drawing/canvas.hpp"
 #include "spec/attribute/decimation.hpp"
 #include "spec/attribute/order.hpp"
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "proofs/canvas.hpp"
+#include "proofs/drawing/canvas.hpp"
 #include "scene/attribute/charts.hpp"
 #include "scene/attribute/mip_errors.hpp"
 

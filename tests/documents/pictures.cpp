@@ -15,7 +15,7 @@
 #include "impl/bake/triangles.hpp"
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/micromap.hpp"
-#include "proofs/canvas.hpp"
+#include "proofs/drawing/canvas.hpp"
 #include "spec/index/index.hpp"
 #include "tests/documents/attribute_pictures.hpp"
 #include "tests/documents/bleeding_picture.hpp"

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "proofs/induction/prover.hpp"
-#include "proofs/statements.hpp"
+#include "proofs/registry/statements.hpp"
 #include "shaders/compile/sha256.hpp"
 
 int main() {

@@ -16,11 +16,11 @@
 
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/micromap.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/kinds.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/micromap/maps.hpp"
+#include "proofs/registry/registry.hpp"
 #include "proofs/traverse/combinations.hpp"
-#include "proofs/tree/maps.hpp"
 #include "scene/validate/issues.hpp"
 #include "vectors/families.hpp"
 #include "vectors/forms/forms.hpp"
@@ -81,7 +81,7 @@ std::string modes() {
     micromap::StateCounts sum{};
     for (std::uint64_t k = 0; k < discs; ++k) {
       // Of ten samples in a row the fourth is a disc in four states.
-      const tree::Map map = tree::sample_map(n, seed, 10 * k + 3);
+      const tree::Map map = micromap::sample_map(n, seed, 10 * k + 3);
       const auto states =
           micromap::count_states(map.packed, micromap::Format::four_state, micromap::micro_triangles(n));
       for (std::size_t s = 0; s < sum.size(); ++s) sum[s] += states[s];

@@ -13,7 +13,7 @@
 
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/options.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 #include "tests/foreign/inside.hpp"
 #include "tests/foreign/inside_gaps.hpp"
 

@@ -17,8 +17,8 @@
 
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/options.hpp"
-#include "proofs/plugin.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/plugin.hpp"
+#include "proofs/registry/registry.hpp"
 #include "tests/foreign/attribute/subject.hpp"
 
 namespace {

@@ -80,11 +80,11 @@ struct Bary {
   Int u, v, one;
 };
 
-inline Bary<std::int64_t> whole_numbers(const proofs::index::GridPoint& p) {
+inline Bary<std::int64_t> whole_numbers(const proofs::points::GridPoint& p) {
   return {p.u.raw(), p.v.raw(), std::int64_t{1} << 30};
 }
 
-inline Bary<Integer> whole_numbers(const proofs::index::RationalPoint& p) {
+inline Bary<Integer> whole_numbers(const proofs::points::RationalPoint& p) {
   return {p.u.numerator() * p.v.denominator(), p.v.numerator() * p.u.denominator(),
           p.u.denominator() * p.v.denominator()};
 }

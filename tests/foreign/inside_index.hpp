@@ -38,18 +38,20 @@ proofs::index::Functions functions_of(const Of& hand) {
     f.index_floats = [hand](Level n, proofs::index::FloatBatch batch, auto out) {
       hand.index(n, batch, out);
     };
-  if constexpr (requires { hand.index_rows(Level{}, Level{}, std::span<const proofs::index::Row>{}, to); })
+  if constexpr (requires { hand.index_rows(Level{}, Level{}, std::span<const proofs::points::Row>{}, to); })
     f.index_rows = [hand](Level n, Level grid, auto rows, auto out) { hand.index_rows(n, grid, rows, out); };
-  if constexpr (requires(const proofs::index::RationalPoint& p) { hand.index(Level{}, p); })
-    f.index_at = [hand](Level n, const proofs::index::RationalPoint& p) { return hand.index(n, p); };
+  if constexpr (requires(const proofs::points::RationalPoint& p) { hand.index(Level{}, p); })
+    f.index_at = [hand](Level n, const proofs::points::RationalPoint& p) { return hand.index(n, p); };
   if constexpr (requires { hand.row_index(Level{}, proofs::index::Batch{}, to); })
     f.row_index = [hand](Level n, proofs::index::Batch batch, auto out) { hand.row_index(n, batch, out); };
   if constexpr (requires { hand.row_corners(Level{}, to, std::span<proofs::index::Corners>{}); })
     f.row_corners = [hand](Level n, auto indices, auto out) { hand.row_corners(n, indices, out); };
   if constexpr (requires { Of::max_wide_level; }) {
     f.max_wide_level = Of::max_wide_level;
-    f.wide_index = [hand](Level n, const proofs::index::Row& row, auto out) { hand.wide_index(n, row, out); };
-    f.wide_index_at = [hand](Level n, const proofs::index::RationalPoint& p) {
+    f.wide_index = [hand](Level n, const proofs::points::Row& row, auto out) {
+      hand.wide_index(n, row, out);
+    };
+    f.wide_index_at = [hand](Level n, const proofs::points::RationalPoint& p) {
       return hand.wide_index(n, p);
     };
   }

@@ -6,7 +6,7 @@
 
 #include "proofs/index/floats/published.hpp"
 #include "proofs/induction/discharge.hpp"
-#include "proofs/statements.hpp"
+#include "proofs/registry/statements.hpp"
 #include "proofs/tree/subject.hpp"
 #include "tests/foreign/inside.hpp"
 #include "tests/foreign/inside_curve.hpp"
@@ -55,7 +55,7 @@ Statements altered(const std::string& folder, const std::string& name, const std
 
 /// Vulkan's formula, right on every point.
 proofs::index::Functions functions_of_the_curve() {
-  using proofs::index::RationalPoint;
+  using proofs::points::RationalPoint;
   proofs::index::Functions functions;
   functions.index = [](Level n, proofs::index::Batch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t)
@@ -66,12 +66,12 @@ proofs::index::Functions functions_of_the_curve() {
   };
   functions.index_floats = [](Level n, proofs::index::FloatBatch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t) {
-      const RationalPoint p{proofs::index::rational(batch.u[t]), proofs::index::rational(batch.v[t])};
+      const RationalPoint p{proofs::points::rational(batch.u[t]), proofs::points::rational(batch.v[t])};
       out[t] = static_cast<std::uint32_t>(vulkan(whole_numbers(p), n, Fault::none));
     }
   };
   functions.max_wide_level = 30;
-  functions.wide_index = [](Level n, const proofs::index::Row& row, std::span<std::uint64_t> out) {
+  functions.wide_index = [](Level n, const proofs::points::Row& row, std::span<std::uint64_t> out) {
     for (std::uint64_t t = 0; t < row.count; ++t)
       out[t] = vulkan(whole_numbers(representative(row, t, n)), n, Fault::none);
   };
@@ -82,7 +82,7 @@ proofs::index::Functions functions_of_the_curve() {
 }
 
 /// Figure 4's row order by counting: of the lines u+v = k/N, v = k/N and 1-u = k/N, those that lie below a point.
-std::uint32_t row_order_by_lines(Level n, const proofs::index::RationalPoint& p) {
+std::uint32_t row_order_by_lines(Level n, const proofs::points::RationalPoint& p) {
   using spec::Rational;
   const std::uint32_t N = std::uint32_t{1} << n;
   const auto lines = [N](const Rational& q, std::uint32_t most) {
@@ -104,7 +104,7 @@ proofs::index::Functions functions_of_rows() {
   f.row_index_floats = [](Level n, proofs::index::FloatBatch batch, std::span<std::uint32_t> out) {
     for (std::size_t t = 0; t < out.size(); ++t)
       out[t] =
-          row_order_by_lines(n, {proofs::index::rational(batch.u[t]), proofs::index::rational(batch.v[t])});
+          row_order_by_lines(n, {proofs::points::rational(batch.u[t]), proofs::points::rational(batch.v[t])});
   };
   return f;
 }

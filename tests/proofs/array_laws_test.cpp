@@ -5,7 +5,7 @@
 #include <string>
 
 #include "proofs/array/cases.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace array_laws_test {
 

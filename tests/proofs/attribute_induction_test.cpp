@@ -10,7 +10,7 @@
 #include "proofs/attribute/elements.hpp"
 #include "proofs/attribute/induction/provable.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 #include "tests/sanitized.hpp"
 
 namespace attribute_induction_test {

@@ -11,7 +11,7 @@
 #include "proofs/bake/diagnosis/known_mistakes.hpp"
 #include "proofs/bake/truth/ties.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 #include "tests/sanitized.hpp"
 
 namespace mmverify::proofs::bake {

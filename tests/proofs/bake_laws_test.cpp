@@ -20,8 +20,8 @@
 #include "proofs/bake/truth/truth.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/narrow.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/points/narrow.hpp"
+#include "proofs/registry/registry.hpp"
 #include "tests/sanitized.hpp"
 
 namespace bake_laws_test {

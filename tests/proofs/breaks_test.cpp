@@ -10,8 +10,8 @@
 #include "proofs/engine/cases.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/journal.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/kinds.hpp"
 #include "tests/folder.hpp"
 
 namespace breaks_test {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/kinds.hpp"
 
 namespace mmverify::tests {
 

@@ -11,7 +11,7 @@
 #include "proofs/dag/induction/provable.hpp"
 #include "proofs/dag/scenes.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 #include "tests/sanitized.hpp"
 
 namespace dag_laws_test {

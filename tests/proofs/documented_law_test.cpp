@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "proofs/engine/runner.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace mmverify::proofs::index {
 Law last_law();

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/kinds.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 #include "tests/sanitized.hpp"
 
 namespace mmverify::tests {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "proofs/index/subject.hpp"
-#include "proofs/plan.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/planning/plan.hpp"
+#include "proofs/registry/registry.hpp"
 #include "proofs/tree/subject.hpp"
 
 namespace {
@@ -167,8 +167,8 @@ TEST(FloatLaws, ATreeThatIsAskedAtPointsIsNotProvedOnFloats) {
 
 // Exact arithmetic: (1/2 - 2^-25) + 2^-26 is below 1/2, row 0.  In binary32 the sum is 1/2.
 TEST(FloatLaws, TheCaseThatShowedIt) {
-  const index::RationalPoint p{index::rational(16777215.0f / 33554432.0f),
-                               index::rational(1.0f / 67108864.0f)};
+  const points::RationalPoint p{points::rational(16777215.0f / 33554432.0f),
+                                points::rational(1.0f / 67108864.0f)};
   EXPECT_EQ(index::built_in("w-minor")->functions.row_index_at(1, p), 0u);
   EXPECT_EQ(index::built_in("impl")->functions.row_index_at(1, p), 0u);
   EXPECT_EQ(index::built_in("w-minor-f32")->functions.row_index_at(1, p), 2u);

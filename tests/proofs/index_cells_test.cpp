@@ -1,4 +1,4 @@
-// proofs/index/grid/cells.hpp: the cells of a level, each once, however the sweep is cut.
+// proofs/points/cells.hpp: the cells of a level, each once, however the sweep is cut.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/index/grid/cells.hpp"
-#include "proofs/index/grid/point.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/points/cells.hpp"
+#include "proofs/points/point.hpp"
 
 namespace index_cells_test {
 

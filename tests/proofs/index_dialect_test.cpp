@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "proofs/index/diagnosis.hpp"
-#include "proofs/index/floats/hard_floats.hpp"
 #include "proofs/index/floats/published.hpp"
 #include "proofs/index/judges/corner_order.hpp"
 #include "proofs/index/judges/near.hpp"
 #include "proofs/index/laws/named_corner_order.hpp"
 #include "proofs/index/subject.hpp"
-#include "proofs/plan.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/planning/plan.hpp"
+#include "proofs/points/hard_floats.hpp"
+#include "proofs/registry/registry.hpp"
 #include "spec/index/index.hpp"
 #include "tests/sanitized.hpp"
 
@@ -27,7 +27,7 @@ using testing::Not;
 TEST(Published, IsTheSpecificationsFormulaInBinary32) {
   for (Level n = 0; n <= 16; ++n)
     for (std::uint64_t k = 0; k < (sanitized ? 2'000 : 50'000); ++k) {
-      const index::FloatPair p = index::hard_floats(n, 9, k);
+      const points::FloatPair p = points::hard_floats(n, 9, k);
       ASSERT_EQ(index::published(n, p.u, p.v), spec::index::reference(spec::Point<float>{p.u, p.v}, n))
           << n << " " << p.u << " " << p.v;
     }
@@ -116,7 +116,7 @@ TEST(Dialects, WhatNeitherSaysIsRefuted) {
 TEST(Near, ANeighbourIsReachedOverItsEdgeAlone) {
   const auto reached = [](const char* point, std::uint32_t index, std::uint32_t ulps,
                           index::Arithmetic arithmetic = index::Arithmetic::binary32) {
-    return index::reaches(index::parse_point(point), 1, index, arithmetic, ulps);
+    return index::reaches(points::parse_point(point), 1, index, arithmetic, ulps);
   };
   for (const std::uint32_t index : {0u, 1u}) {
     EXPECT_TRUE(reached("u=1/4,v=1/4", index, 1));
@@ -170,7 +170,7 @@ TEST(Allowed, IsCountedWhereThePublishedCodeIsNotExact) {
 // At level 1, rows along v from u = 0 on: (0, 0), its upper half, (0, 1), and last the row of u = 1.
 TEST(Orders, UMajorIsKnown) {
   const auto u_major = [](Level n) {
-    return [n](const index::MicroTriangle& m) {
+    return [n](const points::MicroTriangle& m) {
       return 2 * (1u << n) * m.i - m.i * m.i + 2 * m.j + (m.inverted ? 1 : 0);
     };
   };

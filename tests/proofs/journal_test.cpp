@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "tests/folder.hpp"
 #include "tests/proofs/counting_law.hpp"
 #include "tests/sanitized.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/topics.hpp"
+#include "proofs/registry/topics.hpp"
 #include "tests/proofs/every_law.hpp"
 
 namespace {

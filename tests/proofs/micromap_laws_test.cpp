@@ -5,9 +5,9 @@
 #include <set>
 
 #include "proofs/engine/runner.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/micromap/maps.hpp"
+#include "proofs/registry/registry.hpp"
 #include "proofs/tree/damages.hpp"
-#include "proofs/tree/maps.hpp"
 
 namespace micromap_laws_test {
 
@@ -90,19 +90,19 @@ TEST(MicromapLaws, MapsOfOneStateButForOneNodeAreWhatTheirTextsSay) {
   namespace slow = mmverify::spec;
   for (Level n = 0; n <= 3; ++n) {
     std::set<std::pair<tree::Format, tree::Bytes>> different;
-    for (std::uint64_t k = 0; k < tree::one_apart_count(n); ++k) {
-      const tree::OneApart apart = tree::one_apart_number(n, k);
-      const tree::Map map = tree::map_of(n, apart);
+    for (std::uint64_t k = 0; k < micromap::one_apart_count(n); ++k) {
+      const micromap::OneApart apart = micromap::one_apart_number(n, k);
+      const tree::Map map = micromap::map_of(n, apart);
       const auto states = slow::micromap::unpack(map.packed, map.format, slow::micromap::micro_triangles(n));
-      EXPECT_TRUE(different.insert({map.format, map.packed}).second) << tree::text_of(apart);
-      EXPECT_EQ(tree::code_of(apart), slow::tree::bytes(slow::tree::encode(states, n), map.format))
-          << tree::text_of(apart);
+      EXPECT_TRUE(different.insert({map.format, map.packed}).second) << micromap::text_of(apart);
+      EXPECT_EQ(micromap::code_of(apart), slow::tree::bytes(slow::tree::encode(states, n), map.format))
+          << micromap::text_of(apart);
       const std::uint64_t run = slow::micromap::micro_triangles(n - apart.depth);
       for (std::uint64_t i = 0; i < states.size(); ++i)
         EXPECT_EQ(slow::micromap::code(states[i]), i / run == apart.node ? apart.odd : apart.common);
-      EXPECT_EQ(tree::map_from_text(n, tree::text_of(apart)).packed, map.packed);
+      EXPECT_EQ(micromap::map_from_text(n, micromap::text_of(apart)).packed, map.packed);
     }
-    EXPECT_EQ(different.size(), tree::one_apart_count(n));
+    EXPECT_EQ(different.size(), micromap::one_apart_count(n));
   }
 }
 
@@ -111,7 +111,7 @@ TEST(MicromapLaws, ConstructedCodesMeanWhatTheSpecificationReads) {
   std::uint64_t refused = 0, taken = 0;
   for (Level n = 1; n <= 4; ++n)
     for (std::uint64_t k = 0; k < 40; ++k)
-      tree::constructed_codes(tree::sample_map(n, 7, k), [&](const tree::Constructed& c) {
+      tree::constructed_codes(micromap::sample_map(n, 7, k), [&](const tree::Constructed& c) {
         const auto read = mmverify::spec::tree::from_bytes(c.bytes, c.format);
         const auto meant = read ? mmverify::spec::tree::decode(*read, c.level, c.format) : std::nullopt;
         EXPECT_EQ(meant.has_value(), c.meant.has_value()) << c.what << " level " << n << " sample " << k;

@@ -1,5 +1,5 @@
-// proofs/plan.hpp: which law is run on which subject, and the weakest of the verdicts.
-#include "proofs/plan.hpp"
+// proofs/planning/plan.hpp: which law is run on which subject, and the weakest of the verdicts.
+#include "proofs/planning/plan.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace {
 

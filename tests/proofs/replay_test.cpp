@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "proofs/index/grid/cells.hpp"
+#include "proofs/points/cells.hpp"
 #include "tests/proofs/every_law.hpp"
 
 namespace {
 
 using namespace mmverify::tests;
-using mmverify::proofs::index::cell_count;
+using mmverify::proofs::points::cell_count;
 
 /// The laws of the fast tier that are judged case by case.
 using Replay = EveryLaw;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "proofs/engine/law.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 #include "proofs/traverse/combinations.hpp"
 
 namespace traverse_laws_test {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "proofs/engine/runner.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 #include "proofs/tree/checks.hpp"
 #include "proofs/tree/induction/lemmas.hpp"
 #include "proofs/tree/induction/provable.hpp"

@@ -104,7 +104,7 @@ SubjectPtr zero(int calls_until_interrupt) {
     if (--*calls == 0) std::raise(SIGINT);
     std::fill(out.begin(), out.end(), 0);
   };
-  functions.index_at = [](Level, const index::RationalPoint&) { return 0u; };
+  functions.index_at = [](Level, const points::RationalPoint&) { return 0u; };
   return std::make_shared<index::IndexSubject>("zero", "for a test", std::move(functions));
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "impl/index/index.hpp"
-#include "proofs/index/floats/hard_floats.hpp"
+#include "proofs/points/hard_floats.hpp"
 #include "shaders/compile/compile.hpp"
 #include "shaders/device/program.hpp"
 
@@ -43,7 +43,7 @@ struct Points {
 Points hard_points(std::uint32_t level) {
   Points p;
   for (std::uint64_t k = 0; k < points; ++k) {
-    const auto [u, v] = proofs::index::hard_floats(level, 1, k);
+    const auto [u, v] = proofs::points::hard_floats(level, 1, k);
     p.u.push_back(u);
     p.v.push_back(v);
   }

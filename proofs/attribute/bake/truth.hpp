@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "proofs/attribute/bake/functions.hpp"
-#include "proofs/narrow.hpp"
+#include "proofs/points/narrow.hpp"
 #include "spec/attribute/normal.hpp"
 #include "spec/attribute/order.hpp"
 

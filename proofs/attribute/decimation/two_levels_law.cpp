@@ -3,7 +3,7 @@
 
 #include "proofs/attribute/decimation/law_parts.hpp"
 #include "proofs/attribute/lookup/shared_edges.hpp"
-#include "proofs/canvas.hpp"
+#include "proofs/drawing/canvas.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {

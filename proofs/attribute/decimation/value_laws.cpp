@@ -5,9 +5,9 @@
 #include "proofs/attribute/decimation/law_parts.hpp"
 #include "proofs/attribute/lookup/shared_edges.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/index/floats/hard_floats.hpp"
-#include "proofs/index/grid/cells.hpp"
-#include "proofs/index/grid/point.hpp"
+#include "proofs/points/cells.hpp"
+#include "proofs/points/hard_floats.hpp"
+#include "proofs/points/point.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
@@ -157,20 +157,20 @@ std::pair<EdgeFlags, std::string> flags_and_rest(const std::string& at) {
 Law decimated_lookup_law() {
   using Case = Lookedup<DyadicPoint>;
   Cases<Case> cases;
-  cases.count = [](Level n, const Run&) { return spec::attribute::edge_flag_sets * index::cell_count(n); };
+  cases.count = [](Level n, const Run&) { return spec::attribute::edge_flag_sets * points::cell_count(n); };
   cases.number = [](Level n, std::uint64_t k, std::uint64_t) {
     Case found{static_cast<EdgeFlags>(k % spec::attribute::edge_flag_sets), {}};
     const std::uint64_t cell = k / spec::attribute::edge_flag_sets;
-    index::Cells(n).rows(cell, cell + 1,
-                         [&](const index::Row& row) { found.point = index::representative(row, 0, n); });
+    points::Cells(n).rows(cell, cell + 1,
+                          [&](const points::Row& row) { found.point = points::representative(row, 0, n); });
     return found;
   };
   cases.text = [](Level n, const Case& c) {
-    return fmt::format("flags={},{}", c.flags, index::case_text(index::rational(c.point), n));
+    return fmt::format("flags={},{}", c.flags, points::case_text(points::rational(c.point), n));
   };
   cases.read = [](Level n, const std::string& at) {
     const auto [flags, rest] = flags_and_rest(at);
-    const index::RationalPoint p = index::parse_point(rest);
+    const points::RationalPoint p = points::parse_point(rest);
     const spec::Rational N(spec::Integer(4) << n);
     const auto whole = [&](const spec::Rational& x) {
       if ((x * N).denominator() != 1)
@@ -219,8 +219,8 @@ Law decimated_lookup_law() {
 }
 
 /// Floats near the lines of the grid and near the slanted ones that decimation brings, inside the triangle.
-index::FloatPair floats_at_moved_edges(Level n, std::uint64_t seed, std::uint64_t k) {
-  index::FloatPair p = index::hard_floats(n, seed, k);
+points::FloatPair floats_at_moved_edges(Level n, std::uint64_t seed, std::uint64_t k) {
+  points::FloatPair p = points::hard_floats(n, seed, k);
   Random random(seed, 7, k);
   if (k % 2 == 0) {
     // x + 2y, 2x + y or x - y is whole, near a base edge, but for a few ulps.
@@ -243,13 +243,13 @@ index::FloatPair floats_at_moved_edges(Level n, std::uint64_t seed, std::uint64_
       p.u = std::nextafter(p.u, random.below(2) == 0 ? 0.0f : 1.0f);
   }
   p = {std::abs(p.u), std::min(std::abs(p.v), static_cast<float>(1 - static_cast<double>(p.u)))};
-  const auto sum = [&] { return index::rational(p.u) + index::rational(p.v); };
+  const auto sum = [&] { return points::rational(p.u) + points::rational(p.v); };
   while (sum() > 1) p.v = std::nextafter(p.v, 0.0f);
   return p;
 }
 
 Law decimated_floats_law() {
-  using Case = Lookedup<index::FloatPair>;
+  using Case = Lookedup<points::FloatPair>;
   Cases<Case> cases;
   cases.count = [](Level, const Run& run) -> std::uint64_t { return run.tier == Tier::fast ? 800 : 200'000; };
   cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) {
@@ -257,13 +257,13 @@ Law decimated_floats_law() {
   };
   cases.text = [](Level n, const Case& c) {
     return fmt::format("flags={},{}", c.flags,
-                       index::case_text({index::rational(c.point.u), index::rational(c.point.v)}, n));
+                       points::case_text({points::rational(c.point.u), points::rational(c.point.v)}, n));
   };
   cases.read = [](Level, const std::string& at) {
     const auto [flags, rest] = flags_and_rest(at);
-    const index::RationalPoint p = index::parse_point(rest);
+    const points::RationalPoint p = points::parse_point(rest);
     if (p.u + p.v > 1 || p.u < 0 || p.v < 0) throw BadCase(fmt::format("'{:.60}': outside the triangle", at));
-    return Case{flags, {static_cast<float>(index::nearest(p.u)), static_cast<float>(index::nearest(p.v))}};
+    return Case{flags, {static_cast<float>(points::nearest(p.u)), static_cast<float>(points::nearest(p.v))}};
   };
   cases.check = [](const AttributeSubject& s, Level n, const Case& c) {
     const auto exactly = [](float x) {

@@ -23,7 +23,7 @@ GridPoint point_of(const EdgePoint& p, Level n) {
   const auto t = static_cast<std::int64_t>(p.t), back = 4 * static_cast<std::int64_t>(spec::side(n)) - t;
   const std::int64_t u = p.edge == 0 ? t : p.edge == 1 ? back : 0;
   const std::int64_t v = p.edge == 0 ? 0 : p.edge == 1 ? t : back;
-  return {index::coordinate(u, n), index::coordinate(v, n)};
+  return {points::coordinate(u, n), points::coordinate(v, n)};
 }
 
 /// Micro-vertex k of the edge, from its first corner on.
@@ -88,7 +88,7 @@ std::vector<Law> edge_lookup_laws() {
       f.lookup.weights = [=, real = f.lookup.weights](Level n, Points p, std::span<FixedWeights> out) {
         real(n, p, out);
         for (std::size_t k = 0; k < out.size(); ++k)
-          if (n == level && p[k].u == index::coordinate(ku, n) && p[k].v == index::coordinate(kv, n))
+          if (n == level && p[k].u == points::coordinate(ku, n) && p[k].v == points::coordinate(kv, n))
             change(out[k]);
       };
     };

@@ -8,8 +8,8 @@
 #include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/lookup/grid_cases.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/index/floats/exact_float.hpp"
-#include "proofs/index/floats/hard_floats.hpp"
+#include "proofs/points/exact_float.hpp"
+#include "proofs/points/hard_floats.hpp"
 
 namespace mmverify::proofs::attribute {
 
@@ -21,7 +21,7 @@ struct FloatCase {
 namespace {
 
 bool inside(const FloatCase& p) {
-  return index::on_exact(p.u, p.v, [](const auto& q) {
+  return points::on_exact(p.u, p.v, [](const auto& q) {
     using Q = std::decay_t<decltype(q.u)>;
     return !(q.u < Q(0)) && !(q.v < Q(0)) && !(Q(1) < q.u + q.v);
   });
@@ -29,7 +29,7 @@ bool inside(const FloatCase& p) {
 
 /// Hard floats of topic index; those an ulp beyond the hypotenuse go to its middle, where a tie is.
 FloatCase float_case(Level n, std::uint64_t k, std::uint64_t seed) {
-  const index::FloatPair hard = index::hard_floats(n, seed, k);
+  const points::FloatPair hard = points::hard_floats(n, seed, k);
   const FloatCase p{hard.u, hard.v};
   return inside(p) ? p : FloatCase{0.5f, 0.5f};
 }
@@ -42,9 +42,9 @@ Cases<FloatCase> on_floats(std::uint64_t fast, std::uint64_t long_run) {
   cases.number = float_case;
   cases.text = [](Level, const FloatCase& p) { return fmt::format("u={:a},v={:a}", p.u, p.v); };
   cases.read = [](Level, const std::string& at) {
-    const RationalPoint p = index::parse_point(at);
-    const FloatCase found{static_cast<float>(index::nearest(p.u)), static_cast<float>(index::nearest(p.v))};
-    if (index::rational(found.u) != p.u || index::rational(found.v) != p.v)
+    const RationalPoint p = points::parse_point(at);
+    const FloatCase found{static_cast<float>(points::nearest(p.u)), static_cast<float>(points::nearest(p.v))};
+    if (points::rational(found.u) != p.u || points::rational(found.v) != p.v)
       throw BadCase(fmt::format("'{:.60}': not a pair of binary32 numbers", at));
     if (!inside(found)) throw BadCase(fmt::format("'{:.60}' lies outside the triangle", at));
     return found;
@@ -84,11 +84,12 @@ class Among {
 };
 
 MicroTriangle exact_holder(Level n, const FloatCase& p) {
-  return index::on_exact(p.u, p.v, [n](const auto& q) { return spec::attribute::vulkan_triangle(q, n); });
+  return points::on_exact(p.u, p.v, [n](const auto& q) { return spec::attribute::vulkan_triangle(q, n); });
 }
 
 RationalWeights exact_weights(Level n, const MicroTriangle& t, const FloatCase& p) {
-  return spec::attribute::weights_by_pattern(RationalPoint{index::rational(p.u), index::rational(p.v)}, t, n);
+  return spec::attribute::weights_by_pattern(RationalPoint{points::rational(p.u), points::rational(p.v)}, t,
+                                             n);
 }
 
 Triplet exact_triplet(VertexOrder order, Level n, const MicroTriangle& t) {
@@ -172,9 +173,9 @@ double greatest_error(const RationalWeights& exact, const FloatWeights& got) {
   spec::Rational greatest{spec::Integer(0)};
   for (std::size_t c = 0; c < 3; ++c) {
     if (!std::isfinite(got[c])) return HUGE_VAL;
-    greatest = std::max(greatest, abs(index::rational(got[c]) - exact[c]));
+    greatest = std::max(greatest, abs(points::rational(got[c]) - exact[c]));
   }
-  return index::nearest(greatest * spec::Integer(1 << 24));
+  return points::nearest(greatest * spec::Integer(1 << 24));
 }
 
 Law weights_law() {
@@ -190,7 +191,7 @@ Law weights_law() {
                     3 * std::uint64_t{std::bit_cast<std::uint32_t>(got[1])}};
     if (error <= 1 && none_negative) return finding;
     return wrong(fmt::format("{:.9g} {:.9g} {:.9g}, each within 2^-24 and none below 0",
-                             index::nearest(exact[0]), index::nearest(exact[1]), index::nearest(exact[2])),
+                             points::nearest(exact[0]), points::nearest(exact[1]), points::nearest(exact[2])),
                  fmt::format("{:.9g} {:.9g} {:.9g}, {:.3g} times 2^-24 off", got[0], got[1], got[2], error));
   };
   const auto on_weights_of_floats = [](auto change) {
@@ -280,7 +281,7 @@ Law rgba8_law() {
         const std::uint32_t code = got >> (8 * channel) & 0xff;
         if (abs(spec::Rational(spec::Integer(code)) - exact[channel]) <= most) continue;
         return wrong(fmt::format("channel {} in {}: {:.6f} rounded", channel, name_of(order),
-                                 index::nearest(exact[channel])),
+                                 points::nearest(exact[channel])),
                      fmt::format("{}", code));
       }
     }

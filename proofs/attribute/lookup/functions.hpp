@@ -8,14 +8,14 @@
 #include <span>
 
 #include "proofs/attribute/orders/functions.hpp"
-#include "proofs/index/grid/cells.hpp"
-#include "proofs/index/grid/point.hpp"
+#include "proofs/points/cells.hpp"
+#include "proofs/points/point.hpp"
 #include "spec/attribute/lookup.hpp"
 
 namespace mmverify::proofs::attribute {
 
-using index::GridPoint;
-using index::RationalPoint;
+using points::GridPoint;
+using points::RationalPoint;
 using spec::Fixed64;
 using spec::attribute::Ties;
 

@@ -13,7 +13,7 @@ void fill(Level n, std::uint64_t first, std::span<GridCase> out) {
   for (std::size_t k = 0; k < out.size(); ++k) {
     const auto [i, j] = at[k];
     const int lines = (i % 4 == 0 ? 1 : 0) + (j % 4 == 0 ? 1 : 0) + ((i + j) % 4 == 0 ? 1 : 0);
-    out[k] = {{index::coordinate(i, n), index::coordinate(j, n)},
+    out[k] = {{points::coordinate(i, n), points::coordinate(j, n)},
               lines == 0   ? Kind::interior
               : lines == 1 ? Kind::edge
                            : Kind::vertex};
@@ -22,11 +22,11 @@ void fill(Level n, std::uint64_t first, std::span<GridCase> out) {
 
 std::string text_of(const GridCase& of) {
   // Its kind, "v:" and so on, is left out: it follows from the point.
-  return index::case_text(index::rational(of.at), 0).substr(2);
+  return points::case_text(points::rational(of.at), 0).substr(2);
 }
 
 void read(Level n, const std::string& text, GridCase& of) {
-  const RationalPoint p = index::parse_point(text);
+  const RationalPoint p = points::parse_point(text);
   const spec::Integer grid(4 * std::uint64_t{spec::side(n)});
   const auto number = [&](const spec::Rational& q) {
     const spec::Rational k = q * grid;
@@ -38,7 +38,7 @@ void read(Level n, const std::string& text, GridCase& of) {
   const std::int64_t u = number(p.u), v = number(p.v);
   if (u + v > static_cast<std::int64_t>(grid))
     throw BadCase(fmt::format("'{:.60}' lies outside the triangle", text));
-  of = {{index::coordinate(u, n), index::coordinate(v, n)}, index::kind_of(p, n)};
+  of = {{points::coordinate(u, n), points::coordinate(v, n)}, points::kind_of(p, n)};
 }
 
 std::vector<Looked> looked_up(const AttributeSubject& s, VertexOrder order, Level n,

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "proofs/attribute/orders/parts.hpp"
-#include "proofs/index/grid/cells.hpp"
+#include "proofs/points/cells.hpp"
 
 namespace mmverify::proofs::attribute {
 

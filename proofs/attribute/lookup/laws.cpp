@@ -76,7 +76,7 @@ auto on_point_triplet(Change change) {
 }
 
 bool is_at(const GridPoint& p, Level n, std::int64_t ku, std::int64_t kv) {
-  return p.u == index::coordinate(ku, n) && p.v == index::coordinate(kv, n);
+  return p.u == points::coordinate(ku, n) && p.v == points::coordinate(kv, n);
 }
 
 bool upper_at(const GridPoint& p, Level n) { return spec::attribute::vulkan_triangle(p, n).upper; }

@@ -3,7 +3,7 @@
 
 #include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/lookup/grid_cases.hpp"
-#include "proofs/index/floats/exact_float.hpp"
+#include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
@@ -26,7 +26,7 @@ Witness cramer_witness(Level n) {
 
 /// 2^24 times the greatest error of a weight; infinite where a weight is no number.
 double cramer_error(const AttributeSubject& s, Level n, const Witness& p) {
-  const RationalPoint at{index::rational(p.u), index::rational(p.v)};
+  const RationalPoint at{points::rational(p.u), points::rational(p.v)};
   const RationalWeights exact =
       spec::attribute::weights_by_pattern(at, spec::attribute::vulkan_triangle(at, n), n);
   FloatWeights got{};
@@ -34,8 +34,8 @@ double cramer_error(const AttributeSubject& s, Level n, const Witness& p) {
   double greatest = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     if (!std::isfinite(got[c])) return HUGE_VAL;
-    const spec::Rational error = abs(index::rational(got[c]) - exact[c]) * spec::Integer(1 << 24);
-    greatest = std::max(greatest, index::nearest(error));
+    const spec::Rational error = abs(points::rational(got[c]) - exact[c]) * spec::Integer(1 << 24);
+    greatest = std::max(greatest, points::nearest(error));
   }
   return greatest;
 }
@@ -64,7 +64,7 @@ Law cramer_law() {
     return [weights_of](Functions& f) {
       f.lookup.weights_of_floats = [weights_of](Level n, FloatPoints p, std::span<FloatWeights> out) {
         for (std::size_t k = 0; k < out.size(); ++k) {
-          const RationalPoint at{index::rational(p.u[k]), index::rational(p.v[k])};
+          const RationalPoint at{points::rational(p.u[k]), points::rational(p.v[k])};
           out[k] = weights_of(n, p.u[k], p.v[k], spec::attribute::vulkan_triangle(at, n));
         }
       };

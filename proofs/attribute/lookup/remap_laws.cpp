@@ -26,7 +26,7 @@ TwoRemaps two_remaps(const AttributeSubject& s, Level n, std::size_t setting, co
   // Outside: the last upper one of its row, or the triangle's w-corner.
   if (setting >= 2)
     t = t.iu + t.iv == 0 || n == 0 ? MicroTriangle{0, 0, false} : MicroTriangle{t.iu + t.iv - 1, 0, true};
-  const RationalPoint p = index::rational(at);
+  const RationalPoint p = points::rational(at);
   const Remap way = setting % 2 == 0 ? Remap::two : Remap::cramer;
   return {s.functions.lookup.remap(Remap::pattern, n, t, p), s.functions.lookup.remap(way, n, t, p)};
 }
@@ -260,14 +260,14 @@ Law tie_recursion_law() {
                           })),
                    mutant("level 5's ties on one edge inside the middle go the steps' way", "attribute-spec",
                           {5, 5}, on_holder_at([](Level n, const GridPoint& p, MicroTriangle& t) {
-                            if (n == 5 && p.u == index::coordinate(4 * 10, 5) &&
-                                p.v == index::coordinate(4 * 12 + 2, 5))
+                            if (n == 5 && p.u == points::coordinate(4 * 10, 5) &&
+                                p.v == points::coordinate(4 * 12 + 2, 5))
                               t = {9, 12, true};
                           })),
                    mutant("a tie of level 4 outside the middle is turned", "attribute-spec", {4, 4},
                           on_holder_at([](Level n, const GridPoint& p, MicroTriangle& t) {
-                            if (n == 4 && p.u == index::coordinate(4 * 2, 4) &&
-                                p.v == index::coordinate(4 * 3 + 2, 4))
+                            if (n == 4 && p.u == points::coordinate(4 * 2, 4) &&
+                                p.v == points::coordinate(4 * 3 + 2, 4))
                               t = {1, 3, true};
                           }))}},
       needing({entry::holder}), cases);

@@ -1,7 +1,7 @@
 // The lookups of the built-in subjects.
 #include "impl/attribute/lookup.hpp"
 #include "proofs/attribute/subject_parts.hpp"
-#include "proofs/index/floats/exact_float.hpp"
+#include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::attribute {
 

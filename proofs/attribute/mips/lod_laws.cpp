@@ -6,7 +6,7 @@
 #include "proofs/attribute/mips/law_parts.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/index/grid/point.hpp"
+#include "proofs/points/point.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
@@ -195,9 +195,9 @@ Finding blends(const AttributeSubject& s, Level n, const Areas& a) {
   }
   constexpr unsigned bits = 60;
   const spec::attribute::Bounds bounds =
-      spec::attribute::lod_blend(index::rational(a.cone), index::rational(a.triangle), level, bits);
-  const spec::Rational unit(1, spec::Integer(1) << bits), t = index::rational(got.blend),
-                                                          slack = index::rational(blend_bound);
+      spec::attribute::lod_blend(points::rational(a.cone), points::rational(a.triangle), level, bits);
+  const spec::Rational unit(1, spec::Integer(1) << bits), t = points::rational(got.blend),
+                                                          slack = points::rational(blend_bound);
   if (t < spec::Rational(bounds.low) * unit - slack || t > spec::Rational(bounds.high) * unit + slack ||
       !(got.blend >= 0) || !(got.blend < 1))
     return wrong(fmt::format("{} within 2^-24", std::ldexp(bounds.low.convert_to<double>(), -60)),
@@ -280,7 +280,7 @@ Law lod_words_law() {
   cases.read = [](Level, const std::string& at) { return areas_of_text(at); };
   cases.check = [](const AttributeSubject& s, Level, const Areas& a) {
     constexpr Level last = 16;
-    const spec::Rational cone = index::rational(a.cone), triangle = index::rational(a.triangle);
+    const spec::Rational cone = points::rational(a.cone), triangle = points::rational(a.triangle);
     const Level got = level_of(s, last, a);
     const auto quadrupled = [&](Level m) { return cone * spec::Rational(spec::Integer(1) << (2 * m)); };
     Finding found;

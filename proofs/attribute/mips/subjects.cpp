@@ -5,7 +5,7 @@
 
 #include "impl/attribute/mip.hpp"
 #include "proofs/attribute/subject_parts.hpp"
-#include "proofs/index/grid/point.hpp"
+#include "proofs/points/point.hpp"
 
 namespace mmverify::proofs::attribute {
 
@@ -56,7 +56,7 @@ void specified_chain(Level n, Rounding rounding, ChainOf of, std::span<const std
 }
 
 LevelOfDetail specified_lod(Level n, float cone, float triangle) {
-  const spec::Rational c = index::rational(cone), t = index::rational(triangle);
+  const spec::Rational c = points::rational(cone), t = points::rational(triangle);
   const Level m = slow::lod_level(c, t, n);
   if (m == n || !(c < t)) return {m, 0};
   constexpr unsigned bits = 52;
@@ -77,7 +77,7 @@ Mips specified_mips() {
   f.lod_level = [](Level n, std::span<const float> cone, std::span<const float> triangle,
                    std::span<Level> out) {
     for (std::size_t k = 0; k < out.size(); ++k)
-      out[k] = slow::lod_level(index::rational(cone[k]), index::rational(triangle[k]), n);
+      out[k] = slow::lod_level(points::rational(cone[k]), points::rational(triangle[k]), n);
   };
   f.lod = specified_lod;
   return f;

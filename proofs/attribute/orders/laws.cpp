@@ -6,7 +6,7 @@
 #include "proofs/attribute/orders/parts.hpp"
 #include "proofs/attribute/orders/walks.hpp"
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/index/grid/cells.hpp"
+#include "proofs/points/cells.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
@@ -305,7 +305,7 @@ Law walk_law() {
 
 /// Of a point inside the face: the index algorithms' answers; of U-major the strips before it, counted by area.
 std::uint32_t face_index_of_point(FaceOrder order, Level n, const MicroTriangle& t) {
-  const index::GridPoint inside = index::representative(index::MicroTriangle{t.iu, t.iv, t.upper}, n);
+  const points::GridPoint inside = points::representative(points::MicroTriangle{t.iu, t.iv, t.upper}, n);
   switch (order) {
     case FaceOrder::curve:
       return spec::index::reference(inside, n);

@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint32_t texels_along = 16;  ///< a micro-triangle's side
 
 /// Transparent, but for four texels about the centroid of a micro-triangle: no other one meets what is sampled of them.
-Case dotted(const index::MicroTriangle& m, Level n) {
+Case dotted(const points::MicroTriangle& m, Level n) {
   Case one;
   one.width = one.height = texels_along << n;
   one.wrap_u = one.wrap_v = Wrap::clamp_to_edge;
@@ -39,7 +39,7 @@ std::string order_of(const BakeSubject& s, Level n) {
   const std::uint32_t none = std::uint32_t{1} << 2 * n;
   if (texels_along << n > s.functions.support.max_side) return {};
   bool all = true;
-  const std::string order = index::name_order(n, [&](const index::MicroTriangle& m) {
+  const std::string order = index::name_order(n, [&](const points::MicroTriangle& m) {
     if (!all) return none;
     const std::optional<Baked> baked =
         s.functions.bake(fitted(s.functions.support, dotted(m, n), 0), n, Format::four_state);

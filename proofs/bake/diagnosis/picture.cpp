@@ -6,16 +6,16 @@
 #include <cmath>
 
 #include "proofs/bake/truth/exact_texture.hpp"
-#include "proofs/canvas.hpp"
-#include "proofs/index/grid/point.hpp"
-#include "proofs/narrow.hpp"
+#include "proofs/drawing/canvas.hpp"
+#include "proofs/points/narrow.hpp"
+#include "proofs/points/point.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
 
 namespace bake = spec::bake;
 using drawing::blue, drawing::Canvas, drawing::grey, drawing::ink, drawing::Pixel, drawing::vermilion;
-using index::nearest;
+using points::nearest;
 using Polygon = bake::Polygon<Rational>;
 
 constexpr double left = 40, top = 96, size = 600;

@@ -10,7 +10,7 @@
 
 #include "proofs/bake/cases/resize.hpp"
 #include "proofs/bake/truth/exact_texture.hpp"
-#include "proofs/narrow.hpp"
+#include "proofs/points/narrow.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

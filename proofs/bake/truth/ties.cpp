@@ -1,7 +1,7 @@
 #include "proofs/bake/truth/ties.hpp"
 
 #include "proofs/bake/truth/exact_texture.hpp"
-#include "proofs/narrow.hpp"
+#include "proofs/points/narrow.hpp"
 
 namespace mmverify::proofs::bake {
 

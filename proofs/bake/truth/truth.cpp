@@ -9,7 +9,7 @@
 
 #include "proofs/bake/truth/exact_texture.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/narrow.hpp"
+#include "proofs/points/narrow.hpp"
 #include "spec/index/index.hpp"
 
 namespace mmverify::proofs::bake {

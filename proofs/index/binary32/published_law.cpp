@@ -5,16 +5,16 @@
 #include <array>
 
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/index/binary32/law.hpp"
 #include "proofs/index/binary32/published_lemmas.hpp"
 #include "proofs/index/binary32/with_statements.hpp"
-#include "proofs/index/floats/hard_floats.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/picture.hpp"
 #include "proofs/induction/discharge.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/points/hard_floats.hpp"
 
 namespace mmverify::proofs::index::binary32 {
 namespace {

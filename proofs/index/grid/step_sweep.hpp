@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "proofs/index/grid/cells.hpp"
+#include "proofs/points/cells.hpp"
 
 namespace mmverify::proofs::index {
 

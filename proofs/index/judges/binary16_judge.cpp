@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include "impl/common/binary16.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/index/subjects/rounded_subject.hpp"
-#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

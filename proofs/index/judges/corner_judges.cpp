@@ -4,11 +4,11 @@
 #include <array>
 #include <charconv>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/index/judges/corner_order.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/index/picture.hpp"
-#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "proofs/index/grid/cells.hpp"
 #include "proofs/index/subject.hpp"
+#include "proofs/points/cells.hpp"
 
 namespace mmverify::proofs::index {
 

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/index/judges/on_cells.hpp"
-#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -5,11 +5,11 @@
 #include <array>
 
 #include "proofs/engine/cases.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/index/judges/corner_order.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/picture.hpp"
-#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -5,11 +5,11 @@
 #include <bit>
 #include <vector>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
 #include "proofs/index/judges/agreement.hpp"
 #include "proofs/index/judges/near.hpp"
 #include "proofs/index/options.hpp"
-#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -3,15 +3,15 @@
 
 #include <array>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/index/floats/exact_float.hpp"
 #include "proofs/index/floats/hard_doubles.hpp"
 #include "proofs/index/floats/hard_rows.hpp"
 #include "proofs/index/floats/published.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/judges/near.hpp"
 #include "proofs/index/options.hpp"
-#include "proofs/kinds.hpp"
+#include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

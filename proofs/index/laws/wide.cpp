@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "proofs/index/floats/exact_float.hpp"
-#include "proofs/index/floats/hard_floats.hpp"
+#include "proofs/engine/kinds.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
 #include "proofs/index/judges/agreement.hpp"
 #include "proofs/index/judges/on_cells.hpp"
@@ -14,8 +14,8 @@
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/options.hpp"
 #include "proofs/index/picture.hpp"
-#include "proofs/kinds.hpp"
-#include "proofs/spoils.hpp"
+#include "proofs/points/exact_float.hpp"
+#include "proofs/points/hard_floats.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -9,12 +9,12 @@
 
 #include "proofs/engine/bytes.hpp"
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/picture.hpp"
 #include "proofs/induction/prover.hpp"
-#include "proofs/kinds.hpp"
 
 namespace mmverify::proofs::index::source {
 namespace {

@@ -1,9 +1,9 @@
 // A specification algorithm in exact arithmetic, as a subject has it.
 #pragma once
 
-#include "proofs/index/floats/exact_float.hpp"
 #include "proofs/index/in_rationals.hpp"
 #include "proofs/index/subject.hpp"
+#include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::index {
 

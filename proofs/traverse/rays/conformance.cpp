@@ -7,16 +7,16 @@
 #include <stdexcept>
 #include <string>
 
-#include "proofs/index/grid/cells.hpp"
 #include "proofs/pipe/lines.hpp"
+#include "proofs/points/cells.hpp"
 #include "spec/index/index.hpp"
 
 namespace mmverify::proofs::traverse {
 namespace {
 
-using index::Cells;
-using index::GridPoint;
-using index::Row;
+using points::Cells;
+using points::GridPoint;
+using points::Row;
 using spec::micromap::State;
 using spec::traverse::Outcome;
 
@@ -89,7 +89,7 @@ Outcome ray_outcome(State state) {
 }
 
 std::uint64_t conformance_rays(Level level, double distance) {
-  return distance > 0 ? index::triangle_count(level) : index::cell_count(level);
+  return distance > 0 ? points::triangle_count(level) : points::cell_count(level);
 }
 
 void each_conformance_ray(Level level, double distance,

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/result.hpp"
-#include "proofs/kinds.hpp"
 #include "spec/micromap/micromap.hpp"
 #include "spec/traverse/decision.hpp"
 

@@ -1,6 +1,6 @@
 // Rays through a world, its micromaps asked in every form: what is seen is what the texture alone decides.
 #include "impl/index/index.hpp"
-#include "proofs/spoils.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"
 #include "proofs/traverse/rays/sample_world.hpp"

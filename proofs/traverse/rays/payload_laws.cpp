@@ -2,7 +2,7 @@
 // in whatever order Embree meets the hits.
 #include <algorithm>
 
-#include "proofs/spoils.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/rays/seen_by.hpp"

@@ -1,4 +1,4 @@
-#include "proofs/plugin.hpp"
+#include "proofs/registry/plugin.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "proofs/canvas.hpp"
+#include "proofs/drawing/canvas.hpp"
 
 #include <fmt/format.h>
 

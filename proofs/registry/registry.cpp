@@ -1,9 +1,9 @@
-#include "proofs/registry.hpp"
+#include "proofs/registry/registry.hpp"
 
 #include <algorithm>
 
 #include "proofs/induction/prover.hpp"
-#include "proofs/topics.hpp"
+#include "proofs/registry/topics.hpp"
 
 namespace mmverify::proofs {
 

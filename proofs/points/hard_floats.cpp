@@ -1,4 +1,4 @@
-#include "proofs/index/floats/hard_floats.hpp"
+#include "proofs/points/hard_floats.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "proofs/engine/random.hpp"
 
-namespace mmverify::proofs::index {
+namespace mmverify::proofs::points {
 namespace {
 
 constexpr Level finest = 16;
@@ -143,4 +143,4 @@ FloatPair hard_floats(Level n, std::uint64_t seed, std::uint64_t sample) {
   return uniform(random);
 }
 
-}  // namespace mmverify::proofs::index
+}  // namespace mmverify::proofs::points

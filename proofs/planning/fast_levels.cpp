@@ -1,4 +1,4 @@
-#include "proofs/fast_levels.hpp"
+#include "proofs/planning/fast_levels.hpp"
 
 #include <algorithm>
 #include <array>

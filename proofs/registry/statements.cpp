@@ -1,4 +1,4 @@
-#include "proofs/statements.hpp"
+#include "proofs/registry/statements.hpp"
 
 #include "proofs/attribute/induction/provable.hpp"
 #include "proofs/dag/induction/provable.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/topics.hpp"
+#include "proofs/registry/topics.hpp"
 
 namespace mmverify::proofs {
 

@@ -5,7 +5,7 @@
 
 #include "proofs/engine/result.hpp"
 
-namespace mmverify::proofs::index {
+namespace mmverify::proofs::points {
 
 struct FloatPair {
   float u, v;
@@ -19,4 +19,4 @@ struct FloatPair {
 /// Every pair has u, v >= -0 and u+v <= 1 + 2^-23: hits on the hypotenuse do come one ulp over.
 FloatPair hard_floats(Level n, std::uint64_t seed, std::uint64_t sample);
 
-}  // namespace mmverify::proofs::index
+}  // namespace mmverify::proofs::points

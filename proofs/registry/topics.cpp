@@ -1,4 +1,4 @@
-#include "proofs/topics.hpp"
+#include "proofs/registry/topics.hpp"
 
 #include "proofs/array/laws.hpp"
 #include "proofs/array/plugin_subject.hpp"

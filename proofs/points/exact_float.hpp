@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "proofs/index/grid/point.hpp"
+#include "proofs/points/point.hpp"
 #include "spec/fixed.hpp"
 
-namespace mmverify::proofs::index {
+namespace mmverify::proofs::points {
 
 /// A finite number as significand 2^exponent, the significand odd or zero; zero has exponent 0.
 struct Dyadic {
@@ -80,4 +80,4 @@ auto on_exact_wide(F u, F v, Algorithm algorithm) {
   return on_exact_in<spec::Fixed128, spec::Fixed256>(u, v, algorithm);
 }
 
-}  // namespace mmverify::proofs::index
+}  // namespace mmverify::proofs::points

@@ -7,13 +7,24 @@
 #include <utility>
 
 #include "proofs/engine/random.hpp"
-#include "proofs/tree/subject.hpp"
+#include "spec/tree/tree.hpp"
 
-namespace mmverify::proofs::tree {
+namespace mmverify::proofs::micromap {
+
+using spec::micromap::bits;
+using spec::micromap::Bytes;
+using spec::micromap::Format;
+
+/// A map, packed: 4^n states of the format.
+struct Map {
+  Level level = 0;
+  Format format = Format::two_state;
+  Bytes packed;
+};
 
 /// All 2-state maps and, below level 2, all 4-state maps: 2 + 4, 16 + 256, 65,536.  Domain: n in 0..2.
 constexpr std::uint64_t map_count(Level n) {
-  const std::uint64_t two_state = std::uint64_t{1} << spec::micromap::micro_triangles(n);
+  const std::uint64_t two_state = std::uint64_t{1} << spec::micro_triangles(n);
   return n < 2 ? two_state + two_state * two_state : two_state;
 }
 
@@ -40,9 +51,7 @@ struct OneApart {
 
 /// How many there are at a level: 6 uniform ones, and one for each ordered pair of states, 2 and 12, and each
 /// node but the root.  6 + 14 (4^(n+1) - 4) / 3
-constexpr std::uint64_t one_apart_count(Level n) {
-  return 6 + 14 * ((spec::micromap::micro_triangles(n + 1) - 4) / 3);
-}
+constexpr std::uint64_t one_apart_count(Level n) { return 6 + 14 * ((spec::micro_triangles(n + 1) - 4) / 3); }
 /// Number k of them, the uniform ones first.  Domain: k < one_apart_count(n).
 OneApart one_apart_number(Level n, std::uint64_t k);
 
@@ -82,4 +91,4 @@ inline std::uint8_t state_at(const Map& map, std::uint64_t k) {
   return static_cast<std::uint8_t>(map.packed[k * b / 8] >> k * b % 8 & (b == 1 ? 1 : 3));
 }
 
-}  // namespace mmverify::proofs::tree
+}  // namespace mmverify::proofs::micromap

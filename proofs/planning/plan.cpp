@@ -1,11 +1,11 @@
-#include "proofs/plan.hpp"
+#include "proofs/planning/plan.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "proofs/fast_levels.hpp"
-#include "proofs/registry.hpp"
+#include "proofs/planning/fast_levels.hpp"
+#include "proofs/registry/registry.hpp"
 
 namespace mmverify::proofs {
 namespace {

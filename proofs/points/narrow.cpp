@@ -1,4 +1,4 @@
-#include "proofs/narrow.hpp"
+#include "proofs/points/narrow.hpp"
 
 #include <bit>
 

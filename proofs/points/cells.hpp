@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <string>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/result.hpp"
-#include "proofs/kinds.hpp"
 #include "spec/fixed.hpp"
 #include "spec/index/index.hpp"
 
-namespace mmverify::proofs::index {
+namespace mmverify::proofs::points {
 
 using spec::Fixed64;
 using spec::side;
@@ -120,4 +120,4 @@ constexpr GridPoint representative(const MicroTriangle& m, Level n) {
   return {coordinate(4 * std::int64_t{m.i} + inside, n), coordinate(4 * std::int64_t{m.j} + inside, n)};
 }
 
-}  // namespace mmverify::proofs::index
+}  // namespace mmverify::proofs::points

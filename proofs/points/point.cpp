@@ -1,4 +1,4 @@
-#include "proofs/index/grid/point.hpp"
+#include "proofs/points/point.hpp"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/law.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/kinds.hpp"
 
-namespace mmverify::proofs::index {
+namespace mmverify::proofs::points {
 namespace {
 
 using spec::Integer, spec::scaled;
@@ -142,4 +142,4 @@ RationalPoint parse_point(const std::string& text) {
   return p;
 }
 
-}  // namespace mmverify::proofs::index
+}  // namespace mmverify::proofs::points

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "proofs/engine/result.hpp"
-#include "proofs/index/grid/cells.hpp"
+#include "proofs/points/cells.hpp"
 #include "spec/rational.hpp"
 
-namespace mmverify::proofs::index {
+namespace mmverify::proofs::points {
 
 using spec::Rational;
 using RationalPoint = spec::Point<Rational>;
@@ -39,4 +39,4 @@ Simplicity simplicity(const RationalPoint& p);
 /// hexadecimal float. Anything else, and a point outside the triangle by more than 2^-20, throws BadCase.
 RationalPoint parse_point(const std::string& text);
 
-}  // namespace mmverify::proofs::index
+}  // namespace mmverify::proofs::points

@@ -1,4 +1,4 @@
-#include "proofs/tree/maps.hpp"
+#include "proofs/micromap/maps.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 
 #include "proofs/engine/shape.hpp"
 
-namespace mmverify::proofs::tree {
+namespace mmverify::proofs::micromap {
 namespace {
 
-using spec::micromap::micro_triangles;
+using spec::micro_triangles;
 
 Map from_states(Level n, Format f, const std::vector<std::uint8_t>& codes) {
   States states;
@@ -268,4 +268,4 @@ Map map_from_text(Level n, const std::string& text) {
   return from_states(n, f, codes);
 }
 
-}  // namespace mmverify::proofs::tree
+}  // namespace mmverify::proofs::micromap
