@@ -11,7 +11,7 @@ namespace mmverify::gate {
 ///   - the counts of by_kind add up to cases_run and to mismatches, and no kind has more mismatches,
 ///     declined and allowed cases than cases;
 ///   - there is a counterexample just where there are mismatches;
-///   - `refuted` has mismatches; `proved` and `checked` have none, and have cases, but for a shard's empty share;
+///   - `refuted` has mismatches; `proved` and `checked` have none, and have cases;
 ///   - `proved` has run every case that it expects, declined none and had none allowed; nothing has run more.
 /// A member that is absent contradicts nothing: the comparison with a baseline reports it.
 /// Domain: an object. Throws NoResult if a count is no whole number of 64 bits.
