@@ -15,7 +15,7 @@ struct Form {
   char gives;
 };
 
-// In the order of enum Op.
+// This table has the order of enum Op.
 constexpr std::array forms{
     Form{"input_u", "", 'f'},    Form{"input_v", "", 'f'},     Form{"constant", "", '*'},
     Form{"unset", "", '*'},      Form{"add", "ww", '='},       Form{"sub", "ww", '='},

@@ -408,7 +408,7 @@ class Translation {
 
   Number division(const llvm::Instruction& at, Op op, Number a, Number b, bool is_signed, unsigned flags) {
     const unsigned bits = type_of(b).bits;
-    // As for a branch, the divisor must not be poison.
+    // The divisor must not be poison, as the condition of a branch must not.
     forbid(at, add({Op::poisoned, {false, 1}, {b}}), "division by a value that is undefined");
     forbid(at, add({Op::eq, {false, 1}, {b, word(0, bits)}}), "division by zero");
     if (is_signed) {
