@@ -78,7 +78,7 @@ Panel placed(Panel panel, const Axes& axes) {
       if (point.y == 0) stacked.push_back(&point);
   std::stable_sort(stacked.begin(), stacked.end(),
                    [](const Point* a, const Point* b) { return a->x < b->x; });
-  // On that line, height means nothing.
+  // Height has no meaning on that line.
   const double step = mark / (axes.frame.bottom - axes.frame.top);
   for (std::size_t k = 0; k < stacked.size(); ++k) {
     double place = axes.y.place(axes.y.none);
