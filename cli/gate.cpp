@@ -115,7 +115,7 @@ void name_faults(const gate::Figures& result) {
   }
 }
 
-/// The baseline at `path`. Any other file there is somebody's, and must not be overwritten.
+/// The baseline at `path`. Throws if there is any other file, which must not be overwritten.
 nlohmann::ordered_json old_baseline(const std::string& path) {
   std::string why = "it has another schema";
   try {

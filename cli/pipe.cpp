@@ -52,7 +52,7 @@ std::vector<std::string> topics_with(std::vector<std::string> others) {
   return others;
 }
 
-/// The level for topics of one level. Limits: the pipe's indices have 32 bits; corners are stored, 24 bytes
+/// The level for topics that take one. Limits: the pipe's indices have 32 bits; corners are stored, 24 bytes
 /// each.
 Level one_level(const PipeOptions& options) {
   if (options.level.empty() && !options.levels.empty())

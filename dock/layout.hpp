@@ -60,7 +60,7 @@ class Layout {
   std::size_t answer_at(std::size_t slot, std::size_t count, std::size_t size) const {
     return answer(slot) + answer_bytes() - count * size;
   }
-  /// The like for a map or code, and for the answer to one.
+  /// The same for a map or code, and for the answer to one.
   std::size_t blob_at(std::uint64_t bytes) const {
     return blob() + blob_bytes() - static_cast<std::size_t>(bytes);
   }

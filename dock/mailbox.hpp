@@ -59,7 +59,7 @@ struct Mailbox {
   std::uint64_t blob_bytes;  ///< size of the map or code in question
   std::uint64_t room;        ///< bytes of the answer that must be written; for an encoder, that may be
   /// Earlier questions on maps and codes to this entry point, at this level and in this format, to this
-  /// worker. If it replaces workers that died, the most such questions to one of those are added.
+  /// worker. If it replaces workers that died, it starts from the highest count of any of them.
   std::uint32_t asked_before;
   // Written by the worker, `begun` and `calls` also while it works.
   std::atomic<std::uint64_t> begun;          ///< elements before the batch in work

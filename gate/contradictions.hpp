@@ -10,7 +10,7 @@ namespace mmverify::gate {
 /// The first contradiction in a member of "results", or nothing. These hold in a consistent one:
 ///   - the counts of by_kind add up to cases_run and to mismatches, and no kind has more mismatches,
 ///     declined and allowed cases than cases;
-///   - there is a counterexample just where there are mismatches;
+///   - there is a counterexample just if there are mismatches;
 ///   - `refuted` has mismatches; `proved` and `checked` have none, and have cases;
 ///   - `proved` has run every case that it expects, declined none and had none allowed; nothing has run more.
 /// A member that is absent contradicts nothing: the comparison with a baseline reports it.

@@ -121,7 +121,7 @@ struct Node {
   std::string where = {};  ///< "mine.c:12"; empty if unknown
 };
 
-/// An event that must not happen: the value 1 of a node of one bit.
+/// An event that must not happen. It happens if the node, of one bit, is 1.
 struct Forbidden {
   std::uint32_t node;
   std::string what;  ///< "division by zero, mine.c:12"

@@ -13,8 +13,8 @@ constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_i
 /// the first later_from_threads. Laws begin with plain cases, and a plain map leaves nothing in memory that
 /// two threads share.
 constexpr std::uint32_t later_from_threads = 1u << 14, one_in_from_threads = 256;
-/// The largest map or code, in bytes, that is asked in every way; the further calls on larger ones would
-/// count as a hang: level 12, and 4-state at 11.
+/// The largest map or code, in bytes, that is asked in every way. A larger one (level 12, 4-state at level 11)
+/// takes so long that the further calls would count as a hang.
 constexpr std::uint64_t most_thorough = std::uint64_t{3} << 18;
 
 std::string text(std::uint64_t number) { return std::to_string(number); }

@@ -167,7 +167,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
     }
   };
   std::thread other([&] {
-    // Any processor will do, except that of the worker alone, where the two threads would take turns.
+    // This thread may run anywhere: on the process's own processor the two threads would take turns.
     sched_setaffinity(0, sizeof everywhere_, &everywhere_);
     ask_within_memory(there, answers[1]);
   });
@@ -183,7 +183,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
   other.join();
   for (const Answers& mine : answers) {
     if (mine.lacks_memory) throw std::bad_alloc();
-    // Threads inherit this thread's mode. The answers' reader reports exceptions.
+    // Threads inherit this thread's mode. Exceptions are reported when the answers are compared.
     if (mine.changed_mode) stop(Outcome::changed_mode, element, "in a thread");
   }
   return answers;

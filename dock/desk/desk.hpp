@@ -97,7 +97,7 @@ class Desk {
   };
   /// Rounds for a level's first batch: a race shows only if one thread reads between two stores of the other.
   static constexpr Rounds often{2, 256, std::chrono::milliseconds(4)};
-  /// Two threads repeat a question each at the same time. Empty if the subject is single-threaded. A mode
+  /// Two threads at once repeat a question each. Empty if the subject is single-threaded. A mode
   /// that is left changed counts against `element`. Throws std::system_error if no thread can be started.
   FromThreads answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
                                    std::uint64_t element);
@@ -121,7 +121,7 @@ class Desk {
   std::byte* slot_answer(std::size_t slot) const;
   void call_slot(std::size_t slot);
   /// Asks the batch from two threads before any other question of its level: a table that the first call
-  /// fills must be complete before another call reads it. An exception is thrown on the later calls, too.
+  /// fills must be complete before another call reads it. Exceptions are ignored: later calls throw, too.
   FromThreads slot_from_threads_first(std::size_t slot);
   /// Repeats a batch in pieces of another size, and so at other places and addresses.
   void ask_slot_again(std::size_t slot, std::size_t size, std::size_t most = batch_size);

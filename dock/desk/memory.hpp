@@ -7,8 +7,8 @@
 
 namespace mmverify::dock {
 
-/// Maps the shared memory, with gaps between the slots and read-only inputs; closes its descriptor. Null if
-/// that fails.
+/// Maps the shared memory, with guard pages between the slots and read-only inputs; closes its descriptor.
+/// Null if that fails.
 std::byte* map(int fd, const Layout& layout);
 
 /// From here on a wild access writes into the mailbox's message where it landed, and then the process

@@ -89,7 +89,7 @@ class Encoder {
       if (node.op == Op::freeze) continue;
       for (std::size_t j = 0; j < node.of.size(); ++j) {
         const Node& from = program_.nodes[node.of[j]];
-        // A select of a value that is left open is itself the place where that value comes in.
+        // A select of a value that is left open introduces it: the cause is reported at the select.
         if (node.op == Op::select && j > 0 && from.op == Op::unset) {
           Node open = from;
           if (!node.where.empty()) open.where = node.where;

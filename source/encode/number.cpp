@@ -336,7 +336,7 @@ Number Numbers::of_word(const Bits& word, std::uint64_t most, bool is_signed, Fo
     x.size = d.choose_word(x.negative, d.unary("bvneg", word), word);
   } else {
     x.size = d.lowest(word, static_cast<unsigned>(std::bit_width(most)));
-    // A power of two goes into the unit, so that a product only adds units.
+    // Trailing zeros of a constant go into the unit: a product with a power of two then only adds units.
     if (x.size.value && *x.size.value != 0) {
       x.unit = std::countr_zero(*x.size.value);
       const std::uint64_t odd = *x.size.value >> x.unit;

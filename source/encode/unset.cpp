@@ -86,7 +86,7 @@ Bits shadow_of(Definitions& d, const Node& node, const std::vector<Shadowed>& of
       return unset(0);
     case Op::bit_and:
     case Op::bit_or: {
-      // A set bit of one operand that decides the result hides the other operand's bit: 0 for and, 1 for or.
+      // A bit that was set, to 0 for `and` or to 1 for `or`, decides the result and hides the other bit.
       const auto shows = [&](std::size_t k) {
         return node.op == Op::bit_and ? of[k].word : inverse(d, of[k].word);
       };

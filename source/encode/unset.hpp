@@ -1,6 +1,6 @@
-// The bits of a word that were never set: a shadow of the word, bit by bit, as in MemorySanitizer. Source: E.
-// Stepanov, K. Serebryany, MemorySanitizer: fast detector of uninitialized memory use in C++, CGO 2015,
-// section 3.2.
+// The bits of a word that were never set: a shadow of the word, bit by bit, as in MemorySanitizer.
+// Source: E. Stepanov, K. Serebryany, MemorySanitizer: fast detector of uninitialized memory use in C++, CGO
+// 2015, section 3.2.
 #pragma once
 
 #include "source/encode/words.hpp"

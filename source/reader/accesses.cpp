@@ -34,7 +34,7 @@ std::vector<I*> all_of(llvm::Function& function) {
 }
 
 /// A variable of one bit that is 1 during the lifetime of `variable`; null if it has no lifetime marks. The
-/// marks must be erased afterwards: guards have already written the variable's content at each.
+/// caller erases the marks: stores of the variable's content at each mark exist already.
 llvm::AllocaInst* lifetime_of(llvm::AllocaInst& variable, const std::vector<llvm::IntrinsicInst*>& marks) {
   llvm::AllocaInst* alive = nullptr;
   for (llvm::IntrinsicInst* mark : marks) {

@@ -20,7 +20,7 @@ namespace {
 /// The uses of a variable: instructions that set it, and others that read it or pass its address on.
 struct Uses {
   std::vector<llvm::Instruction*> sets, others;
-  bool marked = false;  ///< the bitcode marks its begin
+  bool marked = false;  ///< the bitcode marks its start
 
   void collect(llvm::Value& pointer) {
     for (llvm::User* user : pointer.users()) {

@@ -50,7 +50,7 @@ bool is_float(const llvm::Type* t) { return t->isFloatTy() || t->isDoubleTy(); }
 
 /// The number of the level's parameter, 0 or 2; -1 for a function of another form.
 int place_of_level(const llvm::Function& f) {
-  // Indices of more bits would be truncated, and narrower levels too.
+  // An index of more bits would be truncated; so would the level if it had fewer.
   if (f.arg_size() != 3 || f.isVarArg() || !f.getReturnType()->isIntegerTy() ||
       f.getReturnType()->getIntegerBitWidth() > 32)
     return -1;
