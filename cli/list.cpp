@@ -1,17 +1,20 @@
-// mmverify list: every law there is.
+// mmverify list: lists the laws.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/json_text.hpp"
+#include "cli/output_file.hpp"
 #include "cli/streams.hpp"
 #include "proofs/fast_levels.hpp"
 #include "proofs/registry.hpp"
+#include "proofs/statements.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -22,7 +25,7 @@ std::string levels_text(const Law& law, const Levels& levels) {
   return law.at_once.empty() ? fmt::format("{}..{}", levels.first, levels.last) : law.at_once;
 }
 
-/// The fast tier's levels, and beside them those of subjects that have their own.
+/// The fast tier's levels, and the levels of subjects that differ from them.
 nlohmann::ordered_json fast_json(const Law& law) {
   if (law.long_only) return nullptr;
   nlohmann::ordered_json fast{{"levels", levels_text(law, law.fast)}, {"expected_seconds", law.fast_seconds}};
@@ -69,15 +72,36 @@ void print_law(const Law& law) {
   say(stdout, "  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }
 
+/// Writes FOLDER/NAME.smt2 for each statement; NAME begins with the law's folder.
+ExitCode write_statements(const std::string& folder) {
+  const auto all = shipped_statements();
+  for (const auto& [name, statement] : all) {
+    const std::filesystem::path file = std::filesystem::path(folder) / (name + ".smt2");
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (error) throw EnvironmentError(fmt::format("{}: {}", file.parent_path().string(), error.message()));
+    OutputFile(file.string()).commit(statement.text);
+  }
+  say(stdout, "{}: {} statements, each a file of SMT-LIB 2\n", folder, all.size());
+  return ExitCode::complete;
+}
+
 }  // namespace
 
 Action add_list(CLI::App& program) {
   auto* command =
       program.add_subcommand("list", "every law: id, statement, source, domain, method, and the subjects");
   auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "as JSON");
-  return [json] {
+  auto statements = std::make_shared<std::string>();
+  CLI::Option* as_json_option = command->add_flag("--json", *json, "as JSON");
+  command
+      ->add_option("--statements", *statements,
+                   "write the statements that laws leave to z3 into this folder, as SMT-LIB files")
+      ->type_name("DIR")
+      ->excludes(as_json_option);
+  return [json, statements] {
     end_with_the_reader();
+    if (!statements->empty()) return write_statements(*statements);
     if (*json) {
       nlohmann::ordered_json all{{"schema", "mmverify.list/1"},
                                  {"laws", nlohmann::ordered_json::array()},

@@ -20,6 +20,14 @@ std::string constants_of(const z3::model& model) {
   return text;
 }
 
+/// z3's count of the steps that a context took.
+std::uint64_t steps_of(const z3::solver& solver) {
+  const z3::stats counts = solver.statistics();
+  for (unsigned k = 0; k < counts.size(); ++k)
+    if (counts.key(k) == "rlimit count") return counts.uint_value(k);
+  return 0;
+}
+
 /// The statements that z3 has settled in this process, by their text: a mutant shares most of its own with the right
 /// subject.  Threads share it.
 class Settled {
@@ -52,15 +60,11 @@ Found ask_anew(const Statement& statement, const Effort& effort) {
     const z3::expr_vector assertions = context.parse_string(statement.text.c_str());
     if (assertions.empty()) return {Answer::unknown, "the statement asserts nothing"};
     solver.add(assertions);
-    switch (solver.check()) {
-      case z3::unsat:
-        return {Answer::unsat, {}};
-      case z3::sat:
-        return {Answer::sat, constants_of(solver.get_model())};
-      case z3::unknown:
-        break;
-    }
-    return {Answer::unknown, solver.reason_unknown()};
+    const z3::check_result result = solver.check();
+    const std::uint64_t steps = steps_of(solver);
+    if (result == z3::unsat) return {Answer::unsat, {}, steps};
+    if (result == z3::sat) return {Answer::sat, constants_of(solver.get_model()), steps};
+    return {Answer::unknown, solver.reason_unknown(), steps};
   } catch (const z3::exception& error) {
     return {Answer::unknown, error.msg()};
   }

@@ -23,7 +23,8 @@ struct Effort {
 
 struct Found {
   Answer answer = Answer::unknown;
-  std::string detail;  ///< sat: the model's constants on one line; unknown: the prover's reason
+  std::string detail = {};  ///< sat: the model's constants on one line; unknown: the prover's reason
+  std::uint64_t steps = 0;  ///< that z3 took
 };
 
 /// z3's answer to the file's assertions. What z3 rejects, gives up or does not understand is `unknown`.

@@ -1,7 +1,4 @@
-// Laws that a prover settles: the shipped statements, read from their files, with one thing altered in the text.
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+// Laws that a prover settles: the shipped statements, with one thing altered in the text.
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -9,6 +6,7 @@
 
 #include "proofs/index/floats/published.hpp"
 #include "proofs/induction/discharge.hpp"
+#include "proofs/statements.hpp"
 #include "proofs/tree/subject.hpp"
 #include "tests/foreign/inside.hpp"
 #include "tests/foreign/inside_curve.hpp"
@@ -16,7 +14,6 @@
 namespace mmverify::tests::foreign {
 namespace {
 
-namespace fs = std::filesystem;
 using proofs::induction::Answer;
 using proofs::induction::Provable;
 using proofs::induction::Statement;
@@ -25,12 +22,8 @@ using Statements = std::vector<Statement>;
 /// What a law's folder holds.
 Statements shipped(const std::string& folder) {
   Statements all;
-  for (const auto& file : fs::directory_iterator(fs::path(MMVERIFY_STATEMENTS) / folder)) {
-    std::ifstream in(file.path());
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    const bool sat = text.find("(set-info :status sat)") != std::string::npos;
-    all.push_back({file.path().stem().string(), sat ? Answer::sat : Answer::unsat, text});
-  }
+  for (const auto& [path, statement] : proofs::shipped_statements())
+    if (path.starts_with(folder + "/")) all.push_back(statement);
   return all;
 }
 

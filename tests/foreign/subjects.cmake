@@ -11,7 +11,6 @@ if(NOT MMVERIFY_SANITIZE)
   target_precompile_headers(foreign_inside_test PRIVATE <gtest/gtest.h> <spec/rational.hpp>
     <proofs/engine/law.hpp> <string> <vector>)
   mmverify_run_test(foreign_inside_test)
-  target_compile_definitions(foreign_inside_test PRIVATE MMVERIFY_STATEMENTS="${PROJECT_SOURCE_DIR}/proofs/statements")
 endif()
 
 # Subjects of another hand: each right but for one fault, which the environment names.
