@@ -25,7 +25,7 @@ constexpr std::array<std::pair<Wrap, Wrap>, 8> family_wraps{{{Wrap::repeat, Wrap
                                                              {Wrap::mirrored_repeat, Wrap::repeat},
                                                              {Wrap::clamp_to_border, Wrap::mirror_once}}};
 
-// In order: inside the square; half of the square, on the grid; beyond all sides; clockwise and thin; far left above;
+// Triangles inside the square; half of the square, on the grid; beyond all sides; clockwise and thin; far left above;
 // a segment; a point.
 constexpr std::array<UvTriangle, 7> family_triangles{{{0.125f, 0.25f, 0.875f, 0.375f, 0.5f, 0.8125f},
                                                       {0, 0, 1, 0, 0, 1},
