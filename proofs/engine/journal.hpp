@@ -46,8 +46,8 @@ class Journal {
   std::vector<Piece> finished(const std::string& about, std::uint64_t of) const;
 
   /// Appends a piece.  It survives the death of this process at once, and that of the machine after the next flush.
-  /// An append flushes by itself a quarter of a second after the last flush.  Several threads may call at once.
-  /// Throws BadJournal if the file cannot be written; it then ends with the last whole line.
+  /// An append flushes by itself if no append has done so for a quarter of a second.  Several threads may call at
+  /// once. Throws BadJournal if the file cannot be written; it then ends with the last whole line.
   void append(const Piece& piece);
 
   /// Deletes all pieces: they do not describe the run any more.  Throws BadJournal.
