@@ -53,7 +53,7 @@ Found ask_anew(const Statement& statement, const Effort& effort) {
     z3::solver solver(context);
     z3::params limits(context);
     limits.set("timeout", effort.milliseconds);
-    // By default z3 would catch Ctrl-C.
+    // The setting keeps z3 from catching Ctrl-C.
     limits.set("ctrl_c", false);
     if (effort.steps != 0) limits.set("rlimit", effort.steps);
     solver.set(limits);

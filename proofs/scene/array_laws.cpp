@@ -60,7 +60,7 @@ struct Use {
 struct Uses {
   struct One {
     Use use;
-    Use first;  ///< the first use with the same planned triangle and order of vertices; the use itself, or one before it
+    Use first;  ///< the first use with the same planned triangle and order of vertices; may be `use` itself
   };
   std::vector<std::vector<One>> of = std::vector<std::vector<One>>(17);
 
