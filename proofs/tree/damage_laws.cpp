@@ -20,7 +20,7 @@ Finding refuses(const TreeSubject& s, const Map& map) {
     found = wrong(d.what, expected, std::move(got));
     return false;
   };
-  // In any form, bytes that are taken are the one code of another map.
+  // Bytes that are taken are the one code of another map, in any form.
   any_damage(map, s.functions.bytes(s.functions.encode(map)), thorough, [&](const Damaged& d) {
     const auto code = s.functions.open(d.level, d.format, d.bytes);
     if (!code) return true;
