@@ -12,7 +12,7 @@ const MicromapSubject& of_micromap(const Subject& s) { return dynamic_cast<const
 
 PackedMap packed(const tree::Map& map) { return {map.level, map.format, map.packed}; }
 
-// A 4-state map of a sample: the 2-state ones are widened, state by state.
+// A 4-state map of a sample; 2-state ones are widened, state by state.
 tree::Map sampled(Level n, std::uint64_t seed, std::uint64_t k, Maps maps) {
   tree::Map map = tree::sample_map(n, seed, k);
   if (maps == Maps::both_formats || map.format == Format::four_state) return map;
@@ -28,7 +28,7 @@ std::string first_bytes(const Bytes& bytes) {
   return hex(first, " ") + (bytes.size() > shown ? " ..." : "");
 }
 
-/// What maps to maps a subject may have, as the domain of a law names it.
+/// The entry points that map maps to maps, with their words in the domain of a law.
 constexpr std::pair<Entry, const char*> map_parts[] = {{entry::pack, "packing"},
                                                        {entry::force2, "force-2-state"},
                                                        {entry::up, "up"},
@@ -95,7 +95,7 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, Map
     if (!both) return fmt::format("all 4-state maps of level {}", n);
     return fmt::format("all {} maps of level {}", n < 2 ? "2-state and 4-state" : "65,536 2-state", n);
   };
-  // map_number() has the 2-state maps first.
+  // map_number() counts the 2-state maps first.
   const auto number = [both](Level n, std::uint64_t k) {
     return tree::map_number(n, both ? k : k + two_state_maps(n));
   };
