@@ -1,4 +1,4 @@
-// What mmverify can do.
+// The commands of mmverify.
 #include "cli/commands.hpp"
 
 namespace mmverify::cli {

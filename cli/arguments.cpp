@@ -55,7 +55,7 @@ std::function<std::string(const std::string&)> finite_within(double least, doubl
 
 namespace {
 
-/// "4," has two parts, the second one empty.
+/// The parts between commas: "4," has two, the second one empty.
 std::vector<std::string> parts_between_commas(const std::string& text) {
   std::vector<std::string> parts{""};
   for (const char c : text)
@@ -96,7 +96,7 @@ proofs::bake::BakeSubjectPtr parse_baker(const std::string& text, double timeout
 
 namespace {
 
-/// A whole number below 2^64, written in digits alone.
+/// Reads a whole number below 2^64, in digits only.
 std::optional<std::uint64_t> whole(const std::string& text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -138,7 +138,7 @@ std::vector<const Law*> parse_laws(const std::vector<std::string>& names, Tier t
       any = true;
       if (std::find(chosen.begin(), chosen.end(), law) == chosen.end()) chosen.push_back(law);
     }
-    // No law would mean every law.
+    // An empty list of laws would stand for every law.
     if (!any)
       throw UsageError(fmt::format("{}: the fast tier has none of its laws; write --tier long", name));
   }
@@ -147,7 +147,7 @@ std::vector<const Law*> parse_laws(const std::vector<std::string>& names, Tier t
 
 namespace {
 
-/// Lines KEY: VALUE.
+/// Reads lines KEY: VALUE; a line without a colon gets the key "about".
 std::vector<std::pair<std::string, std::string>> keys_and_values(const std::string& text) {
   std::vector<std::pair<std::string, std::string>> all;
   std::istringstream in(text);
@@ -161,7 +161,7 @@ std::vector<std::pair<std::string, std::string>> keys_and_values(const std::stri
   return all;
 }
 
-/// The subjects of a library, or the one that FILE:KIND means.
+/// The subjects of a library, or the one that FILE:KIND names.
 std::vector<SubjectPtr> of_library(const std::string& name, double timeout_seconds,
                                    std::vector<RunsOn>* runs_on) {
   std::error_code error;

@@ -1,4 +1,4 @@
-// Arguments that several commands take, read and checked once.
+// Reads and checks arguments that several commands take.
 #pragma once
 
 #include <functional>
@@ -11,58 +11,60 @@
 
 namespace mmverify::cli {
 
-/// "3..7" or "5".  Both ends included; UsageError unless first <= last <= proofs::max_level().
+/// Reads "3..7" or "5", both ends included. UsageError unless first <= last <= proofs::max_level().
 proofs::Levels parse_levels(const std::string& text);
 
-/// The same of an option with another name, and without an upper limit: the caller has its own.
+/// Reads levels for the named option, without an upper limit: the caller checks its own.
 proofs::Levels parse_levels(const std::string& text, const char* option);
 
-/// The baker that a subject has.  Throws UsageError where it has none, and what parse_subject does.
+/// The baker of a subject. Throws UsageError if it has none, and whatever parse_subject throws.
 proofs::bake::BakeSubjectPtr parse_baker(const std::string& text, double timeout_seconds);
 
-/// "5", of the option --level.
+/// Reads "5", the value of --level.
 proofs::Level parse_level(const std::string& text);
 
-/// For a double's option: finite and within [least, most].  CLI11's own range lets NaN through.
+/// A check for a double's option: finite and within [least, most]. CLI11's own range lets NaN through.
 std::function<std::string(const std::string&)> finite_within(double least, double most);
 
-/// For an option of several: each of "2,4,8" such a number.  An empty one is refused, as in "4,".
+/// A check for an option of several numbers, "2,4,8", each as for finite_within. It refuses an empty part, as
+/// in "4,".
 std::function<std::string(const std::string&)> each_finite_within(double least, double most);
 
-/// The numbers of a text that each_finite_within() takes.
+/// The numbers of a text that each_finite_within() accepts.
 std::vector<double> parse_numbers(const std::string& text);
 
-/// For a whole number's option: one within [least, most], or what is wrong.
+/// A check for an integer option: a whole number within [least, most]. The check returns the fault, or an
+/// empty text.
 std::function<std::string(const std::string&)> whole_within(std::uint64_t least, std::uint64_t most);
 
-/// For a seed's option: a whole number below 2^64, or what is wrong.  CLI11 takes a greater one for 2^64 - 1.
+/// A check for a seed: a whole number below 2^64. CLI11 would take a greater one for 2^64 - 1.
 std::string fits_64_bits(const std::string& text);
 
-/// The text as one word of a shell.
+/// The text quoted as one word of a shell.
 std::string shell_quoted(const std::string& text);
 
-/// Every law that the names mean, in the registry's order and once each; UsageError for a name that means
-/// none.
+/// The laws that the names stand for, in the registry's order, each once. UsageError for a name that stands
+/// for none.
 std::vector<const proofs::Law*> parse_laws(const std::vector<std::string>& names, proofs::Tier tier);
 
-/// What is known of where a subject runs, for who prints results.
+/// A subject's description of the place where it runs, for printing.
 struct RunsOn {
   std::string subject;
   std::vector<std::pair<std::string, std::string>> about;  ///< key and value
   std::vector<std::string> warnings;
 };
 
-/// The subjects that a name or a file means: one built-in, or those that a shared library or a shader offers; the latter are
-/// in cli/shader.cpp.  timeout_seconds: for one batch of a library.  UsageError for an unknown name and for a shader that
-/// does not compile; EnvironmentError for a file that is missing or is no subject.
+/// The subjects of a name or a file: a built-in one, or those of a shared library or a shader
+/// (cli/shader.cpp). timeout_seconds: for one batch of a library. UsageError for an unknown name and for a
+/// shader that does not compile; EnvironmentError for a file that is missing or is no subject.
 std::vector<proofs::SubjectPtr> parse_subject(const std::string& name, double timeout_seconds,
                                               std::vector<RunsOn>* runs_on = nullptr);
 
-/// The subjects of a library that is open; of a kind alone where one is named.
+/// The subjects of an open library, of one kind if `kind` names it.
 std::vector<proofs::SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::string& kind,
                                             std::vector<RunsOn>* runs_on);
 
-/// 1234567 as 1,234,567.
+/// The number with separators: 1234567 as 1,234,567.
 std::string grouped(std::uint64_t n);
 
 }  // namespace mmverify::cli

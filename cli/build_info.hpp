@@ -1,5 +1,5 @@
-// What this program was built from and with. The values are a file of their own, made by CMake: a change of the sources
-// compiles that one anew, and not all who read it.
+// Facts about this build. CMake writes their values into a source file of their own: a change of the sources
+// recompiles that file only.
 #pragma once
 
 namespace mmverify::cli::build {

@@ -1,4 +1,4 @@
-// The commands: each adds itself to the program's arguments and runs when it was chosen.
+// The commands: each adds itself to the program's arguments, and runs if it was chosen.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@ class App;
 
 namespace mmverify::cli {
 
-/// What a command does once its arguments are read; returns the exit code.
+/// The work of a command, once its arguments are read; returns the exit code.
 using Action = std::function<int()>;
 
-/// The program's commands in the order of --help: all of mmverify's (all_commands.cpp), or those that ./run prove
-/// compiles (prove_commands.cpp).
+/// The program's commands in the order of --help: all commands of mmverify (all_commands.cpp), or only those
+/// that ./run prove compiles (prove_commands.cpp).
 std::vector<Action> add_commands(CLI::App& program);
 
 Action add_list(CLI::App& program);

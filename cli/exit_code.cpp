@@ -24,7 +24,7 @@ void refuse_nothing(const Report& report) {
   if (report.interrupted || std::any_of(results.begin(), results.end(),
                                         [](const Result& r) { return r.verdict != Verdict::not_applicable; }))
     return;
-  // What another shard runs does apply.
+  // An empty shard: the laws do apply, in other shards.
   if (std::any_of(results.begin(), results.end(), [](const Result& r) { return r.share.has_value(); }))
     throw UsageError(
         "nothing was run: this shard has 0 cases; its file can be merged, and fewer shards have some each");

@@ -1,4 +1,4 @@
-// How the program ends: part of the command line's contract.
+// The program's exit codes, part of the command line's contract.
 #pragma once
 
 #include <stdexcept>
@@ -10,12 +10,12 @@ namespace mmverify::cli {
 enum ExitCode : int {
   complete = 0,     ///< nothing refuted or broken
   failed = 1,       ///< refuted, broken, a surviving mutant, or a gate's regression
-  usage = 2,        ///< also: no law, no case, nothing that applies
+  usage = 2,        ///< also: no law, no case, or no law that applies
   interrupted = 3,  ///< incomplete
-  environment = 4,  ///< a file or machine that is not as it must be
+  environment = 4,  ///< a file or machine is not as it must be
 };
 
-/// How a run with this report ends.
+/// The exit code of a run with this report.
 ExitCode exit_code(const proofs::Report& report);
 
 /// Ends a command with exit code 2; what() is the line printed.
@@ -23,7 +23,7 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A run in which no case was judged is usage, never success: throws UsageError, which says why there was none.
+/// Throws UsageError, which gives the reason, if no case was judged: such a run is never a success.
 void refuse_nothing(const proofs::Report& report);
 
 /// Ends a command with exit code 4; what() is the line printed.

@@ -1,4 +1,4 @@
-// mmverify gate: a result against a baseline.
+// mmverify gate: compares a result with a baseline.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -27,12 +27,12 @@ using gate::Difference;
 
 struct GateOptions {
   std::string baseline, result;
-  std::vector<std::string> runs;  ///< of the same, for their speeds
+  std::vector<std::string> runs;  ///< more runs of the same command, for their speeds
   double tolerance = 1.5;
   bool bless = false, all = false;
 };
 
-/// What reads a file, so that what is wrong with it names it.
+/// Reads a file and applies `read`; error messages name the file.
 template <class Read>
 auto of_file(const std::string& path, Read read) {
   const auto file = read_json(path);
@@ -79,7 +79,7 @@ constexpr Change kinds_of_finding[] = {Change::worse, Change::better, Change::ch
                                        Change::gone,  Change::added,  Change::faster};
 
 void print(const Comparison& comparison, const GateOptions& options) {
-  // A change of one thing may move thousands of figures; some of each kind say what it is.
+  // One change may move thousands of figures; a few of each kind identify it.
   constexpr std::size_t most = 20;
   for (const Change change : kinds_of_finding) {
     std::size_t shown = 0;
@@ -97,14 +97,14 @@ void print(const Comparison& comparison, const GateOptions& options) {
       options.tolerance, counts.empty() ? "none differs" : counts);
 }
 
-/// Ratios of one run hold from machine to machine, but not to the last tenth.
+/// Names both processors if they differ: ratios carry over from machine to machine only roughly.
 void name_processors(const Comparison& comparison, const gate::Figures& result) {
   if (!comparison.other_processor.empty())
     say(stdout, "gate: speeds of two processors: the baseline's {}, the result's {}\n",
         printable(comparison.other_processor), printable(result.processor));
 }
 
-/// Of the results, those that are no success: a baseline of them holds a project to its faults.
+/// Counts the results that are failures: a baseline of them would pin the failures.
 void name_faults(const gate::Figures& result) {
   for (const char* const verdict : {"refuted", "broken", "incomplete"}) {
     std::size_t count = 0;
@@ -115,7 +115,7 @@ void name_faults(const gate::Figures& result) {
   }
 }
 
-/// A file that is there is a baseline, or somebody's who would miss it.
+/// The baseline at `path`. Throws if there is any other file, which must not be overwritten.
 nlohmann::ordered_json old_baseline(const std::string& path) {
   std::string why = "it has another schema";
   try {
@@ -128,7 +128,7 @@ nlohmann::ordered_json old_baseline(const std::string& path) {
       "--baseline {}: no baseline, and not overwritten ({}); remove it, or name another file", path, why));
 }
 
-/// A run in which no law judged anything has nothing to hold another one to.
+/// Refuses a run in which no law judged anything: it cannot serve as a baseline.
 void refuse_nothing_judged(const std::string& path, const gate::Figures& result) {
   std::size_t results = 0, judged = 0, others = 0;
   for (const auto& [name, figures] : result.groups) {
@@ -153,7 +153,7 @@ int bless(const GateOptions& options, const gate::Figures& result) {
   if (std::filesystem::is_regular_file(options.baseline, none) &&
       std::filesystem::file_size(options.baseline, none) != 0)
     old = old_baseline(options.baseline);
-  // What it was, to be seen before it is gone; it may be another run's.
+  // Shows the old baseline's differences before it is overwritten; it may belong to another run.
   try {
     if (old) print(compare(gate::baseline_of(*old), result, options.tolerance), options);
   } catch (const std::exception& error) {

@@ -1,12 +1,12 @@
-// gnuplot, asked for a picture.
+// Runs gnuplot.
 #pragma once
 
 #include <string>
 
 namespace mmverify::cli {
 
-/// What gnuplot makes of a script that writes to its standard output.
-/// Throws EnvironmentError where there is no gnuplot, naming the Debian package, or where it fails.
+/// The output of gnuplot for a script that writes to standard output.
+/// Throws EnvironmentError if gnuplot fails, or is missing; the message then names the Debian package.
 std::string run_gnuplot(const std::string& script);
 
 }  // namespace mmverify::cli

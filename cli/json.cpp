@@ -92,7 +92,7 @@ std::string to_json(const Report& report, std::uint64_t seed, const std::optiona
     one["case"] = m.killed ? Json(m.at) : Json(nullptr);
     j["mutants"].push_back(one);
   }
-  // Shards are added up: what was changed in one would be in the sum.
+  // A merge adds shards up, so a change in one would enter the sum unseen; hence the seal.
   if (shard) j["seal"] = gate::seal_of(j);
   return json_text(j);
 }

@@ -11,8 +11,8 @@
 
 namespace mmverify::cli {
 
-/// A shard's says which it is, and of what run; `scene`: the JSON text of the member of that name, where
-/// there is one; `runs_on`: of subjects that say where they run.
+/// The report as JSON. `shard`, `identity`: the shard, and the run that it belongs to; `scene`: the JSON text
+/// of the member "scene", if there is one; `runs_on`: for subjects that describe where they run.
 std::string to_json(const proofs::Report& report, std::uint64_t seed,
                     const std::optional<proofs::Shard>& shard = {}, const proofs::Identity& identity = {},
                     const std::string& scene = {}, const std::vector<RunsOn>& runs_on = {});

@@ -60,7 +60,7 @@ void add_test(pugi::xml_node suite, const Result& r, Totals& sums) {
   }
 }
 
-/// Before a suite's tests.
+/// Adds the properties of a suite, which come before its tests.
 void add_properties(pugi::xml_node suite, const Report& report, const std::vector<RunsOn>& runs_on) {
   const std::string law = suite.attribute("name").value();
   pugi::xml_node properties;

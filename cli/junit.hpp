@@ -8,9 +8,9 @@
 
 namespace mmverify::cli {
 
-/// One suite a law, one test a subject and level; refuted and broken fail, incomplete is an error,
-/// not_applicable a skip.
-/// A suite has properties "SUBJECT: KEY" of each of its subjects that say where they run.
+/// A suite for each law, with a test for each subject and level: refuted and broken fail, incomplete is an
+/// error, not_applicable is a skip.
+/// A suite has properties "SUBJECT: KEY" for subjects that describe where they run.
 std::string to_junit(const proofs::Report& report, const std::vector<RunsOn>& runs_on = {});
 
 }  // namespace mmverify::cli

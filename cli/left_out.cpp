@@ -14,7 +14,7 @@ namespace {
 
 using namespace proofs;
 
-/// 4, 5, 6 and 9 as "4..6, 9".
+/// The levels as ranges: 4, 5, 6 and 9 as "4..6, 9".
 std::string ranges(const std::vector<Level>& levels) {
   std::string text;
   for (std::size_t from = 0; from < levels.size();) {
@@ -27,7 +27,8 @@ std::string ranges(const std::vector<Level>& levels) {
   return text;
 }
 
-/// Whether one of the jobs' laws is about the level on this subject; of laws that were named, all levels are asked for.
+/// Whether one of the jobs' laws covers the level on this subject. If laws were named, every level counts as
+/// requested.
 bool is_asked(const Names& names, const std::vector<Job>& jobs, const std::string& subject, Level n) {
   return !names.laws.empty() || std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
     const Levels& of_law = job.law->long_run;
@@ -36,8 +37,8 @@ bool is_asked(const Names& names, const std::vector<Job>& jobs, const std::strin
   });
 }
 
-/// A level that was asked for by hand and that no law judged is no success: of each subject that was named and is here, or
-/// of all together where none was.
+/// Throws UsageError for a level of --levels that no law judged: on each named subject that is present, or,
+/// if none was named, on all subjects together.
 void refuse_levels(const Names& names, const std::vector<Job>& jobs, const Report& report) {
   if (!names.levels) return;
   const Levels asked = parse_levels(*names.levels);
@@ -61,7 +62,8 @@ void refuse_levels(const Names& names, const std::vector<Job>& jobs, const Repor
   }
 }
 
-/// Why no result of those that `is_of` picks judged anything; empty where one did, or where there is none.
+/// The reason why none of the results that `is_of` selects judged anything; empty if one did, or if there is
+/// none.
 std::string why_nothing(const Report& report, const std::function<bool(const Result&)>& is_of) {
   std::string why;
   for (const Result& r : report.results) {
@@ -72,7 +74,7 @@ std::string why_nothing(const Report& report, const std::function<bool(const Res
   return why;
 }
 
-/// A law and a subject that were named and judged nothing are no success, whatever else was judged.
+/// Throws UsageError for a named law or subject that judged nothing.
 void refuse_names(const Names& names, const std::vector<Job>& jobs, const Report& report) {
   const auto refuse = [](const std::string& name, const std::string& why) {
     if (!why.empty())
@@ -85,7 +87,7 @@ void refuse_names(const Names& names, const std::vector<Job>& jobs, const Report
   };
   for (const std::string& law : names.laws)
     refuse(law, why_nothing(report, [&](const Result& r) { return r.law == law && is_here(r.subject); }));
-  // A library's subjects and a shader's bear its name, and behind it which of them they are.
+  // The subjects of a library or shader have its name as a prefix.
   const auto is_of = [](const std::string& name, const std::string& subject) {
     return subject.starts_with(name);
   };

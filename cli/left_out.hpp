@@ -1,4 +1,4 @@
-// Refuses a run of mmverify prove in which a law, a subject or a level that was named was not judged.
+// Refuses a run of mmverify prove in which a named law, subject or level was not judged.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace mmverify::cli {
 
-/// The words of the command that name what is to be judged.
+/// The arguments that name laws, subjects and levels.
 struct Names {
-  const std::optional<std::string>& levels;  ///< of --levels
+  const std::optional<std::string>& levels;  ///< from --levels
   const std::vector<std::string>&laws, &subjects;
 };
 
-/// UsageError for the first level of --levels, law or subject that was named and that nothing judged: whatever else was
-/// judged, the run is no success.  A subject that is not here, as its device is not, is passed over.
+/// Throws UsageError for the first level of --levels, law or subject that was named and that nothing judged:
+/// even if others were, the run is no success. A subject that is absent, because its device is, is skipped.
 void refuse_what_was_left_out(const Names& names, const std::vector<proofs::Job>& jobs,
                               const proofs::Report& report);
 

@@ -1,4 +1,4 @@
-// mmverify list: every law there is.
+// mmverify list: lists the laws.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,7 @@ std::string levels_text(const Law& law, const Levels& levels) {
   return law.at_once.empty() ? fmt::format("{}..{}", levels.first, levels.last) : law.at_once;
 }
 
-/// The fast tier's levels, and beside them those of subjects that have their own.
+/// The fast tier's levels, and the levels of subjects that differ from them.
 nlohmann::ordered_json fast_json(const Law& law) {
   if (law.long_only) return nullptr;
   nlohmann::ordered_json fast{{"levels", levels_text(law, law.fast)}, {"expected_seconds", law.fast_seconds}};
@@ -72,7 +72,7 @@ void print_law(const Law& law) {
   say(stdout, "  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }
 
-/// DIR/FOLDER/NAME.smt2, a folder a law.
+/// Writes FOLDER/NAME.smt2 for each statement; NAME begins with the law's folder.
 ExitCode write_statements(const std::string& folder) {
   const auto all = shipped_statements();
   for (const auto& [name, statement] : all) {

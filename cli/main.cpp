@@ -26,7 +26,7 @@ int complain(int code, const std::string& what, const char* more = "") {
   return code;
 }
 
-/// Refuses empty text: a script's unset variable names neither our own sample nor anything else.
+/// Refuses an empty text: it usually comes from a script's unset variable.
 std::string not_empty(std::string& text) {
   return text.empty() ? "it is given as an empty text; is a variable not set? Name it, or leave it out" : "";
 }
@@ -35,10 +35,10 @@ void refuse_empty_texts(CLI::App& program) {
   for (CLI::App* command : program.get_subcommands({}))
     for (CLI::Option* option : command->get_options())
       if (option->get_items_expected_max() != 0)
-        option->transform(CLI::Validator(not_empty, ""));  // before its own checks
+        option->transform(CLI::Validator(not_empty, ""));  // before the option's own checks
 }
 
-/// The threads that --threads asks for are there: TBB has no more than cores where nobody says otherwise.
+/// Allows as many threads as --threads says: by default TBB has no more than there are cores.
 class ThreadsAsked {
  public:
   explicit ThreadsAsked(const CLI::App& command) {
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   using namespace mmverify::cli;
   reserve_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);
-  // A file that may not grow is an error of its own, said where it happens.
+  // Exceeding the limit of a file's size is then an error of write(), reported there.
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App program("mmverify: an exact referee for opacity micromaps", "mmverify");
   program.require_subcommand(1);

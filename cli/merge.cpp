@@ -1,4 +1,4 @@
-// mmverify merge: the shards of one run, put together.
+// mmverify merge: combines the shards of one run.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -34,7 +34,7 @@ std::uint64_t number_in(const ShardRun& shard, const std::string& item) {
   throw EnvironmentError(fmt::format("{}: its run names no {}", shard.file, item));
 }
 
-/// The result says that this program made it, so it did.
+/// Throws EnvironmentError if another program made the shard: the merged result will name this program.
 void check_program(const ShardRun& shard) {
   for (const auto& [name, value] : program_identity())
     if (std::find(shard.identity.begin(), shard.identity.end(), std::pair(name, value)) ==
@@ -43,7 +43,7 @@ void check_program(const ShardRun& shard) {
           fmt::format("{}: made by a program of another {}; merge with that one", shard.file, name));
 }
 
-/// A verdict is about one device and one driver, so all shards have to name the same.
+/// All shards must have run on the same device and driver, since a verdict holds for one of each.
 void check_places(const std::string& file, const std::vector<RunsOn>& here, const std::string& first_file,
                   const std::vector<RunsOn>& first) {
   for (const RunsOn& one : first) {
@@ -67,15 +67,15 @@ void check_places(const std::string& file, const std::vector<RunsOn>& here, cons
                                        first_file, first.size()));
 }
 
-/// The first shard whose file was changed since it was written.
+/// The first shard whose file was changed after it was written.
 std::optional<std::string> first_changed(const std::vector<ShardRun>& shards) {
   for (const ShardRun& shard : shards)
     if (!shard.as_written) return shard.file;
   return std::nullopt;
 }
 
-/// Compares shards with each other.  One that was changed is at fault for every difference, also where the message names
-/// the other; what is wrong with that one itself says more than that it was changed.
+/// Compares shards with each other. A changed shard is blamed for every difference, even if the message names
+/// another shard; a message about the changed shard itself stays, since it says more.
 template <class Compare>
 auto of_shards_as_written(const std::optional<std::string>& changed, Compare compare) {
   const auto blame = [&](const std::string& what) {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
   throw EnvironmentError(fmt::format("{}: {}: {}", path, what, std::strerror(errno)));
 }
 
-/// Whether the path is one of a process's own streams, as /dev/stdout is: its link is none that can be followed.
+/// Whether the path is a stream of a process, such as /dev/stdout, whose link cannot be followed.
 bool is_stream(const fs::path& path) {
   std::error_code error;
   return fs::canonical(path.parent_path().empty() ? "." : path.parent_path(), error)
@@ -31,7 +31,7 @@ bool is_stream(const fs::path& path) {
       .starts_with("/proc/");
 }
 
-/// The file that the path's links lead to, there or not; nothing where they go in a circle.
+/// The file behind the path's links, existing or not; nothing for a circle of links.
 std::optional<fs::path> behind_links(fs::path path) {
   constexpr int most_links = 40;  // the kernel's own limit
   std::error_code error;
@@ -50,7 +50,7 @@ constexpr std::size_t digits = 16;
 }  // namespace
 
 std::string name_until_whole(const std::string& target) {
-  std::random_device random;  // of no sample: others are not to know it
+  std::random_device random;  // not seeded: other processes must not guess the name
   return fmt::format("{}.{:08x}{:08x}{}", target, random(), random(), ending);
 }
 
@@ -80,7 +80,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   struct stat there {};
   if (stat(target->c_str(), &there) == 0) old_ = there;
   if (is_stream(*target) || (old_ && !S_ISREG(old_->st_mode))) {
-    // A folder says so here.
+    // open() reports an error for a folder.
     descriptor_ = open(target->c_str(), O_WRONLY | O_CLOEXEC);
   } else if (!old_ || access(target->c_str(), W_OK) == 0) {
     target_ = target->string();
@@ -94,14 +94,14 @@ void OutputFile::open_beside() {
   const mode_t mode = old_ ? 0600 : 0666;
 #ifdef O_TMPFILE
   const fs::path folder = fs::path(target_).parent_path();
-  if (access("/proc/self/fd", X_OK) == 0)  // by which name_it() finds it
+  if (access("/proc/self/fd", X_OK) == 0)  // name_it() needs it
     descriptor_ = open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
 #endif
   if (descriptor_ < 0) {
     temporary_ = name_until_whole(target_);
     descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
   }
-  if (descriptor_ >= 0) flock(descriptor_, LOCK_EX | LOCK_NB);  // for remove_left_over() of another run
+  if (descriptor_ >= 0) flock(descriptor_, LOCK_EX | LOCK_NB);  // against remove_left_over()
 }
 
 OutputFile::~OutputFile() {
@@ -113,18 +113,18 @@ void OutputFile::remove_old() const {
   if (!target_.empty()) unlink(target_.c_str());
 }
 
-/// Who may read the file that is replaced may read the new one, and nobody else.
+/// Gives the new file the mode and owner of the one that it replaces, so that nobody else may read it.
 void OutputFile::take_mode() const {
   if (!old_) return;
   struct stat mine {};
   const bool same_owner =
       (fstat(descriptor_, &mine) == 0 && mine.st_uid == old_->st_uid && mine.st_gid == old_->st_gid) ||
       fchown(descriptor_, old_->st_uid, old_->st_gid) == 0;
-  // Another group is not to have what this one's had.
+  // If the owner differs, the group does too, and gets no access.
   fchmod(descriptor_, old_->st_mode & (same_owner ? 0777u : 0707u));
 }
 
-/// Gives a file without a name one, for rename() to take.
+/// Gives a nameless file a name, for rename() to move.
 void OutputFile::name_it() {
   const std::string name = name_until_whole(target_), self = fmt::format("/proc/self/fd/{}", descriptor_);
   if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)

@@ -1,4 +1,4 @@
-// Files that are whole or not there.
+// Output files that appear whole or not at all.
 #pragma once
 
 #include <sys/stat.h>
@@ -8,11 +8,11 @@
 
 namespace mmverify::cli {
 
-/// A file that appears under its name only when commit() has written all of it. Opened at once, so that a place that
-/// cannot be written is known before hours of work; EnvironmentError names the file.
-/// A link stays, and what it names is written; a file that is replaced leaves its mode and owner to the new one.  Until then
-/// the file has no name, or, where the file system knows no such files, one that nobody can guess; what a killed run left
-/// under such a name, the next one of the same output removes.
+/// A file that appears under its name only when commit() has written it. It is opened at once, so that a
+/// place that cannot be written is found before hours of work; EnvironmentError names the file.
+/// A symbolic link stays, and its target is written; a replaced file passes on its mode and owner. Until
+/// commit() the file has no name, or, if the file system needs one, a name that nobody can guess. If a killed
+/// run leaves such a name behind, the next run with the same output removes it.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& path);
@@ -20,7 +20,7 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Removes what an earlier run wrote, which must not be taken for this one's where this one fails.
+  /// Removes the file of an earlier run, which must not be mistaken for this run's if this run fails.
   void remove_old() const;
 
   /// Writes the text, syncs it and moves it into place.
@@ -31,20 +31,21 @@ class OutputFile {
   void take_mode() const;
   void name_it();
 
-  std::string path_;    ///< as it was given, for messages
-  std::string target_;  ///< behind links; empty: a pipe, a device or one of our own streams, written as it is
-  std::string temporary_;           ///< the name until commit(); empty: it has none
-  std::optional<struct stat> old_;  ///< the file that is replaced
+  std::string path_;       ///< as given, for messages
+  std::string target_;     ///< behind links; empty for a pipe, device or stream, which is written directly
+  std::string temporary_;  ///< its name until commit(); empty if it has none
+  std::optional<struct stat> old_;  ///< the file to replace
   int descriptor_ = -1;
 };
 
-/// A name beside the target, under which something may be kept until it is whole.
+/// A random name beside the target, for a file that is not yet whole.
 std::string name_until_whole(const std::string& target);
 
-/// Removes what killed runs left under such names, and nothing that a process has locked with flock().
+/// Removes the files and folders that killed runs left under such names, except for those that a process has
+/// locked with flock().
 void remove_left_over(const std::string& target);
 
-/// Whether two paths name one file, there or not.  A path that cannot be followed names no other's file.
+/// Whether two paths name one file, existing or not. A path that cannot be followed equals no other.
 bool same_file(const std::string& a, const std::string& b);
 
 }  // namespace mmverify::cli

@@ -1,4 +1,4 @@
-// mmverify gen and check: any program on a pipe as the subject.
+// mmverify gen and check: judges any program on a pipe.
 #include "proofs/index/pipe.hpp"
 
 #include <fmt/format.h>
@@ -33,13 +33,13 @@ struct PipeOptions {
   std::vector<std::string> laws;
   std::size_t errors = 1;
   std::uint64_t seed = 1, cases = 0;
-  double distance = 0;  ///< of rays
+  double distance = 0;  ///< for rays
   bool interiors_only() const { return cells == "interior"; }
   bool corners() const { return topic == "corners"; }
   bool rays() const { return topic == "rays"; }
 };
 
-/// The topic whose laws ask what is answered; null: index and corners, whose cases are the cells.
+/// The topic whose laws ask questions over the pipe; null for index and corners, whose cases are the cells.
 const Topic* asking_topic(const PipeOptions& options) {
   for (const Topic& topic : topics())
     if (topic.dialogue != nullptr && options.topic == topic.name) return &topic;
@@ -52,7 +52,8 @@ std::vector<std::string> topics_with(std::vector<std::string> others) {
   return others;
 }
 
-/// The pipe's indices have 32 bits; corners are kept, 24 bytes each.
+/// The level for topics that take one. Limits: the pipe's indices have 32 bits; corners are stored, 24 bytes
+/// each.
 Level one_level(const PipeOptions& options) {
   if (options.level.empty() && !options.levels.empty())
     throw UsageError(fmt::format("--levels {}: {} are of one level; write --level N", options.levels,
@@ -72,7 +73,8 @@ Level one_level(const PipeOptions& options) {
   return level;
 }
 
-/// A pipe answers each question once: laws that run on libraries alone, or settle many levels at once, are left out.
+/// Whether a law can run on a pipe, which answers each question once: not if it needs a library or covers
+/// many levels at once.
 bool on_pipe(const Law& law) {
   return law.general && !law.long_only && !law.alternative && law.at_once.empty();
 }
@@ -132,7 +134,7 @@ int generate(const PipeOptions& options) {
   return ExitCode::complete;
 }
 
-/// Of index and corners.
+/// Judges the answers to index and corners.
 Report checked_level(const PipeOptions& options) {
   const Level level = one_level(options);
   const index::Answered answered =
@@ -177,7 +179,7 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet)
   return exit_code(report);
 }
 
-/// What only finished maps have.
+/// Adds the options that only finished maps need.
 void add_maps(CLI::App& command, CheckMapsOptions& options) {
   command
       .add_option("file", options.file,

@@ -1,4 +1,4 @@
-// mmverify prove: runs laws on subjects and says what came of it.
+// mmverify prove: runs laws on subjects and reports the verdicts.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -56,7 +56,7 @@ Request request(const ProveOptions& options, std::vector<RunsOn>& runs_on) {
     if (devices.empty()) devices.emplace_back();
     for (const auto& device : devices) {
       const std::string on_device = with_device(name, device, options.entry);
-      // A library, and a shader that names its device, are not asked again for each.
+      // A library, or a shader that names its device, is used once and not for each device.
       if (std::find(called.begin(), called.end(), on_device) == called.end()) called.push_back(on_device);
     }
   }
@@ -82,7 +82,7 @@ std::optional<Shard> parse_shard(const std::string& text) {
   return shard;
 }
 
-/// Who asked for one law is told of those that run beside it.
+/// Names the laws that run in addition to the one requested.
 void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
   std::vector<std::string> said;
   for (const Job& job : jobs) {
@@ -96,7 +96,7 @@ void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
   for (const std::string& line : said) text.note(line);
 }
 
-/// A verdict without companions is about few numbers; the last line names the laws that would have asked more.
+/// Names the laws that --no-companions left out: without them a verdict covers few numbers.
 void name_left_out_companions(Request request, const std::vector<Job>& jobs, TextReport& text) {
   if (request.companions) return;
   request.companions = true;
@@ -110,7 +110,7 @@ void name_left_out_companions(Request request, const std::vector<Job>& jobs, Tex
         fmt::format("left out by --no-companions: {}, which would ask other floats", fmt::join(said, ", ")));
 }
 
-/// The one law that is proved of a source, on it.
+/// The job of proving index.floats of a source, the only law for sources.
 Job job_of_source(const ProveOptions& options) {
   if (options.laws != std::vector<std::string>{"index.floats"})
     throw UsageError(
@@ -127,7 +127,7 @@ Job job_of_source(const ProveOptions& options) {
                     timeout_of("", options.timeout));
 }
 
-/// A counterexample again: LEVEL@CASE.
+/// Replays a counterexample, LEVEL@CASE.
 int replay_of_source(const Job& job, const std::string& text) {
   const Groups parts = groups_of(text, "([0-9]{1,2})@(.+)");
   if (!parts)
@@ -156,7 +156,7 @@ int prove(const ProveOptions& options) {
   if ((!options.devices.empty() || options.entry) &&
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
     throw UsageError("--device, --entry: no --subject is a shader; leave them out");
-  // Loading a library may take long.
+  // Loading a library may take long, so interrupts are handled from here on.
   const InterruptGuard guard;
   std::vector<RunsOn> runs_on;
   const Request asked = options.source ? Request{} : request(options, runs_on);
@@ -171,11 +171,11 @@ int prove(const ProveOptions& options) {
     throw UsageError("--near: none of these laws compares indices at points; leave it out");
   std::optional<OutputFile> json, junit;
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
-  // An old shard must not be merged in the place of this one, should this one fail.
+  // An old shard's file must not be merged in place of this one if this run fails.
   if (json && !options.shard.empty()) json->remove_old();
   if (!options.junit.empty()) junit.emplace(options.junit);
 
-  // With JSON on stdout, the lines for people go where the progress goes.
+  // With JSON on stdout, the text goes to stderr.
   TextReport text(options.json == "-" ? stderr : stdout, !options.laws.empty());
   RunOptions run{options.threads,
                  options.errors,

@@ -1,4 +1,4 @@
-// What mmverify-prove can do: what ./run prove needs, and what a counterexample asks next.
+// The commands of mmverify-prove: those that ./run prove and the replay of a counterexample need.
 #include "cli/commands.hpp"
 
 namespace mmverify::cli {

@@ -101,7 +101,7 @@ ShardRun shard_run(const Json& j) {
   for (const auto& [name, value] : shard.at("run").items())
     run.identity.emplace_back(name, value.get<std::string>());
   j.at("tool").at("threads").get_to(run.report.threads);
-  gate::refuse_contradictions(j);  // a merge adds up counts, and would call a planted one its own
+  gate::refuse_contradictions(j);  // else a merge would sum up a false count and call it its own
   for (const Json& r : j.at("results")) run.report.results.push_back(result(r));
   if (j.contains("mutants"))
     for (const Json& m : j.at("mutants")) run.report.mutants.push_back(mutant(m));
@@ -115,7 +115,7 @@ ShardRun shard_run(const Json& j) {
 }  // namespace
 
 std::string read_text(const std::string& path) {
-  // Our own files are of megabytes; /dev/zero never ends.
+  // Our own files have megabytes; /dev/zero never ends.
   constexpr std::size_t most = std::size_t{256} << 20, a_time = std::size_t{1} << 20;
   std::error_code none;
   if (std::filesystem::is_directory(path, none))
@@ -138,7 +138,7 @@ std::string read_text(const std::string& path) {
 Json read_json(const std::string& path) {
   const std::string text = read_text(path);
   try {
-    // What reads it calls itself for each level.
+    // Readers of the JSON recurse for each level, so the depth is bounded.
     static constexpr int deepest = 64;
     Json json = Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
       if (depth > deepest) throw std::runtime_error(fmt::format("nested more than {} deep", int{deepest}));

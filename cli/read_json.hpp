@@ -1,4 +1,4 @@
-// Files that the program wrote, read back.
+// Reads files that the program wrote.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,18 +10,18 @@
 
 namespace mmverify::cli {
 
-/// All of a file.  Throws EnvironmentError, which names it, where it cannot be read.
+/// The content of a file. Throws EnvironmentError, which names the file, if it cannot be read.
 std::string read_text(const std::string& path);
 
-/// A file of JSON.  Throws EnvironmentError, which names the file and the place in it, where it is missing or
-/// is none.
+/// A JSON file. Throws EnvironmentError, which names the file and the place in it, if it is missing or no
+/// JSON.
 nlohmann::ordered_json read_json(const std::string& path);
 
-/// One shard's file, schema mmverify.result/1.  Throws EnvironmentError, which names the file and the place
-/// in it, where it is missing, is no such file or was not written with --shard.
+/// A shard's file, schema mmverify.result/1. Throws EnvironmentError, which names the file and the place in
+/// it, if it is missing, no such file, or was not written with --shard.
 proofs::ShardRun read_shard(const std::string& path);
 
-/// Where the subjects of such a file ran, as far as they said.  Throws as read_shard().
+/// The descriptions in such a file of where subjects ran. Throws as read_shard().
 std::vector<RunsOn> read_runs_on(const std::string& path);
 
 }  // namespace mmverify::cli

@@ -1,4 +1,4 @@
-// mmverify replay: one case again, and its picture.
+// mmverify replay: judges one case again, and draws it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,8 @@ struct ReplayOptions {
   std::optional<std::string> answer;
 };
 
-/// A library may be several subjects: FILE:KIND means one, FILE the first of the law's topic.
+/// The subject to replay. A library may have several: FILE:KIND names one, FILE is the first of the law's
+/// topic.
 SubjectPtr parse_one(const ReplayOptions& options, const Law& law) {
   if (options.answer) try {
       return index::given_answer(*options.answer);

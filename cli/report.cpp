@@ -1,4 +1,4 @@
-// mmverify report: results as one page that opens from disk.
+// mmverify report: writes results as one page that opens from disk.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -26,7 +26,7 @@ struct ReportOptions {
   std::string out;
 };
 
-/// As text within a script element: no text of a file can end it, as none has a "<".
+/// JSON for a script element: without a "<", no text can end the element.
 std::string within_script(const Json& data) {
   std::string text;
   for (const char c : json_text(data, -1)) text += c == '<' ? std::string("\\u003c") : std::string(1, c);

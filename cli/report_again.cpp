@@ -19,24 +19,24 @@ namespace {
 using namespace proofs;
 using Json = nlohmann::ordered_json;
 
-constexpr Level all_levels_to = 6;           // of these every cell is asked, and the counterexample's level
-constexpr Level highest_asked = 10;          // a second or so
-constexpr std::int64_t squares_around = 32;  // of it, on each side of the counterexample, where all is listed
+constexpr Level all_levels_to = 6;           // highest level at which every cell is asked
+constexpr Level highest_asked = 10;          // takes a second or so
+constexpr std::int64_t squares_around = 32;  // cells listed on each side of the counterexample
 constexpr std::size_t most_results = 200, most_pictures = 8;
 
 using index::Order;
 
-/// The order that the law is about.
+/// The order of indices that the law is about.
 Order order_of(const Law& law, const index::IndexSubject& subject) {
   const bool rows =
       law.id == "index.row_order" || law.id == "index.row_corners" || law.id.starts_with("paper.w_minor");
   return rows || !subject.functions.index ? Order::rows : Order::curve;
 }
 
-/// The subjects of topic index, each asked once in each order.
+/// The subjects of topic index, asked once for each order.
 class Asked {
  public:
-  /// Its number in the list.  Domain: the subject has the order's entry point.
+  /// Asks the subject and returns its number in the list. Domain: the subject has the order's entry point.
   std::size_t add(const index::IndexSubject& subject, Order order, Level level, const std::string& at) {
     const auto [place, added] = numbers_.emplace(std::pair(subject.name(), order), numbers_.size());
     const std::size_t number = place->second;
@@ -58,14 +58,14 @@ class Asked {
   const Json& list() const { return list_; }
 
  private:
-  /// The cells around a counterexample that is a point.
+  /// The cells around a counterexample; nothing if it is no point.
   static std::optional<index::CellWindow> around(const std::string& at, Level n) {
     try {
       const points::RationalPoint p = points::parse_point(at);
       const double quarters = 4.0 * spec::side(n);
       const auto u = static_cast<std::int64_t>(points::nearest(p.u) * quarters),
                  v = static_cast<std::int64_t>(points::nearest(p.v) * quarters);
-      // From grid line to grid line.
+      // Rounded to grid lines.
       const auto low = [](std::int64_t k) { return std::max<std::int64_t>(0, (k / 4 - squares_around) * 4); };
       const auto high = [](std::int64_t k) { return (k / 4 + squares_around) * 4; };
       return index::CellWindow{low(u), high(u), low(v), high(v)};
@@ -94,7 +94,7 @@ std::string digits(const std::vector<spec::micromap::State>& states) {
   return text;
 }
 
-/// The states of the case's triangle, as they are and as the subject has them; null where there are too many.
+/// The true states of the case's triangle and the subject's; null if there are too many.
 Json states_of(const bake::BakeSubject& subject, const std::string& at, Level n) {
   if (n > all_levels_to) return nullptr;
   const bake::Case one = bake::case_from(at);
@@ -103,7 +103,7 @@ Json states_of(const bake::BakeSubject& subject, const std::string& at, Level n)
   std::vector<bake::State> right;
   for (std::uint32_t k = 0; k < baked->states.size(); ++k) {
     right.push_back(bake::true_state(one, n, k));
-    // Which of the two unknowns it is, not every baker promises.
+    // A baker need not tell the two unknown states apart.
     if (!subject.functions.centroid && spec::micromap::unknown(right[k]) &&
         spec::micromap::unknown(baked->states[k]))
       right[k] = baked->states[k];
@@ -111,7 +111,7 @@ Json states_of(const bake::BakeSubject& subject, const std::string& at, Level n)
   return {{"level", n}, {"expected", digits(right)}, {"got", digits(baked->states)}};
 }
 
-/// Asks about one result's counterexample; fills what there is to say into `one`.
+/// Repeats the question of one result's counterexample, and writes the outcome into `one`.
 void ask(const Json& result, Asked& asked, std::size_t& pictures, Json& one) {
   const std::string id = result["law"], name = result["subject"];
   const Json& c = result["counterexample"];

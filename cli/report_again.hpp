@@ -1,13 +1,14 @@
-// What a page shows of refuted laws and no result file has: the answers of built-in subjects, asked again.
+// Repeats the questions of counterexamples to built-in subjects, for a page: the result files do not have the
+// answers.
 #pragma once
 
 #include "cli/report_input.hpp"
 
 namespace mmverify::cli {
 
-/// "asked": subjects of topic index, where they are wrong on the cells of some levels; "again": for each
-/// refuted result what came of asking once more, or why nobody was asked.  Only built-in subjects are: no
-/// library is started for a page.
+/// "asked": for subjects of topic index, the cells of some levels with wrong answers; "again": for each
+/// refuted result the outcome of asking again, or the reason why it was not asked. Only built-in subjects are
+/// asked: no library is started for a page.
 nlohmann::ordered_json asked_again(const std::vector<ReportInput>& inputs);
 
 }  // namespace mmverify::cli

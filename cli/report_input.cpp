@@ -38,7 +38,7 @@ std::vector<ReportInput> read_report_input(const std::string& path) {
                          schema.empty() ? "no schema of mmverify"
                                         : fmt::format("schema '{:.60}' is none that it knows", schema)));
     try {
-      // First what a result says against itself: its message is plainer than that of a schema's condition.
+      // Contradictions come first: their messages are plainer than those of a schema's conditions.
       gate::refuse_contradictions(one);
     } catch (const gate::NoResult& why) {
       refuse(place, why.what());

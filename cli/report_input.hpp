@@ -1,4 +1,4 @@
-// The files that mmverify report shows, read and checked.
+// Reads and checks the files that mmverify report shows.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,13 +8,13 @@
 namespace mmverify::cli {
 
 struct ReportInput {
-  std::string name;                ///< as it was given
+  std::string name;                ///< the path as given
   nlohmann::ordered_json content;  ///< one run of schema mmverify.result/1 or mmverify.bench/1
 };
 
-/// What prove --json, scene --json or bench --json wrote; a bench of several topics is several inputs.  What
-/// their schemas do not name is left out.  Throws EnvironmentError, which names the file and the place in it,
-/// where it is missing, is no such file or contradicts itself.
+/// The runs in a file of prove --json, scene --json or bench --json, without members that the schemas do not
+/// name; a bench of several topics is several inputs. Throws EnvironmentError, which names the file and the
+/// place in it, if the file is missing, is no such file or contradicts itself.
 /// Source: docs/result.schema.json and docs/bench.schema.json, by way of gate/schema.hpp.
 std::vector<ReportInput> read_report_input(const std::string& path);
 

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Three tiles of 512 and what lies between them: what a page of 1280 pixels shows, in a megabyte or two.
+/// Three tiles of 512 and the gaps between them: enough for a page of 1280 pixels, in a megabyte or two.
 constexpr std::uint32_t longest_shown = 1560;
 
 /// Source: RFC 4648, section 4.
@@ -45,7 +45,7 @@ std::string shown_picture(const std::string& result, const std::string& named) {
   return base64(scene::png(small.width, small.height, small.rgb));
 }
 
-/// The pictures that a result names, each with its number; those of views stand in their rows.
+/// The pictures that a result names, each with its number; for views they are in the rows.
 std::vector<std::pair<std::size_t, std::string>> named_by(const Json& result) {
   std::vector<std::pair<std::size_t, std::string>> files;
   const bool views = result.value("topic", "") == "views";

@@ -1,14 +1,14 @@
-// The pictures that runs of `scene --attributes --pictures` wrote, for a page to show.
+// Reads the pictures of `scene --attributes --pictures`, for a page.
 #pragma once
 
 #include "cli/report_input.hpp"
 
 namespace mmverify::cli {
 
-/// "pictures": for each picture that an input names, in order, {"file": input, "picture": number in it, and "png": the
-/// picture in base64, its longest side at most 1,560 pixels, or "why": what keeps it from being shown}.  A path is
-/// looked for from the folder that the program was called in, then beside the result.  Only what decodes as a PNG or
-/// JPEG is shown, and is written anew: a result cannot carry another file into a page.
+/// "pictures": for each picture that an input names, in order, {"file": input, "picture": number in it, and
+/// "png": the picture in base64, its longest side at most 1,560 pixels, or "why": the reason why it is not
+/// shown}. A path is resolved from the current folder, then from the result's folder. Only a file that
+/// decodes as PNG or JPEG is shown, and it is encoded anew: a result cannot bring another file into a page.
 nlohmann::ordered_json pictures_of(const std::vector<ReportInput>& inputs);
 
 }  // namespace mmverify::cli

@@ -39,7 +39,7 @@ std::string with_device(const std::string& name, std::optional<std::uint32_t> de
       entry_point && std::find(all.begin(), all.end(), *entry_point) == all.end())
     throw UsageError(fmt::format("--entry: no entry point of shaders is called {:.60}; there are {}",
                                  *entry_point, fmt::join(all, ", ")));
-  // What the name says itself stands.
+  // The name's own device and entry point take precedence.
   if (!shader->device && device != 0u) shader->device = device;
   if (!shader->entry_point) shader->entry_point = entry_point;
   return shaders::to_text(*shader) + (kind.empty() ? "" : ":" + kind);

@@ -22,7 +22,7 @@ namespace {
 using namespace proofs;
 namespace law = proofs::index::source;
 
-/// The function's program at each level, read when it is first asked for.
+/// The function's program at each level, read on demand.
 class Programs {
  public:
   explicit Programs(source::Compiled made) : made_(std::move(made)) {}
@@ -36,7 +36,7 @@ class Programs {
 
   std::optional<std::string> not_known(Level n) {
     try {
-      // Whether all of it has formulas, one pair of ranges tells as well as any other.
+      // Any pair of ranges shows whether every operation has a formula.
       formula(n, {false, 0, 100 - n}, {false, 126, 126});
       return std::nullopt;
     } catch (const source::UnknownInstruction& why) {
@@ -56,14 +56,15 @@ class Programs {
     return formula;
   }
 
-  /// Of its floats, of words that may be floats' bits, and of floats that coordinates times 2^n are compared with.
+  /// Exponent fields of the constants at a level: of floats, of words that may be floats' bits, and, n lower,
+  /// of floats that coordinates times 2^n may be compared with.
   std::vector<unsigned> fields(Level n) {
     std::vector<unsigned> all;
     for (const source::Node& node : at(n).nodes) {
       if (node.op != source::Op::constant || node.type.bits != 32) continue;
       const auto field = static_cast<unsigned>(node.numbers[0] >> 23 & 255);
       if (!node.type.floating && (node.numbers[0] >> 31 != 0 || field < 40)) continue;
-      // 1, its halves and 2^n are in every such function, and no sign of anything.
+      // 1, its halves and 2^n occur in every index function, so they tell nothing.
       if ((node.numbers[0] & 0x7fffff) == 0 && field >= 126) continue;
       all.push_back(field);
       if (field > n) all.push_back(field - n);
@@ -79,7 +80,7 @@ class Programs {
   std::array<std::optional<source::Program>, 17> programs_;
 };
 
-/// What a shader's own compiler makes of it; empty: the file is none in a shading language.
+/// The SPIR-V file that a shader's compiler makes; empty if the file is in no shading language.
 std::string compiled_shader(const SourceOptions& options, const program::Folder& folder) {
   const std::string& file = options.file;
   if (!shaders::shader_name(file) || file.ends_with(".spv")) return {};
@@ -92,7 +93,7 @@ std::string compiled_shader(const SourceOptions& options, const program::Folder&
   }
 }
 
-/// A shader's floats are what its device makes of them: of which device the proof speaks.
+/// The reading of the source that a proof is about: a shader's floats depend on the device.
 std::string read_as(const source::Compiled& made, const SourceOptions& options) {
   if (made.compiler() != "SPIR-V") {
     std::string text = "LLVM bitcode of " + made.compiler();
@@ -133,7 +134,7 @@ std::string to_text(const SourceOptions& options) {
 
 Job source_job(const SourceOptions& options, const std::optional<Levels>& levels, Tier tier,
                double timeout_seconds) {
-  // It lives as long as the program, as the registry's laws do.
+  // The law lives as long as the program, as the registry's laws do.
   static const Law of_source = law::law("mmverify prove index.floats " + to_text(options));
   const std::string name = options.file + ":" + options.function;
   Job job{&of_source,

@@ -1,4 +1,4 @@
-// Somebody's source as a subject of index.floats.
+// A source file as a subject of index.floats.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,18 @@
 
 namespace mmverify::cli {
 
-/// What --source, --function and --flag name.
+/// The values of --source, --function and --flag.
 struct SourceOptions {
   std::string file, function = "index_of";
   std::vector<std::string> flags;
 };
 
-/// The command line that names it again: "--source mine.c --function index_of".
+/// The arguments that name the source: "--source mine.c --function index_of".
 std::string to_text(const SourceOptions& options);
 
-/// The law and the function, compiled, at those levels.  UsageError where it does not compile or has no such function;
-/// where this machine or this build has no means, or an instruction is not known, the law is not_applicable.
+/// The law on the compiled function, at those levels. UsageError if the source does not compile or has no
+/// such function; EnvironmentError if this machine or this build lacks a tool. If an instruction is not
+/// known, the law is not_applicable.
 proofs::Job source_job(const SourceOptions& options, const std::optional<proofs::Levels>& levels,
                        proofs::Tier tier, double timeout_seconds);
 

@@ -20,7 +20,7 @@ bool reader_is_gone() {
 }  // namespace
 
 void reserve_standard_streams() {
-  // open() takes the lowest descriptor that is free.
+  // open() takes the lowest free descriptor, so this fills the gaps below STDERR_FILENO.
   int opened = 0;
   while (opened >= 0 && opened <= STDERR_FILENO) opened = open("/dev/null", O_RDWR);
   if (opened > STDERR_FILENO) close(opened);

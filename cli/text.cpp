@@ -17,7 +17,7 @@ namespace mmverify::cli {
 using namespace proofs;
 
 namespace {
-/// A result about many levels has counterexamples on levels of their own.
+/// The level of a counterexample; a result about many levels has one for each counterexample.
 Level level_of(const Result& result, const Counterexample& c) {
   return result.at_once.empty() ? result.level : c.level;
 }
@@ -28,7 +28,7 @@ std::string replay_command(const Result& result, const Counterexample& c) {
     return fmt::format("{} --case {}@{}", result.replayed_by, level_of(result, c), shell_quoted(c.at));
   const Law* law = find_law(result.law);
   const Level level = level_of(result, c);
-  // What the answers to laws of more than one question were is gone with them: the right one is shown.
+  // The other answers to a law of several questions are not stored, so the replay shows the right one.
   if (result.subject == "standard input" && result.topic != "index")
     return fmt::format("mmverify replay {} --level {} --case {}", result.law, level, shell_quoted(c.at));
   if (result.subject == "standard input")
@@ -55,7 +55,7 @@ std::string levels_text(const std::vector<Result>& results) {
   return first == last ? fmt::format("level {}", first) : fmt::format("levels {}..{}", first, last);
 }
 
-/// The weakest of the verdicts of one law on one subject.
+/// The weakest verdict of one law on one subject.
 Verdict verdict_of(const std::vector<Result>& results) { return weakest(results, results.front().subject); }
 
 std::string by_kind(const Result& r) {

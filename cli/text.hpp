@@ -1,4 +1,4 @@
-// Results as lines for a person.
+// Results as lines of text.
 #pragma once
 
 #include <cstdio>
@@ -8,31 +8,31 @@
 
 namespace mmverify::cli {
 
-/// The text with what a terminal would obey written out: it may quote a file or an argument.
+/// The text with control characters escaped: it may quote a file or an argument.
 std::string printable(const std::string& text);
 
-/// The command that shows a counterexample again.
+/// The command that replays a counterexample.
 std::string replay_command(const proofs::Result& result, const proofs::Counterexample& c);
 
-/// "refuted LAW level N case C (hex) expected E got G   replay: ..."
+/// The line "refuted LAW level N case C (hex) expected E got G   replay: ...".
 std::string counterexample_line(const proofs::Result& result, const proofs::Counterexample& c);
 
-/// Prints results as they come, to `out`: a line a level, or one line a law and subject.
+/// Prints results as they come, to `out`: a line for each level, or one for each law and subject.
 class TextReport {
  public:
   TextReport(std::FILE* out, bool by_level) : out_(out), by_level_(by_level) {}
   void add(const proofs::Result& result);
-  /// A line of its own, before the results.
+  /// Prints a line before the results.
   void note(const std::string& line);
-  /// The mutants, each subject's overall verdict, and the sum.
+  /// Prints the mutants, each subject's overall verdict, and the sum.
   void finish(const proofs::Report& report, bool name_subjects);
 
  private:
   void flush();
   void line(const std::vector<proofs::Result>& results);
-  /// What a broken subject did, and on how many cases.
+  /// Prints how a broken subject failed, and on how many cases.
   void say_breaks(const proofs::Result& result) const;
-  /// Which mutants were killed, by law; returns how many.
+  /// Prints the mutants by law, killed or survived; returns the number of killed ones.
   std::size_t print_mutants(const std::vector<proofs::MutantResult>& mutants) const;
 
   std::FILE* out_;

@@ -9,7 +9,8 @@
 namespace mmverify::cli {
 namespace {
 
-/// The name alone does not tell processors apart: a virtual machine may call four generations "AMD EPYC".
+/// The processor's name and numbers: the name alone may stand for several generations, as "AMD EPYC" in a
+/// virtual machine.
 std::string cpu_name() {
   std::string name = "unknown", numbers;
   std::ifstream info("/proc/cpuinfo");

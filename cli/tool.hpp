@@ -1,11 +1,11 @@
-// What made a result, and on what: the member "tool" of every JSON that is written.
+// The program and machine that made a result: the member "tool" of all JSON output.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace mmverify::cli {
 
-/// Version, compiler, flags and processor; then the command's own settings, an object; then the hash of the
+/// Version, compiler, flags and processor; then the command's settings, an object; then the hash of the
 /// specification.
 nlohmann::ordered_json tool(const nlohmann::ordered_json& settings);
 

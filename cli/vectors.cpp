@@ -1,4 +1,4 @@
-// mmverify vectors: test vectors that others compile in or upload.
+// mmverify vectors: writes test vectors to compile in or to upload.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,7 @@ struct VectorsOptions {
   std::vector<std::string> families;
 };
 
-/// "index      points 3,565"
+/// Prints a family's line: "index      points 3,565".
 void print(const vectors::Family& family) {
   std::string tables;
   for (const vectors::Table& table : family.tables)

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
   throw EnvironmentError(fmt::format("{}: {}: {}", place, what, error.message()));
 }
 
-/// Whether a folder of vectors can have a file of this name: a manifest that somebody wrote names others in vain.
+/// Whether a folder of vectors may have a file of this name: a forged manifest may list any other.
 bool is_of_vectors(const std::string& name) {
   if (name == vectors::header_name || name == vectors::binary_name) return true;
   const auto& all = vectors::families();
@@ -30,12 +30,12 @@ bool is_of_vectors(const std::string& name) {
                      [&](const auto& family) { return name == std::string(family.name) + ".json"; });
 }
 
-/// The names that a folder's manifest lists, its own among them; none where it has no manifest of vectors.
+/// The files that a folder's manifest lists, with the manifest; none if it has no manifest of vectors.
 std::set<std::string> listed_in(const fs::path& folder) {
   std::ifstream in(folder / vectors::manifest_name);
   const auto manifest = nlohmann::json::parse(in, nullptr, false);
   if (!manifest.is_object() || !manifest.contains("schema") || !manifest["schema"].is_string()) return {};
-  // A folder of this form, or of an earlier one, makes room for this one's files.
+  // A folder of this or an earlier form may be replaced.
   if (!manifest["schema"].get<std::string>().starts_with("mmverify.vectors/")) return {};
   std::set<std::string> names{vectors::manifest_name};
   const auto files = manifest.find("files");
@@ -80,7 +80,7 @@ VectorsFolder::VectorsFolder(const std::string& asked) : asked_(asked) {
   const bool made = !error && fs::create_directory(stage_, error);
   if (!made) cannot(asked, "cannot be written", error);
   lock_ = open(stage_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ >= 0) flock(lock_, LOCK_EX | LOCK_NB);  // for remove_left_over() of another run
+  if (lock_ >= 0) flock(lock_, LOCK_EX | LOCK_NB);  // protects it from another run's remove_left_over()
 }
 
 VectorsFolder::~VectorsFolder() {
@@ -93,7 +93,7 @@ void VectorsFolder::commit(std::span<const vectors::File> files) {
   for (const auto& [file, bytes] : files) try {
       OutputFile((stage_ / file).string()).commit(bytes);
     } catch (const EnvironmentError& why) {
-      // Who reads it has asked for a folder, and knows nothing of another beside it.
+      // The message names the requested folder: the user does not know of the temporary one.
       throw EnvironmentError(asked_ + std::string(why.what()).substr(stage_.string().size()));
     }
   std::error_code error;

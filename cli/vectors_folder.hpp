@@ -1,4 +1,4 @@
-// A folder of vectors, written whole or not at all.
+// Writes a folder of vectors whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +10,20 @@
 
 namespace mmverify::cli {
 
-/// Where vectors go: a folder that is not there, is empty, or has what an earlier run wrote and nothing else.  They are
-/// written into a folder beside it, which goes with this.
+/// An output folder for vectors: it does not exist, is empty, or has only files that an earlier run wrote.
+/// The files are first written into a temporary folder beside it, which the destructor removes.
 class VectorsFolder {
  public:
-  /// Errors: EnvironmentError, naming the folder, where it is no folder, has anything else, or cannot be written.
+  /// Errors: EnvironmentError, which names the folder, if it is no folder, has other files, or cannot be
+  /// written.
   explicit VectorsFolder(const std::string& asked);
   ~VectorsFolder();
   VectorsFolder(const VectorsFolder&) = delete;
   VectorsFolder& operator=(const VectorsFolder&) = delete;
 
-  /// Puts the files in place, the last of them last: a folder that is new appears whole; in one that is there the
-  /// manifest goes first and comes last, so that it stands for whole vectors alone, and files of it that are no longer
-  /// among them go.
+  /// Puts the files in place, the manifest last. A new folder appears whole. In an existing one the manifest
+  /// is removed first and put back last, so that it always describes whole vectors; files of the earlier run
+  /// that are no longer listed are removed.
   /// Errors: EnvironmentError.
   void commit(std::span<const vectors::File> files);
 
@@ -30,7 +31,7 @@ class VectorsFolder {
   std::string asked_;
   std::filesystem::path folder_, stage_;
   std::set<std::string> before_;
-  int lock_ = -1;  ///< the stage's
+  int lock_ = -1;  ///< the lock on the temporary folder
 };
 
 }  // namespace mmverify::cli

@@ -1,4 +1,4 @@
-// What mmverify can do as WebAssembly.
+// The commands of mmverify as WebAssembly.
 #include "cli/commands.hpp"
 
 namespace mmverify::cli {

@@ -1,4 +1,4 @@
-// A subject that did something else than answer, and a machine that has no room to ask it.
+// Errors: a subject that misbehaves, and a machine without room to run it.
 #pragma once
 
 #include <stdexcept>
@@ -6,18 +6,19 @@
 
 namespace mmverify::dock {
 
-/// what() says what the subject did, and on which input.
+/// A subject that did not answer; what() says what it did, and on which input.
 struct SubjectBroken : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The same while it was asked of one case: it may answer the others.
+/// A subject that did not answer one case; it may answer others.
 struct CaseBroken : SubjectBroken {
   CaseBroken(const std::string& what, bool took_too_long) : SubjectBroken(what), hung(took_too_long) {}
-  bool hung;  ///< it used up all the time that it may take
+  bool hung;  ///< it used up its time
 };
 
-/// No process, no memory, no file: nothing is said of the subject.  what() says which.
+/// There was no process, memory or file, so there is no verdict on the subject; what() says which was
+/// missing.
 struct NoResources : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -10,11 +10,11 @@ namespace mmverify::dock {
 namespace {
 
 struct Character {
-  std::size_t bytes;  ///< 0: no UTF-8 begins here
+  std::size_t bytes;  ///< 0 if no UTF-8 begins here
   std::uint32_t code;
 };
 
-/// The character that the text begins with.  Domain: at least one byte.
+/// The first character of the text. Domain: at least one byte.
 Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   if (byte(0) < 0x80) return {1, byte(0)};
@@ -25,13 +25,13 @@ Character first_character(std::string_view text) {
     if ((byte(k) & 0xc0) != 0x80) return {0, 0};
     code = code << 6 | (byte(k) & 0x3f);
   }
-  // Overlong forms, surrogates, and what is beyond Unicode.
+  // Overlong forms, surrogates, and numbers beyond Unicode.
   constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
   if (code < least[bytes] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return {0, 0};
   return {bytes, code};
 }
 
-/// Whether a terminal or a viewer obeys it instead of showing it.
+/// Whether a terminal or viewer acts on the character instead of showing it.
 bool is_obeyed(std::uint32_t code) {
   const auto within = [code](std::uint32_t first, std::uint32_t last) {
     return code >= first && code <= last;

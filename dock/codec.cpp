@@ -11,7 +11,7 @@
 namespace mmverify::dock {
 namespace {
 
-/// Places elements [from, from + count) and asks.
+/// Copies elements [from, from + count) into a worker's inputs and asks about them.
 void ask_piece(const Library& library, const Lookup& l, std::uint64_t from, std::uint64_t count,
                std::uint8_t* out) {
   Borrowed worker(library.pool());
@@ -25,7 +25,7 @@ void ask_piece(const Library& library, const Lookup& l, std::uint64_t from, std:
   worker.give_back();
 }
 
-/// Names the element that does it, if one does alone.
+/// Asks about each element alone, to name the first one that misbehaves; `found` if none does alone.
 Misbehaved pinned_down(const Library& library, const Lookup& l, std::uint64_t from, const Misbehaved& found) {
   std::uint8_t ignored = 0;
   for (std::uint64_t t = 0; found.count > 1 && t < found.count; ++t) try {

@@ -49,7 +49,7 @@ const mmverify_subject_t& load_here(const std::string& library) {
 }  // namespace
 
 Cost measure_cost(const std::string& library, std::uint32_t level, const Options& options) {
-  // The worker looks at the library first: what is no subject is not loaded here.
+  // The worker checks the library first, so that only a subject is loaded into this process.
   Worker worker(library, options);
   const mmverify_subject_t& subject = load_here(library);
 
@@ -71,7 +71,7 @@ Cost measure_cost(const std::string& library, std::uint32_t level, const Options
       throw SubjectBroken(fmt::format("{}: {} at level {}", library, found.what, n));
     }
   };
-  // The first command of a level asks everything again in every way; that is paid once, not here.
+  // The first command of a level repeats every question in every way; this cost is not measured.
   ask(level);
 
   using Clock = std::chrono::steady_clock;

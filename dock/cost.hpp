@@ -1,4 +1,4 @@
-// What it costs to ask a subject in another process.
+// Measures the cost of calling a subject in another process.
 #pragma once
 
 #include <string>
@@ -7,17 +7,16 @@
 
 namespace mmverify::dock {
 
-/// Nanoseconds an index, medians over rounds that take turns.
+/// Nanoseconds per index: medians over alternating rounds.
 struct Cost {
-  double bare = 0;  ///< the library loaded here, called in a loop over batches of 4096
-  /// The same calls made by a worker, the switch of processes and all re-asking included.
+  double bare = 0;  ///< the library in this process, called in a loop over batches of 4096
+  /// The same calls by a worker, with the switch of processes and all repeated questions.
   double isolated = 0;
-  double ratio = 0;  ///< median of isolated / bare, round by round
+  double ratio = 0;  ///< median of isolated / bare over rounds
 };
 
-/// Measures index_f32 at a level on `capacity` points of the triangle, one thread.  The library is loaded
-/// into this process: for one that is trusted.  Throws CannotLoad; std::runtime_error where it has no
-/// index_f32.
+/// Measures index_f32 at a level on `capacity` points of the triangle with one thread. The library is loaded
+/// into this process, so it must be trusted. Throws CannotLoad; std::runtime_error if it has no index_f32.
 Cost measure_cost(const std::string& library, std::uint32_t level, const Options& options);
 
 }  // namespace mmverify::dock

@@ -7,10 +7,10 @@
 namespace mmverify::dock {
 namespace {
 
-/// A set of values below a number.
+/// Whether a set has only values below `values`.
 bool within(std::uint32_t set, std::uint32_t values) { return set >> values == 0; }
 
-/// The field that contradicts the header, or nothing.
+/// The field that contradicts the header; empty if none does.
 std::string contradiction(const mmverify_bake_support_t& s) {
   if (s.max_level > 12) return "max_level is above 12";
   if ((s.formats & 1u) != 0 || !within(s.formats, 3)) return "formats is no set of formats";

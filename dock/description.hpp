@@ -1,4 +1,4 @@
-// Checks the description that a worker gives of its library.
+// Checks a worker's description of its library.
 #pragma once
 
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace mmverify::dock {
 
-/// What in it the header forbids, or nothing: "its max_level is above 16".
+/// The first fault that the header forbids, such as "its max_level is above 16"; empty if there is none.
 /// Domain: description_is_whole().
 std::string description_fault(const Description& description);
 
-/// Whether its texts end and its marks are 0 or 1.  A worker of ours writes no other one: something else wrote there.
+/// Whether its texts are terminated and its flags are 0 or 1. Our worker writes no other description:
+/// something else overwrote it.
 bool description_is_whole(const Description& description);
 
 }  // namespace mmverify::dock

@@ -17,7 +17,7 @@ std::string what_broke(const Worker& worker, const ElementsQuestion& q, const Mi
                      found.count, first, q.text(worker, found.first + found.count - 1));
 }
 
-/// Elements [from, from + count), as many as one command takes.
+/// Asks elements [from, from + count), at most one command's.
 void ask_piece(const Library& library, const Elements& e, std::size_t from, std::size_t count,
                std::byte* out) {
   const EntryPoint& entry = entry_point(e.call);
@@ -57,7 +57,7 @@ Borrowed ask(const Library& library, const ElementsQuestion& q) {
   try {
     worker->ask(q.call, q.level, q.count, q.format);
   } catch (const Misbehaved& found) {
-    // The search for the element has left other inputs.
+    // The search for the element has overwritten the inputs.
     q.place(*worker);
     const std::string what = what_broke(*worker, q, found);
     if (!found.alone) throw SubjectBroken(what);

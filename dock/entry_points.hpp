@@ -1,4 +1,4 @@
-// The one table of entry points.
+// The table of entry points.
 #pragma once
 
 #include <algorithm>
@@ -11,25 +11,26 @@
 
 namespace mmverify::dock {
 
-/// Whose laws ask.
+/// The topic whose laws call an entry point.
 enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute, traverse, array, dag };
 
-/// Of a face of RGBA8.
+/// Bytes of a face's value in RGBA8.
 constexpr std::size_t bytes_of_face = 4;
 
-/// Two formats in one: of calls that take two orders.  Domain: each below formats_side.
+/// Two formats in one number, for calls that take two orders. Domain: each below formats_side.
 constexpr std::uint32_t formats_side = 4;
 constexpr std::uint32_t two_formats(std::uint32_t first, std::uint32_t second) {
   return first + formats_side * second;
 }
-/// All formats are below.
+/// The number of formats.
 constexpr std::uint32_t formats = formats_side * formats_side;
 
 // A row is ROW(name, topic, values, arguments), in the order of the header:
 //   name       of the pointer in mmverify_subject_t;
-//   values     how many numbers the answer for one element has;
-//   arguments  what it is called with, where `a` is the Arguments of dock/desk/arguments.hpp.
-// What arrays and which answer it has, and whether it gets a blob, its type in the header says: Signature.
+//   values     the count of numbers in the answer for one element;
+//   arguments  of the call, where `a` is the Arguments of dock/desk/arguments.hpp.
+// The entry point's type in the header gives its arrays, its answer, and whether it takes a blob: see
+// Signature.
 // clang-format off
 #define MMVERIFY_ENTRY_POINTS(ROW)                                                                                    \
   ROW(index_f32,           index,    1, (a.level, a.floats(0), a.floats(1), a.numbers(), a.count))                    \
@@ -90,7 +91,7 @@ constexpr std::uint32_t formats = formats_side * formats_side;
       (a.format, a.blob, a.blob_bytes, a.words(0), a.floats(1), a.floats(2), a.bytes(), a.count))
 // clang-format on
 
-/// Entry points by number: their rows'.
+/// Entry points by the number of their row.
 #define MMVERIFY_NUMBER(name, topic, values, arguments) name,
 enum class Call : std::uint32_t { MMVERIFY_ENTRY_POINTS(MMVERIFY_NUMBER) };
 #undef MMVERIFY_NUMBER
@@ -98,7 +99,7 @@ enum class Call : std::uint32_t { MMVERIFY_ENTRY_POINTS(MMVERIFY_NUMBER) };
 struct EntryPoint {
   const char* name;
   Topic topic;
-  std::size_t offset;  ///< of its pointer in mmverify_subject_t
+  std::size_t offset;  ///< the pointer's, in mmverify_subject_t
   Signature signature;
   std::size_t answer_bytes;  ///< for one element
 };
@@ -113,7 +114,7 @@ constexpr std::array entry_points = {MMVERIFY_ENTRY_POINTS(MMVERIFY_ROW)};
 constexpr std::size_t calls = entry_points.size();
 constexpr const EntryPoint& entry_point(Call c) { return entry_points[static_cast<std::size_t>(c)]; }
 
-/// Pointers to data may stand between those to functions.
+/// Whether the pointer at this offset points to data; such pointers may stand between pointers to functions.
 constexpr bool is_data(std::size_t offset) {
   return offset == offsetof(mmverify_subject_t, bake_support) ||
          offset == offsetof(mmverify_subject_t, attribute_support) ||
@@ -134,7 +135,7 @@ constexpr bool rows_are_the_headers() {
 }
 static_assert(rows_are_the_headers(), "a row each for the pointers of mmverify_subject_t, in their order");
 
-/// The largest of a figure over the table.
+/// The largest value of `of` over the table.
 constexpr std::size_t largest(std::size_t (*of)(const EntryPoint&)) {
   std::size_t found = 0;
   for (const EntryPoint& e : entry_points) found = std::max(found, of(e));

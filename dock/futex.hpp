@@ -1,4 +1,4 @@
-// Waiting across processes on a word of shared memory.
+// Waits across processes on a word of shared memory.
 #pragma once
 
 #include <linux/futex.h>
@@ -11,7 +11,7 @@
 
 namespace mmverify::dock {
 
-/// Sleeps while the word has the value, until woken or the time is up; may return early.
+/// Sleeps while the word has the value, until woken or timed out; may return early.
 inline void futex_wait(std::atomic<std::uint32_t>& word, std::uint32_t value, long milliseconds) {
   const timespec limit{milliseconds / 1000, milliseconds % 1000 * 1'000'000};
   syscall(SYS_futex, &word, FUTEX_WAIT, value, &limit, nullptr, 0);

@@ -1,4 +1,4 @@
-// The elements on which a library's entry points crashed or hung: they are not asked again.
+// The elements on which a library's entry points crashed or hung; they are not asked again.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace mmverify::dock {
 
-/// What a worker was asked to do with the elements in its inputs.
+/// A command to a worker on the elements in its inputs.
 struct Command {
   Call call;
   std::uint32_t level, format;
   std::uint64_t count;
 };
 
-/// Of one library. Threads share it.
+/// The known breaks of one library. Thread-safe.
 class KnownBreaks {
  public:
   struct Break {
-    std::string what;  ///< what it did
+    std::string what;  ///< what the library did
     bool hung = false;
   };
   struct Found {
@@ -32,10 +32,10 @@ class KnownBreaks {
     Break known;
   };
 
-  /// Remembers that element t of the command in the worker's inputs does so.
+  /// Records that element t of the command in the worker's inputs makes the library do `what`.
   void add(const Worker& worker, const Command& command, std::uint64_t t, const Break& what);
 
-  /// The first element of the command in the worker's inputs that is known.
+  /// The first element of the command in the worker's inputs with a known break.
   std::optional<Found> first(const Worker& worker, const Command& command) const;
 
  private:

@@ -1,5 +1,5 @@
-// The memory that the tool and a worker process share: a mailbox, numbers in slots and whole maps or codes,
-// all between guard pages.
+// The memory that the tool shares with a worker process: a mailbox, slots of numbers, and room for whole maps
+// or codes, all between guard pages.
 #pragma once
 
 #include <cstddef>
@@ -10,29 +10,30 @@
 
 namespace mmverify::dock {
 
-/// A subject is called with this many elements at a time, a command carries up to `slots` such batches: one
-/// switch of processes for all of them keeps its cost small beside 524,288 answers.
+/// The number of elements in a call of the subject. A command has up to `slots` such batches, so that the
+/// cost of switching processes is small beside 524,288 answers.
 constexpr std::size_t batch_size = 4096;
 constexpr std::size_t slots = 128;
 constexpr std::size_t capacity = batch_size * slots;
 
-/// With so many elements a subject is called that says MMVERIFY_LARGE_BATCHES.
+/// The number of elements in a call of a subject with MMVERIFY_LARGE_BATCHES.
 constexpr std::size_t large_batch_size = batch_size * 16;
 
-/// The largest map, code or case: a 4-state map of level 12 has 4 MiB, its tree 6.7, the largest texture asked about 16.01.
+/// Room for the largest map, code or case: a 4-state map of level 12 has 4 MiB, its tree 6.7, the largest
+/// texture of a question about 16.01.
 constexpr std::size_t blob_capacity = std::size_t{1} << 25;
 
-/// Bytes before an answer array that must stay as they are: an overrun at the far end meets a guard page.
+/// Bytes before an answer array that must not change; an overrun at its end hits a guard page.
 constexpr std::size_t canary_size = 64;
 constexpr unsigned char canary = 0xC5;
 
-/// Where a worker finds the memory when it starts; it closes the descriptor once the memory is mapped.
+/// The descriptor of the shared memory in a new worker, which closes it after mapping.
 constexpr int shared_memory_descriptor = 3;
 
-/// What lies in an output before a call, and before the same elements are asked again.
+/// The fill byte of an output before a call, and before the repeated call.
 constexpr unsigned char blank = 0xD3, blank_again = 0x5A;
 
-/// Where things lie. Every slot ends at a page that cannot be touched, and so does the mailbox.
+/// The offsets in the shared memory. Each slot, and the mailbox, ends at a guard page.
 class Layout {
  public:
   explicit Layout(std::size_t page) : page_(page) {}
@@ -52,7 +53,7 @@ class Layout {
   std::size_t total() const { return blob_answer() + blob_answer_bytes() + page_; }
   std::size_t page() const { return page_; }
 
-  /// First byte of `count` numbers pushed against the end of a slot.
+  /// Offset of the first byte of `count` numbers that end at a slot's end.
   std::size_t input_at(std::size_t array, std::size_t slot, std::size_t count, std::size_t size) const {
     return input(array, slot) + input_bytes() - count * size;
   }
@@ -72,7 +73,7 @@ class Layout {
   std::size_t page_;
 };
 
-/// Elements of batch `slot` of a command of `count`.
+/// The number of elements in batch `slot` of a command of `count`.
 constexpr std::size_t in_slot(std::uint64_t count, std::size_t slot) {
   const std::uint64_t from = slot * batch_size;
   return from >= count ? 0 : static_cast<std::size_t>(count - from < batch_size ? count - from : batch_size);

@@ -1,4 +1,4 @@
-// A shared library that was opened: its workers, and what its subjects of all topics have in common.
+// A shared library: its workers, and the facts that its subjects of all topics share.
 #pragma once
 
 #include <memory>
@@ -11,14 +11,14 @@
 
 namespace mmverify::dock {
 
-/// A worker out of the pool; it goes back only if it answered, else another takes its place.
+/// A worker from the pool. It goes back only if it answered; otherwise another takes its place.
 class Borrowed {
  public:
   explicit Borrowed(Pool& pool) : pool_(pool), worker_(pool.take()) {}
   ~Borrowed() {
     if (worker_) try {
         pool_.replace(std::move(worker_));
-      } catch (const std::bad_alloc&) {  // the next worker asks its first questions in every way again
+      } catch (const std::bad_alloc&) {  // the next worker then repeats its first questions in every way
       }
   }
   Borrowed(Borrowed&&) = default;
@@ -33,25 +33,25 @@ class Borrowed {
 
 class Library {
  public:
-  /// Throws CannotLoad where the file is no subject, NotHere where it says that it cannot run here, std::runtime_error
-  /// where no process can be had.
+  /// Throws CannotLoad if the file is no subject, NotHere if it says that it cannot run here,
+  /// std::runtime_error if no process can be started.
   Library(const std::string& path, const Options& options);
 
-  /// What its subjects are called by: Options::called, or its path.
+  /// The subjects' name: Options::called, or the library's path.
   const std::string& path() const { return path_; }
   const Description& description() const { return description_; }
   bool offers(Call call) const { return description_.has[static_cast<std::size_t>(call)] != 0; }
   /// Whether it has an entry point of the topic.
   bool offers(Topic topic) const;
-  /// Where it runs, in lines KEY: VALUE; empty where it says nothing.
+  /// The subject's lines KEY: VALUE about where it runs; empty if it gives none.
   std::string runs_on() const { return clean_lines(description_.runs_on); }
-  /// What it calls itself.
+  /// The subject's own name, or "a shared library".
   std::string about() const {
     return description_.name[0] != 0 ? clean_text(description_.name) : "a shared library";
   }
-  /// The file's contents, in a word: its size and a checksum.
+  /// The file's size and a checksum.
   const std::string& fingerprint() const { return fingerprint_; }
-  /// What its file has become since, in a sentence; empty where it is the same.
+  /// A sentence on how the file has changed since it was read; empty if it has not.
   std::string change() const { return pool_.file().change(); }
   Pool& pool() const { return pool_; }
   KnownBreaks& known_breaks() const { return known_breaks_; }

@@ -38,7 +38,7 @@ bool untouched(const struct stat& a, const struct stat& b) {
 
 }  // namespace
 
-// Its times first: what is written in between is then read again.
+// The times are read first, so that a write in between is noticed later.
 LibraryFile::LibraryFile(std::string path) : path_(std::move(path)) {
   about_ = about(path_);
   fingerprint_ = fingerprint_of(path_);

@@ -1,4 +1,4 @@
-// A library's file: what it holds, and whether it still does.
+// A library's file: its fingerprint, and whether it still has that content.
 #pragma once
 
 #include <sys/stat.h>
@@ -9,14 +9,14 @@ namespace mmverify::dock {
 
 class LibraryFile {
  public:
-  /// Reads the file.  One that cannot be read is as an empty one.
+  /// Reads the file. One that cannot be read counts as empty.
   explicit LibraryFile(std::string path);
 
-  /// Its contents in a word: "(15960 bytes, crc 1a2b3c4d)".
+  /// The size and checksum of its contents: "(15960 bytes, crc 1a2b3c4d)".
   const std::string& fingerprint() const { return fingerprint_; }
 
-  /// What it has become since it was read, in a sentence; empty where its contents are the same.  It is read again only
-  /// where its size, its place or its times say that it was written.
+  /// A sentence on how the file has changed since it was read; empty if its contents are the same. The file
+  /// is read again only if its size, place or times show a write.
   std::string change() const;
 
  private:

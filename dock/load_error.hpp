@@ -1,4 +1,4 @@
-// What dlopen says of a library that it cannot load.
+// The error message of dlopen.
 #pragma once
 
 #include <dlfcn.h>
@@ -7,8 +7,8 @@
 
 namespace mmverify::dock {
 
-/// dlerror's words, without the file's name before them: whoever reports them names the file as it was given.
-/// library: as dlopen was given it.  Domain: directly after dlopen returned null.
+/// dlerror's message without the file's name at its start: the caller names the file as it was given.
+/// library: the argument of dlopen. Domain: directly after dlopen returned null.
 inline std::string load_error(const std::string& library) {
   std::string words = dlerror();
   if (words.starts_with(library + ": ")) words.erase(0, library.size() + 2);

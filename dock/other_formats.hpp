@@ -10,9 +10,9 @@
 
 namespace mmverify::dock {
 
-/// Other values of `format` that the header allows with the same numbers or bytes, or with as_of_format()'s: orders,
-/// roundings, operations, edges, modes, versions, levels that come out.  None where it allows some alone, of a code that is
-/// looked up in for instance: a worker then asks what it was asked before.
+/// Other values of `format` that the header allows with the same numbers or bytes, or with those of
+/// as_of_format(): orders, roundings, operations, edges, modes, versions, levels of the result. None if the
+/// header allows only some inputs, such as codes for lookups: a worker then repeats an earlier question.
 inline std::vector<std::uint32_t> other_formats(Call call, std::uint32_t level, std::uint32_t format) {
   std::vector<std::uint32_t> others;
   const auto from_to = [&](std::uint32_t first, std::uint32_t last) {
@@ -37,7 +37,7 @@ inline std::vector<std::uint32_t> other_formats(Call call, std::uint32_t level, 
       for (std::uint32_t order = 0; order < orders; ++order)
         if (order != format % formats_side) others.push_back(two_formats(order, format / formats_side));
       break;
-    case Call::attribute_face_of:  // its vertices are a face's in their own order alone
+    case Call::attribute_face_of:  // its vertices are a face's only in their own order
       second_orders();
       break;
     case Call::attribute_decimate:
@@ -73,8 +73,9 @@ inline std::vector<std::uint32_t> other_formats(Call call, std::uint32_t level, 
   return others;
 }
 
-/// The bytes of a question as one of another format: of a map as often as it takes, without the bits after its last
-/// state; of states those that the format has; of all else as they are.  Domain: other_formats() has `format`.
+/// The bytes of a question, adapted to another format. A map is repeated to the size that the format takes,
+/// without bits after its last state; states are limited to those of the format; other bytes stay. Domain:
+/// other_formats() has `format`.
 inline std::vector<std::uint8_t> as_of_format(Call call, std::uint32_t level, std::uint32_t format,
                                               std::span<const std::uint8_t> bytes) {
   std::vector<std::uint8_t> as(bytes.begin(), bytes.end());
@@ -98,7 +99,7 @@ inline std::vector<std::uint8_t> as_of_format(Call call, std::uint32_t level, st
   return as;
 }
 
-/// Bytes of an element that lies in a blob, and of its answer; 0 where none do.
+/// Bytes of an element in a blob, and of its answer; 0 if the blob has no elements.
 struct ElementsInBlob {
   std::size_t bytes, answer_bytes;
 };

@@ -1,4 +1,4 @@
-// Where the numbers of a command lie, of a process as of a script.
+// The places of a command's numbers, for processes and scripts.
 #include "dock/worker.hpp"
 
 namespace mmverify::dock {

@@ -9,7 +9,7 @@ namespace mmverify::dock {
 std::unique_ptr<Worker> Pool::take() {
   {
     const std::lock_guard hold(lock_);
-    // The last one that this thread gave back, or else the last of all.
+    // The last worker that this thread gave back, or else the last of all.
     const auto own = std::find_if(idle_.rbegin(), idle_.rend(),
                                   [](const Idle& idle) { return idle.by == std::this_thread::get_id(); });
     if (!idle_.empty()) {

@@ -16,7 +16,7 @@
 namespace mmverify::dock {
 namespace {
 
-/// A file of this machine's word size, piece by piece; whatever is cut short reads as nothing.
+/// A file of this machine's word size, read in pieces; anything beyond its end reads as nothing.
 class ElfFile {
  public:
   explicit ElfFile(const std::string& name) {
@@ -34,7 +34,7 @@ class ElfFile {
         header->e_ident[EI_CLASS] != (sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32))
       return names;
     std::uint64_t table = 0, count = 0;
-    std::vector<std::uint64_t> offsets;  // of the names in the table of strings
+    std::vector<std::uint64_t> offsets;  // names' offsets in the string table
     for (const auto& part : parts(*header)) {
       if (part.p_type != PT_DYNAMIC) continue;
       for (count = 0; count * sizeof(ElfW(Dyn)) < part.p_filesz; ++count) {
@@ -44,7 +44,7 @@ class ElfFile {
         if (entry->d_tag == DT_NEEDED) offsets.push_back(entry->d_un.d_val);
       }
     }
-    // The table's place is an address; the part of the file that is loaded there has it.
+    // The table's place is an address; find the part of the file that is loaded there.
     for (const auto& part : parts(*header))
       if (part.p_type == PT_LOAD && table >= part.p_vaddr && table - part.p_vaddr < part.p_filesz)
         for (const std::uint64_t offset : offsets)
@@ -76,7 +76,7 @@ class ElfFile {
 struct Setting {
   const char *name, *value;
 };
-/// Of gcc's and clang's sanitizers.  No symbolizer of their own is started: a worker starts no process.
+/// Options of gcc's and clang's sanitizers. They start no symbolizer: a worker starts no process.
 constexpr std::array<Setting, 3> settings{
     {{"ASAN_OPTIONS",
       "handle_segv=0:handle_sigbus=0:handle_abort=0:handle_sigfpe=0:handle_sigill=0:detect_leaks=0:"

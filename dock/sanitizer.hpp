@@ -1,4 +1,5 @@
-// Libraries that were built with a sanitizer: what a worker needs to load them, and how their reports end a call.
+// Libraries built with a sanitizer: the environment that a worker needs to load them, and the way their
+// reports end a call.
 #pragma once
 
 #include <string>
@@ -6,13 +7,13 @@
 
 namespace mmverify::dock {
 
-/// The sanitizer's runtime that the library needs and that has to be loaded before all else, "libasan.so.8" for one:
-/// by the list of needed libraries in its ELF file.  Empty: none, or no such file.
+/// The sanitizer's runtime that the library needs first of all, such as "libasan.so.8", by the list of needed
+/// libraries in its ELF file. Empty if there is none, or no such file.
 std::string runtime_to_load_first(const std::string& library);
 
-/// "NAME=VALUE", of a worker that loads the library: this process's, with that runtime in LD_PRELOAD, and sanitizers
-/// set so that a report ends the process by abort(), and a fault at a guard page stays the worker's to explain.
-/// Options that the user gave come after these.
+/// The environment of a worker that loads the library, "NAME=VALUE" each: this process's, with that runtime
+/// in LD_PRELOAD, and with sanitizer options by which a report ends the process with abort() and a fault at a
+/// guard page is left to the worker. Options that the user set come after these and win.
 std::vector<std::string> worker_environment(const std::string& library);
 
 }  // namespace mmverify::dock

@@ -1,5 +1,5 @@
-// In the place of worker.cpp where there are no processes, as in WebAssembly: the subject is a script of the page or of
-// Node.js, an object of functions on typed arrays; see wasm/package/README.md.
+// Replaces worker.cpp on platforms without processes, such as WebAssembly. The subject is a script of the
+// page or of Node.js: an object of functions on typed arrays; see wasm/package/README.md.
 #include <emscripten.h>
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 #include "dock/clean_text.hpp"
 #include "dock/worker.hpp"
 
-// Module.subject is the object.  Its functions are named as the entry points and get the level, the format where there is
-// one, the arrays of numbers, and the array to answer in.
+// Module.subject is the object. Its functions have the entry points' names and take the level, the format if
+// there is one, the arrays of numbers, and the array for the answer.
 // clang-format off
 EM_JS(int, mmverify_script_is, (const char* path), {
   return Module.subject && Module.subject.path === UTF8ToString(path) ? 1 : 0;
@@ -54,17 +54,17 @@ EM_JS(int, mmverify_script_call, (const char* name, int level, int format, const
 namespace mmverify::dock {
 namespace {
 
-/// Whether a script can have it: elements in arrays, and nothing of bytes whose form is the header's.
+/// Whether a script can have the entry point: it takes elements in arrays, and no blob in the header's form.
 bool of_scripts(const EntryPoint& e) { return e.signature.arrays != 0 && !e.signature.of_blob; }
 
-/// What takes a format besides the level.
+/// Whether the entry point takes a format besides the level.
 bool has_format(Call call) {
   return entry_point(call).topic != Topic::index && call != Call::attribute_weights_f32;
 }
 
 }  // namespace
 
-// What a process prints, and its bounds.
+// Stubs: there is no process that prints or needs bounds.
 Printed::~Printed() = default;
 Bounds bounds() { return {}; }
 
@@ -128,7 +128,7 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint3
     options_.stop_if_asked();
     const std::uint64_t some = std::min<std::uint64_t>(batch_size, count - from);
     const std::size_t bytes = static_cast<std::size_t>(some) * entry.answer_bytes;
-    // Twice, over other bytes: an answer left out, or one that changes, shows.
+    // The question is asked twice, over different bytes: a missing or changing answer shows.
     if (ask_some(from, some, blank_again)) {
       const std::vector<std::byte> first(answer(call, count, from), answer(call, count, from) + bytes);
       if (ask_some(from, some, blank)) {

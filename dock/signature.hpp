@@ -1,4 +1,4 @@
-// What the C header's types say of an entry point.
+// Facts about an entry point, derived from its type in the C header.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 namespace mmverify::dock {
 
 struct Signature {
-  std::size_t arrays;        ///< of input numbers; each has one number an element
-  std::size_t number_bytes;  ///< of one of them; 0 where there are none
-  bool of_points;           ///< the input numbers are coordinates: those of one level are some of every level
-  std::size_t value_bytes;  ///< of one number of the answer
+  std::size_t arrays;        ///< arrays of input numbers, each with one number for an element
+  std::size_t number_bytes;  ///< bytes of one of these numbers; 0 if there are none
+  bool of_points;            ///< the numbers are coordinates, valid at every level
+  std::size_t value_bytes;   ///< bytes of one number of the answer
   bool answers_floats;
-  bool of_blob;       ///< a map, a code or a case comes with them
-  bool sizes_answer;  ///< it returns how many bytes its answer has, which it alone knows
+  bool of_blob;       ///< takes a map, a code or a case, too
+  bool sizes_answer;  ///< returns the size of its answer, which only it knows
 };
 
 template <class T, class... Of>
@@ -31,14 +31,14 @@ constexpr bool is_blob =
            const mmverify_blend_case_t*, const mmverify_array_case_t*>;
 template <class T>
 constexpr bool is_answer = one_of<T, std::uint32_t*, std::uint8_t*, float*>;
-/// Bytes of what a pointer of a kind points to; 0 for anything else.
+/// The size of the pointer's target; 0 for other types.
 template <class T>
 constexpr std::size_t bytes_behind = 0;
 template <class T>
 constexpr std::size_t bytes_behind<T*> = sizeof(T);
 
-/// Domain: function types whose pointers are of the kinds above, with input numbers of one width and one answer;
-/// others do not compile.
+/// The signature of an entry point. Domain: function types whose pointers are of the kinds above, with input
+/// numbers of one width and one answer; others do not compile.
 template <class Returned, class... P>
 constexpr Signature signature_of(Returned (*)(P...)) {
   constexpr std::size_t widest = std::max({is_numbers<P> ? bytes_behind<P> : 0 ...});

@@ -59,7 +59,7 @@ void Printed::end_line() {
   const std::string line = clean_text(line_);
   line_.clear();
   if (line.starts_with(begins)) report_ = line.substr(begins.size(), longest_report);
-  // UBSan's of g++ ends with no summary.
+  // A report of g++'s UBSan has no summary at its end.
   if (report_.empty() && line.find(": runtime error: ") != std::string::npos)
     report_ = line.substr(0, longest_report);
   const std::string marked = "subject| " + line + "\n";
@@ -89,14 +89,14 @@ std::string over(const Bounds& bounds, int pid) {
   std::string name, rest;
   std::uint64_t kib = 0;
   for (std::uint64_t value = 0; status >> name; std::getline(status, rest)) {
-    // A resident set has no huge pages of a pool, and nothing that was swapped out.
+    // A resident set excludes huge pages from a pool, and swapped memory.
     if ((name == "VmRSS:" || name == "VmSwap:" || name == "HugetlbPages:") && status >> value) kib += value;
     if (name == "Threads:" && status >> value && value > bounds.threads)
       return fmt::format("had more than {} threads", bounds.threads);
   }
   if (kib / 1024 > bounds.memory_mib)
     return fmt::format("took more than {} MiB of memory", bounds.memory_mib);
-  // Files may lie in memory: /dev/shm, and /tmp of many machines.
+  // Files may be memory: in /dev/shm, and on many machines in /tmp.
   std::ifstream io(fmt::format("/proc/{}/io", pid));
   for (std::uint64_t value = 0; io >> name >> value;)
     if (name == "wchar:" && value >> 20 > bounds.memory_mib)

@@ -24,7 +24,7 @@
 namespace mmverify::dock {
 namespace {
 
-/// The program that workers run: MMVERIFY_WORKER, or beside this program, or where it is installed.
+/// The program of workers: MMVERIFY_WORKER, or beside this program, or where it is installed.
 std::string worker_program() {
   if (const char* named = std::getenv("MMVERIFY_WORKER")) return named;
   std::error_code error;
@@ -39,16 +39,16 @@ std::string worker_program() {
   throw NoResources(fmt::format("{}: {}", what, std::strerror(errno)));
 }
 
-/// In so many questions that come fast, its bounds are looked at once: a wait looks by itself.
+/// The bounds are checked once in `unwatched` questions that are answered fast; a wait checks them itself.
 constexpr std::uint64_t unwatched = 256;
 
-/// How often a wait looks whether the process still lives.
+/// The interval at which a wait checks whether the process lives.
 constexpr long slice_milliseconds = 20;
 
-/// Nothing but a subject that writes where it may not makes a worker say what it cannot mean.
+/// The fault of a worker whose report is impossible: only a subject that writes out of bounds can cause it.
 constexpr char wrote_into_ours[] = "wrote into the tool's own memory";
 
-/// Values of processor_ that are no processor.
+/// Special values of processor_.
 constexpr int anywhere = -1, not_asked = -2;
 
 }  // namespace
@@ -100,7 +100,7 @@ void Worker::start() {
 
 void Worker::start_process() {
   fd_ = memfd_create("mmverify-subject", MFD_CLOEXEC | MFD_ALLOW_SEALING);
-  // Below are the descriptors that the worker gets.
+  // The descriptors up to shared_memory_descriptor are the worker's.
   if (fd_ >= 0 && fd_ <= shared_memory_descriptor) {
     const int above = fcntl(fd_, F_DUPFD_CLOEXEC, shared_memory_descriptor + 1);
     close(fd_);
@@ -108,14 +108,14 @@ void Worker::start_process() {
   }
   if (fd_ < 0 || ftruncate(fd_, static_cast<off_t>(layout_.total())) != 0)
     fail("cannot get memory for a worker");
-  // A file cut short under a mapping is a SIGBUS for whoever reads there.
+  // If the file were cut short under the mapping, reading there would raise SIGBUS.
   if (fcntl(fd_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0)
     fail("cannot seal a worker's memory");
   base_ = static_cast<std::byte*>(mmap(nullptr, layout_.total(), PROT_READ | PROT_WRITE, MAP_SHARED, fd_, 0));
   if (base_ == MAP_FAILED) fail("cannot map a worker's memory");
   mailbox_ = reinterpret_cast<Mailbox*>(base_);
   mailbox_->turn.store(1);
-  mailbox_->report.outcome = Outcome::starting;  // until the worker says otherwise
+  mailbox_->report.outcome = Outcome::starting;  // until the worker reports something else
 
   const std::string program = worker_program();
   std::string name = "mmverify-worker", library = std::filesystem::absolute(library_).string();
@@ -126,8 +126,9 @@ void Worker::start_process() {
   posix_spawn_file_actions_adddup2(&actions, printed_->write_end(), STDERR_FILENO);
   posix_spawn_file_actions_adddup2(&actions, fd_, shared_memory_descriptor);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  // A group of its own: what a subject forks ends with it, and Ctrl-C stays this process's business.  No session of its
-  // own: where the kernel shares processors among sessions, each of the two would wait for everybody else's turn.
+  // A process group of its own: whatever a subject forks ends with it, and Ctrl-C reaches only this process.
+  // No session of its own: a kernel that shares processors among sessions would make the two wait for
+  // everybody else's turn.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
@@ -154,7 +155,7 @@ void Worker::wait_until_loaded() {
   take_report();
   std::memcpy(&description_, &mailbox_->description, sizeof description_);
   if (!turned) {
-    // At the start no code of the subject's has run yet.
+    // At this point no code of the subject has run.
     const bool touched = report_.outcome != Outcome::starting;
     if (touched) report_.outcome = Outcome::cannot_load;
     message_ =
@@ -173,7 +174,7 @@ void Worker::wait_until_loaded() {
 
 void Worker::stop() {
   if (pid_ > 0) {
-    // By its number too: MMVERIFY_UNCONFINED lets it go to another group.
+    // The kill by number is needed too: MMVERIFY_UNCONFINED lets the process change its group.
     kill(-pid_, SIGKILL);
     kill(pid_, SIGKILL);
     while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) continue;
@@ -192,7 +193,7 @@ bool Worker::ended() {
       how.si_pid != pid_)
     return false;
   status_ = how.si_code == CLD_EXITED ? how.si_status << 8 : how.si_status;
-  // A confined subject has no way to send this signal, and this process has not sent it yet.
+  // A confined subject cannot send this signal, and this process has not sent it.
   if (WIFSIGNALED(status_) && WTERMSIG(status_) == SIGKILL)
     throw NoResources(fmt::format(
         "mmverify-worker with {} was killed from outside; out of memory? No verdict is said of it",
@@ -210,7 +211,7 @@ void Worker::bring_here() {
   cpu_set_t only;
   CPU_ZERO(&only);
   CPU_SET(static_cast<std::size_t>(here), &only);
-  // Where it may not, it runs as well elsewhere.
+  // If that is not allowed, the process runs elsewhere as well.
   if (sched_setaffinity(pid_, sizeof only, &only) == 0) processor_ = here;
 }
 
@@ -241,7 +242,7 @@ bool Worker::exchange() {
 bool Worker::wait_for_turn(double seconds, bool loading) {
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
-  // Between two looks no more than this counts: this process may have been stopped, and the worker with it.
+  // The most time that counts between two checks: this process may have been stopped, and the worker with it.
   constexpr Seconds longest_look(10e-3 * slice_milliseconds);
   std::uint64_t calls = mailbox_->calls.load(std::memory_order_relaxed);
   auto last = Clock::now();
@@ -267,7 +268,7 @@ bool Worker::wait_for_turn(double seconds, bool loading) {
     const char state = state_of(pid_);
     if (state == 'T')
       throw NoResources(fmt::format("mmverify-worker with {} was stopped from outside (SIGSTOP)", library_));
-    if (state == 't') {  // under a debugger
+    if (state == 't') {  // stopped by a debugger
       of_call = Seconds(0);
       continue;
     }
@@ -280,7 +281,7 @@ bool Worker::wait_for_turn(double seconds, bool loading) {
 
 void Worker::take_report() {
   std::memcpy(&report_, &mailbox_->report, sizeof report_);
-  // No later look at the mailbox in the place of this one.
+  // The compiler must not read the mailbox again later.
   std::atomic_signal_fence(std::memory_order_seq_cst);
   if (std::memchr(report_.message, 0, sizeof report_.message) == nullptr) {
     over_ = wrote_into_ours;
@@ -342,7 +343,7 @@ void Worker::put(Call call, const std::vector<std::vector<std::byte>>& inputs) {
 
 void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std::uint64_t count,
                       Misbehaved& found) {
-  // The inputs are still in this process's mapping of the memory that the dead one shared.
+  // The inputs are still in this process's mapping of the shared memory.
   const auto again = inputs(call, count, found.first, found.count);
   try {
     stop();
@@ -355,8 +356,7 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std:
     mailbox_->one_by_one = 1;
     sent_ = {call, found.count, 0};
     const bool spoke = exchange();
-    if (spoke && report_.outcome == Outcome::answered)
-      return;  // not again: the batch is all that can be named
+    if (spoke && report_.outcome == Outcome::answered) return;  // it answers now: only the batch can be named
     const std::uint64_t element = spoke ? report_.element : begun();
     if (element >= found.count) return;
     found.first += element;
@@ -415,7 +415,7 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint3
   mailbox_->another_level.store(0);
   sent_ = {call, count, 0};
   const bool answered = exchange();
-  // Once: whoever says so again is not asked about another level.
+  // This happens once: after that the worker asks about no other level.
   if (mailbox_->another_level.load() != 0 && !this_level_alone_[static_cast<std::size_t>(call)])
     return ask_of_this_level_alone(call, level, count, format);
   Misbehaved found{{}, 0, 0};

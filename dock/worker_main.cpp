@@ -1,4 +1,4 @@
-// mmverify-worker LIBRARY: calls a subject on the tool's behalf, in a process that may die of it.
+// mmverify-worker LIBRARY: calls a subject for the tool, in a process that may die of it.
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -27,19 +27,19 @@ int main(int argc, char** argv) {
     std::fputs("mmverify-worker is started by mmverify\n", stderr);
     return 2;
   }
-  // Ctrl-C is the tool's business; a tool that dies takes its workers along; a crash leaves no core file.
+  // The tool handles Ctrl-C; if it dies, so do its workers; a crash leaves no core file.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGPIPE, SIG_DFL);
   std::signal(SIGXFSZ, SIG_DFL);
-  // A limit of processor time is the user's, and ends the worker by SIGKILL a moment later.
+  // A limit of processor time is the user's; it ends the worker by SIGKILL a moment later.
   std::signal(SIGXCPU, SIG_IGN);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
-  // What a subject prints must not get into the results.
+  // A subject's output must not get into the results.
   dup2(STDERR_FILENO, STDOUT_FILENO);
 
-  // The tool's files, pipes and journals are none of the subject's.
+  // The subject must not get the tool's files, pipes and journals.
   close_from(shared_memory_descriptor + 1);
 
   const Layout layout(static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   if (base == nullptr) return 4;
   auto& mailbox = *reinterpret_cast<Mailbox*>(base);
 
-  // A library that starts programs, a driver's compiler say, needs to be let.
+  // A library that starts programs, such as a driver's compiler, needs MMVERIFY_UNCONFINED.
   if (std::getenv("MMVERIFY_UNCONFINED") == nullptr) confine();
 
   const std::uint64_t mode_before_loading = float_mode();

@@ -15,7 +15,7 @@ Value value_of(const Json& j) {
   return {j.dump(), j.is_number() ? j.get<double>() : 0};
 }
 
-/// A member of the object, which is one itself.
+/// The member `name`. Throws NoResult if it is no object.
 const Json& object_in(const Json& j, const std::string& name) {
   if (!j.contains(name) || !j.at(name).is_object()) throw NoResult(fmt::format("{}: no object", name));
   return j.at(name);

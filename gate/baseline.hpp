@@ -1,4 +1,4 @@
-// Baselines as files: what a result said, one thing a line, so that a change shows in a diff.
+// Baselines: files of a result's figures, one a line, so that a change shows in a diff.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,8 +9,8 @@
 namespace mmverify::gate {
 
 struct Baseline {
-  std::string schema;     ///< the result's
-  std::string processor;  ///< that it was taken on; empty where nobody said
+  std::string schema;     ///< the result's schema
+  std::string processor;  ///< the machine's processor; empty if the result names none
   Settings settings;
   Groups<Value> groups;
 };
@@ -18,10 +18,10 @@ struct Baseline {
 /// The figures without their rules.
 Baseline baseline_of(const Figures& figures);
 
-/// Whether a file says that it is one.
+/// Whether the file's schema is that of a baseline.
 bool is_baseline(const nlohmann::ordered_json& file);
 
-/// Of a file: a baseline, or a result itself, which may serve as one.  Throws NoResult.
+/// The baseline in a file: the file is a baseline, or a result that serves as one. Throws NoResult.
 Baseline baseline_of(const nlohmann::ordered_json& file);
 
 /// Schema mmverify.baseline/1:

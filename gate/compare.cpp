@@ -9,14 +9,14 @@
 namespace mmverify::gate {
 namespace {
 
-/// The better the higher; what is no verdict is worse than all.
+/// The verdict's rank, higher is better; a text that is no verdict ranks below all.
 int rank(const Value& verdict) { return rank_of_verdict(unquoted(verdict.text)).value_or(-1); }
 
 Change toward(bool better) { return better ? Change::better : Change::worse; }
 
 bool is_speed(Rule rule) { return rule == Rule::speed_more || rule == Rule::speed_less; }
 
-/// The difference, where there is one.
+/// How `after` differs from `before`; nothing if they are equal.
 std::optional<Change> change_of(Rule rule, const Value& before, const Value& after, double tolerance) {
   if (before.text == after.text) return std::nullopt;
   const double a = before.number, b = after.number;
@@ -38,7 +38,7 @@ std::optional<Change> change_of(Rule rule, const Value& before, const Value& aft
       return toward(b < a);
     case Rule::speed_more:
     case Rule::speed_less: {
-      // A ratio that is none, of a time that was too short to be taken, is not as good as before.
+      // A ratio of 0, from a time too short to measure, cannot be compared.
       if (!(a > 0)) return Change::changed;
       if (!(b > 0)) return Change::worse;
       const double gain = rule == Rule::speed_more ? b / a : a / b;
@@ -56,7 +56,7 @@ class Comparing {
 
   void group(const std::string& name, const std::map<std::string, Value>& before,
              const std::map<std::string, Figure>& after) {
-    // A proof's digest comes and goes with the verdict, which says it.
+    // A proof's digest comes and goes with the verdict, which is compared itself.
     const auto was = before.find("verdict");
     const auto is = after.find("verdict");
     const bool judged_otherwise =
@@ -93,7 +93,7 @@ std::string listed(const Settings& settings) {
   return all.empty() ? "none" : all;
 }
 
-/// whose: "the baseline's", of what `result` is held against.
+/// Throws NoResult if schema or settings differ from the result's. whose: "the baseline's", for the message.
 void refuse_others(const char* whose, const std::string& schema, const Settings& settings,
                    const Figures& result) {
   if (schema != result.schema)
@@ -140,7 +140,7 @@ void take_better_speeds(Figures& result, const Figures& other) {
       const auto theirs = group->second.find(figure);
       if (!is_speed(mine.rule) || theirs == group->second.end()) continue;
       const double a = mine.value.number, b = theirs->second.value.number;
-      // A time that was too short to be taken leaves a ratio of 0.
+      // A time too short to measure leaves a ratio of 0.
       if (b > 0 && (!(a > 0) || (mine.rule == Rule::speed_more ? b > a : b < a)))
         mine.value = theirs->second.value;
     }

@@ -1,4 +1,4 @@
-// One run against another.
+// Compares one run with another.
 #pragma once
 
 #include <string>
@@ -13,29 +13,28 @@ enum class Change { worse, better, changed, gone, added, faster };
 
 struct Difference {
   Change change;
-  std::string group, figure;  ///< no figure where the whole group is gone or new
-  std::string before, after;  ///< empty for what is not there
+  std::string group, figure;  ///< `figure` is empty if the whole group is gone or new
+  std::string before, after;  ///< empty if there is none
 };
 
 struct Comparison {
-  std::size_t figures = 0, speeds = 0;  ///< compared; of these, ratios of times
-  std::string other_processor;          ///< the baseline's, where speeds were compared with another's
-  std::vector<Difference> differences;  ///< by name within each kind; the worse first
+  std::size_t figures = 0, speeds = 0;  ///< figures compared, and the ratios of times among them
+  std::string other_processor;  ///< the baseline's processor, if speeds of two processors were compared
+  std::vector<Difference> differences;  ///< by kind, the worst first, then by name
 
-  /// A baseline is exact: whatever differs is red, also for the better, until it is blessed.  Only a speed
-  /// that is better by more than the tolerance is merely said.
+  /// Whether any difference is red. All are, improvements too, until the baseline is updated; only a speed
+  /// that gains more than the tolerance is not.
   bool red() const;
   std::size_t count(Change change) const;
 };
 
-/// Exact figures by their values; a speed is worse where it is more than `tolerance` times the baseline's (or
-/// less than the baseline's over it), faster where it is better by as much.
-/// Domain: tolerance > 1.  Throws NoResult where schemas or settings differ, which makes figures no
-/// comparison.
+/// Compares exact figures by their values. A speed is worse if it loses more than the factor `tolerance`, and
+/// faster if it gains as much.
+/// Domain: tolerance > 1. Throws NoResult if schemas or settings differ: such figures cannot be compared.
 Comparison compare(const Baseline& baseline, const Figures& result, double tolerance);
 
-/// Of each speed that both have, `result` gets the better: other work on the machine slows a run down, none makes it
-/// faster.  Exact figures stay.  Throws NoResult where schemas or settings differ.
+/// Gives `result` the better of each speed that both runs have: other work on the machine slows a run down
+/// and never speeds it up. Exact figures stay. Throws NoResult if schemas or settings differ.
 void take_better_speeds(Figures& result, const Figures& other);
 
 }  // namespace mmverify::gate

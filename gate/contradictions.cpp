@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Number = std::optional<std::uint64_t>;
 
-/// The member as a number of things; nothing where it is absent.
+/// The member as a count; nothing if it is absent.
 Number count_in(const Json& object, const char* member) {
   if (!object.contains(member)) return std::nullopt;
   const Json& count = object.at(member);
@@ -22,7 +22,7 @@ Number count_in(const Json& object, const char* member) {
   return count.get<std::uint64_t>();
 }
 
-/// by_kind, added up.
+/// The sums over by_kind.
 struct Sums {
   Number cases, mismatches;
   std::uint64_t declined = 0, allowed = 0;

@@ -14,12 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Names may be any bytes.
+/// The JSON text of a value. Names may be any bytes.
 std::string text_of(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// Subjects by what they are called here.  A library is known by its file's name: where it was built is
-/// another machine's business.  Where several files have one name, as many folders are added as tell them
-/// apart.
+/// Short names of subjects. A library is known by its file's name, since its folder depends on the machine.
+/// If several files have one name, as many folders are added as tell them apart.
 using Names = std::map<std::string, std::string>;
 Names short_names(const std::set<std::string>& subjects) {
   const auto last_parts = [](const std::string& path, std::size_t parts) {
@@ -66,9 +65,9 @@ class Walk {
   Walk(Figures& figures, std::string schema, Names subjects)
       : figures_(figures), schema_(std::move(schema)), subjects_(std::move(subjects)) {}
 
-  /// place: as the rules know it; name: within the group.
+  /// place: the field's place in the schema, for the rules; name: the figure's name within the group.
   void value(const Json& j, const std::string& place, const std::string& group, const std::string& name) {
-    // A whole object or list may be left out, or what is in it compared.
+    // A rule may leave out a whole object or list; otherwise its members are compared.
     const std::optional<Rule> rule = rule_of(schema_, place);
     if (rule == Rule::left_out) return;
     if (j.is_object()) return object(j, place, group, name);
@@ -81,7 +80,7 @@ class Walk {
       figures_.settings[fmt::format("{}{}", group.empty() ? "" : group + " ", name)] = value.text;
       return;
     }
-    // Of what is about no element of a list, the first two names are the group: "scene.bake".
+    // Outside a list, the first two names of the path make the group: "scene.bake".
     const std::size_t dot = group.empty() ? name.find('.', name.find('.') + 1) : std::string::npos;
     if (dot == std::string::npos)
       figures_.groups[group][name] = {value, *rule};
@@ -117,7 +116,7 @@ class Walk {
       case Rule::about_less:
         expect(j.is_number() || j.is_null(), "a number");
         break;
-      // JSON has no word for a ratio to no time: it is null.
+      // JSON has no infinity: a ratio to a time of 0 is null.
       case Rule::speed_more:
       case Rule::speed_less:
         expect((j.is_number() && j.get<double>() >= 0) || j.is_null(), "a ratio");
@@ -127,7 +126,7 @@ class Walk {
     }
   }
 
-  /// What an element of a list is about: its keys, if it has any.
+  /// The keys of a list's element, which name its group; empty if it has none.
   std::string keys(const Json& element, const std::string& place) const {
     std::string all;
     if (!element.is_object()) return all;
@@ -145,19 +144,20 @@ class Walk {
         value(element, place + "[]", group, fmt::format("{}[{}]", name, k++));
         continue;
       }
-      // Of the lists of one thing, the chief one needs no name.
+      // The chief list of a result needs no name in the group's.
       const bool chief = name == "results" || name == "rows";
       std::string full =
           fmt::format("{}{}{}{}", group, group.empty() ? "" : " ", chief ? "" : name + " ", about);
       if (const std::size_t n = ++uses_[full]; n != 1) full = fmt::format("{} ({})", full, n);
-      while (figures_.groups.contains(full)) full += '\'';  // what names itself "impl (2)"
+      while (figures_.groups.contains(full)) full += '\'';  // an element may call itself "impl (2)"
       figures_.groups[full];
       value(element, place + "[]", full, "");
       leave_out_digests(figures_.groups[full]);
     }
   }
 
-  /// A sample's digest is of this sample, and one that was refuted is of answers that are to change.
+  /// Leaves out the digest unless the verdict is proved: a sample's digest depends on the sample, and a
+  /// refuted subject's answers are about to change.
   static void leave_out_digests(std::map<std::string, Figure>& figures) {
     const auto verdict = figures.find("verdict");
     if (verdict != figures.end() && verdict->second.value.text == "\"proved\"") return;
@@ -167,7 +167,7 @@ class Walk {
   Figures& figures_;
   std::string schema_;
   Names subjects_;
-  std::map<std::string, std::size_t> uses_;  ///< of the groups' names
+  std::map<std::string, std::size_t> uses_;  ///< how often each group's name was used
 };
 
 std::string schema_in(const Json& j) {
@@ -215,7 +215,7 @@ Figures figures_of(const Json& result) {
     for (const Json& run : result) add(run, figures, topics);
   else
     add(result, figures, topics);
-  // Keys alone make a group; one without figures says nothing.
+  // Elements with keys only have made groups without figures.
   std::erase_if(figures.groups, [](const auto& group) { return group.second.empty(); });
   if (figures.groups.empty()) throw NoResult("nothing in it can be compared");
   return figures;

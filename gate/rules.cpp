@@ -38,7 +38,7 @@ Rule rule_named(const std::string& name) {
   throw std::logic_error("no rule is called " + name);
 }
 
-/// The first "x-gate" of the schemas that speak of a field.
+/// The rule of a field: the first "x-gate" among the schemas that describe it.
 std::optional<Rule> rule_in(const std::vector<Schema>& schemas) {
   for (const Schema& schema : schemas)
     if (schema.part->is_object() && schema.part->contains("x-gate"))
@@ -46,7 +46,7 @@ std::optional<Rule> rule_in(const std::vector<Schema>& schemas) {
   return std::nullopt;
 }
 
-/// Together with what each of them leans on, of a value that is not known.
+/// Each schema with the schemas that it refers to, for a value that is not known.
 std::vector<Schema> all_of_each(const std::vector<Schema>& schemas) {
   std::vector<Schema> all;
   for (const Schema& schema : schemas)
@@ -58,7 +58,7 @@ bool has_others(const std::vector<Schema>& schemas) { return !of_member(schemas,
 
 }  // namespace
 
-// A tree of the schema: what "$ref" points at stands where it is used.
+// The schema as a tree: each "$ref" is replaced by its target.
 struct Rules::Field {
   std::optional<Rule> rule;
   std::map<std::string, Field, std::less<>> members;

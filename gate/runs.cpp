@@ -17,10 +17,10 @@ void refuse_misfits(const nlohmann::ordered_json& file, const std::string& place
     const auto& run = several ? file[k] : file;
     if (!run.is_object() || !run.contains("schema") || !run.at("schema").is_string()) continue;
     const auto known = schema_named(run.at("schema").get<std::string>());
-    if (!known || run.contains("shard")) continue;  // of a shard something plainer is to be said
+    if (!known || run.contains("shard")) continue;  // a shard gets a plainer message elsewhere
     const std::string here = several ? fmt::format("{}[{}]", place, k) : place;
     try {
-      refuse_contradictions(run);  // its message is plainer
+      refuse_contradictions(run);  // first: its message is plainer than a misfit
     } catch (const NoResult& why) {
       throw NoResult(fmt::format("{}: {}", here, why.what()));
     }

@@ -1,4 +1,4 @@
-// The runs of a file, read by their schemas.
+// Checks the runs in a file against their schemas.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,9 +6,10 @@
 
 namespace mmverify::gate {
 
-/// Throws NoResult where a run that the file holds, one or a list of them, contradicts itself or does not fit the schema
-/// that it names; what() begins with the place, "run.json.results[1].level".  What names no schema of ours, and shards, are passed over.
-/// place: what the file is called.
+/// Throws NoResult if a run in the file contradicts itself or does not fit the schema that it names. The file
+/// holds one run or a list. what() begins with the place, "run.json.results[1].level". Runs of other schemas
+/// and shards are skipped.
+/// place: the file's name in messages.
 void refuse_misfits(const nlohmann::ordered_json& file, const std::string& place);
 
 }  // namespace mmverify::gate

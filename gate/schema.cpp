@@ -39,7 +39,7 @@ const Type& type_named(const std::string& name) {
   throw std::logic_error("no type is called " + name);
 }
 
-/// "type" is a name or several.
+/// The types that "type" allows: it is a name or a list of names.
 std::vector<Type> types_of(const Json& names) {
   std::vector<Type> all;
   if (names.is_string()) return {type_named(names.get<std::string>())};
@@ -48,7 +48,7 @@ std::vector<Type> types_of(const Json& names) {
 }
 
 bool matches(const std::string& text, const std::string& pattern) {
-  // std::regex calls itself for each character.
+  // std::regex recurses for each character, so that long texts would overflow the stack.
   constexpr std::size_t longest = 1000;
   thread_local std::map<std::string, std::regex> compiled;
   return text.size() <= longest &&
@@ -57,7 +57,7 @@ bool matches(const std::string& text, const std::string& pattern) {
 
 struct Keyword {
   std::string_view name;
-  bool (*holds)(const Json& said, const Json& value);  ///< nullptr: says nothing of the value by itself
+  bool (*holds)(const Json& said, const Json& value);  ///< nullptr: the keyword alone refuses no value
 };
 
 constexpr Keyword keywords[] = {
@@ -84,7 +84,7 @@ constexpr Keyword keywords[] = {
      [](const Json& said, const Json& value) { return !value.is_array() || value.size() >= said; }},
     {"maxItems",
      [](const Json& said, const Json& value) { return !value.is_array() || value.size() <= said; }},
-    // What all_of(), of_member() and of_elements() follow.
+    // Keywords that all_of(), of_member() and of_elements() follow.
     {"$ref", nullptr},
     {"allOf", nullptr},
     {"oneOf", nullptr},
@@ -95,8 +95,8 @@ constexpr Keyword keywords[] = {
     {"additionalProperties", nullptr},
     {"unevaluatedProperties", nullptr},
     {"items", nullptr},
-    {"required", nullptr},  // its message is another
-    // For the reader and for gate/rules.cpp.
+    {"required", nullptr},  // check() handles it, with a message of its own
+    // Keywords for readers and for gate/rules.cpp.
     {"$schema", nullptr},
     {"title", nullptr},
     {"description", nullptr},
@@ -112,10 +112,10 @@ const Keyword& keyword_named(const std::string& name) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// In words
+// Schemas in words
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The value as a message may quote it.
+/// The value as a message quotes it.
 std::string as_quoted(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return fmt::format("a list of {}", value.size());
@@ -123,7 +123,7 @@ std::string as_quoted(const Json& value) {
   return text.size() <= 40 ? text : text.substr(0, 37) + "...";
 }
 
-/// "1 or more", "0 to 31", "5 at most"; empty where there is no bound.
+/// The bounds in words: "1 or more", "0 to 31", "5 at most"; empty if there is none.
 std::string bounds_in_words(const Json& part, const char* least, const char* most) {
   const bool from = part.contains(least), to = part.contains(most);
   if (from && to && part.at(least) == part.at(most)) return part.at(least).dump();
@@ -132,7 +132,7 @@ std::string bounds_in_words(const Json& part, const char* least, const char* mos
   return to ? fmt::format("{} at most", part.at(most).dump()) : "";
 }
 
-/// What a schema wants: "a whole number, 0 to 31, or null".
+/// The values that a schema allows, in words: "a whole number, 0 to 31, or null".
 std::string wanted(const Json& part) {
   if (part.contains("const")) return part.at("const").dump();
   std::string words;
@@ -162,7 +162,7 @@ std::string wanted(const Json& part) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Schemas together
+// Schemas combined
 // ---------------------------------------------------------------------------------------------------------------------
 
 Json known_part_of_all(const Schemas& schemas, const Json& value, const std::string& place);
@@ -182,13 +182,14 @@ Schema referred(const Schema& schema) {
   return {schema.document, &schema.document->at(Json::json_pointer(name.substr(1)))};
 }
 
-/// The types that it allows, by way of "$ref"; nothing where it names none.
+/// The "type" of a schema, "$ref" followed; nullptr if it has none.
 const Json* type_in(const Schema& schema) {
   if (schema.part->contains("type")) return &schema.part->at("type");
   return schema.part->contains("$ref") ? type_in(referred(schema)) : nullptr;
 }
 
-/// The first that fits; where none does, the one of the value's type, whose message is to the point.
+/// The first branch of "oneOf" that the value fits. If it fits none, a branch of the value's type, whose
+/// message is to the point.
 const Json* chosen(const Schema& schema, const Json& value) {
   const Json* of_type = nullptr;
   for (const Json& one : schema.part->at("oneOf")) {

@@ -1,4 +1,4 @@
-// The JSON Schemas of results, and whether a value fits one.
+// The JSON Schemas of results, and the check of a value against one.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,23 +9,23 @@
 
 namespace mmverify::gate {
 
-/// A part of a JSON Schema, and the whole, which "$ref" points into.
+/// A part of a JSON Schema, and the whole document, which "$ref" points into.
 struct Schema {
   const nlohmann::ordered_json *document, *part;
 };
 
-/// The schema that a result names as its own, "mmverify.result/1" or "mmverify.bench/1"; nothing for another
-/// name.  Source: docs/result.schema.json and docs/bench.schema.json, as they were when the program was built.
+/// The schema that a result names, "mmverify.result/1" or "mmverify.bench/1"; nothing for another name.
+/// Source: docs/result.schema.json and docs/bench.schema.json, as they were when the program was built.
 std::optional<Schema> schema_named(const std::string& name);
 
-/// The schema, and what holds together with it: "$ref", "allOf", of "oneOf" one, of "if" one outcome.  Of an
-/// unknown value (nullptr) all of "oneOf" and both outcomes.
+/// The schema and the schemas that apply with it: by "$ref", by "allOf", one of "oneOf", one outcome of "if".
+/// For an unknown value (nullptr): all of "oneOf" and both outcomes.
 std::vector<Schema> all_of(const Schema& schema, const nlohmann::ordered_json* value);
 
-/// What they say of a member of this name; empty where none names it.
+/// The schemas that these give for a member of this name; empty if they allow none.
 std::vector<Schema> of_member(const std::vector<Schema>& schemas, const std::string& name);
 
-/// What they say of a list's elements.
+/// The schemas that these give for a list's elements.
 std::vector<Schema> of_elements(const std::vector<Schema>& schemas);
 
 /// A value that does not fit; what() is "PLACE: a text should stand here, not 7".
@@ -33,10 +33,11 @@ struct Misfit : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The value without the members that the schema does not name: what a later version adds is no misfit.
-/// place: what the value is called in a message; "run.json" makes "run.json.results[1].level".
-/// Domain: schemas of the keywords that the two schemas use; throws std::logic_error for another.  Throws
-/// Misfit.  A text of more than 1000 bytes fits no "pattern".
+/// The value without the members that the schema does not name: additions of a later version are no misfit. A
+/// text of more than 1000 bytes fits no "pattern".
+/// place: the value's name in messages; "run.json" makes "run.json.results[1].level".
+/// Domain: schemas of the keywords that the two schemas use; throws std::logic_error for another. Throws
+/// Misfit.
 nlohmann::ordered_json known_part(const Schema& schema, const nlohmann::ordered_json& value,
                                   const std::string& place);
 

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The folder, opened and locked; -1 where it is somebody's, or gone.
+/// The folder's descriptor, opened and locked; -1 if another process or user has it, or it is gone.
 int locked(const std::string& path) {
   const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (folder < 0) return -1;
@@ -33,7 +33,7 @@ int locked(const std::string& path) {
   return -1;
 }
 
-/// Removes folders that no process holds, whose names begin so.
+/// Removes the folders whose names begin with `begins` and that no process has locked.
 void sweep(const std::string& begins) {
   std::error_code error;
   for (fs::directory_iterator at(fs::temp_directory_path(error), error), end; !error && at != end;
@@ -59,7 +59,7 @@ Folder::Folder(const std::string& kind) {
         "one");
   const std::string begins = "mmverify-" + kind + "-";
   sweep(begins);
-  // Somebody else's sweep may take the folder away before it is locked.
+  // A sweep by another process may remove the folder before it is locked.
   constexpr int tries = 100;
   for (int k = 0; k < tries && lock_ < 0; ++k) {
     path_ = (home / (begins + "XXXXXX")).string();

@@ -1,23 +1,23 @@
-// A folder of temporary files for programs of others.
+// A folder of temporary files for the programs that mmverify runs.
 #pragma once
 
 #include <string>
 
 namespace mmverify::program {
 
-/// A folder that nobody else may enter, removed with this and with all that is in it.  A process that is killed leaves
-/// its folder behind: the next folder of its kind removes those of processes that have ended.  A folder is its process's
-/// as long as that holds a lock on it.
+/// A folder that no other user may enter. Its destructor removes it with all its files. A process holds a
+/// lock on its folder; one that is killed leaves the folder behind, and the next folder of the same kind
+/// removes it.
 class Folder {
  public:
-  /// Named mmverify-KIND-, and six letters.
-  /// Errors: std::runtime_error where it cannot be made, or no room is left for files in it.
+  /// The name is mmverify-KIND- and six letters.
+  /// Errors: std::runtime_error if the folder cannot be made, or has no room for files.
   explicit Folder(const std::string& kind);
   ~Folder();
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   std::string file(const std::string& name) const;
-  /// Errors: std::runtime_error where the file system has less than 64 KiB left.
+  /// Errors: std::runtime_error if the file system has less than 64 KiB left.
   void check_room() const;
 
  private:

@@ -23,8 +23,8 @@ struct Closes {
 };
 using File = std::unique_ptr<std::FILE, Closes>;
 
-/// A file without a name, in memory: no folder for temporary files has to be there, or have room.  The program does not
-/// inherit it but as one of its three streams.
+/// A file without a name, in memory: it needs no folder for temporary files and no room in one. The program
+/// inherits it only as one of its three streams.
 File nameless_file(const std::string& program) {
   const int memory = memfd_create("mmverify", MFD_CLOEXEC);
   File file(memory < 0 ? nullptr : fdopen(memory, "w+"));
@@ -67,7 +67,7 @@ class Pipe {
   void tell(int number) const {
     while (write(ends_[1], &number, sizeof number) < 0 && errno == EINTR) continue;
   }
-  /// What was told, or 0 where the other end was closed without a word.
+  /// The number that the other end sent, or 0 if that end was closed without sending one.
   int told() {
     close(ends_[1]);
     ends_[1] = -1;
@@ -80,8 +80,8 @@ class Pipe {
   int ends_[2];
 };
 
-/// Starts a program with its three streams, bounded before its first instruction: 0, or why there is none (errno).
-/// After fork(), calls of the system alone: another thread may have held a lock.
+/// Starts a program with its three streams, bounded before its first instruction. Returns 0, or errno of the
+/// failure. After fork() it makes system calls only: another thread may have held a lock.
 int start(char* const* argv, const std::array<int, 3>& streams, const Bounds& bounds, pid_t& child) {
   Pipe failure;
   child = fork();
@@ -90,12 +90,12 @@ int start(char* const* argv, const std::array<int, 3>& streams, const Bounds& bo
     bool placed = true;
     for (int stream = 0; stream < 3; ++stream) {
       const int file = streams[static_cast<std::size_t>(stream)];
-      // Whose own stream was closed has the file in its place, which exec would close.
+      // If our own stream was closed, the file may have its number already, and exec would close it.
       placed = placed && (file == stream ? fcntl(file, F_SETFD, 0) == 0 : dup2(file, stream) >= 0);
     }
     if (placed) {
       bound(bounds);
-      signal(SIGPIPE, SIG_DFL);  // exec keeps what we ignore
+      signal(SIGPIPE, SIG_DFL);  // exec keeps the signals that we ignore
       execvp(argv[0], argv);
     }
     failure.tell(errno);
@@ -107,7 +107,7 @@ int start(char* const* argv, const std::array<int, 3>& streams, const Bounds& bo
   return error;
 }
 
-/// A program that runs; it is ended where nobody has waited for it.
+/// A running program; the destructor ends it unless it has ended.
 class Running {
  public:
   explicit Running(pid_t child) : child_(child) {}
@@ -124,7 +124,7 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  /// Its status, once it has one.
+  /// Whether it has ended; then `status` is its status.
   bool ended(int& status) {
     const pid_t done = waitpid(child_, &status, WNOHANG);
     if (done < 0 && errno != EINTR) throw std::runtime_error(std::string("waitpid: ") + std::strerror(errno));
@@ -142,7 +142,7 @@ class Running {
 ProgramEnd run_program(const std::vector<std::string>& arguments, const std::string& input,
                        const std::function<void()>& stop, const Bounds& bounds) {
   const std::string& program = arguments.at(0);
-  // Files, not pipes: neither side can wait for the other.
+  // Files, not pipes: a full pipe would let each side wait for the other.
   const File in = nameless_file(program), out = nameless_file(program), errors = nameless_file(program);
   if (std::fwrite(input.data(), 1, input.size(), in.get()) != input.size() || std::fflush(in.get()) != 0)
     throw std::runtime_error(program + ": its input cannot be written: " + std::strerror(errno));
@@ -167,7 +167,7 @@ ProgramEnd run_program(const std::vector<std::string>& arguments, const std::str
       return {false, false, "stopped after " + std::to_string(bounds.time.count()) + " s", {}, {}};
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  // Ctrl-C ends the program as well: that is no fault of its own.
+  // Ctrl-C ends the program as well, which is no failure of the program.
   if (stop) stop();
   return {WIFEXITED(status) && WEXITSTATUS(status) == 0, WIFEXITED(status),
           WIFEXITED(status) ? "exit code " + std::to_string(WEXITSTATUS(status))

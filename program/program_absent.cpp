@@ -1,4 +1,4 @@
-// In the place of program.cpp where there are no processes, as in WebAssembly.
+// Replaces program.cpp on platforms without processes, such as WebAssembly.
 #include "program/program.hpp"
 
 namespace mmverify::program {

@@ -435,8 +435,9 @@ typedef struct mmverify_subject {
                             const uint32_t* second, const uint32_t* third, uint32_t* face, size_t count);
 
   /* The vertices of the micro-triangle that holds (u[k], v[k]), ties as of index_f32, and the point's weights there, in the
-   * order of its vertices: with fu = uN - iu and fv = vN - iv, lower (1-fu-fv, fu, fv), upper (fu+fv-1, 1-fu, 1-fv), each
-   * within 2^-24 of the exact one and none below 0.  u, v >= 0, -0 is 0; u+v <= 1. */
+   * order of its vertices: with fu = uN - iu and fv = vN - iv, lower (1-fu-fv, fu, fv), upper (fu+fv-1, 1-fu, 1-fv).
+   * Each weight is within 2^-24 of the exact one and none is below 0.  Where 4uN and 4vN are whole numbers, the weights are
+   * the exact ones, which binary32 holds: so neighbours agree on their edge.  u, v >= 0, -0 is 0; u+v <= 1. */
   void (*attribute_triplet_f32)(uint32_t level, uint32_t vertex_order, const float* u, const float* v,
                                 uint32_t* vertices, size_t count);
   void (*attribute_weights_f32)(uint32_t level, const float* u, const float* v, float* weights, size_t count);

@@ -1,4 +1,4 @@
-// Where values of attributes lie in a map, what is interpolated at a point, and which level of detail a ray asks for.
+// The places of attribute values in a map, their interpolation at a point, and the level of detail of a ray.
 #ifndef MMVERIFY_SHADERS_ATTRIBUTE
 #define MMVERIFY_SHADERS_ATTRIBUTE
 
@@ -72,10 +72,10 @@ uint mm_vertex_index(uint level, uint order, uint i, uint j) {
   return i * (mm_side(level) + 2u) - mm_triangular(i) + j;
 }
 
-/// And back.  Domain: index < (N+1)(N+2)/2.
+/// The vertex of an index. Domain: index < (N+1)(N+2)/2.
 uvec2 mm_vertex_place(uint level, uint order, uint index) {
   if (order == MM_VERTICES_BIRD) return mm_bird_place(index, level);
-  // U-major are rows counted from the u-corner, backwards.
+  // U-major order is rows counted backwards from the u-corner.
   bool back = order == MM_VERTICES_U_MAJOR;
   uint x = back ? mm_vertex_count(level) - 1u - index : index;
   uint r = mm_triangular_root(x), c = x - mm_triangular(r);
@@ -92,7 +92,7 @@ uint mm_face_index(uint level, uint order, MmFace f) {
   return N * N - left * left + 2u * f.iv + f.upper;
 }
 
-/// And back.  Domain: index < 4^level.
+/// The micro-triangle of an index. Domain: index < 4^level.
 MmFace mm_face_at(uint level, uint order, uint index) {
   if (order == MM_FACES_CURVE) return mm_curve_face(index);
   if (order == MM_FACES_ROWS) return mm_row_face(index);
@@ -109,7 +109,7 @@ uvec3 mm_triplet(uint level, uint order, MmFace f) {
                mm_vertex_index(level, order, along_v.x, along_v.y));
 }
 
-/// The face whose vertices these are, in that order: the first two say it.
+/// The face with these vertices, in that order; the first two determine it.
 MmFace mm_face_of(uint level, uint order, uvec3 vertices) {
   uvec2 a = mm_vertex_place(level, order, vertices.x), b = mm_vertex_place(level, order, vertices.y);
   uint upper = b.x < a.x ? 1u : 0u;
@@ -145,13 +145,13 @@ MmHit mm_hit(uint level, float u, float v) {
   return MmHit(f, w);
 }
 
-/// What lies between three values.
+/// The value interpolated between three.
 vec4 mm_interpolate(vec3 weights, vec4 a, vec4 b, vec4 c) {
   MM_PRECISE vec4 mixed = weights.x * a + weights.y * b + weights.z * c;
   return mixed;
 }
 
-/// The same of bytes r | g << 8 | b << 16 | a << 24, rounded half up.
+/// The same for bytes r | g << 8 | b << 16 | a << 24, rounded half up.
 uint mm_interpolate_rgba8(vec3 weights, uint a, uint b, uint c) {
   uint mixed = 0u;
   for (uint shift = 0u; shift < 32u; shift += 8u) {

@@ -30,16 +30,16 @@ uint mm_record_order(uvec2 record) { return record.y >> 5 & 3u; }
 uint mm_record_edges(uvec2 record) { return record.y >> 7 & 7u; }
 bool mm_record_has_mips(uvec2 record) { return (record.y >> 10 & 1u) != 0u; }
 
-/// Where the value of the face at (u, v) lies, m levels of detail being there or not: without mips that of level n.
-/// A point on an edge belongs where Vulkan's rule for opacity micromaps puts it, whatever the order.
+/// The place of the value of the face at (u, v) at level m; without mips, at level n.
+/// A point on an edge belongs to the face that Vulkan's rule for opacity micromaps gives, whatever the order.
 uint mm_face_value(uvec2 record, vec2 uv, uint m) {
   uint n = mm_record_level(record), level = mm_record_has_mips(record) ? min(m, n) : n;
   uint before = mm_record_has_mips(record) ? ((1u << 2u * level) - 1u) / 3u : 0u;
   return record.x + before + mm_face_index(level, mm_record_order(record), mm_face_of_point(level, mm_point(level, uv.x, uv.y)));
 }
 
-/// Where the value of a vertex of level n - up lies among those of level n: at every 2^up th place, so that mips of vertices
-/// take no memory.
+/// The place of a vertex of level n - up among those of level n: it is at every 2^up th place, so that mips
+/// of vertices take no memory.
 uint mm_vertex_value(uvec2 record, uvec2 place, uint up) {
   return record.x + mm_vertex_index(mm_record_level(record), mm_record_order(record), place.x << up, place.y << up);
 }
@@ -70,7 +70,8 @@ MmLod mm_lod_of_triangle(uvec2 record, float cone_area, vec3 p0, vec3 p1, vec3 p
   return mm_lod(mm_record_level(record), cone_area, 0.5f * length(cross(p1 - p0, p2 - p0)));
 }
 
-/// Where values and records are: storage buffers, unless somebody says otherwise before this is included.
+/// The storage of values and records: storage buffers, unless MM_MICROMAP_BLOCKS is defined before the
+/// include.
 #ifndef MM_MICROMAP_BLOCKS
 #define MM_MICROMAP_BLOCKS(SET, VALUES, RECORDS, TYPE, NAME)                                                            \
   layout(std430, set = SET, binding = VALUES) readonly buffer NAME##_values_block { TYPE NAME##_values[]; };            \

@@ -1,4 +1,4 @@
-// States out of the graph of a scene's maps, in the container of docs/DAG.md.
+// Reads states from the graph of a scene's maps, in the container of docs/DAG.md.
 //
 // Before the include MM_DAG_WORD(k) has to be defined: word k of the container, four bytes, the first the lowest.
 #ifndef MMVERIFY_SHADERS_DAG
@@ -6,12 +6,12 @@
 
 const uint mm_dag_header = 8u;  // words before the records
 
-/// Where the arrays begin, in words of the container, and the bits of a state.
+/// The starts of the arrays, in words of the container, and the bits of a state.
 struct MmDag {
   uint bits, tiles, flat_maps, nodes;
 };
 
-/// Of the container's header.  Whoever looks up often keeps it in push constants.
+/// Reads the container's header. For many lookups, keep it in push constants.
 MmDag mm_dag_open() {
   uint bits = MM_DAG_WORD(1) >> 8 & 3u;
   uint tiles = mm_dag_header + 2u * MM_DAG_WORD(2);

@@ -1,4 +1,4 @@
-// From a hit's barycentrics to its micro-triangle, and back to corners.
+// From a hit's barycentrics to its micro-triangle, and from there to its corners.
 #ifndef MMVERIFY_SHADERS_INDEX
 #define MMVERIFY_SHADERS_INDEX
 
@@ -16,7 +16,8 @@ struct MmPoint {
   uint beyond;   ///< 1 where fu + fv >= 1
 };
 
-/// Where (u, v) lies.  fu and fv are exact: so is multiplying by a power of two, and taking a floor away from it.
+/// The place of (u, v) on the grid. fu and fv are exact: so are a product with a power of two, and
+/// subtracting the floor.
 ///   fu + fv >= 1  is asked as  min(fu, fv) >= 1 - max(fu, fv)
 /// The sum may round up to 1; the difference is exact from max >= 1/2 on (Sterbenz), and below that no rounding brings it
 /// down to 1/2 > min.  So the answer is exact on every device, whatever its rounding and even where denormals are flushed,
@@ -56,7 +57,7 @@ uint mm_curve_index(MmFace f) {
   return mm_apart(b0) | mm_apart(b1) << 1;
 }
 
-/// And back.  Domain: index < 4^level, any level up to 16.
+/// The micro-triangle of a number on the curve. Domain: index < 4^level, any level up to 16.
 MmFace mm_curve_face(uint index) {
   uint b0 = mm_together(index), b1 = mm_together(index >> 1);
   uint t = b0 & b1, f = mm_xor_from_above(t), m = mm_xor_from_above(b0 & ~b1), inverted = m >> 1;
@@ -85,7 +86,7 @@ uint mm_row_index_of(MmFace f) {
   return row * row + 2u * f.iv + f.upper;
 }
 
-/// And back.  Domain: index < 4^level, level <= 16.
+/// The micro-triangle of a number in row order. Domain: index < 4^level, level <= 16.
 MmFace mm_row_face(uint index) {
   uint row = mm_square_root(index), c = index - row * row;
   return MmFace(row - (c + 1u) / 2u, c / 2u, c & 1u);
@@ -97,7 +98,7 @@ uint mm_row_index(uint level, float u, float v) {
   uint last = mm_side(level) - 1u;
   MmPoint p = mm_point(level, u, v);
   uint row = min(p.iu + p.iv + p.beyond, last), column = min(row, p.iv);
-  // Bits, as a device may take a denormal u for 0 in a comparison.
+  // The test uses bits, as a device may take a denormal u for 0 in a comparison.
   bool behind = p.fu > 0.0f || (p.iu == 0u && (floatBitsToUint(u) & 0x7fffffffu) != 0u);
   uint diagonal = min(last, last + 1u - min(p.iu + (behind ? 1u : 0u), last + 1u));
   return row * row + column + diagonal - (last - row);

@@ -1,4 +1,4 @@
-// What traversal does with a candidate hit before any shader runs, and with a payload by a fixed function.
+// The decision of traversal on a candidate hit before any shader runs, and fixed functions on payloads.
 #ifndef MMVERIFY_SHADERS_TRAVERSE
 #define MMVERIFY_SHADERS_TRAVERSE
 

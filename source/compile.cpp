@@ -39,7 +39,7 @@ fs::path program_folder() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-/// Where mmverify_subject.h is.
+/// The folder of mmverify_subject.h.
 std::string header_folder() {
   std::error_code error;
   const fs::path installed = program_folder() / "../include";
@@ -52,7 +52,8 @@ std::string clang() {
   return named != nullptr ? named : "clang";
 }
 
-/// Beside the program, where it is installed, or beside the program's folder, as tests are.
+/// The reader's path: beside the program, in the installed libexec, or in the folder cli beside the
+/// program's, for tests.
 std::string reader() {
   if (const char* named = std::getenv("MMVERIFY_SOURCE_READER")) return named;
   std::error_code error;
@@ -91,7 +92,8 @@ ProgramEnd of_reader(std::vector<std::string> words) {
   }
 }
 
-/// By spirv-val, where it is installed: the reader takes a module for a valid one.
+/// Throws BadSource if spirv-val refuses the module: the reader assumes a valid one. Without spirv-val,
+/// nothing is checked.
 void check(const std::string& spirv, const std::string& file) {
   try {
     if (const ProgramEnd end = ended({"spirv-val", spirv}); !end.succeeded)
@@ -125,7 +127,7 @@ Compiled::Compiled(const std::string& file, const std::string& function,
   const std::string extension = fs::path(bitcode_).extension().string();
   if (extension == ".spv") {
     check(bitcode_, file);
-    // What is judged stays what was read, whatever becomes of the file.
+    // A copy of the file: what is judged is what was read, even if the file changes.
     const std::string kept = folder_->file("module.spv");
     fs::copy_file(bitcode_, kept, fs::copy_options::overwrite_existing);
     bitcode_ = kept;
@@ -136,8 +138,8 @@ Compiled::Compiled(const std::string& file, const std::string& function,
       throw BadSource(file +
                       ": its name tells no language; .c, .cpp, .glsl, .comp, .hlsl, .spv, .bc and .ll do");
     bitcode_ = folder_->file("module.bc");
-    // A constant place beyond an array's end is clang's to say: in the bitcode it is one of the next row.  LLVM's passes are
-    // the reader's business; a function that nobody calls is to be there, too.
+    // clang must report a constant index beyond an array's end: in the bitcode it is an index into the next
+    // row. LLVM's passes are left to the reader. Functions without a caller are kept.
     std::vector<std::string> words{"-O1",
                                    "-g",
                                    "-Xclang",

@@ -1,4 +1,5 @@
-// From somebody's file to what is judged: bitcode by clang, a program at each level, a shared library to run.
+// Compiles a file of C, C++, bitcode or SPIR-V: to bitcode by clang, to a program at each level, and to a
+// shared library.
 #pragma once
 
 #include <memory>
@@ -12,42 +13,43 @@
 
 namespace mmverify::source {
 
-/// A file that does not compile, or has no such function; what() has the compiler's own words.
+/// A file that does not compile, or has no such function; what() has the compiler's message.
 struct BadSource : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// No clang, or no reader of bitcode in this build; what() names the tool and its package.
+/// There is no clang, or this build has no reader of bitcode; what() names the tool and its package.
 struct NotAvailable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// An instruction that has no operation here; what() begins with file and line.
+/// An instruction that no operation models; what() begins with file and line.
 struct UnknownInstruction : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A function of a file in C or C++, or of LLVM's bitcode or its text, or of SPIR-V.
+/// A function in C or C++, in LLVM bitcode (binary or text), or in SPIR-V, compiled.
 class Compiled {
  public:
-  /// Compiles it: -O1, no contraction of products and sums, and `flags`.  `read`: what is read in its place, where another
-  /// compiler has made it.  `fault`: as of at_level.  Throws BadSource, NotAvailable, UnknownInstruction.
+  /// Compiles the file: -O1, no contraction of products and sums, and `flags`. `read`: the file to read
+  /// instead if another compiler has made it. `fault`: as for at_level. Throws BadSource, NotAvailable,
+  /// UnknownInstruction.
   Compiled(const std::string& file, const std::string& function, const std::vector<std::string>& flags = {},
            const std::string& read = {}, const std::string& fault = {});
 
-  /// What it is at that level, its calls inlined and its loops unrolled.  `fault`: a mistake of the reader on purpose,
-  /// for a test.  Throws UnknownInstruction, BadSource.
+  /// The function's program at that level, with calls inlined and loops unrolled. `fault`: a deliberate
+  /// mistake of the reader, for a test. Throws UnknownInstruction, BadSource.
   Program at_level(unsigned level, const std::string& fault = {}) const;
 
-  /// A shared library behind sdk/mmverify_subject.h, whose index_f32 is the function.
+  /// A shared library with the interface of sdk/mmverify_subject.h; its index_f32 is the function.
   const std::string& library() const { return library_; }
-  /// The bytes of the bitcode with that function alone for others to call.
+  /// The bytes of the bitcode that exports this function alone.
   const std::string& bitcode() const { return exported_; }
-  /// "clang version 14.0.6"; of SPIR-V "SPIR-V".
+  /// The compiler, "clang version 14.0.6"; "SPIR-V" for SPIR-V.
   const std::string& compiler() const { return compiler_; }
-  /// Keeps the files of both as long as it is there.
+  /// The folder of the files; they exist as long as the pointer does.
   std::shared_ptr<const program::Folder> files() const { return folder_; }
 
  private:
-  /// The reader's complaint, about the file that was named.
+  /// The reader's error message, with the name of the original file.
   std::string said(const program::ProgramEnd& end) const;
 
   std::string file_, function_, bitcode_, exported_, library_, compiler_;

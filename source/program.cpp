@@ -7,15 +7,15 @@
 namespace mmverify::source {
 namespace {
 
-/// What an operation takes and gives: w a word, f a float, b a word of one bit, o a word of 64 bits; for the result also
-/// = as the first operand, 2 as the second.
+/// The signature of an operation. Operands: w a word, f a float, b a word of one bit, o a word of 64 bits, *
+/// any; for the result also = as the first operand, 2 as the second.
 struct Form {
   const char* name;
   const char* takes;
   char gives;
 };
 
-// In the order of Op.
+// This table has the order of enum Op.
 constexpr std::array forms{
     Form{"input_u", "", 'f'},    Form{"input_v", "", 'f'},     Form{"constant", "", '*'},
     Form{"unset", "", '*'},      Form{"add", "ww", '='},       Form{"sub", "ww", '='},
@@ -62,7 +62,7 @@ bool is(char sort, Type t) {
   }
 }
 
-/// What is wrong with the node that comes next; empty: nothing.
+/// The fault of a node that would come next; empty if it has none.
 std::string fault(const Program& program, const Node& node) {
   const Form& form = form_of(node.op);
   const std::string_view takes = form.takes;
@@ -73,7 +73,7 @@ std::string fault(const Program& program, const Node& node) {
     if (!is(takes[k], type(k))) return "an operand is of another sort";
   }
   const std::size_t first = node.op == Op::select ? 1 : 0;
-  // All but conversions take operands of one type.
+  // Operands have one type, except for the condition of select.
   for (std::size_t k = first + 1; k < node.of.size(); ++k)
     if (type(k) != type(first)) return "its operands are of different types";
   if (!is(form.gives, node.type)) return "its result is of another sort";

@@ -73,7 +73,8 @@ std::uint32_t Builder::text(const std::string& about) {
   return static_cast<std::uint32_t>(family_.abouts.size() - 1);
 }
 
-/// Where the bytes lie in the data, at a multiple of 4; they are added where they do not lie there yet.
+/// The offset of `bytes` in the family's data, a multiple of 4. They are appended unless the data has them
+/// already.
 std::uint32_t Builder::stored(std::span<const std::uint8_t> bytes) {
   Bytes& data = family_.data;
   for (std::size_t at = 0; at + bytes.size() <= data.size(); at += 4)

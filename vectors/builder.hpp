@@ -1,4 +1,4 @@
-// How a family is filled: record by record, its texts and bytes laid beside.
+// Builds a family record by record and stores its texts and bytes beside the records.
 #pragma once
 
 #include <concepts>
@@ -13,7 +13,7 @@
 
 namespace mmverify::vectors {
 
-/// A number of Kind::optional, every word among them, or none.
+/// A number of Kind::optional: any 32-bit word, or none.
 using Optional = std::optional<std::uint32_t>;
 inline constexpr Optional none;
 
@@ -25,19 +25,19 @@ struct Value
   requires(sizeof(Narrow) < sizeof(std::uint32_t)) Value(Narrow word) : variant(std::uint32_t{word}) {}
 };
 
-/// Fills a family.  Tables are filled one after another.
+/// Builds a family. Its tables are filled one after another.
 class Builder {
  public:
   Builder(std::string name, std::uint32_t version, std::string about);
 
-  /// Begins a table; records that are added from now on are its.
+  /// Begins a table; later records go into it.
   void table(std::string name, std::string about, std::vector<Column> columns);
 
-  /// Adds a record: a value for each column, in their order.  Equal bytes and texts are stored once.
-  /// Errors: std::logic_error for values that are not the columns'.
+  /// Adds a record: a value for each column, in their order. Equal bytes and texts are stored once.
+  /// Errors: std::logic_error if a value does not match its column.
   void add(std::initializer_list<Value> values);
 
-  /// Records of the table so far.
+  /// The number of records in the current table.
   std::uint32_t count() const;
 
   Family take() { return std::move(family_); }

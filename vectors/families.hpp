@@ -1,4 +1,4 @@
-// THE table of families: a name, and who makes it.
+// THE table of families: each one's name and the function that makes it.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@ namespace mmverify::vectors {
 
 struct FamilyRow {
   const char* name;
-  Family (*make)();  ///< the same each time
+  Family (*make)();  ///< makes the same family each time
 };
 
-/// All families, in the order in which files list them.
+/// All families, in the order of the files.
 std::span<const FamilyRow> families();
 
 }  // namespace mmverify::vectors

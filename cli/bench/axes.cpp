@@ -12,7 +12,7 @@ using bench::picture::Panel;
 using bench::picture::Point;
 using bench::picture::Series;
 
-// Pixels: marks nearer than that hide one another.
+// Marks at a smaller distance, in pixels, cover one another.
 constexpr double mark = 13;
 
 double power_of_ten(double x, bool up) {
@@ -20,7 +20,7 @@ double power_of_ten(double x, bool up) {
   return std::pow(10.0, up ? std::ceil(exponent) : std::floor(exponent));
 }
 
-/// Room left at either end, so that no mark lies on the frame.
+/// Room at either end of an axis, so that no mark lies on the frame.
 constexpr double log_room = 1.1, linear_room = 0.06;
 
 Scale scale_of(const Axis& axis, const std::vector<double>& values) {
@@ -41,7 +41,7 @@ Scale scale_of(const Axis& axis, const std::vector<double>& values) {
   Scale scale{axis.least && !zero ? least : power_of_ten(least / log_room, false),
               axis.most ? std::max(*axis.most, most) : power_of_ten(most * log_room, true), true};
   if (zero) {
-    // One decade below whatever could be found, with room below for what is stacked there.
+    // The line for 0 is one decade below any value, with room below it for stacked marks.
     scale.none = power_of_ten(least, false) / 10;
     scale.least = scale.none / 30;
   }
@@ -78,7 +78,7 @@ Panel placed(Panel panel, const Axes& axes) {
       if (point.y == 0) stacked.push_back(&point);
   std::stable_sort(stacked.begin(), stacked.end(),
                    [](const Point* a, const Point* b) { return a->x < b->x; });
-  // Height means nothing on that line.
+  // Height has no meaning on that line.
   const double step = mark / (axes.frame.bottom - axes.frame.top);
   for (std::size_t k = 0; k < stacked.size(); ++k) {
     double place = axes.y.place(axes.y.none);

@@ -1,4 +1,4 @@
-// Where a panel's axes are, and where a value is between them.
+// The axes of a panel, and the places of values on them.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace mmverify::cli {
 
-/// A rectangle of the picture in pixels, from its upper left corner.
+/// A rectangle in the picture, in pixels from the upper left corner.
 struct Box {
   double left, right, top, bottom;
 
@@ -16,11 +16,11 @@ struct Box {
   }
 };
 
-/// One axis: from a value to a place between 0 and 1, and back.
+/// An axis: maps values to places between 0 and 1, and back.
 struct Scale {
   double least, most;
   bool logarithmic;
-  double none = 0;  ///< where a logarithmic axis shows points at 0; 0: it has none
+  double none = 0;  ///< the place of value 0 on a logarithmic axis; 0 if the panel has no such point
 
   double place(double value) const;
   double value(double place) const;
@@ -35,12 +35,12 @@ struct Axes {
   double pixel_y(double value) const { return frame.bottom - y.place(value) * (frame.bottom - frame.top); }
 };
 
-/// Scales that hold all points of the panel and its thresholds; logarithmic ones from power of ten to power of ten
-/// where nothing else is asked for.
+/// Axes that contain all points of the panel and its thresholds. Logarithmic ones go from power of ten to
+/// power of ten unless the panel sets other ends.
 Axes axes_of(const bench::picture::Panel& panel, const Box& frame);
 
-/// The panel's points where they are drawn: those at 0 of a logarithmic axis on a line of their own, where marks that
-/// would hide one another are stacked.
+/// The panel's points at their drawn places. Points at 0 of a logarithmic axis get a line of their own, on
+/// which marks that would cover one another are stacked.
 bench::picture::Panel placed(bench::picture::Panel panel, const Axes& axes);
 
 }  // namespace mmverify::cli

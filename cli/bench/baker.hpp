@@ -1,4 +1,4 @@
-// bench bake --subject: somebody's baker on a scene or a folder of textures, beside ours.
+// bench bake --subject: another baker on a scene or a folder of textures, compared with ours.
 #pragma once
 
 #include "bench/baker/tables.hpp"
@@ -6,8 +6,8 @@
 
 namespace mmverify::cli {
 
-/// All triangles of the scene at each level, one after the other.
-/// Throws UsageError where the subject has no baker, EnvironmentError where it breaks or a level does not fit into
+/// Bakes all triangles of the scene at each level, one after the other.
+/// Throws UsageError if the subject has no baker, EnvironmentError if it breaks or a level does not fit into
 /// memory, scene::BadScene, proofs::Interrupted.
 bench::BakerFigures baker_figures(const BenchOptions& options, const proofs::Levels& levels);
 

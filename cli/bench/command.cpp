@@ -27,7 +27,7 @@
 namespace mmverify::cli {
 namespace {
 
-/// Where the JSON and the picture go: files that are opened before the work, and stdout.
+/// The outputs of a bench: stdout, and files for JSON and the picture, opened before the work.
 class Outputs {
  public:
   explicit Outputs(const BenchOptions& options) : options_(options) {
@@ -37,7 +37,7 @@ class Outputs {
     if (!options.plot.empty()) picture_.emplace(options.plot);
   }
 
-  /// Of one bench after the other.
+  /// Prints one bench's result; called once for each.
   void print(const bench::Result& result) {
     std::FILE* const out = options_.json == "-" ? stderr : stdout;
     if (!json_.empty()) say(out, "\n");
@@ -61,7 +61,7 @@ class Outputs {
   std::string json_, script_;
 };
 
-/// One of the benches that are no topic's: its figures are not drawn.
+/// Runs a bench that belongs to no topic; its figures have no picture.
 template <class Bench>
 int run_table(const BenchOptions& options, Bench bench) {
   if (!options.plot.empty()) throw UsageError("--plot: these figures are not drawn");
@@ -81,7 +81,7 @@ proofs::Levels levels_or(const BenchOptions& options, const proofs::Levels& othe
   return levels;
 }
 
-/// What judging a library costs, beside calling it.
+/// Measures the cost of judging a library, and that of calling it.
 int run_subject_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {10, 10});
   if (levels.first != levels.last) throw UsageError(fmt::format("--levels {}: one level", options.levels));
@@ -104,14 +104,14 @@ bench::Result scene_result(const BenchOptions& options, const proofs::Levels& le
   }
 }
 
-/// How fast the triangles of a scene are baked.
+/// Measures how fast the triangles of a scene are baked.
 int run_scene_bench(const BenchOptions& options) {
   const bench::SceneBakeOptions otherwise;
   const proofs::Levels levels = levels_or(options, {otherwise.first, otherwise.last}, 12);
   return run_table(options, [&] { return scene_result(options, levels); });
 }
 
-/// What the maps of a scene take in each form.
+/// Measures the sizes of a scene's maps in each form.
 int run_scene_dag_bench(const BenchOptions& options) {
   const bench::SceneDagOptions otherwise;
   const proofs::Levels levels = levels_or(options, {otherwise.first, otherwise.last}, otherwise.last);
@@ -140,7 +140,7 @@ int run_scene_dag_bench(const BenchOptions& options) {
   return outputs.commit(false);
 }
 
-/// What somebody's baker gets wrong of real content, and its time.
+/// Measures the errors of another baker on real content, and its time.
 int run_baker_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {3, 6}, 12);
   return run_table(options, [&] {
@@ -152,7 +152,7 @@ int run_baker_bench(const BenchOptions& options) {
   });
 }
 
-/// What a sweep costs from level to level, beside the obvious loop.
+/// Measures the cost of a sweep level by level, and that of a plain loop.
 int run_sweep_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {8, 13});
   return run_table(options, [&] {
@@ -160,7 +160,7 @@ int run_sweep_bench(const BenchOptions& options) {
   });
 }
 
-/// How fast a device looks up.  No topic's: a machine may have none, and all topics are one command.
+/// Measures lookups on a device. It is not among the topics, which run without a device.
 int run_shader_bench(const BenchOptions& options) {
   if (options.topics.size() > 1) throw UsageError("bench shaders: by itself");
   if (!options.subject.empty() || !options.scene.empty() || !options.textures.empty() || options.sweep)
@@ -171,7 +171,8 @@ int run_shader_bench(const BenchOptions& options) {
 
 using ChosenTopics = std::vector<const BenchTopic*>;
 
-/// The levels of each, empty where it has none.  Throws UsageError for levels and samples that do not go.
+/// The levels of each topic, empty if it has none. Throws UsageError for levels or samples that a topic does
+/// not allow.
 std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const ChosenTopics& topics) {
   std::vector<proofs::Levels> levels;
   for (const BenchTopic* topic : topics)
@@ -185,7 +186,7 @@ std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const Ch
   return levels;
 }
 
-/// All topics, or those that were named.
+/// Runs the given topics.
 int run_topics(const BenchOptions& options, const ChosenTopics& topics) {
   const std::vector<proofs::Levels> levels = checked_levels(options, topics);
   if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot: of one topic");
@@ -194,7 +195,8 @@ int run_topics(const BenchOptions& options, const ChosenTopics& topics) {
   return outputs.commit(topics.size() > 1);
 }
 
-/// "index, tree", `last` before the last of them; of those that read textures "bench tree, bench vq".
+/// The names of the topics, "index, tree", with `last` before the last one; with_textures: "bench tree, bench
+/// vq", the topics that read textures.
 std::string names_of_topics(bool with_textures, const char* last) {
   std::vector<std::string> names;
   for (const BenchTopic& topic : bench_topics())

@@ -10,12 +10,12 @@ using bench::picture::Panel;
 using bench::picture::Point;
 using bench::picture::Series;
 
-// Pixels, of the labels' font, measured generously.
+// Size of the labels' font in pixels, rounded up.
 constexpr double letter = 7.1, line_height = 15;
 
 double width_of(const std::string& text) { return letter * static_cast<double>(text.size()); }
 
-/// The places that a label may take beside its mark, the nearest first.
+/// Places for a label beside its mark, the nearest first.
 std::vector<Box> places(const std::string& text, double x, double y) {
   std::vector<Box> all;
   const double text_width = width_of(text);
@@ -36,7 +36,7 @@ bool inside(const Box& box, const Box& frame) {
          box.bottom < frame.bottom - 2;
 }
 
-/// Boxes along the lines of a series.
+/// Adds boxes along the lines of a series.
 void take_lines(const Series& series, const Axes& axes, std::vector<Box>& taken) {
   constexpr double step = 6;
   for (std::size_t k = 1; series.joined && k < series.points.size(); ++k) {
@@ -67,7 +67,8 @@ std::vector<PlacedLabel> place_labels(const Panel& panel, const Axes& axes, std:
       if (!point.label.empty()) labels.push_back({point.label, series.colour, {}, x, y});
     }
   }
-  // A label lies right of its mark, if it can: of two marks side by side the right one chooses first.
+  // A label goes to the right of its mark if it can, so of two marks side by side the right one is placed
+  // first.
   std::stable_sort(labels.begin(), labels.end(),
                    [](const PlacedLabel& a, const PlacedLabel& b) { return a.mark_x > b.mark_x; });
   for (PlacedLabel& label : labels) {

@@ -1,4 +1,4 @@
-// Labels beside marks, none upon another.
+// Places labels beside marks so that they do not overlap.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace mmverify::cli {
 
-/// A label, and whether it had to move away from its mark.
+/// A placed label.
 struct PlacedLabel {
   std::string text, colour;
   Box box;
   double mark_x, mark_y;  ///< pixels
-  bool away = false;      ///< a thin line leads to the mark
+  bool away = false;      ///< it had to move away: a thin line leads to the mark
 };
 
-/// The pixels that a label takes, of a font of 12.
+/// The box of a label in pixels, for a font of 12.
 Box label_box(const std::string& text, double left, double middle);
 
-/// The labels of a panel, off its marks and lines, one another and the boxes that are taken.
+/// Places the labels of a panel clear of its marks, its lines, one another and the boxes `taken`.
 std::vector<PlacedLabel> place_labels(const bench::picture::Panel& panel, const Axes& axes,
                                       std::vector<Box> taken);
 

@@ -19,7 +19,7 @@ using bench::picture::Point;
 using bench::picture::Series;
 using bench::picture::Shape;
 
-// Pixels around the axes of each panel, and what a key takes.
+// Room around the axes of each panel and for a key, in pixels.
 constexpr double left = 80, right = 30, top = 45, bottom = 55;
 constexpr double outer_key = 220, lower_key = 65, lower_note = 30;
 constexpr char ink[] = "#444444";
@@ -45,7 +45,7 @@ int point_type(Shape shape) {
   return 7;
 }
 
-/// A text in gnuplot's single quotes, its own markup as plain characters.
+/// The text in gnuplot's single quotes, with gnuplot's markup escaped.
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
@@ -56,10 +56,10 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-/// One panel's part of the script.
+/// Writes one panel's part of the script.
 class PanelScript {
  public:
-  /// size: of the picture.
+  /// size: the picture's.
   PanelScript(const Panel& panel, const Box& frame, const Box& size)
       : panel_(placed(panel, axes_of(panel, frame))), axes_(axes_of(panel, frame)), size_(size) {}
 
@@ -139,7 +139,7 @@ class PanelScript {
                        screen(axes_.frame.right - 8, axes_.frame.bottom - 18), ink);
   }
 
-  /// A line across the panel, which labels keep off.
+  /// The box of a line across the panel, which labels avoid.
   Box across(double y) const {
     return {axes_.frame.left, axes_.frame.right, axes_.pixel_y(y) - 2, axes_.pixel_y(y) + 2};
   }
@@ -166,7 +166,7 @@ class PanelScript {
     return text;
   }
 
-  /// How a series is drawn: its mark's size says whether it is named, alone or on a line.
+  /// A series' style in gnuplot; the size of its marks depends on whether it has names, lines, or neither.
   static std::string look(const Series& series) {
     if (!series.marks) return fmt::format("lines lw 1 lc rgb '{}'", series.colour);
     const bool named = !series.joined && !series.points.empty() && !series.points.front().label.empty();
@@ -184,7 +184,7 @@ class PanelScript {
       const Series& one = panel_.series[k];
       data += fmt::format("$series{} << EOD\n", k);
       for (const Point& point : one.points) data += fmt::format("{:.6g} {:.6g}\n", point.x, point.y);
-      // Without a point gnuplot would leave the series out of the key.
+      // gnuplot leaves a series without points out of the key, so it gets a NaN.
       if (one.points.empty()) data += fmt::format("{:.6g} NaN\n", axes_.x.least);
       data += "EOD\n";
       plots += fmt::format("{}$series{} using 1:2 with {} {}", k == 0 ? "" : ", ", k, look(one),

@@ -1,4 +1,4 @@
-// Pictures of a bench in gnuplot's language.
+// Draws pictures of a bench in gnuplot's language.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace mmverify::cli {
 
-/// A script for run_gnuplot, which writes SVG.
+/// A script for run_gnuplot that writes SVG.
 std::string plot_script(const bench::picture::Picture& picture);
 
 }  // namespace mmverify::cli

@@ -6,7 +6,7 @@
 
 namespace mmverify::cli {
 
-/// Errors: EnvironmentError where nothing here compiles shaders or runs them.
+/// Errors: EnvironmentError if this machine cannot compile or run shaders.
 bench::ShaderFigures shader_figures(const BenchOptions& options, const proofs::Levels& levels);
 
 }  // namespace mmverify::cli

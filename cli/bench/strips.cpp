@@ -49,17 +49,17 @@ Strip strip_of(const Column& column, const std::vector<Row>& rows, std::size_t k
 
 const std::vector<Row>* rows_within(const Value& value) { return std::get_if<std::vector<Row>>(&value); }
 
-/// What names a row of a table within.  Members of an object in JSON are written with underscores.
+/// The name of a row of an inner table. Members of a JSON object are written with underscores.
 std::string name_of(const Column& column, const Row& row) {
   std::string name = text_of(column.columns[0], row[0]);
   if (column.form == Form::object) std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
 
-/// Column k, a figure after the other: each under the names of the rows within.
+/// Column k as strips: for each figure, one strip for each name of the inner rows.
 std::vector<Strip> beside(const Table& table, std::size_t k) {
   const Column& column = table.columns[k];
-  std::vector<Row> names;  // every row's, as they come
+  std::vector<Row> names;  // of all rows, in order of appearance
   for (const Row& row : table.rows)
     if (const auto* rows = rows_within(row[k]))
       for (const Row& one : *rows)
@@ -90,7 +90,7 @@ std::vector<Strip> beside(const Table& table, std::size_t k) {
   return strips;
 }
 
-/// How many lines a row takes: as many as the rows of a table below it.
+/// The number of lines in a row: as many as the longest inner table below it has rows.
 std::size_t lines_of(const Table& table, const Row& row) {
   std::size_t lines = 1;
   for (std::size_t k = 0; k < row.size(); ++k)
@@ -117,7 +117,7 @@ std::vector<Strip> below(const Table& table, std::size_t k) {
   return strips;
 }
 
-/// Columns of one group next to one another, where the first of them is.
+/// Moves the columns of a group together, to the place of the first.
 std::vector<Strip> gathered(std::vector<Strip> strips) {
   std::vector<Strip> in_order;
   for (std::size_t k = 0; k < strips.size(); ++k) {
@@ -132,7 +132,7 @@ std::vector<Strip> gathered(std::vector<Strip> strips) {
   return in_order;
 }
 
-/// A table whose rows differ in the last leading column alone, as one with these as a table within.
+/// Turns rows that differ only in the last leading column into one row with an inner table.
 Table spread(const Table& table) {
   std::size_t leading = 0;
   while (leading < table.columns.size() && table.columns[leading].leads) ++leading;

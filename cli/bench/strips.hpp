@@ -1,4 +1,4 @@
-// A table as columns of text.
+// Formats a table as columns of text.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace mmverify::cli {
 
-/// A column as it is printed, with its cells, a line each.
+/// A printed column with its cells, a line each.
 struct Strip {
   std::string group, heading, unit;
   bool leads = false, left = false;
@@ -23,13 +23,13 @@ struct Strip {
   }
 };
 
-/// A value as it is printed.
+/// A value in print.
 std::string text_of(const bench::Column& column, const bench::Value& value);
 
-/// The unit of what is printed.
+/// The column's unit in print.
 std::string printed_unit(const bench::Column& column);
 
-/// The columns that a table is printed in, those of one group next to one another.  Tables within are lines below one
+/// The printed columns of a table, those of a group next to one another. Inner tables become lines below one
 /// another, or columns side by side under the names of their rows.
 std::vector<Strip> strips_of(const bench::Table& table);
 

@@ -22,7 +22,7 @@ bench::SubjectFigures subject_figures(const std::string& library, std::uint32_t 
   } catch (const std::runtime_error& error) {
     throw EnvironmentError(error.what());
   }
-  // One thread, and a level that was asked before: what a long sweep pays.
+  // One thread, and a level for which the tables exist: the steady state of a long sweep.
   oneapi::tbb::task_arena arena(1);
   Run run;
   run.arena = &arena;

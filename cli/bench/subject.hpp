@@ -1,4 +1,4 @@
-// bench --subject: what judging a shared library costs beside calling it.
+// bench --subject: the cost of judging a shared library, compared with calling it.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace mmverify::cli {
 
-/// Measures one library at a level.  EnvironmentError where it is no subject.
+/// Measures one library at a level. EnvironmentError if it is no subject.
 bench::SubjectFigures subject_figures(const std::string& library, std::uint32_t level);
 
 }  // namespace mmverify::cli

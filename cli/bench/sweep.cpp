@@ -19,8 +19,8 @@ namespace {
 using proofs::Level;
 using proofs::Run;
 
-// The plain loop takes seconds up to here, minutes beyond; its cost a cell grows with the level, so that the
-// ratio to that of a lower level is too small, if anything.
+// The highest level of the plain loop: it takes seconds up to here, minutes beyond. Its cost per cell grows
+// with the level, so a ratio to the cost at a lower level errs on the small side.
 constexpr Level last_plain = 12;
 
 double megabytes() {
@@ -42,7 +42,7 @@ PlainLoop plain_loop(Level n, const Run& run) {
   return {static_cast<double>(proofs::points::cell_count(n)) / seconds, digest};
 }
 
-/// plain: of this level, where it was run.
+/// Times a sweep of the subject. plain: the plain loop at this level, if it was run.
 bench::Swept swept(const char* subject, Level n, const Run& run, const std::optional<PlainLoop>& plain) {
   using proofs::Verdict;
   const proofs::Result r =

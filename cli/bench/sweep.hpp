@@ -1,4 +1,4 @@
-// bench --sweep: cells a second of index.equals_reference, beside the obvious loop.
+// bench --sweep: cells per second of index.equals_reference, compared with a plain loop.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,9 @@
 
 namespace mmverify::cli {
 
-/// Measures, level by level, sweeps of `step` and of `impl`, and the plain loop where that is short.
-/// threads: 0 is as many as the machine has.  progress: told what begins.
-/// Domain: levels up to 16.  Throws EnvironmentError where the plain loop and the sweep do not agree.
+/// Measures sweeps of the subjects `step` and `impl` level by level, and the plain loop at low levels.
+/// threads: 0 for as many as the machine has. progress: called with the name of each step.
+/// Domain: levels up to 16. Throws EnvironmentError if the plain loop and the sweep disagree.
 bench::SweepFigures sweep_figures(const proofs::Levels& levels, unsigned threads,
                                   const std::function<void(const std::string&)>& progress);
 

@@ -18,7 +18,7 @@ using bench::Table;
 constexpr std::size_t widest = 150;
 constexpr std::size_t gap = 2, gap_of_groups = 4;
 
-/// Columns that are printed together, and the blanks before each.
+/// Columns that are printed together, with the number of blanks before each.
 struct Block {
   std::vector<Strip> strips;
   std::vector<std::size_t> blanks = {};
@@ -39,7 +39,8 @@ std::size_t group_end(const std::vector<Strip>& strips, std::size_t k) {
   return end;
 }
 
-/// Parts that are no wider than a line; a group is divided only where it is wider than that alone.
+/// Splits the columns into blocks no wider than a line; a group is split only if it is wider than a line
+/// itself.
 std::vector<Block> parted(const std::vector<Strip>& strips) {
   Block leading;
   std::vector<Strip> others;
@@ -78,7 +79,7 @@ void print_line(std::FILE* out, std::string line) {
   say(out, "{}\n", line);
 }
 
-/// The names of the groups, each over the middle of its columns, which make room for a longer one.
+/// The line with the groups' names, centred over their columns; a longer name widens them.
 std::string groups_line(Block& block) {
   std::string line;
   for (std::size_t k = 0, end = 0; k < block.strips.size(); k = end) {
@@ -115,7 +116,7 @@ void print_block(std::FILE* out, Block block) {
     print([line](const Strip& strip) { return strip.cells[line]; });
 }
 
-/// Figures beside no others: "heading  value unit", a line each.
+/// Prints the figures of a table with one row: "heading  value unit", a line each.
 void print_members(std::FILE* out, const Table& table) {
   Strip headings, values;
   std::vector<std::string> units;

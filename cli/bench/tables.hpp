@@ -1,4 +1,4 @@
-// What a bench returned, printed and as JSON.
+// Prints a bench's result, and writes it as JSON.
 #pragma once
 
 #include <cstdio>
@@ -8,11 +8,11 @@
 
 namespace mmverify::cli {
 
-/// Prints the settings, what the bench says of itself, and its tables.  A table wider than 150 characters comes in
+/// Prints the settings, the bench's remarks, and its tables. A table wider than 150 characters is printed in
 /// parts, each of which begins with the leading columns.
 void print_result(std::FILE* out, const bench::Result& result);
 
-/// One object: schema, topic, tool, then the tables in their order, as docs/bench.schema.json has them.
+/// One JSON object as in docs/bench.schema.json: schema, topic, tool, then the tables in their order.
 std::string result_json(const bench::Result& result);
 
 }  // namespace mmverify::cli

@@ -28,14 +28,14 @@ struct CellJson {
   }
 };
 
-/// The member of `object` that a key means: "a.b" is b of the object a.
+/// The member that a key names: "a.b" is member b of the object a.
 Json& member(Json& object, const std::string& key) {
   const auto dot = key.find('.');
   if (dot == std::string::npos) return object[key];
   return member(object[key.substr(0, dot)], key.substr(dot + 1));
 }
 
-/// first: the column to begin with.
+/// A row as an object. first: the column to begin with.
 Json row_json(const std::vector<Column>& columns, const Row& row, std::size_t first = 0) {
   Json object = Json::object();
   for (std::size_t k = first; k < columns.size(); ++k)

@@ -36,7 +36,7 @@ Result of_index(const BenchOptions& given, const proofs::Levels& levels) {
     };
     figures = index_errors(options);
   }
-  // Nothing else runs while the clock does.
+  // Times are measured here, while no other work runs.
   add_index_times(options, figures);
   return index_tables(figures, options);
 }
@@ -95,7 +95,7 @@ Result of_array(const BenchOptions& given, const proofs::Levels& levels) {
   return array_tables(array_figures(options), options);
 }
 
-/// The levels that a bench has where none are asked for.
+/// The default levels of a bench.
 template <class Options>
 proofs::Levels levels_of() {
   const Options options;

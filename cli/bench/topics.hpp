@@ -1,4 +1,4 @@
-// The benches of topics: one table.
+// The table of topics that have a bench.
 #pragma once
 
 #include <functional>
@@ -13,41 +13,41 @@
 
 namespace mmverify::cli {
 
-/// What is asked for on the command line.
+/// The options of mmverify bench.
 struct BenchOptions {
   std::vector<std::string> topics;
   std::string json, plot, levels, subject, scene, textures;
   bench::IndexBenchOptions index;
-  std::size_t maps = 0;      ///< 0: the topic's own number
-  std::uint64_t memory = 0;  ///< of bench dag --scene; 0: its own
+  std::size_t maps = 0;      ///< 0 for the topic's default
+  std::uint64_t memory = 0;  ///< for bench dag --scene; 0 for its default
   bool quiet = false, sweep = false;
   unsigned threads = 0;
-  std::uint32_t device = 0;  ///< of bench shaders
+  std::uint32_t device = 0;  ///< for bench shaders
 };
 
 inline constexpr std::uint64_t most_lookups = std::uint64_t{1} << 26;  ///< 8 bytes each
 
 struct BenchTopic {
-  const char* name;                           ///< as proofs::Topic::bench has it
-  std::optional<proofs::Levels> levels = {};  ///< where none are asked for; none: it has no levels
+  const char* name;                           ///< as in proofs::Topic::bench
+  std::optional<proofs::Levels> levels = {};  ///< default levels; none if the topic has no levels
   proofs::Level highest = 0;
   bool reads_textures = false;
-  bool makes_maps = false;  ///< as many as --maps says
+  bool makes_maps = false;  ///< their number is --maps
   std::uint64_t most_samples = ~std::uint64_t{0};
-  /// std::runtime_error is of the environment.
+  /// Runs the bench. A std::runtime_error counts as EnvironmentError.
   bench::Result (*measure)(const BenchOptions& options, const proofs::Levels& levels) = nullptr;
 };
 
-/// In the order in which they run.
+/// The topics in the order in which they run.
 std::span<const BenchTopic> bench_topics();
 
 /// Throws proofs::Interrupted, EnvironmentError.
 bench::Result measured(const BenchTopic& topic, const BenchOptions& options, const proofs::Levels& levels);
 
-/// Half a bench is none: throws proofs::Interrupted.
+/// Throws proofs::Interrupted after an interrupt: a partial bench is no result.
 void stop_if_asked();
 
-/// Told what begins: says so on stderr, unless quiet, and stops where that is asked for.
+/// A progress callback: prints each step's name on stderr, unless quiet, and stops after an interrupt.
 std::function<void(const std::string&)> progress_of(const char* bench, const BenchOptions& options);
 
 }  // namespace mmverify::cli

@@ -6,7 +6,7 @@
 namespace mmverify::cli::describe {
 namespace {
 
-/// What the value of an option, or a positional, is completed by.
+/// Bash code that sets the completions of an option's value, or of a positional.
 std::string bash_value(const Option& option) {
   std::string does;
   if (!option.words.empty()) does += fmt::format(" words='{}'", fmt::join(option.words, " "));

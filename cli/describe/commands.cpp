@@ -1,4 +1,4 @@
-// mmverify completion and mmverify man: what the program takes, for shells and for man(1).
+// mmverify completion and mmverify man: describe the command line for shells and for man(1).
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@
 namespace mmverify::cli {
 namespace {
 
-/// What is not listed with an option, and known all the same: the names of laws, topics and subjects.
+/// Adds words that the options do not list themselves: the names of laws, topics and subjects.
 void add_known_words(describe::Program& program) {
   std::vector<std::string> laws, topics, subjects, benches;
   for (const proofs::Law& law : proofs::laws()) laws.push_back(law.id);
@@ -45,7 +45,7 @@ void add_known_words(describe::Program& program) {
   }
 }
 
-/// Of SOURCE_DATE_EPOCH, by which who builds packages says of which day they are; empty where it is not set.
+/// The date of SOURCE_DATE_EPOCH, which builders of packages set; empty if it is not set.
 /// https://reproducible-builds.org/specs/source-date-epoch/
 std::string date_of_source() {
   const char* text = std::getenv("SOURCE_DATE_EPOCH");

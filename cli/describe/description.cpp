@@ -6,7 +6,8 @@
 namespace mmverify::cli::describe {
 namespace {
 
-/// "TEXT:{fast,long}" has fast and long; "FLOAT:{sampler->0.005}" has sampler, and takes numbers, too.
+/// The words in a type's name: "TEXT:{fast,long}" has fast and long; "FLOAT:{sampler->0.005}" has sampler,
+/// and takes numbers too.
 std::vector<std::string> listed(const std::string& type) {
   const std::size_t open = type.find(":{"), close = type.find('}', open == std::string::npos ? 0 : open);
   std::vector<std::string> words;

@@ -1,4 +1,4 @@
-// What the program takes, as its own reader of arguments has it: the source of the manual page and of shells' completions.
+// Describes the command line as its parser has it, for the manual page and shells' completions.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@ class App;
 namespace mmverify::cli::describe {
 
 struct Option {
-  std::vector<std::string> names;  ///< "-o" and "--output"; of a positional its name alone, without dashes
-  std::string value;               ///< "A..B", "FILE|-"; empty of a flag
-  std::vector<std::string> words;  ///< what a value may be, where that is a list
+  std::vector<std::string> names;  ///< "-o" and "--output"; a positional has one name without dashes
+  std::string value;               ///< "A..B", "FILE|-"; empty for a flag
+  std::vector<std::string> words;  ///< the possible values, if they are a list
   std::string says;
   bool takes_value = false, many = false, required = false;
 };
 
 struct Command {
-  std::string name, says, more;  ///< more: what --help says last
+  std::string name, says, more;  ///< more: the last part of --help
   std::vector<Option> options, positionals;
 };
 
@@ -29,11 +29,12 @@ struct Program {
   std::vector<Command> commands;
 };
 
-/// All that --help shows, in its order.  Options and commands that it hides are left out.
-/// Domain: a program whose commands have none of their own.
+/// The commands and options in the order of --help, without hidden ones.
+/// Domain: a program whose commands have no subcommands.
 Program described(const CLI::App& program);
 
-/// Whether a value of such a name is a path: "FILE|-", "OUT.glb", "NAME|FILE.so", "FOLDER", and not "A..B".
+/// Whether the name of a value stands for a path: "FILE|-", "OUT.glb", "NAME|FILE.so", "FOLDER", but not
+/// "A..B".
 bool is_path(const std::string& value);
 
 }  // namespace mmverify::cli::describe

@@ -15,7 +15,7 @@ std::string fish_text(const std::string& text) {
   return out;
 }
 
-/// -x: a value and no path; -F: paths as well.
+/// fish's flags for a value: -x for words only, -F for paths as well.
 std::string fish_value(const Option& option) {
   std::string value = is_path(option.value) ? " -r -F" : " -x";
   if (!option.words.empty()) value += fmt::format(" -a '{}'", fmt::join(option.words, " "));

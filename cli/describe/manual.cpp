@@ -6,7 +6,8 @@
 namespace mmverify::cli::describe {
 namespace {
 
-/// A hyphen that is typed is \-; a line that begins with a dot or an apostrophe would be a request.
+/// Escapes a text for roff: hyphens become \-, and no line begins with a dot or an apostrophe, which would be
+/// a request.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -1,4 +1,4 @@
-// The manual page, written from what the program takes.
+// Writes the manual page from the description of the command line.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace mmverify::cli::describe {
 
-/// In the macros of man(7), section 1.  version: "0.2.0".  date: "2025-03-01", or empty.
+/// The page in the macros of man(7), section 1. version: "0.2.0". date: "2025-03-01", or empty.
 std::string manual(const Program& program, const std::string& version, const std::string& date);
 
 }  // namespace mmverify::cli::describe

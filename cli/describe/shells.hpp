@@ -1,4 +1,4 @@
-// Completions for shells, written from what the program takes.
+// Writes completions for shells from the description of the command line.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace mmverify::cli::describe {
 
-/// A script that completes the program's command line: commands, options, the words a value may be, and paths where it
-/// names a file.  Bash 4 or later, without the package bash-completion; zsh 5; fish 3.
+/// A script that completes the command line: commands, options, the words that a value may be, and paths if
+/// it names a file. Bash 4 or later, without the package bash-completion; zsh 5; fish 3.
 std::string bash_completion(const Program& program);
 std::string zsh_completion(const Program& program);
 std::string fish_completion(const Program& program);

@@ -6,7 +6,7 @@
 namespace mmverify::cli::describe {
 namespace {
 
-/// Between single quotes, where _arguments gives brackets and colons a meaning.
+/// Escapes a text for single quotes and for _arguments, which gives brackets and colons a meaning.
 std::string zsh_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -22,7 +22,7 @@ std::string zsh_text(const std::string& text) {
   return out;
 }
 
-/// "MESSAGE:ACTION" of a value.
+/// The "MESSAGE:ACTION" part for a value.
 std::string zsh_value(const Option& option) {
   std::string action = " ";
   const bool path = is_path(option.value);

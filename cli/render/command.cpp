@@ -1,4 +1,4 @@
-// mmverify render: a scene's rays, any-hit shaders by texture and by micromaps.
+// mmverify render: traces a scene's rays, with any-hit shaders by texture and by micromaps.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -93,7 +93,7 @@ void commit(OutputFile& file, const render::Picture& picture) {
   file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-/// Two outputs, or an output and the scene, in one file.
+/// Refuses two outputs, or an output and the scene, in one file.
 void check_files(const RenderOptions& options) {
   const std::vector<std::pair<const char*, std::string>> files{{"the scene", options.file},
                                                                {"-o", options.picture},
@@ -106,7 +106,7 @@ void check_files(const RenderOptions& options) {
             fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
 }
 
-/// Options that would do nothing, or not what they seem to.
+/// Refuses options that would have no effect, or a misleading one.
 void check_given(const CLI::App& command, const RenderOptions& options) {
   const bool views = !options.attributes.empty();
   for (const char* name : {"--shading", "--rays", "--pictures"})
@@ -133,7 +133,7 @@ void check_given(const CLI::App& command, const RenderOptions& options) {
       throw UsageError(fmt::format("{:.200}: pictures are PNG; name it .png", name));
 }
 
-/// Why equal pictures show nothing; empty where methods were held against the texture.
+/// The reason why equal pictures are no evidence; empty if methods were compared with the texture.
 std::string vacuous(const render::Compared& compared, const mmverify::scene::Plan& plan,
                     const std::vector<render::Method>& wanted) {
   const auto asks = [](render::Method method) { return method != render::Method::texture; };
@@ -146,7 +146,7 @@ std::string vacuous(const render::Compared& compared, const mmverify::scene::Pla
   return {};
 }
 
-/// The heat maps of a run, of which the first says what the scale's end is.
+/// The heat maps of a run; the first one sets the scale.
 class HeatMaps {
  public:
   void add(const render::MethodFigures& figures, const render::Frame& frame) {
@@ -157,7 +157,7 @@ class HeatMaps {
                                   figures.counts.shader));
   }
   render::Picture beside_each_other() const { return render::side_by_side(maps_, titles_, most_); }
-  /// PNG takes sides up to 32768; four maps make a row.
+  /// Whether the picture fits: PNG allows sides up to 32768; four maps make a row.
   bool fit(std::uint32_t height) const {
     return (std::uint64_t{height} + 40) * (maps_.size() / 4 + 1) < 32000;
   }
@@ -175,7 +175,7 @@ render::Camera camera_of(const render::World& world, const RenderOptions& option
                              : render::on_path(box, options.seed, options.camera, aspect);
 }
 
-/// The operations that give one payload in any order of hits.
+/// The operations whose payload does not depend on the order of hits.
 constexpr std::array<std::pair<const char*, mmverify::impl::traverse::Operation>, 3> operations{
     {{"max", mmverify::impl::traverse::Operation::max},
      {"min", mmverify::impl::traverse::Operation::min},

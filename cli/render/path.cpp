@@ -16,7 +16,7 @@
 namespace mmverify::cli {
 namespace {
 
-/// Why equal pictures show nothing; empty where they do.
+/// The reason why equal pictures are no evidence; empty if some ray met a triangle with micromaps.
 std::string vacuous(const render::Path& path) {
   for (const render::PathRow& row : path.rows)
     if (row.counts.met != 0) return {};

@@ -1,4 +1,4 @@
-// mmverify render --cameras: a scene along a random path.
+// mmverify render --cameras: renders a scene along a random path.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,20 @@
 
 namespace mmverify::cli {
 
-/// A scene that is ready for rays, and what to see of it.
+/// A scene ready for rays, and the cameras to render.
 struct PathRun {
   const mmverify::scene::Scene& scene;
   const mmverify::scene::Plan& plan;
   const render::SceneWorld& world;
   const render::Tracer& tracer;
   std::uint64_t cameras, seed;
-  std::string json;             ///< a file, or - for stdout, or nothing
-  std::function<void()> ended;  ///< told before anything is printed
+  std::string json;             ///< a file, - for stdout, or empty
+  std::function<void()> ended;  ///< called before anything is printed
 };
 
-/// Prints and writes the figures.  Returns the exit code: 1 where a pixel differs.
-/// UsageError where nothing was compared; EnvironmentError where the scene cannot be baked; and as of render::along_path().
+/// Prints and writes the figures. Returns the exit code: 1 if a pixel differs.
+/// UsageError if nothing was compared; EnvironmentError if the scene cannot be baked; and whatever
+/// render::along_path() throws.
 int render_path(const PathRun& run, const render::CompareOptions& options);
 
 }  // namespace mmverify::cli

@@ -23,13 +23,13 @@ namespace {
 
 namespace file_of = mmverify::scene;
 
-/// A view in a picture of three is no wider.
+/// The greatest width of a view, since three are put in one picture.
 constexpr std::uint32_t longest_view = 1024;
 
-/// A frame takes about 64 bytes a ray.
+/// The most rays in a frame, which takes about 64 bytes a ray.
 constexpr std::uint64_t most_rays = std::uint64_t{1} << 26;
 
-/// Everything of a file that is shaded.
+/// The parts of a file that are shaded.
 struct Loaded {
   file_of::Scene scene;
   std::vector<file_of::MeshUse> uses;
@@ -46,7 +46,7 @@ Loaded loaded(const std::string& file) {
           file_of::load_attributes(sample_name, bytes), file_of::load_shading(sample_name, bytes)};
 }
 
-/// Writes FOLDER/NAME.png, and returns its path.
+/// Writes FOLDER/NAME.png and returns its path.
 std::string written(const std::string& folder, const std::string& name, const render::Picture& picture) {
   const auto path = std::filesystem::path(folder) / (name + ".png");
   OutputFile file(path.string());

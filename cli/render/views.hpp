@@ -1,4 +1,4 @@
-// mmverify render --attributes: one view by textures and by micromaps.
+// mmverify render --attributes: renders a view with textures and with micromaps.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct ViewArguments {
   bool shadows = true, quiet = false;
 };
 
-/// The exit code.  Errors: UsageError, EnvironmentError, BadScene.
+/// Renders the views and returns the exit code. Errors: UsageError, EnvironmentError, BadScene.
 int render_views(const ViewArguments& arguments);
 
 }  // namespace mmverify::cli

@@ -37,10 +37,10 @@ namespace {
 
 using namespace mmverify::scene;
 
-/// A tile of a picture is no wider.
+/// The greatest width of a tile of a picture.
 constexpr std::uint32_t longest_tile = 1024;
 
-/// Pictures of levels, a PNG each, and what they are called.
+/// Writes pictures of levels as PNG files, and keeps a list of them.
 class PictureFolder {
  public:
   explicit PictureFolder(std::string folder) : folder_(std::move(folder)) {}
@@ -64,7 +64,7 @@ class PictureFolder {
   }
 
  private:
-  /// Returns the path.
+  /// Writes the picture and returns its path.
   std::string write(const RgbPicture& picture, const std::string& name) const {
     const std::vector<unsigned char> bytes = png(picture.width, picture.height, picture.rgb);
     const auto path = std::filesystem::path(folder_) / (name + ".png");
@@ -73,7 +73,8 @@ class PictureFolder {
     return path.generic_string();
   }
 
-  /// What an image's name makes: letters, digits, '-' and '_' stay; a number where another image's is the same.
+  /// A file name made from an image's: letters, digits, '-' and '_' stay; a number is added if the name is
+  /// taken.
   std::string stem_of(const ColourImage& image, AttributeSet set) {
     const auto known = stems_.find({&image, set});
     if (known != stems_.end()) return known->second;
@@ -94,7 +95,7 @@ class PictureFolder {
   std::vector<bench::MipPictureFile> mips_;
 };
 
-/// FOLDER/baseColor_faces_level3.mmat, or nothing: OutputFile takes its name only once it is whole.
+/// Writes FOLDER/baseColor_faces_level3.mmat whole, by OutputFile.
 void write_maps(const std::string& folder, const StoredAttributes& stored) {
   std::string set = name(stored.set);
   std::replace(set.begin(), set.end(), '+', '_');
@@ -106,7 +107,7 @@ void write_maps(const std::string& folder, const StoredAttributes& stored) {
   file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-/// Makes it where it is not there.
+/// Makes the folder if it does not exist.
 void need_folder(const char* option, const std::string& folder) {
   if (folder.empty()) return;
   std::error_code error;
@@ -155,7 +156,7 @@ int scene_attributes(const AttributeArguments& arguments) {
   };
   if (!arguments.quiet)
     options.progress = [](const std::string& what) { say(stderr, "attributes: {}\n", what); };
-  // Found before anything is measured.
+  // The encoders are looked for before anything is measured.
   if (arguments.astc)
     options.texture_coder =
         bench::astc_coder({.threads = options.threads, .progress = options.progress, .stop = options.stop});

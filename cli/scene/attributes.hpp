@@ -1,4 +1,4 @@
-// mmverify scene --attributes: micromaps in the place of textures.
+// mmverify scene --attributes: attribute micromaps in place of textures.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 namespace mmverify::cli {
 
 struct AttributeArguments {
-  std::string file;  ///< none: the suite's own scene
+  std::string file;  ///< empty for the built-in scene
   std::string levels, json, plot, pictures, files;
   bool codes = false, quiet = false;
   unsigned threads = 0;
-  bool packed = false;  ///< pack the maps as well
+  bool packed = false;  ///< pack the maps too
   unsigned packed_error = 0;
-  bool astc = false, bc7 = false;  ///< compress the textures beside; one of them
-  bool time = false;               ///< take times of lookups in textures and maps
-  bool mips = false;               ///< hold mips of textures against those of maps
+  bool astc = false, bc7 = false;  ///< compress the textures for comparison, by one of them
+  bool time = false;               ///< time lookups in textures and maps
+  bool mips = false;               ///< compare mips of textures with those of maps
   std::vector<double> plan = {};   ///< plan levels for these errors
 };
 
-/// Prints the tables, writes JSON, the picture of the figures and pictures of the textures.  Returns the exit code.
+/// Prints the tables, and writes JSON, the plot and pictures of the textures. Returns the exit code.
 int scene_attributes(const AttributeArguments& arguments);
 
 }  // namespace mmverify::cli

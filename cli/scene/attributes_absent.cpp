@@ -1,4 +1,4 @@
-// In the place of attributes.cpp where there are no coders to compare with, as in WebAssembly.
+// Replaces attributes.cpp in builds without texture encoders, such as WebAssembly.
 #include "cli/exit_code.hpp"
 #include "cli/scene/attributes.hpp"
 

@@ -31,7 +31,7 @@ namespace micromap = impl::micromap;
 using namespace mmverify::scene;
 using proofs::Groups;
 
-/// What makes maps that cannot be judged: rules that they break.  Exit code 1.
+/// Thrown for maps that break rules and so cannot be judged. Exit code 1.
 struct Malformed {
   std::vector<std::string> lines;
 };
@@ -70,7 +70,7 @@ StoredMaps of_buffers(const CheckMapsOptions& options, const Scene& scene) {
               records = read_file(raw.records, raw.records, "--records");
   Bytes indices;
   micromap::Input in;
-  in.sets = micromap::DXR;  // levels up to 12, whatever the device
+  in.sets = micromap::DXR;  // allows levels up to 12 on any device
   in.data = data;
   in.records = records;
   in.record_count = records.size() / micromap::record_bytes;
@@ -86,7 +86,7 @@ StoredMaps of_buffers(const CheckMapsOptions& options, const Scene& scene) {
   Malformed malformed;
   for (const micromap::Violation& v : micromap::validate(in)) {
     if (malformed.lines.size() == 8) break;
-    // A build has its own encodings; here those that glTF has will do.
+    // The index encodings of a build are not checked: those of glTF are allowed here.
     if (v.rule != micromap::Rule::index_encoding) malformed.lines.push_back(describe(v));
   }
   if (!malformed.lines.empty()) throw malformed;

@@ -1,4 +1,4 @@
-// mmverify check maps: finished maps against the textures that they are of.
+// mmverify check maps: checks finished maps against their textures.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace mmverify::cli {
 
-/// An array as it lies in the buffers of a build: files of its bytes.
+/// An array as in the buffers of a build: files with its bytes.
 struct RawArray {
-  std::string data, records, indices;  ///< no indices: triangle t has record t
+  std::string data, records, indices;  ///< without indices, triangle t has record t
   std::string index_type = "u32";
   std::uint32_t base_triangle = 0;
-  std::string primitive;  ///< "MESH/PRIMITIVE", of glTF
+  std::string primitive;  ///< "MESH/PRIMITIVE" in the glTF file
 };
 
 struct CheckMapsOptions {
@@ -25,7 +25,8 @@ struct CheckMapsOptions {
   bool exhaustive = false, quiet = false;
 };
 
-/// Reads the maps, finds them well-formed, and runs the laws of baking on them.  Returns the exit code.
+/// Reads the maps, checks that they are well-formed, and runs the laws of baking on them. Returns the exit
+/// code.
 /// Throws UsageError, EnvironmentError, BadScene.
 int check_maps(const CheckMapsOptions& options);
 

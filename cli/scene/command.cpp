@@ -74,7 +74,7 @@ void stop_if_interrupted() {
   if (proofs::interrupted()) throw Interrupted();
 }
 
-/// Bakes with a bar; what cannot be baked is the file's fault.
+/// Bakes with a progress bar; if baking fails, the error names the file.
 template <class Bake>
 auto baked(const std::string& file, const SceneOptions& options, std::uint64_t micro_triangles, Bake bake) {
   Progress progress(micro_triangles, !options.quiet);
@@ -89,7 +89,7 @@ auto baked(const std::string& file, const SceneOptions& options, std::uint64_t m
   }
 }
 
-/// Every triangle at each of some levels: the paper's figure 5.
+/// The sizes with every triangle at each of some levels: the paper's figure 5.
 std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& plan,
                                              const SceneOptions& options) {
   std::vector<SceneFigures::AtLevel> all;
@@ -111,7 +111,7 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
   return all;
 }
 
-/// The arguments that decide what is baked, for a command that shows a case again.
+/// The command with the arguments that decide the maps, for replaying a case.
 std::string command(const SceneOptions& options) {
   std::string text = "mmverify scene" + (options.file.empty() ? "" : " " + shell_quoted(options.file));
   if (options.level != "auto") text += " --level " + options.level;
@@ -123,7 +123,7 @@ std::string command(const SceneOptions& options) {
   return text;
 }
 
-/// One case again; `--level` then is the case's.
+/// Replays one case, with `--level` for the case's level.
 int replayed(const std::vector<Job>& jobs, const SceneOptions& options) {
   for (const Job& job : jobs) {
     if (job.law->id != options.replay || options.at.empty()) continue;
@@ -146,7 +146,7 @@ int replayed(const std::vector<Job>& jobs, const SceneOptions& options) {
       fmt::format("--replay {}: no law of that name has cases of that level in this scene", options.replay));
 }
 
-/// The report of a scene that has no case for any law.
+/// The report of a scene without a case for any law.
 Report nothing_to_bake() {
   Result result;
   result.law = "bake.conservative";
@@ -198,7 +198,7 @@ class Output {
   std::optional<OutputFile> json_, plot_, glb_;
 };
 
-/// What cannot go together.
+/// Refuses options that exclude each other.
 void check_options(const SceneOptions& options) {
   const std::vector<std::pair<const char*, std::string>> files{{"the scene", options.file},
                                                                {"--json", options.json},
@@ -218,7 +218,7 @@ void check_options(const SceneOptions& options) {
     throw UsageError("--replay: it shows one case and writes no file");
 }
 
-/// The pipeline, its plan printed before it bakes.
+/// Runs the pipeline and prints its plan before it bakes.
 SceneMicromaps micromaps_of(const Scene& scene, const LevelRequest& wanted, const SceneOptions& options,
                             Output& output) {
   PipelineOptions pipeline{.levels = wanted, .level_limit = options.level_limit};
@@ -238,13 +238,14 @@ SceneMicromaps micromaps_of(const Scene& scene, const LevelRequest& wanted, cons
   try {
     return make_micromaps(scene, pipeline);
   } catch (const std::invalid_argument& error) {
-    // Before the plan was told, the budget is at fault; after that, the file is.
+    // Before the plan is printed, the budget is at fault; after that, the file.
     if (progress) throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
     throw UsageError(fmt::format("--memory {}: {}", wanted.memory, error.what()));
   }
 }
 
-/// The laws' results, told as they come; `how`: what decides which cases they have.
+/// Runs the laws and prints their results as they come; `how`: the setting that decides which cases they
+/// have.
 Report ran(const std::vector<Job>& jobs, const SceneOptions& options, std::FILE* out,
            const std::string& how) {
   TextReport text(out, false);
@@ -265,7 +266,7 @@ Report ran(const std::vector<Job>& jobs, const SceneOptions& options, std::FILE*
   return report;
 }
 
-/// Somebody else's baker on the scene, beside ours.
+/// Judges another baker on the scene, and compares it with ours.
 int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& baker,
            const SceneOptions& options, Output& output) {
   const proofs::scene::SubjectMaps maps(data, baker);
@@ -283,10 +284,10 @@ int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& 
   return exit_code(report);
 }
 
-/// Each is a plan of all triangles, kept until all are printed.
+/// The most errors in --plan: each is a plan of all triangles, kept until all are printed.
 constexpr std::size_t most_plans = 16;
 
-/// Attributes in the place of opacity.
+/// Runs --attributes.
 int attributes(const SceneOptions& options) {
   check_options(options);
   if (!(options.glb + options.sizes + options.journal + options.replay + options.subject).empty() ||

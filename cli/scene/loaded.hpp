@@ -1,4 +1,4 @@
-// The scene that a command is given.
+// Loads the scene of a command.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace mmverify::cli {
 
-/// What messages call the scene of our own.
+/// The name of the built-in scene in messages.
 inline constexpr char sample_name[] = "the suite's own scene";
 
-/// A glTF or GLB file's scene, or a folder's textures; without a file the scene of our own.  Errors: scene::BadScene.
+/// A glTF or GLB file's scene, or a folder's textures; the built-in scene if no file is named. Errors:
+/// scene::BadScene.
 mmverify::scene::Scene loaded_scene(const std::string& file);
 
 }  // namespace mmverify::cli

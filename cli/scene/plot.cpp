@@ -9,7 +9,7 @@ namespace {
 using namespace bench::picture;
 using mmverify::scene::Footprint;
 
-/// A curve: bytes by level.
+/// A curve of bytes by level.
 struct Curve {
   const char* name;
   const char* colour;

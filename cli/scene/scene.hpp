@@ -1,4 +1,4 @@
-// What `mmverify scene` makes of a file, and how it is told.
+// The figures of `mmverify scene`, and their output.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace mmverify::cli {
 
-/// Everything that was found, in the order in which it was.
+/// All figures, in the order in which they are found.
 struct SceneFigures {
   const mmverify::scene::Scene& scene;
   const mmverify::scene::SceneMicromaps& made;
   mmverify::scene::Sizes sizes;
   mmverify::scene::VqFootprint vq2, vq4;
   double load_seconds = 0;
-  /// With every triangle at one level (figure 5), where they were asked for.
+  /// The sizes with every triangle at one level (figure 5), if requested.
   struct AtLevel {
     unsigned level;
     mmverify::scene::Sizes sizes;
@@ -28,17 +28,17 @@ struct SceneFigures {
   std::vector<AtLevel> at_levels;
 };
 
-/// The plan, with what it leaves out and why.
+/// Prints the plan, with the primitives that it leaves out and the reasons.
 void print_plan(std::FILE* out, const mmverify::scene::Scene& scene, const mmverify::scene::Plan& plan,
                 const mmverify::scene::Levels& levels);
 
-/// Counts, states and sizes.
+/// Prints counts, states and sizes.
 void print_figures(std::FILE* out, const SceneFigures& figures);
 
-/// What the laws have nothing for.
+/// Prints the laws that have no case, with the reasons.
 void print_left_out(std::FILE* out, const std::vector<proofs::scene::LeftOutLaw>& left_out);
 
-/// Somebody else's maps, by name, and what is wrong of them.
+/// The maps of another baker, by its name, with their errors and time.
 struct SubjectFigures {
   std::string name;
   proofs::scene::SubjectTotals totals;
@@ -53,7 +53,8 @@ std::string scene_json(const SceneFigures* figures, const mmverify::scene::Scene
                        const std::vector<proofs::scene::LeftOutLaw>& left_out,
                        const std::optional<SubjectFigures>& subject = {});
 
-/// The gnuplot script of figure 5: above, bytes by level; below, how often smaller the tree is.
+/// The gnuplot script of figure 5. Upper panel: bytes by level; lower panel: the ratio by which the tree is
+/// smaller.
 std::string sizes_plot_script(const SceneFigures& figures);
 
 }  // namespace mmverify::cli

@@ -23,7 +23,7 @@ double share(std::uint64_t part, std::uint64_t all) {
   return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
 }
 
-/// "levels 9..11 (9: 12, 10: 340, 11: 12)".
+/// The levels in words: "levels 9..11 (9: 12, 10: 340, 11: 12)".
 std::string levels_text(const std::vector<unsigned>& of) {
   std::map<unsigned, std::uint64_t> count;
   for (const unsigned level : of) ++count[level];
@@ -54,7 +54,7 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
             "{} triangles ({} placed) of {} primitives on {} surfaces: {} distinct, {} micro-triangles at {}",
             grouped(baked.unique), grouped(baked.placed), plan.primitives.size(), plan.surfaces.size(),
             grouped(plan.triangles.size()), grouped(levels.micro_triangles), levels_text(levels.of)));
-  // By reason, in the order of LeftOut.
+  // Primitives and triangles left out by reason, in the order of LeftOut.
   std::map<LeftOut, std::array<std::uint64_t, 2>> why;
   for (const LeftOutPrimitive& p : plan.left_out) {
     auto& [primitives, triangles] = why[p.why];

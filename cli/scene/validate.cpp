@@ -1,4 +1,4 @@
-// mmverify validate: what is wrong with a file of micromaps.
+// mmverify validate: lists the faults of a file of micromaps.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -31,7 +31,7 @@ struct ValidateOptions {
   std::optional<Draft> forced() const { return draft_named(draft); }
 };
 
-/// "0 errors, 1 warning, 0 pieces of advice"
+/// The totals in words: "0 errors, 1 warning, 0 pieces of advice".
 std::string totals(const Judged& found) {
   const auto many = [](std::uint64_t n, const char* one, const char* more) {
     return fmt::format("{} {}", grouped(n), n == 1 ? one : more);
@@ -53,7 +53,7 @@ void print(std::FILE* out, const std::string& file, const Judged& found) {
     const Issue& issue = issue_of(finding.rule);
     say(out, "{:<8} {}  {}: {}\n", name_of(issue.severity), issue.code,
         printable(finding.pointer.empty() ? "/" : finding.pointer), printable(finding.found));
-    // One remedy for all findings of a code that stand together.
+    // Consecutive findings of one code share one remedy.
     if (k + 1 == found.findings.size() || found.findings[k + 1].rule != finding.rule)
       say(out, "         remedy: {}\n", issue.remedy);
   }

@@ -1,4 +1,4 @@
-// What an entry point is called with, as the rows of dock/entry_points.hpp name it.
+// The arguments of an entry point, by the names that the rows of dock/entry_points.hpp use.
 #pragma once
 
 #include <array>
@@ -15,17 +15,17 @@ struct Arguments {
   std::uint32_t level, format;
   const std::uint8_t* blob;  ///< the map, the code or the case
   std::size_t blob_bytes;
-  std::array<const std::byte*, most_arrays> arrays;  ///< of `count` numbers each
+  std::array<const std::byte*, most_arrays> arrays;  ///< `count` numbers each
   std::size_t count;
   std::byte* out;
-  std::size_t room;  ///< bytes of the answer to a blob; of an encoder's, as many as it may write
+  std::size_t room;  ///< bytes of the answer to a blob; for an encoder, the most that it may write
 
   const float* floats(std::size_t k) const { return reinterpret_cast<const float*>(arrays[k]); }
   const double* doubles(std::size_t k) const { return reinterpret_cast<const double*>(arrays[k]); }
   const std::uint32_t* words(std::size_t k) const {
     return reinterpret_cast<const std::uint32_t*>(arrays[k]);
   }
-  /// Of two_formats().
+  /// The two formats of two_formats().
   std::uint32_t first() const { return format % formats_side; }
   std::uint32_t second() const { return format / formats_side; }
   float* weights() const { return reinterpret_cast<float*>(out); }
@@ -33,7 +33,7 @@ struct Arguments {
   std::uint8_t* bytes() const { return reinterpret_cast<std::uint8_t*>(out); }
 };
 
-/// The case that a blob begins with; its texels are the rest of the blob.
+/// The case at the start of a blob; the rest of the blob is its texels.
 template <class Case>
 class CaseOf {
  public:
@@ -47,12 +47,12 @@ class CaseOf {
   Case what_;
 };
 
-/// The case that a blob begins with; its hits are the rest of the blob.
+/// The case at the start of a blob; the rest of the blob is its hits.
 class HitsOf {
  public:
   explicit HitsOf(const Arguments& a) {
     std::memcpy(&what_, a.blob, sizeof what_);
-    // As aligned as a hit has to be, whatever the blob is.
+    // A copy, since hits in the blob may not be aligned.
     std::memcpy(hits_.data(), a.blob + sizeof what_, a.blob_bytes - sizeof what_);
     what_.hits = hits_.data();
   }
@@ -64,12 +64,12 @@ class HitsOf {
   std::array<mmverify_hit_t, most> hits_;
 };
 
-/// The case that a blob begins with; its triangles, and then their maps, are the rest of the blob.
+/// The case at the start of a blob; its triangles and then their maps are the rest of the blob.
 class TrianglesOf {
  public:
   explicit TrianglesOf(const Arguments& a) {
     std::memcpy(&what_, a.blob, sizeof what_);
-    // As aligned as a triangle has to be, whatever the blob is.
+    // A copy, since triangles in the blob may not be aligned.
     triangles_.resize(what_.count);
     const std::size_t bytes = triangles_.size() * sizeof(mmverify_array_triangle_t);
     if (bytes != 0) std::memcpy(triangles_.data(), a.blob + sizeof what_, bytes);

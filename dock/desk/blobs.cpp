@@ -1,5 +1,5 @@
-// Commands on a map, a code or a case: each call is made at least twice, its answer in other bytes and other
-// room, and what it is about at another address.
+// Commands on a map, a code or a case. Each call is made at least twice: over other bytes in its output, with
+// another room for it, and with its input at another address.
 #include <algorithm>
 #include <cstring>
 
@@ -9,15 +9,17 @@ namespace mmverify::dock {
 namespace {
 
 constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64;
-/// Of the first so many, one in this many is asked from threads as long as the first ones are: laws begin with what is
-/// plain, and a plain map leaves nothing behind in memory that two threads share.
+/// Later questions that are repeated from threads as long as the first ones: one in one_in_from_threads of
+/// the first later_from_threads. Laws begin with plain cases, and a plain map leaves nothing in memory that
+/// two threads share.
 constexpr std::uint32_t later_from_threads = 1u << 14, one_in_from_threads = 256;
-/// Maps and codes above this take so long that the further calls would count as a hang: level 12, and 4-state at 11.
+/// The largest map or code, in bytes, that is asked in every way. A larger one (level 12, 4-state at level 11)
+/// takes so long that the further calls would count as a hang.
 constexpr std::uint64_t most_thorough = std::uint64_t{3} << 18;
 
 std::string text(std::uint64_t number) { return std::to_string(number); }
 
-/// Whether any bytes of the right size are a map, or a block, of a question.
+/// Whether any bytes of the right size are a valid map or block for the question.
 bool any_bytes_are_one(Call call) {
   switch (call) {
     case Call::micromap_force2:
@@ -92,8 +94,8 @@ Arguments Desk::whole(std::byte* out, std::uint64_t room) const {
 const std::uint8_t* Desk::blob_elsewhere() {
   const std::uint8_t* here = whole(nullptr, 0).blob;
   if (asked().topic == Topic::bake) return here;
-  // By the size and the first and last bytes: so what is moved lies alike each time, and codes that differ in their
-  // middle alone lie at one address, where a cache may take them for one.
+  // The place depends on the size and the first and last bytes. So a blob is always copied to the same place,
+  // and codes that differ only in the middle lie at one address, where a cache may mistake one for another.
   constexpr std::size_t ends = 8;
   const std::size_t end = std::min<std::size_t>(ends, mailbox_.blob_bytes);
   std::uint64_t sum = mailbox_.blob_bytes;
@@ -109,7 +111,8 @@ const std::uint8_t* Desk::blob_elsewhere() {
 
 Desk::Blobs Desk::blobs() {
   const Blobs both{whole(nullptr, 0).blob, blob_elsewhere()};
-  // In turns: so a question's first call has the address that the second one of the last had, of the same entry point.
+  // The order alternates: a question's first call has the address of the previous question's second call to
+  // that entry point.
   bool& elsewhere_first = elsewhere_first_[static_cast<std::size_t>(mailbox_.call)];
   elsewhere_first = !elsewhere_first;
   return elsewhere_first ? Blobs{both.second, both.first} : both;
@@ -120,7 +123,7 @@ std::uint64_t Desk::call_at_guard(std::uint64_t room, unsigned char filling, con
   set_canary(out);
   std::memset(out, filling, static_cast<std::size_t>(room));
   Arguments arguments = whole(out, room);
-  // What is looked up lies elsewhere, too: each array so many numbers behind a line that no two lie alike.
+  // A lookup's arrays move, too: each a different number of elements behind a line.
   const std::size_t bytes = asked().signature.number_bytes, all = arguments.count * bytes;
   for (std::size_t array = 0; blob != arguments.blob && array < asked().signature.arrays; ++array) {
     std::vector<std::byte>& room = arrays_elsewhere_[array];
@@ -153,7 +156,7 @@ void Desk::encode(bool thorough) {
   if (thorough && size != 0)
     for (const std::uint64_t too_little : {std::uint64_t{0}, size - 1})
       same_size(call_at_guard(too_little, blank, blob), too_little);
-  // What is read lies in exactly the room that it needs.
+  // The last call gives exactly the room that the code needs.
   same_size(call_at_guard(size, blank_again, other_blob), size);
   compare(again_.data(), blob_answer(size), static_cast<std::size_t>(size), 0, "asked again");
   if (thorough) {
@@ -173,7 +176,7 @@ void Desk::answer(bool thorough) {
   if (first != second)
     stop(Outcome::non_deterministic, 0, first != 0 ? "taken, then refused" : "refused, then taken");
   if (first != 0) compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, "asked again");
-  // Elements in a blob are asked again as elements, however many they are.
+  // Elements in a blob are repeated as elements, whatever their number.
   if (first != 0 && (thorough || mailbox_.asked_before < first_thorough)) ask_blob_in_each_size(blob);
   if (thorough) {
     if (any_bytes_are_one(mailbox_.call)) ask_blob_after_like_ones(blob);
@@ -208,7 +211,8 @@ void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
     for (std::size_t k = from; k < to; ++k) other[k] = static_cast<std::uint8_t>(~other[k]);
     return other;
   };
-  // First of all something else, or what is kept is still these bytes' and the like ones get it.
+  // Something else comes first: otherwise a cache still has the answer for these bytes, and not for the
+  // similar ones.
   std::vector<std::uint8_t> unlike = these;
   for (std::size_t k = 0; k < size; ++k) unlike[k] = static_cast<std::uint8_t>(unlike[k] + 1 + 3 * k);
   const auto after = [&](const std::vector<std::uint8_t>& bytes, const char* how) {
@@ -227,7 +231,7 @@ void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
 
 void Desk::ask_blob_after_level_below(const std::uint8_t* blob) {
   if (mailbox_.level < 2) return;
-  // The first quarter of the bytes.
+  // This asks the first quarter of the bytes.
   std::vector<std::byte> answer(static_cast<std::size_t>(mailbox_.room));
   Arguments before = whole(answer.data(), mailbox_.room);
   before.blob = blob;
@@ -253,7 +257,8 @@ Desk::Question Desk::this_question(std::uint64_t size) const {
 }
 
 void Desk::ask_blob_from_threads(std::uint64_t size) {
-  // Memory that two threads share is seen only where they meet in it: some questions of a level are asked often.
+  // A race on memory that two threads share shows only if they meet in it, so some questions of a level are
+  // repeated often.
   const std::uint32_t before = mailbox_.asked_before;
   const bool early =
       before < first_from_threads || (before < later_from_threads && before % one_in_from_threads == 0);

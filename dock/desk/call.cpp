@@ -5,7 +5,8 @@
 namespace mmverify::dock {
 namespace {
 
-/// What an entry point's result says of its answer: a size is that of the code, an int whether it was taken.
+/// The bytes of an answer by the entry point's result: a size is the code's, an int says whether the input
+/// was taken.
 template <class F>
 std::uint64_t answer_bytes_of(F called, std::uint64_t room) {
   using Result = decltype(called());

@@ -1,4 +1,4 @@
-// The one place where entry points are called.
+// Calls entry points; no other file does.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,8 @@
 
 namespace mmverify::dock {
 
-/// Bytes of the answer: the size of an encoder's code, 0 for what was refused, otherwise a.room.
+/// Calls an entry point. Returns the bytes of the answer: the size of an encoder's code, 0 for a refusal,
+/// otherwise a.room.
 /// Domain: the subject has the entry point.
 std::uint64_t call(const mmverify_subject_t& subject, Call entry, const Arguments& a);
 

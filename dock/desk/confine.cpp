@@ -35,20 +35,20 @@ constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
 constexpr std::uint32_t architecture = 0;
 #endif
 
-// Numbers that the C library's header may not have yet; they are the same everywhere.
+// Numbers that the C library's header may not have yet; they are the same on all architectures.
 constexpr int io_uring_setup = 425, pidfd_getfd = 438, memfd_secret = 447;
 
-/// A seccomp filter, written down instruction by instruction.
+/// A seccomp filter, built instruction by instruction.
 class Filter {
  public:
   Filter() {
     load(offsetof(seccomp_data, arch));
-    // Calls of another word size have numbers of their own.
+    // System calls of another word size have other numbers.
     jump(BPF_JEQ, architecture, 1, 0);
     answer(SECCOMP_RET_ERRNO | EPERM);
     load(offsetof(seccomp_data, nr));
 #if defined(__x86_64__)
-    // So have those of x32, of the same architecture.
+    // The system calls of x32 do too, on the same architecture.
     jump(BPF_JGE, 0x40000000u, 0, 1);
     answer(SECCOMP_RET_ERRNO | ENOSYS);
 #endif
@@ -59,24 +59,24 @@ class Filter {
     answer(SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error));
   }
 
-  /// Ends with the call let through, unless a check before said otherwise.
-  /// Domain: checks are those of arguments() alone; each leaves the accumulator to the next one.
+  /// Checks the arguments of a system call; it passes unless a check refuses it.
+  /// Domain: `checks` uses only the refuse functions for arguments; each leaves the accumulator to the next.
   template <class Checks>
   void arguments(long call, Checks checks) {
     Filter of_call(nothing);
     checks(of_call);
     of_call.answer(SECCOMP_RET_ALLOW);
-    // The jump is over a number of instructions that has eight bits.
+    // The jump's distance has eight bits.
     jump(BPF_JEQ, static_cast<std::uint32_t>(call), 0, static_cast<std::uint8_t>(of_call.code_.size()));
     code_.insert(code_.end(), of_call.code_.begin(), of_call.code_.end());
   }
-  /// Of the lower half of an argument: that the bits are all there.
+  /// Refuses the call unless the lower half of an argument has all these bits.
   void refuse_without(unsigned argument, std::uint32_t bits, int error) {
     load(lower_half(argument));
     jump(BPF_JSET, bits, 1, 0);
     answer(SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error));
   }
-  /// Of both halves: that they are these.
+  /// Refuses the call unless an argument has this value.
   void refuse_unless(unsigned argument, std::uint64_t value, int error) {
     load(lower_half(argument));
     jump(BPF_JEQ, static_cast<std::uint32_t>(value), 1, 0);
@@ -85,7 +85,8 @@ class Filter {
     jump(BPF_JEQ, static_cast<std::uint32_t>(value >> 32), 1, 0);
     answer(SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error));
   }
-  /// Of the lower half, which is all that the kernel reads of an int: that it is none of these.
+  /// Refuses the call if the lower half of an argument is one of these; the kernel reads only that half of an
+  /// int.
   void refuse_values(unsigned argument, std::initializer_list<int> values, int error) {
     load(lower_half(argument));
     for (const int value : values) {
@@ -94,7 +95,7 @@ class Filter {
     }
   }
 
-  /// From now on; whether the kernel took it.
+  /// Installs the filter; returns whether the kernel accepted it.
   bool install() {
     answer(SECCOMP_RET_ALLOW);
     const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
@@ -105,7 +106,7 @@ class Filter {
   static constexpr struct Nothing {
   } nothing{};
   explicit Filter(Nothing) {}
-  /// Both architectures are little-endian.
+  /// Both known architectures are little-endian.
   static std::uint32_t lower_half(unsigned argument) {
     return static_cast<std::uint32_t>(offsetof(seccomp_data, args)) + 8 * argument;
   }
@@ -119,8 +120,9 @@ class Filter {
   std::vector<sock_filter> code_;
 };
 
-/// Gives up what root has, but for files of other users: with fewer capabilities than the tool has, the kernel lets
-/// this process read and write no memory of it.  Others have none, and keep none.
+/// Drops root's capabilities, except for access to files of other users. The kernel lets a process with fewer
+/// capabilities than the tool read and write none of the tool's memory. Other users have none, and keep none.
+/// Returns whether there were any to drop.
 bool drop_capabilities() {
   constexpr std::uint32_t kept = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH;
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
@@ -134,15 +136,15 @@ bool drop_capabilities() {
   return syscall(SYS_capset, &header, sets) == 0 && some;
 }
 
-/// A user namespace of this process alone, with the same user and group in it: the kernel lets it read and write no
-/// memory of a process outside.
+/// Enters a user namespace of its own, with the same user and group: the kernel then lets the process read
+/// and write no memory of a process outside.
 void leave_for_a_user_namespace() {
   const unsigned user = geteuid(), group = getegid();
   if (unshare(CLONE_NEWUSER) != 0) return;
   const auto write_to = [](const char* file, const std::string& text) {
     const int fd = open(file, O_WRONLY | O_CLOEXEC);
     if (fd < 0) return;
-    // Where it is refused, files of this user stay readable all the same.
+    // If the write is refused, files of this user stay readable all the same.
     [[maybe_unused]] const ssize_t written = write(fd, text.data(), text.size());
     close(fd);
   };
@@ -178,19 +180,20 @@ void confine() {
   filter.refuse(SYS_fork, EAGAIN);
   filter.refuse(SYS_vfork, EAGAIN);
 #endif
-  filter.refuse(SYS_clone3, ENOSYS);  // its flags lie in memory; the C library then calls clone
-  // The tool ends a worker by its group and waits for it by its number.
+  filter.refuse(SYS_clone3, ENOSYS);  // its flags are in memory; the C library falls back to clone
+  // The tool kills a worker by its process group and waits for it by its number.
   for (const long call : {SYS_setpgid, SYS_setsid, SYS_execve, SYS_execveat, SYS_unshare, SYS_setns})
     filter.refuse(call, EPERM);
   for (const long call : {SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, pidfd_getfd})
     filter.refuse(call, EPERM);
-  // The last two send a signal of the subject's choice to the process itself: SIGKILL, too.
+  // The last two can send any signal to the process itself, SIGKILL included.
   for (const long call :
        {SYS_tkill, SYS_rt_sigqueueinfo, SYS_pidfd_send_signal, SYS_timer_create, SYS_mq_notify})
     filter.refuse(call, EPERM);
-  // Calls made in a ring are not seen here.
+  // The filter does not see calls that are made in a ring.
   filter.refuse(io_uring_setup, ENOSYS);
-  // Memory that no process's resident set has; what fallocate() does not do the C library writes instead.
+  // These make memory outside every process's resident set; for fallocate() the C library writes zeros
+  // instead.
   filter.refuse(SYS_memfd_create, ENOSYS);
   filter.refuse(memfd_secret, ENOSYS);
   filter.refuse(SYS_shmget, EPERM);
@@ -209,7 +212,8 @@ void confine() {
       f.refuse_unless(0, self, EPERM);
       f.refuse_values(2, none_of_outside, EPERM);
     });
-  // A file can be made to send a signal when it is ready, to the tool, too; a terminal, to take what was never typed.
+  // fcntl and ioctl can make a file send signals, even to the tool, and a terminal accept input that was
+  // never typed.
   filter.arguments(SYS_fcntl, [](Filter& f) {
     f.refuse_values(1, {F_SETOWN, F_SETOWN_EX, F_SETSIG}, EPERM);
   });

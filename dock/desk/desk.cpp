@@ -19,13 +19,13 @@ namespace {
 
 constexpr int patience = 1'000'000;  ///< turns of a loop that waits for another thread; a few milliseconds
 
-/// Whether the machine gives this process no memory now: 16 MiB.
+/// Whether the process cannot get 16 MiB of memory now.
 bool no_memory_can_be_had() {
   const std::unique_ptr<std::byte[]> some(new (std::nothrow) std::byte[16 << 20]);
   return some == nullptr;
 }
 
-/// Whether the machine gives this process no thread now.
+/// Whether the process cannot start a thread now.
 bool no_thread_can_be_had() {
   try {
     std::thread([] {}).join();
@@ -67,7 +67,7 @@ void Desk::serve() {
   for (std::uint64_t number = 0;; ++number) {
     while (mailbox_.turn.load(std::memory_order_acquire) != 1) futex_wait(mailbox_.turn, 0, 1000);
     run(number);
-    // A copy that the subject forked comes back here, too.
+    // A process that the subject forked reaches this line, too.
     if (getpid() != self_) _exit(0);
     mailbox_.turn.store(0, std::memory_order_release);
     futex_wake(mailbox_.turn);
@@ -83,7 +83,7 @@ void Desk::run(std::uint64_t number) {
     else
       run_on_numbers(number);
   } catch (const Stop&) {
-  } catch (const std::system_error& e) {  // of a thread: what the subject throws is caught where it is called
+  } catch (const std::system_error& e) {  // from std::thread; guarded() catches the subject's exceptions
     finish(Outcome::no_resources, 0, std::string("cannot start a thread: ") + e.what());
   } catch (const std::bad_alloc&) {
     finish(Outcome::no_resources, 0, "cannot get memory");
@@ -108,7 +108,7 @@ std::uint64_t Desk::guarded(const Arguments& a, std::uint64_t element) {
   try {
     size = call(subject_, mailbox_.call, a);
   } catch (const std::system_error& e) {
-    // A library that starts threads, or takes memory, of its own is not to be blamed for a machine that has none left.
+    // A library that starts threads or takes memory is not blamed if the machine has none left.
     const bool of_machine = e.code() == std::errc::resource_unavailable_try_again && no_thread_can_be_had();
     stop(of_machine ? Outcome::no_resources : Outcome::threw, element, e.what());
   } catch (const std::bad_alloc& e) {
@@ -137,7 +137,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
     mine.bytes = what.bytes;
     mine.first_address = mailbox_.asked_before;
     mine.value_bytes = asked().signature.value_bytes;
-    // Both begin at once: a batch takes less time than a thread's start, or than the way back from a yield.
+    // Both begin at once: a batch is shorter than the start of a thread, or the return from a yield.
     ++ready;
     for (int turns = 0; ready < 2; ++turns)
       if (turns > patience) std::this_thread::yield();
@@ -167,12 +167,12 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
     }
   };
   std::thread other([&] {
-    // Goes where it likes, not where the tool brought this process: there the two would take turns.
+    // This thread may run anywhere: on the process's own processor the two threads would take turns.
     sched_setaffinity(0, sizeof everywhere_, &everywhere_);
     ask_within_memory(there, answers[1]);
   });
   try {
-    // Not this thread itself: what a subject keeps for it is of the question before, and may be in the next one's way.
+    // A thread of its own: the subject's thread-local data of the last question may get in the way.
     std::thread one([&] { ask_within_memory(here, answers[0]); });
     one.join();
   } catch (const std::system_error&) {
@@ -183,7 +183,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
   other.join();
   for (const Answers& mine : answers) {
     if (mine.lacks_memory) throw std::bad_alloc();
-    // Threads begin with the mode of this one.  An exception is told by whoever looks at the answers.
+    // Threads inherit this thread's mode. Exceptions are reported when the answers are compared.
     if (mine.changed_mode) stop(Outcome::changed_mode, element, "in a thread");
   }
   return answers;
@@ -208,7 +208,7 @@ void Desk::compare(const std::byte* before, const std::byte* again, std::size_t 
   const std::byte *was = before + t * wide, *is = again + t * wide;
   if (all(is, wide, blank_again)) stop(Outcome::unwritten, first + t, "");
   const auto text = [](auto number) { return std::to_string(number); };
-  // Of several numbers the one that differs.
+  // If an element has several numbers, the number that differs is reported.
   const std::size_t number = wide > sizeof(std::uint32_t) ? static_cast<std::size_t>(differs - was) /
                                                                 sizeof(std::uint32_t) * sizeof(std::uint32_t)
                                                           : 0;

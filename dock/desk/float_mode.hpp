@@ -1,4 +1,4 @@
-// The floating-point unit's mode, which belongs to a thread.
+// The mode of a thread's floating-point unit.
 #pragma once
 
 #include <cfenv>
@@ -6,7 +6,8 @@
 
 namespace mmverify::dock {
 
-/// Rounding, flush, precision and exception masks of the calling thread; flags of past exceptions left out.
+/// The calling thread's modes: rounding, flush, precision and exception masks, without the flags of past
+/// exceptions.
 ///   x86:     MXCSR bits 6 and 7..15, and the x87 control word above them
 ///   aarch64: FPCR
 inline std::uint64_t float_mode() {

@@ -13,7 +13,7 @@
 namespace mmverify::dock {
 namespace {
 
-// The kernel's header may be older than the kernel: numbers of include/uapi/linux/landlock.h.
+// Numbers of include/uapi/linux/landlock.h; the installed header may be older than the kernel.
 constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 constexpr std::uint32_t ask_version = 1, rule_path_beneath = 1;
 constexpr std::uint64_t write_file = 1u << 1, refer = 1u << 13, truncate_file = 1u << 14,
@@ -28,14 +28,14 @@ struct [[gnu::packed]] PathBeneath {
   std::int32_t parent_fd;
 };
 
-/// The kinds of access that it refuses by default.
+/// A set of rules; it refuses these kinds of access unless a rule allows it.
 class Ruleset {
  public:
   explicit Ruleset(long version)
       : access_(write_file | (version >= version_with_refer ? refer : 0) |
                 (version >= version_with_truncate ? truncate_file : 0)) {
     const RulesetAttributes attributes{access_, 0, version >= version_with_scopes ? scope_signal : 0};
-    // Older kernels know the first field alone.
+    // Older kernels know the first field only.
     const std::size_t size = version >= version_with_scopes ? sizeof attributes : sizeof(std::uint64_t);
     fd_ = static_cast<int>(syscall(create_ruleset, &attributes, size, 0));
   }
@@ -45,7 +45,7 @@ class Ruleset {
   Ruleset(const Ruleset&) = delete;
   Ruleset& operator=(const Ruleset&) = delete;
 
-  /// Lets what lies in a folder be written, but for entries that begin with one of the names.
+  /// Allows writing to the entries of a folder, except for those whose names begin with one of `but`.
   void let_entries(const char* folder, std::initializer_list<std::string_view> but) {
     DIR* const all = opendir(folder);
     if (all == nullptr) return;
@@ -61,7 +61,7 @@ class Ruleset {
   bool enforce() const { return fd_ >= 0 && syscall(restrict_self, fd_, 0) == 0; }
 
  private:
-  /// A link leads to what another entry lets, or does not.
+  /// Allows writing to one entry. Links are skipped: their targets have entries of their own.
   void let_one(int folder, const char* name) {
     const int fd = openat(folder, name, O_PATH | O_NOFOLLOW | O_CLOEXEC);
     struct stat about {};

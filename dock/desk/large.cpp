@@ -1,4 +1,4 @@
-// Batches for a subject of MMVERIFY_LARGE_BATCHES: as many slots as one call takes lie together while it works.
+// Batches for a subject of MMVERIFY_LARGE_BATCHES: the slots of one call are copied together for it.
 #include <algorithm>
 #include <cstring>
 
@@ -7,7 +7,7 @@
 namespace mmverify::dock {
 namespace {
 
-/// So many elements are asked one by one: each costs what a whole batch does.
+/// The number of elements that are asked one by one: each costs as much as a batch.
 constexpr std::size_t one_by_one = 64;
 
 }  // namespace

@@ -11,11 +11,11 @@
 namespace mmverify::dock {
 namespace {
 
-// For the handler, which can only reach what is static.
+// Static data, since the signal handler can reach nothing else.
 std::byte* mapped = nullptr;
 const Layout* mapped_layout = nullptr;
 
-/// Says where a wild access landed, then lets the crash happen.
+/// Writes into the mailbox where a wild access landed, then lets the process crash.
 void on_fault(int signal, siginfo_t* info, void*) {
   const auto* at = static_cast<const std::byte*>(info->si_addr);
   if (mapped != nullptr && at >= mapped && at < mapped + mapped_layout->total()) {
@@ -35,7 +35,7 @@ void on_fault(int signal, siginfo_t* info, void*) {
 void explain_faults(std::byte* base, const Layout& layout) {
   mapped = base;
   mapped_layout = &layout;
-  // A stack of its own: the fault may be a stack that ran out.
+  // The handler has a stack of its own: the fault may be a stack overflow.
   static std::byte stack[1 << 16];
   const stack_t own{.ss_sp = stack, .ss_flags = 0, .ss_size = sizeof stack};
   sigaltstack(&own, nullptr);
@@ -50,7 +50,8 @@ std::byte* map(int fd, const Layout& layout) {
   auto* base = static_cast<std::byte*>(
       mmap(nullptr, layout.total(), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0));
   if (base == MAP_FAILED) return nullptr;
-  // What the tool alone writes comes from a descriptor that lets nobody write, so that mprotect() does not either.
+  // Memory that only the tool writes is mapped from a read-only descriptor, so that mprotect() cannot make it
+  // writable.
   const int read_only = open(("/proc/self/fd/" + std::to_string(fd)).c_str(), O_RDONLY | O_CLOEXEC);
   const auto place = [&](std::size_t offset, std::size_t bytes, int protection) {
     const int from = protection == PROT_READ && read_only >= 0 ? read_only : fd;

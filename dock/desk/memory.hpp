@@ -1,4 +1,4 @@
-// A worker process's view of the shared memory.
+// A worker's mapping of the shared memory.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,13 @@
 
 namespace mmverify::dock {
 
-/// Maps the shared memory with nothing between the slots, and inputs that cannot be written; closes its descriptor.
-/// Null where that fails.
+/// Maps the shared memory, with guard pages between the slots and read-only inputs; closes its descriptor.
+/// Null if that fails.
 std::byte* map(int fd, const Layout& layout);
 
-/// From here on a wild access says in the mailbox's message where it landed, then lets the crash happen.
-/// Domain: called once; base is map()'s.
+/// From here on a wild access writes into the mailbox's message where it landed, and then the process
+/// crashes.
+/// Domain: called once; `base` is from map().
 void explain_faults(std::byte* base, const Layout& layout);
 
 }  // namespace mmverify::dock

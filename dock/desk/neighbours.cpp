@@ -1,5 +1,5 @@
-// Questions asked again right after ones that differ from them in one argument alone: who remembers an answer by all of
-// them but one gives it to the wrong question.
+// Repeats questions right after others that differ in one argument only: a cache that ignores an argument
+// then gives a wrong answer.
 #include <algorithm>
 #include <span>
 #include <string>
@@ -11,12 +11,13 @@
 namespace mmverify::dock {
 namespace {
 
-/// So many of a batch's elements have such neighbours; so many are looked for, and asked, of a bit.
+/// Elements of a batch that are searched for neighbours; elements that are repeated in another format;
+/// elements that are tried, and pairs that are asked, for a bit.
 constexpr std::size_t most_elements = 2048, most_in_another_format = 256, most_tried = 256, most_found = 32;
-/// Questions on blobs that are kept, of a level and format, to be asked before others; and bytes of one.
+/// Questions on blobs that are kept for each level and format, and the most bytes of one.
 constexpr std::size_t most_kept = 64, most_kept_bytes = 512;
 
-/// An element's numbers, byte by byte, those of an array after those of the one before.
+/// The bytes of an element's numbers, array after array.
 std::string numbers_of(const Arguments& a, std::size_t arrays, std::size_t bytes, std::size_t k) {
   std::string numbers;
   for (std::size_t array = 0; array < arrays; ++array)
@@ -40,13 +41,13 @@ void Desk::ask_slot_after_neighbours(std::size_t slot) {
     numbers.push_back(numbers_of(a, arrays, bytes, k));
     places.emplace(numbers.back(), k);
   }
-  // Each element that is asked, behind the one that differs from it.
+  // Pairs of elements: a neighbour, and then the element that differs from it.
   std::vector<std::size_t> order;
   const auto found = [&order](std::size_t neighbour, std::size_t k) {
     order.push_back(neighbour);
     order.push_back(k);
   };
-  // In one bit of one number.
+  // Neighbours that differ in one bit of one number.
   std::string varies(arrays * bytes, '\0');
   for (const std::string& one : numbers)
     for (std::size_t b = 0; b < one.size(); ++b)
@@ -55,7 +56,7 @@ void Desk::ask_slot_after_neighbours(std::size_t slot) {
     const auto flip = static_cast<char>(1u << bit % 8);
     if ((varies[bit / 8] & flip) == 0) continue;
     std::size_t left = most_found;
-    // Those of the whole batch, not its first ones alone, which may have no neighbour in it.
+    // Elements are taken from all over the batch: the first ones may have no neighbour in it.
     const std::size_t step = std::max<std::size_t>(1, count / most_tried);
     for (std::size_t k = bit % step; k < count && left != 0; k += step) {
       std::string other = numbers[k];
@@ -66,7 +67,7 @@ void Desk::ask_slot_after_neighbours(std::size_t slot) {
       }
     }
   }
-  // In one number.
+  // Neighbours that differ in one number.
   for (std::size_t array = 0; array < arrays; ++array) {
     Places last;
     std::size_t left = most_tried;
@@ -95,7 +96,7 @@ void Desk::ask_slot_after_another_format(std::size_t slot) {
   constexpr char how[] = "asked after the same in another format, order or mode";
   const std::size_t count = std::min(in_slot(mailbox_.count, slot), most_in_another_format),
                     from = slot * batch_size, wide = asked().answer_bytes;
-  // `what` in another format, then elements from `at` on again.
+  // Asks `what`, which has another format, then repeats the elements from `at` on.
   const auto ask_after = [&](const Arguments& what, std::size_t at) {
     std::vector<std::byte> there(what.count * wide), here(what.count * wide, std::byte{blank_again});
     Arguments before = what;
@@ -149,8 +150,9 @@ void Desk::ask_blob_after_another_format(const std::uint8_t* blob, std::uint64_t
     std::vector<std::byte> answer(2 * static_cast<std::size_t>(std::max(room, size)));
     Arguments before = whole(answer.data(), asked().signature.sizes_answer ? answer.size() : room);
     before.format = other;
-    // First of all something else, or what is kept is still this question's and the other format's gets it: a code of no
-    // bytes, or the bytes inverted.  An array inverted is none.
+    // Something else comes first: otherwise a cache still has this question's answer, and gives it for the
+    // other format. It is a code of no bytes, or the inverted bytes; an inverted array is invalid, so arrays
+    // go without.
     const bool of_code = mailbox_.call == Call::tree_decode || mailbox_.call == Call::dag_decode;
     std::vector<std::uint8_t> inverted(bytes.begin(), bytes.end());
     for (std::uint8_t& byte : inverted) byte = static_cast<std::uint8_t>(~byte);
@@ -189,7 +191,7 @@ void Desk::ask_blob_after_kept_formats(const std::uint8_t* blob, std::uint64_t s
     }
   }
   std::deque<Question>& mine = of(mailbox_.format);
-  if (mine.size() >= most_kept) mine.pop_back();  // of the later ones the last
+  if (mine.size() >= most_kept) mine.pop_back();  // replaces the last one
   mine.push_back(this_question(size));
 }
 

@@ -1,4 +1,4 @@
-// Commands on numbers in slots: batches whose answers may not depend on each other.
+// Commands on numbers in slots: the answers of a batch may not depend on each other.
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -26,7 +26,8 @@ void Desk::run_on_numbers(std::uint64_t number) {
       compare(slot_answer(0), one.in_round(0), in_slot(mailbox_.count, 0), 0,
               "asked from two threads at once, the first time at this level");
   const std::size_t batches = static_cast<std::size_t>((mailbox_.count + batch_size - 1) / batch_size);
-  // The first command of a level is asked again in every way, all of it; the others, a batch in a way in turn.
+  // The first command of a level is repeated in every way, all of it; of later ones, one batch in one way
+  // each.
   for (std::size_t slot = 0; first_at_this_level() && slot < batches; ++slot) {
     for (const std::size_t size : {batch_size, std::size_t{7}, std::size_t{1}}) ask_slot_again(slot, size);
     ask_slot_in_another_order(slot);
@@ -79,7 +80,7 @@ void Desk::call_slot(std::size_t slot) {
                     wide = asked().answer_bytes;
   std::byte* out = slot_answer(slot);
   set_canary(out);
-  // Filling costs time; what the first command of a level covers is enough to see an output left alone.
+  // Filling costs time; the first command of a level is enough to notice an output that is left unwritten.
   if (first_at_this_level()) std::memset(out, blank, count * wide);
   const std::size_t step = mailbox_.one_by_one != 0 ? 1 : count;
   for (std::size_t at = 0; at < count; at += step) {
@@ -103,14 +104,14 @@ void Desk::ask_slot_again(std::size_t slot, std::size_t size, std::size_t most) 
 void Desk::ask_slot_after_another_level(std::size_t slot, std::size_t most) {
   if (mailbox_.this_level_alone != 0) return;
   const std::uint32_t level = mailbox_.level;
-  // Three vertices that are a face's at one level need not be one's at another.
+  // Three vertices of a face at one level need not be a face at another.
   if (mailbox_.call == Call::attribute_face_of) return;
   if (level < subject_.max_level) ask_slot_after(slot, level + 1, 0, most);
   if (asked().signature.of_points) {
     if (level == subject_.max_level && level != 0) ask_slot_after(slot, level - 1, 0, most);
     return;
   }
-  // An index is one of a lower level only by its first digits: the parent's, and the first child's of all.
+  // An index is valid at a lower level only if shortened: to the parent's index, or to its first digit.
   if (asked().signature.arrays != 1) return;
   if (level > 0) ask_slot_after(slot, level - 1, 2, most);
   if (level > 2) ask_slot_after(slot, 1, 2 * (level - 1), most);
@@ -201,7 +202,7 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
 
 void Desk::ask_slot_in_another_order(std::size_t slot) {
   const std::size_t count = in_slot(mailbox_.count, slot);
-  // About 0.618 of the batch on each time, so that neighbours part.
+  // A stride of about 0.618 of the batch separates neighbours.
   std::size_t stride = count * 618 / 1000 + 1;
   while (std::gcd(stride, count) != 1) ++stride;
   std::vector<std::size_t> order(count);
@@ -236,7 +237,7 @@ void Desk::ask_slot_rearranged(std::size_t slot, const std::vector<std::size_t>&
   guarded(a, from);
   for (std::size_t k = 0; k < count; ++k)
     compare(slot_answer(slot) + order[k] * wide, again_.data() + k * wide, 1, from + order[k], how);
-  // Neighbours that are far from each other change what both keep in one place with every element.
+  // Alternating distant neighbours change shared memory with every element.
   if (slot == 0) ask_turned_from_threads(a, again_, count, often, from, how + ", from two threads at once");
 }
 
@@ -244,7 +245,7 @@ void Desk::ask_slot_at_other_places(std::size_t slot) {
   const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
                     wide = asked().answer_bytes, bytes = asked().signature.number_bytes,
                     value = asked().signature.value_bytes;
-  // First all at whole lines; then each array so many elements further that no two lie alike.
+  // First all arrays begin at a line; then each is shifted by another number of elements.
   for (std::size_t turn = 0; turn < 4; ++turn) {
     const auto placed = [](std::vector<std::byte>& room, std::size_t size, std::size_t offset) {
       room.assign(size + 2 * line, std::byte{blank_again});
@@ -299,7 +300,7 @@ void Desk::ask_turned_from_threads(const Arguments& here, const std::vector<std:
     inputs[array] = turned(here.arrays[array], bytes);
     there.arrays[array] = inputs[array].data();
   }
-  // answers may be again_, over which nothing is written here.
+  // `answers` may be again_: nothing here writes to it.
   const std::vector<std::byte> turned_answers = turned(answers.data(), wide);
   const auto sees = [&](const std::vector<std::byte>& right) {
     return [&, this](const std::byte* theirs, std::uint64_t) {

@@ -12,16 +12,16 @@
 namespace mmverify::dock {
 namespace {
 
-/// The subject's description, entry points that its header did not have yet null.
+/// The subject's description, with null for entry points that its header does not have.
 mmverify_subject_t as_of_today(const mmverify_subject_t& theirs) {
   mmverify_subject_t ours{};
-  // Whole pointers only: a size in the middle of one says nothing of it.
+  // Whole pointers only: a size that ends within a pointer does not count it.
   const std::size_t size = std::min<std::size_t>(theirs.size, sizeof ours) / sizeof(void*) * sizeof(void*);
   std::memcpy(&ours, &theirs, size);
   return ours;
 }
 
-/// What it says that it supports, fields that its header did not have yet zero.
+/// The subject's description of its support, with zeros for fields that its header does not have.
 template <class Support>
 Support supported(const Support* theirs) {
   Support ours{};
@@ -31,7 +31,7 @@ Support supported(const Support* theirs) {
   return ours;
 }
 
-/// Bytes of the first version of mmverify_subject_t, which ended with row_corners.
+/// The size of the first version of mmverify_subject_t, which ended with row_corners.
 constexpr std::size_t first_size = offsetof(mmverify_subject_t, tree_encode);
 
 std::array<std::uint8_t, calls> given(const mmverify_subject_t& s) {

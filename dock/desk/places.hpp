@@ -1,5 +1,5 @@
-// Places for what may lie anywhere: each address modulo 8, and each power of two up to a processor's line, which a
-// vector's load may want and no more.
+// Places for data that may lie anywhere: each address modulo 8, and each power of two up to a processor's
+// line, the strictest alignment that a vector's load wants.
 #pragma once
 
 #include <cstddef>
@@ -8,18 +8,18 @@
 
 namespace mmverify::dock {
 
-/// Bytes of a processor's line; no vector is longer.
+/// Bytes of a processor's cache line; no vector is longer.
 constexpr std::size_t line = 64;
 constexpr std::size_t places = 11;
 
-/// Bytes behind a line's first one, of numbers of so many bytes: at multiples of them.  Place 0 is the line's own.
+/// The offset from a line's start for place `turn`, a multiple of number_bytes. Place 0 is the line's start.
 constexpr std::size_t place_behind_line(std::size_t turn, std::size_t number_bytes) {
   constexpr std::size_t all[places] = {0, 8, 1, 16, 2, 32, 3, 4, 5, 6, 7};
   const std::size_t at = all[turn % places];
   return at - at % number_bytes;
 }
 
-/// Bytes of a room before its first whole line.
+/// Bytes of `room` before its first whole line.
 inline std::size_t before_line(const std::vector<std::byte>& room) {
   return (line - reinterpret_cast<std::uintptr_t>(room.data()) % line) % line;
 }

@@ -1,5 +1,5 @@
-// Batches of every small size, and elements that lie in a blob: what is left over behind a vector's last whole one, and
-// what one lane does to the next.
+// Batches of every small size, and elements in a blob: tests the remainder after a vector's last whole one,
+// and effects of one lane on the next.
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -10,23 +10,24 @@
 namespace mmverify::dock {
 namespace {
 
-/// Each remainder of a vector of 64 bytes, the longest one, behind none and behind one.
+/// One more than the bytes of the longest vector, 64: covers each remainder, with and without a whole vector
+/// before it.
 constexpr std::size_t largest_small = 65;
-/// What is looked up in a longer code takes time by its length.
+/// The longest code, in bytes, whose lookups are repeated: a lookup in a longer one takes more time.
 constexpr std::uint64_t longest_code = 512;
-/// Questions of a kind whose elements are asked in each size, and alone.
+/// The number of questions of a kind whose elements are asked in each size, and alone.
 constexpr std::uint32_t first_in_sizes = 2;
 
 std::string in_batches_of(std::size_t size) { return "asked in a batch of " + std::to_string(size); }
 
-/// `size` elements of `count` from number `from` on, and so forth from the first.
+/// `size` numbers below `count`, from `from` on, cyclically.
 std::vector<std::size_t> some(std::size_t from, std::size_t size, std::size_t count) {
   std::vector<std::size_t> order(size);
   for (std::size_t k = 0; k < size; ++k) order[k] = (from + k) % count;
   return order;
 }
 
-/// Numbers below `count`, each one right after each other one.
+/// All pairs of different numbers below `count`, one after the other.
 std::vector<std::size_t> each_after_each(std::size_t count) {
   std::vector<std::size_t> order;
   for (std::size_t a = 1; a < count; ++a)
@@ -47,7 +48,7 @@ void Desk::ask_slot_elements(std::size_t slot, const std::vector<std::size_t>& o
     inputs[array] = gathered(a.arrays[array], bytes, order.size(), [&](std::size_t k) { return order[k]; });
     a.arrays[array] = inputs[array].data();
   }
-  // At a guard page: a tail that is stored whole is seen.
+  // The output ends at a guard page, which stops a store of a whole vector over the tail.
   a.out = blob_answer(order.size() * wide);
   set_canary(a.out);
   std::memset(a.out, blank_again, order.size() * wide);
@@ -118,7 +119,7 @@ void Desk::ask_blob_in_each_size(const std::uint8_t* blob) {
   for (std::size_t k = 0; k < count; ++k) order[k] = k * stride % count;
   ask_blob_elements(blob, order, "asked in another order");
   if (elements_in_blob(mailbox_.call).bytes != 0 && mailbox_.asked_before == 0) ask_codes_after_each_other();
-  // The answer in its place again, as whoever asks next expects it.
+  // Puts the answer back into its place, where later questions expect it.
   std::copy(again_.begin(), again_.end(), blob_answer(mailbox_.room));
 }
 
@@ -126,7 +127,7 @@ void Desk::ask_codes_after_each_other() {
   constexpr std::size_t codes = 256;
   const std::size_t in = elements_in_blob(mailbox_.call).bytes,
                     out = elements_in_blob(mailbox_.call).answer_bytes;
-  // Each byte of an element takes all values, each in a step of its own, which is odd.
+  // Each byte of an element takes all values, since its step is odd, and bytes have different steps.
   std::vector<std::byte> elements(codes * in), alone(codes * out, std::byte{blank_again});
   for (std::size_t k = 0; k < elements.size(); ++k)
     elements[k] = static_cast<std::byte>(k / in * (2 * (k % in) + 1) + k % in);

@@ -75,7 +75,7 @@ ReadMap read_map(const Answer& a, std::uint64_t record) {
 std::optional<Finding> shape(const std::optional<Answer>& a, const BuildCase& c) {
   const std::uint64_t most = maps::index_limit(c.options.encoding);
   if (!a) {
-    // As many as there can be, the base taken off the last.
+    // The largest count of plain indices: one record a map, the base subtracted.
     const std::uint64_t indices = c.maps.size() + c.before.size() - c.options.base;
     if (indices <= most) return wrong("an array", "a refusal, though every index fits");
     if (!c.options.share && !c.options.special) return Finding{Hash().value()};
@@ -126,7 +126,7 @@ Finding resolves(const Answer& a, const BuildCase& c) {
     std::uint64_t changed = 0;
     for (std::size_t i = 0; i < was.size(); ++i) {
       if (is[i] == was[i]) continue;
-      // Merging makes T and O unknown, in 4-state, and nothing else.
+      // Merging may turn T and O into unknown states in 4-state maps, and changes nothing else.
       const bool allowed = c.options.bound > 0 && map.format == Format::four_state &&
                            !maps::unknown(was[i]) && maps::unknown(is[i]);
       if (!allowed)
@@ -201,7 +201,7 @@ Finding counts_references(const Answer& a, const BuildCase& c) {
 }
 
 Finding shares(const Answer& a, const BuildCase& c) {
-  // Level, format, bytes: what is exactly equal.
+  // Maps are equal if level, format and bytes are.
   using Key = std::tuple<Level, Format, Bytes>;
   std::set<Key> different;
   std::set<std::uint64_t> used;
@@ -216,7 +216,7 @@ Finding shares(const Answer& a, const BuildCase& c) {
   const std::uint64_t expected = c.options.share ? different.size() : plain;
   if (used.size() != expected)
     return wrong(fmt::format("{} records in use", expected), fmt::format("{}", used.size()));
-  // And none that nobody uses, but for those before.
+  // Every record that was not there before is in use.
   std::uint64_t added = 0;
   for (const std::uint64_t r : used) added += r >= c.before.size() ? 1 : 0;
   if (record_count(a) != c.before.size() + added)

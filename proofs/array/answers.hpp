@@ -1,4 +1,4 @@
-// What a builder's answer says, read as a traversal reads it; nothing of it is believed.
+// A builder's answer, read as a traversal reads it; no part of it is trusted.
 #pragma once
 
 #include <optional>
@@ -14,10 +14,10 @@ std::string text_of(const Target& to);
 
 std::uint64_t record_count(const Answer& a);
 
-/// What triangle t's code means.  Domain: an index for each triangle is there, see shape().
+/// The target that triangle t's code names.  Domain: the answer has an index for each triangle, see shape().
 Target target_of(const Answer& a, const BuildCase& c, std::size_t t);
 
-/// The map of a record, or why it cannot be read.
+/// The map of a record, or the reason why it cannot be read.
 struct ReadMap {
   Record record{};
   States states;
@@ -25,14 +25,14 @@ struct ReadMap {
 };
 ReadMap read_map(const Answer& a, std::uint64_t record);
 
-/// Why an answer has not the shape of one: what cannot be read, indices that are missing; else nothing.  A refusal is
-/// one, too, where every index fits.
+/// The finding for an answer that no law can be checked on: bytes that cannot be read, or missing indices. A refusal
+/// is wrong if every index fits.  Nothing for a complete answer.
 std::optional<Finding> shape(const std::optional<Answer>& a, const BuildCase& c);
 
-/// Of one answer, for the digest.
+/// A number for the answer, which goes into the digest.
 std::uint64_t digest_of(const Answer& a);
 
-// The checks of the laws of building.  Domain: answers that shape() finds nothing wrong with.
+// The checks of the laws of building.  Domain: answers that shape() finds complete.
 Finding resolves(const Answer& a, const BuildCase& c);
 Finding keeps_formats(const Answer& a, const BuildCase& c);
 Finding uses_special_indices(const Answer& a, const BuildCase& c);

@@ -9,7 +9,7 @@ namespace {
 
 namespace maps = mmverify::spec::micromap;
 
-/// Where two maps differ, if in one micro-triangle alone.
+/// The only micro-triangle in which two maps differ; nothing if they differ in none or several.
 std::optional<std::size_t> one_difference(const PackedMap& a, const PackedMap& b) {
   if (a.level != b.level || a.format != b.format) return std::nullopt;
   const States x = states_of(a), y = states_of(b);
@@ -22,7 +22,8 @@ std::optional<std::size_t> one_difference(const PackedMap& a, const PackedMap& b
   return at;
 }
 
-/// The bug of merging: what differs little from a transparent map becomes it, opaque or not.
+/// The bug of merging: a map that differs in one micro-triangle from a map that is transparent there becomes that
+/// map, even if the micro-triangle was opaque.
 void merge_into_transparent(BuildCase& c) {
   for (std::size_t t = 1; t < c.maps.size(); ++t)
     for (std::size_t earlier = 0; earlier < t; ++earlier)
@@ -33,7 +34,7 @@ void merge_into_transparent(BuildCase& c) {
       }
 }
 
-/// The bug of formats: all have the first triangle's.
+/// The bug of formats: all maps take the first triangle's format.
 void take_the_first_format(BuildCase& c) {
   for (PackedMap& m : c.maps) {
     States s = states_of(m);
@@ -42,7 +43,7 @@ void take_the_first_format(BuildCase& c) {
   }
 }
 
-/// A record for each triangle at the level of the finest.
+/// Every triangle's map is refined to the finest level.
 void take_the_finest_level(BuildCase& c) {
   Level finest = 0;
   for (const PackedMap& m : c.maps) finest = std::max(finest, m.level);
@@ -281,7 +282,7 @@ Law keeping() {
       keeps_what_was_there);
 }
 
-/// One after the other; the first that does not hold.
+/// Runs every check and returns the first finding that fails.
 Finding all_checks(const Answer& a, const BuildCase& c) {
   for (const Check check : {stays_in_range, resolves, keeps_formats, uses_special_indices, counts_records,
                             counts_references, keeps_what_was_there})

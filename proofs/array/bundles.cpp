@@ -21,10 +21,10 @@ Bundle bundle_of(const BuildCase& c) {
 
 namespace {
 
-/// The number that makes the samples of bundles others than those of builds.
+/// A stream number that keeps the samples of bundles apart from those of builds.
 constexpr std::uint64_t bundle_stream = 307;
 
-/// As many records as have their maps in the data, which are put there in any order.
+/// An array whose records all have a map in the data; the maps lie there in any order, with gaps.
 spec::array::Array any_array(Level n, Random& random) {
   const bool many = random.below(6) == 0;
   std::vector<PackedMap> all(many ? 250 + random.below(351) : random.below(46));

@@ -15,7 +15,7 @@ namespace {
 
 namespace maps = mmverify::spec::micromap;
 
-PackedMap taken(const tree::Map& map) { return {map.level, map.format, map.packed}; }
+PackedMap taken(const micromap::Map& map) { return {map.level, map.format, map.packed}; }
 
 std::vector<PackedMap> make_all(Level n) {
   std::vector<PackedMap> all;

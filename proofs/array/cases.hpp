@@ -1,4 +1,4 @@
-// What builders are asked: all small arrays, samples of large ones, and the texts that name them.
+// Cases for builders: all small arrays, samples of large ones, and the texts that name them.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@ namespace mmverify::proofs::array {
 
 /// All maps of levels 0 .. n, level 0 first: 6, and at level 1 272 more.  Domain: n in 0, 1.
 const std::vector<PackedMap>& all_maps(Level n);
-/// Those of them whose states do not descend along the curve: 6, and at level 1 40 more.
+/// The maps of all_maps(n) whose states do not descend along the curve: 6, and at level 1 40 more.
 const std::vector<PackedMap>& sorted_maps(Level n);
 
 /// All small arrays.  Domain: n in 0, 1; k below the number.
 ///   level 0: none to three triangles of all maps of level 0; special indices, sharing and a base triangle of 1
 ///            behind one record, each on and off; indices of 8, 16 and 32 bits: 259 x 8 x 3
-///   level 1: maps of levels 0 and 1. One and two triangles of all 278, with special indices and sharing; one and two of
-///            the 46 sorted ones with the other seven choices; three of the sorted ones with special indices and
+///   level 1: maps of levels 0 and 1. One and two triangles of all 278, with special indices and sharing; one and two
+///            of the 46 sorted ones with the other seven choices; three of the sorted ones with special indices and
 ///            sharing; each with indices of 8, 16 and 32 bits: (278 + 278^2 + 7 (46 + 46^2) + 46^3) x 3
-/// Of three triangles the sorted maps stand for all: what a third one adds is who shares with whom, which goes by whether
-/// maps are equal, not by where in a map its states are; where they are, one and two triangles ask of every map.
+/// Three triangles need the sorted maps only.  A third triangle changes who shares with whom, which depends on
+/// whether maps are equal and not on where their states lie.  One and two triangles cover every place of a state.
 std::uint64_t small_arrays(Level n);
 BuildCase small_array(Level n, std::uint64_t k);
 
@@ -32,16 +32,17 @@ BuildCase small_array(Level n, std::uint64_t k);
 std::uint64_t whole_small_arrays();
 BuildCase whole_small_array(std::uint64_t k);
 
-/// Up to 40 maps of levels up to n after up to 5, many of them equal or nearly so, of any encoding, API, base triangle and
-/// choice; `bound`: of merging, up to it.  Sample k of a seed is the same everywhere.
+/// Up to 40 maps of levels up to n behind up to 5 records, many of them equal or nearly so, of any encoding, API,
+/// base triangle and choice.  The bound of merging is at most `bound`.  Sample k of a seed is the same everywhere.
 BuildCase sample_array(Level n, std::uint64_t seed, std::uint64_t k, std::uint32_t bound);
 
 /// A map of a level up to n, of any kind that the samples of topic tree have.
 PackedMap any_map(Level n, Random& random);
 
-/// "khr,u8,special,share,base=0,bound=0,before:2-state:1,4-state:0123,...": choices, then maps; a digit a state.
+/// A case as text, "khr,u8,special,share,base=0,bound=0,before:2-state:1,4-state:0123,...": the choices, then the
+/// maps with one digit a state.
 std::string text_of(const BuildCase& c);
-/// And back; throws BadCase.
+/// The case of a text; throws BadCase.
 BuildCase case_of(const std::string& text);
 
 /// u8, u16, u32, i16, i32.

@@ -1,4 +1,4 @@
-// What devices ask: levels that they do not have, emulated; blocks of few descriptors.
+// Laws of devices: levels that a device lacks are emulated; blocks have few descriptors.
 #include <algorithm>
 #include <set>
 
@@ -16,7 +16,7 @@ namespace maps = mmverify::spec::micromap;
 // Emulated levels
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// KHR's rule, and no state lost that could be kept: a block of T or O alone stays known.
+/// KHR's rule, with no state lost that could be kept: a block of T alone or of O alone stays known.
 Finding emulates(const ArraySubject& s, const PackedMap& m, Level most) {
   const States was = states_of(m);
   const Bytes bytes = s.functions.emulate(m.level, most, m.bytes);
@@ -40,11 +40,11 @@ Finding emulates(const ArraySubject& s, const PackedMap& m, Level most) {
 }
 
 PackedMap four_state(Level n, std::uint64_t seed, std::uint64_t k) {
-  const tree::Map map = micromap::sample_map(n, seed, k);
+  const micromap::Map map = micromap::sample_map(n, seed, k);
   return packed(n, Format::four_state, maps::unpack(map.packed, map.format, maps::micro_triangles(n)));
 }
 
-/// The level of sample k, drawn apart from its map, whose kind goes by k.
+/// The lower level of sample k, drawn independently of its map, whose kind depends on k.
 Level level_below(Level n, std::uint64_t seed, std::uint64_t k) {
   return static_cast<Level>(Random(seed, 509 + n, k).below(n));
 }
@@ -98,7 +98,7 @@ Law emulation() {
                      return micromap::text_of_states({1, Format::four_state, {static_cast<std::uint8_t>(k)}});
                    },
                    [](const ArraySubject& s, Level n, const std::string& at) {
-                     const tree::Map map = micromap::map_from_text(n, at);
+                     const micromap::Map map = micromap::map_from_text(n, at);
                      if (map.format != Format::four_state) throw BadCase("4-state alone is lossy");
                      return emulates(s, {map.level, map.format, map.packed}, 0);
                    }});
@@ -151,8 +151,8 @@ Law emulation_on_samples() {
 
 constexpr std::size_t longest_row = 10, most_codes = 7;
 
-/// Every row of one to ten codes, but for what they are called: code k first comes after k others did.  The numbers of them
-/// are Bell's, 1 + 2 + 5 + ... + 115,975.
+/// Every row of one to ten codes up to renaming: code k first occurs after k others.  Their numbers are Bell's, 1 + 2
+/// + 5 + ... + 115,975.
 std::vector<std::vector<std::uint32_t>> make_rows() {
   std::vector<std::vector<std::uint32_t>> all, last{{}};
   for (std::size_t length = 1; length <= longest_row; ++length) {

@@ -1,4 +1,4 @@
-// Arrays as files: both versions come back, and what is no file is refused.
+// Arrays as files: both versions read back the same, and other bytes are refused.
 #include <algorithm>
 
 #include "proofs/array/bundles.hpp"
@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint64_t file_choices = 8;
 
-/// One triangle, or two, of the 46 sorted maps of levels 0 and 1, with every choice of the small arrays, of each encoding
-/// in turn.
+/// One or two triangles of the 46 sorted maps of levels 0 and 1, with every choice of the small arrays; the encoding
+/// changes from case to case.
 std::uint64_t files() {
   const std::uint64_t sorted = sorted_maps(1).size();
   return (sorted + sorted * sorted) * file_choices;
@@ -34,7 +34,7 @@ Bundle file_number(std::uint64_t k) {
   else
     c.maps = {from[(rest - from.size()) / from.size()], from[(rest - from.size()) % from.size()]};
   Bundle b = bundle_of(c);
-  // Some have two geometries, and some none.
+  // Some bundles have two geometries, and some none.
   if (k % 7 == 0) b.parts.push_back({Encoding::u16, 3, {0xff, 0xff}});
   if (k % 11 == 0) b.parts.clear();
   return b;
@@ -59,8 +59,8 @@ Finding comes_back(const ArraySubject& s, const Bundle& b) {
   return {digest};
 }
 
-/// What the header says of arrays: every plain index names a record, every record has a format, a level up to 12 and its
-/// bytes in the data.  A file may hold others, which a reader may refuse.
+/// Whether a bundle is an array by the C header: every plain index names a record; every record has a format, a level
+/// up to 12 and its bytes in the data.  A reader may refuse a file with any other bundle.
 bool is_array(const Bundle& b) {
   for (const Record& r : b.array.records) {
     if (r.level > 12 || (r.format != 1 && r.format != 2)) return false;
@@ -74,7 +74,8 @@ bool is_array(const Bundle& b) {
   return true;
 }
 
-/// All cuts, all bits flipped, and a byte behind: read as the specification reads it, or refused if it is no array.
+/// Files with every cut, every bit flipped, and a byte appended.  They are read as the specification reads them; a
+/// reader may also refuse a bundle that is no array.
 Finding refuses(const ArraySubject& s, const Bundle& b) {
   std::uint64_t digest = 0;
   const auto same = [&](const Bytes& file, const std::string& what) -> std::optional<Finding> {
@@ -110,7 +111,7 @@ std::function<void(Functions&)> misreading(void (*change)(std::span<const std::u
                 [change](std::span<const std::uint8_t> file, std::optional<Bundle>& b) { change(file, b); });
 }
 
-/// Files of arrays at random, as the laws of changes have them.
+/// The law of files on random arrays, drawn as for the laws of changes.
 Law files_on_samples() {
   return on_cases(
       {.id = "array.files_on_samples",

@@ -1,4 +1,4 @@
-// What a code means: special, none, a record that is there, or one that is not.
+// Laws of codes: a code names a special index, no micromap, a record, or a record that does not exist.
 #include <algorithm>
 #include <array>
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace maps = mmverify::spec::micromap;
 
-/// Bases and numbers of records: small ones all, and the borders of 32 bits.
+/// Bases and numbers of records: the smallest ones, those near 256, and the largest of 32 bits.
 constexpr std::array<std::uint32_t, 9> bases{0, 1, 2, 3, 250, 255, 256, 0xfffffffe, 0xffffffff};
 constexpr std::array<std::uint32_t, 11> record_counts{0,   1,   2,   3,          4,         5,
                                                       251, 252, 256, 0xfffffffe, 0xffffffff};
@@ -34,7 +34,7 @@ Geometry reading_number(std::uint64_t k) {
   return r;
 }
 
-/// All of 8 bits; of wider ones both ends, the middle, and what is beside the number of records, less the base.
+/// All codes of 8 bits.  Of wider ones both ends, the middle, and those beside the number of records less the base.
 std::vector<Reference> codes_for(const Geometry& r) {
   std::vector<Reference> all;
   const std::uint64_t end = std::uint64_t{1} << maps::width(r.how.encoding);
@@ -75,7 +75,7 @@ Finding mean(const ArraySubject& s, const Reading& r, const std::vector<Referenc
     const auto& [code, base, records] = all[k];
     const Target right = spec::array::target(code, r.encoding, r.cluster, base, records);
     Target is = k < got.size() ? got[k] : Target{Target::Kind::outside};
-    // Which record it would be says nothing more where there is none.
+    // The number of a record that does not exist is not compared.
     if (right.kind == Target::Kind::outside && is.kind == Target::Kind::outside) is = right;
     if (is != right)
       return wrong(
@@ -87,13 +87,13 @@ Finding mean(const ArraySubject& s, const Reading& r, const std::vector<Referenc
 }
 Finding means(const ArraySubject& s, const Geometry& r) { return mean(s, r.how, codes_for(r)); }
 
-/// Up to 70 references of one batch, each with a base and a number of records of its own: of any size; codes at
-/// the end of their width, beside the number of records less the base, or any.
+/// Up to 70 references of one batch, each with a base and a number of records of its own, of any size.  A code is at
+/// the end of its width, beside the number of records less the base, or any.
 std::pair<Reading, std::vector<Reference>> references_number(std::uint64_t seed, std::uint64_t k) {
   Random random(seed, 401, k);
   const Reading r{maps::encodings[random.below(5)], random.below(2) != 0};
   const std::uint64_t end = std::uint64_t{1} << maps::width(r.encoding);
-  // Of any number of bits, or of codes that are mostly corners.
+  // A number of any count of bits, or one whose bytes are mostly corner values.
   const auto number = [&random] {
     return random.below(3) == 0 ? random.four_codes()
                                 : static_cast<std::uint32_t>(random.next() >> (32 + random.below(32)));

@@ -9,17 +9,17 @@ namespace mmverify::proofs::array {
 
 /// Builders: what triangles resolve to, formats, special indices, both histograms, sharing.
 std::vector<Law> build_laws();
-/// Builders on maps of one state but for one, where the order shows.
+/// Builders on maps with one state that differs, which shows the order of the states.
 std::vector<Law> order_laws();
 /// Near-duplicate merging.
 std::vector<Law> merge_laws();
-/// What a code means.
+/// Codes: special indices, base triangle, range.
 std::vector<Law> index_laws();
-/// Compact, reorder, concatenate.
+/// Changes: compact, reorder, concatenate.
 std::vector<Law> change_laws();
 /// Files.
 std::vector<Law> file_laws();
-/// Emulated levels, DGF's palettes.
+/// Devices: emulated levels, DGF's palettes.
 std::vector<Law> device_laws();
 
 }  // namespace mmverify::proofs::array

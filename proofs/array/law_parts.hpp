@@ -1,4 +1,4 @@
-// What the laws of topic array are put together from.
+// Common parts of the laws of topic array: sources, cases, checks, mutants.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ inline constexpr char counts_source[] =
     "VkMicromapUsageEXT; DXR 1.28, OPACITY_MICROMAP_HISTOGRAM_ENTRY; OptiX, OptixOpacityMicromapUsageCount";
 inline constexpr char here[] = "this project's definition, docs/ARRAYS.md";
 
-/// Cases by number: how many at a level, the check of one, its text, and the check of a text.
+/// Cases by number: the count at a level, the check of a case, its text, and the check of a text.
 struct Cases {
   std::function<std::uint64_t(Level)> count;
   std::function<Finding(const ArraySubject&, Level, std::uint64_t k, const Run&)> check;
@@ -33,27 +33,27 @@ struct Cases {
   std::uint64_t chunk = 512;
 };
 
-/// The law, case by case.  It is about levels `fast.first` to `long_run.last`.
+/// The law on numbered cases, at levels `fast.first` to `long_run.last`.
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases);
 
-/// A check of a builder's answer whose shape is right.
+/// A check of a builder's complete answer.
 using Check = Finding (*)(const Answer&, const BuildCase&);
 
-/// The subject asked, and its answer checked.
+/// Calls the subject's builder and checks its answer.
 Finding built(const ArraySubject& s, const BuildCase& c, Check check);
 
-/// The law, on all small arrays.
+/// The law on all small arrays.
 Law on_small_arrays(Law law, Check check);
 
-/// A mutant that spoils answers, and one that builds another case.
+/// Mutants of a builder: `spoil` changes its answer, `change` its case.
 std::function<void(Functions&)> answering(void (*spoil)(const BuildCase&, Answer&));
 std::function<void(Functions&)> building(void (*change)(BuildCase&));
 
-/// Index t of an answer.
+/// Reads and writes index t of an answer.
 std::uint32_t code_of(const Answer& a, const BuildCase& c, std::size_t t);
 void set_code(Answer& a, const BuildCase& c, std::size_t t, std::uint32_t code);
 
-/// A law's domain, where it is the same for all.
+/// The domain of a law, the same text for every subject and level.
 std::function<std::string(const Subject&, Level)> named_domain(std::string text);
 
 }  // namespace mmverify::proofs::array

@@ -9,7 +9,7 @@ namespace {
 constexpr Level highest = 5;
 
 BuildCase apart(Level n, std::uint64_t k) {
-  const tree::Map map = micromap::map_of(n, micromap::one_apart_number(n, k));
+  const micromap::Map map = micromap::map_of(n, micromap::one_apart_number(n, k));
   BuildCase c;
   c.maps = {{map.level, map.format, map.packed}};
   c.options.encoding = Encoding::u8;
@@ -73,7 +73,7 @@ std::vector<Law> order_laws() {
        [](const ArraySubject& s, Level n, const std::string& at) {
          const auto which = micromap::apart_from_text(n, at);
          if (!which) throw BadCase("'" + at.substr(0, 60) + "': write 4-state:0+2@3:17");
-         const tree::Map map = micromap::map_of(n, *which);
+         const micromap::Map map = micromap::map_of(n, *which);
          BuildCase c = apart(0, 0);
          c.maps = {{map.level, map.format, map.packed}};
          return built(s, c, resolves);

@@ -1,4 +1,4 @@
-// An implementation of topic array in the dock, and what it may be asked: a function each.
+// A subject of topic array: an implementation as functions, built in or in the dock.
 #pragma once
 
 #include <functional>
@@ -37,47 +37,46 @@ struct PackedMap {
   friend bool operator==(const PackedMap&, const PackedMap&) = default;
 };
 
-/// What a builder is given.  Each map of `before` has a record of its own already.
+/// The input of a builder.  Each map of `before` already has a record.
 struct BuildCase {
   std::vector<PackedMap> before, maps;
   BuildOptions options;
 };
 
-/// What it gives: bytes as a build of the API takes them.
+/// The output of a builder: bytes as a build of the API takes them.
 struct Answer {
   Bytes records, data, indices;
   std::vector<UsageCount> array_counts, geometry_counts;
-  std::string malformed;  ///< why the answer cannot be read, if so; then nothing else counts
+  std::string malformed;  ///< why the answer cannot be read, or empty; if set, the rest does not count
 };
 
-/// How codes are read: of which encoding, in a cluster or not.
+/// The way to read codes: their encoding, and whether they are in a cluster.
 struct Reading {
   Encoding encoding = Encoding::u32;
   bool cluster = false;
 };
-/// A code, with the base triangle of its geometry, over how many records.
+/// A code, the base triangle of its geometry, and the number of records.
 struct Reference {
   std::uint32_t code = 0, base = 0, records = 0;
 };
 
-/// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads at
-/// once.
+/// The entry points of a subject; an empty function is a missing entry point.  Several threads may call at once.
 struct Functions {
-  /// None where it refuses, which it may where an index does not fit alone.
+  /// Nothing if the builder refuses.  It may refuse if some index does not fit.
   std::function<std::optional<Answer>(const BuildCase&)> build = {};
   std::function<std::vector<Target>(const Reading&, std::span<const Reference>)> targets = {};
   std::function<Bundle(const Bundle&)> compact = {}, reorder = {};
   std::function<Bundle(const Bundle&, const Bundle&)> concatenate = {};
   std::function<Bytes(const Bundle&, std::uint32_t version)> write = {};
   std::function<std::optional<Bundle>(std::span<const std::uint8_t>)> read = {};
-  /// The files are docs/ARRAYS.md's, byte by byte; else only that they come back is asked.
+  /// Files have the bytes of docs/ARRAYS.md; if not, they only have to read back the same.
   bool files_are_ours = true;
-  /// A 4-state map of a level above `most`, at `most`.
+  /// A 4-state map of a level above `most`, converted to level `most`.
   std::function<Bytes(Level n, Level most, std::span<const std::uint8_t> four_state)> emulate = {};
   std::function<std::vector<std::uint64_t>(std::span<const std::uint32_t>)> blocks = {};
 };
 
-/// An entry point that must be there, as messages call it.
+/// An entry point that a law needs, and its name in messages.
 struct Entry {
   const char* name;
   bool (*there)(const Functions&);
@@ -101,7 +100,7 @@ class ArraySubject final : public Subject {
       : Subject("array", std::move(name), std::move(about)),
         functions(std::move(functions)),
         fingerprint_(std::move(fingerprint)) {}
-  /// Arrays have nothing between theirs.
+  /// Array answers are exact: no values lie between them.
   bool exact() const override { return true; }
   std::string fingerprint() const override { return fingerprint_; }
 
@@ -115,10 +114,10 @@ using ArraySubjectPtr = std::shared_ptr<const ArraySubject>;
 /// array-spec, the specification; array, the library.
 const std::vector<ArraySubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: there is one.
+/// The built-in subject of that name.  Domain: a subject has that name.
 ArraySubjectPtr built_in(const std::string& name);
 
-/// A subject with one thing broken on purpose.
+/// A subject with one deliberate error.
 Mutant mutant(const std::string& name, const std::string& base, Levels levels,
               const std::function<void(Functions&)>& change);
 

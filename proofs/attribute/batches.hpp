@@ -1,5 +1,4 @@
-// A law whose cases are the elements of a level, each under several settings (orders, pairs of orders), asked in
-// batches.
+// A law whose cases are the elements of a level under several settings (orders, pairs of orders), asked in batches.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,41 +14,41 @@
 
 namespace mmverify::proofs::attribute {
 
-/// What a check found of one element: a number for the digest, and whether the law holds.
+/// The outcome of one element: a number for the digest, and whether the law holds.
 struct Outcome {
   std::uint64_t answer = 0;
   bool holds = true;
 };
 
-/// The cases: setting 0 with all elements, setting 1 with all, and so on.
+/// The cases of a law: setting 0 with all elements, setting 1 with all, and so on.
 template <class Element>
 struct Batches {
-  std::vector<std::string> settings;          ///< their names: the text of a case is "SETTING:ELEMENT"
-  std::function<std::uint64_t(Level)> count;  ///< of elements
-  /// One outcome an element.
+  std::vector<std::string> settings;          ///< their names; a case is named "SETTING:ELEMENT"
+  std::function<std::uint64_t(Level)> count;  ///< the number of elements
+  /// Writes one outcome for each element.
   std::function<void(const AttributeSubject&, Level, std::size_t setting, std::span<const Element>,
                      std::span<Outcome>)>
       check;
-  /// What is wrong with one that is.
+  /// The words for an element that fails.
   std::function<Words(const AttributeSubject&, Level, std::size_t setting, const Element&)> words;
-  Kind kind;  ///< that all are counted by, unless an element has its own
-  /// The elements numbered from `first` on where they are drawn; empty: all of a level, by their numbers.
+  Kind kind;  ///< the kind that all elements count as, unless kind_of() is overloaded
+  /// Draws the elements from number `first` on; empty: all elements of a level, by number.
   std::function<void(Level, std::uint64_t first, std::span<Element>, std::uint64_t seed)> draw = {};
-  /// How many are drawn.
+  /// The number of drawn elements.
   std::function<std::uint64_t(Level, const Run&)> drawn = {};
 };
 
-/// The kind that an element is counted by.
+/// The kind that an element counts as.
 template <class Element>
 Kind kind_of(const Element&, Kind of_all) {
   return of_all;
 }
 
-/// Many enough to spread the cost of a call, few enough for the cache.
+/// Enough elements to spread the cost of a call, few enough for the cache.
 inline constexpr std::uint64_t elements_per_chunk = 4096;
 
-/// Calls visit(first, count) for two parts of a batch, the first of odd length: chunks and levels have whole eights of
-/// elements, and an implementation that takes eight or sixteen at a time would never be asked for what is left.
+/// Calls visit(first, count) for two parts of a batch, the first of odd length.  Chunks and levels hold multiples of
+/// eight, so an implementation that takes eight or sixteen at a time would otherwise never have a remainder.
 template <class Visit>
 void in_uneven_parts(std::size_t size, Visit visit) {
   const std::size_t first = size * 5 / 8 | 1;

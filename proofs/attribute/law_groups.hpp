@@ -7,15 +7,15 @@
 
 namespace mmverify::proofs::attribute {
 
-/// Where vertices and faces lie in a map.
+/// The places of vertices and faces in a map.
 std::vector<Law> order_laws();
-/// How orders and levels are related: those of order_laws() in a file of their own.
+/// Relations of orders and levels: the part of order_laws() in a file of its own.
 std::vector<Law> order_relation_laws();
-/// The same on samples, to level 16.
+/// Orders on samples, to level 16.
 std::vector<Law> order_sample_laws();
 /// A point's triplet and weights, and the values between vertices.
 std::vector<Law> lookup_laws();
-/// Of those, in files of their own: on base edges, of the remaps, and on binary32 numbers.
+/// Parts of lookup_laws() in files of their own: base edges, remaps, binary32 numbers.
 std::vector<Law> edge_lookup_laws();
 std::vector<Law> remap_laws();
 std::vector<Law> float_lookup_laws();
@@ -25,11 +25,11 @@ std::vector<Law> decimation_laws();
 std::vector<Law> mip_laws();
 /// Maps from textures.
 std::vector<Law> bake_laws();
-/// Packed maps: all of it, and what bytes are none.
+/// Packed maps: all laws of them, and those of bytes that are no packed map.
 std::vector<Law> compression_laws();
 std::vector<Law> compression_hostile_laws();
 
-/// What the paper claims, prints or leaves open: all of it, and the parts.
+/// Claims, printed formulas and open questions of the paper: all laws, and their parts.
 std::vector<Law> paper_laws();
 std::vector<Law> order_paper_laws();
 std::vector<Law> lookup_paper_laws();

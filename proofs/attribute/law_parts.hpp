@@ -1,4 +1,4 @@
-// What the laws of topic attribute are put together from: a check of one case, and the cases that it is run on.
+// Common parts of the laws of topic attribute: the check of a case, and the cases that it runs on.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,20 +20,21 @@ inline constexpr char cam_4[] = "Color and Attribute Micromaps, 4.1, figure 4";
 /// Domain: a subject of this topic.
 const AttributeSubject& of_attribute(const Subject& s);
 
-/// Why a subject does not fit, if so: most often an entry point that it has not.
+/// The reason why a subject does not fit, if any: most often a missing entry point.
 using Lacks = std::function<std::optional<std::string>(const AttributeSubject&)>;
 
-/// An entry point that must be there, as messages call it.
+/// An entry point that a law needs, and its name in messages.
 struct Entry {
   const char* name;
   bool (*there)(const Functions&);
 };
 Lacks needing(std::vector<Entry> entries);
 
-/// Why a law does not apply to a subject at a level: another topic, a level beyond the subject's, or what it lacks.
+/// The reason why a law does not apply to a subject at a level: another topic, a level beyond the subject's, or a
+/// missing entry point.
 std::function<std::optional<std::string>(const Subject&, Level)> unfit_by(Lacks lacks);
 
-/// Cases by number: how many, which, the text of one, the case of a text (or BadCase), and how one is judged.
+/// Cases by number: their count, a case by number, its text, the case of a text (or BadCase), and its check.
 template <class Case>
 struct Cases {
   std::function<std::uint64_t(Level, const Run&)> count;
@@ -43,11 +44,11 @@ struct Cases {
   std::function<Finding(const AttributeSubject&, Level, const Case&)> check;
   std::uint64_t chunk = 256;
   Kind kind = Kind::interior;
-  /// A case that is drawn, as it is asked of a subject; empty: as it is.
+  /// Changes a drawn case to one that the subject supports; empty: no change.
   std::function<Case(const AttributeSubject&, const Case&)> fit = {};
 };
 
-/// The law, case by case.
+/// The law on numbered cases.
 template <class Case>
 Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
   law.topic = "attribute";

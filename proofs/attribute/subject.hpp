@@ -1,5 +1,5 @@
-// An implementation of topic attribute in the dock: orders, lookups, decimation, mips, baking and
-// compression, a function each.
+// A subject of topic attribute: an implementation of orders, lookups, decimation, mips, baking and compression as
+// functions, built in or in the dock.
 #pragma once
 
 #include <functional>
@@ -17,11 +17,10 @@
 
 namespace mmverify::proofs::attribute {
 
-/// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads at
-/// once.
+/// The entry points of a subject; an empty function is a missing entry point.  Several threads may call at once.
 struct Functions {
-  Level max_level = 16;  ///< the highest that it is defined at
-  bool exact = true;     ///< it computes in exact arithmetic: its answers on cells decide all points
+  Level max_level = 16;  ///< the highest level that it is defined at
+  bool exact = true;     ///< it computes exactly, so that its answers on cells decide all points
   Orders orders = {};
   Lookup lookup = {};
   Decimation decimation = {};
@@ -46,13 +45,13 @@ class AttributeSubject : public Subject {
 };
 using AttributeSubjectPtr = std::shared_ptr<const AttributeSubject>;
 
-/// attribute-spec, the specification; attribute, this project's library, batch by batch; and readings of the paper.
+/// The specification attribute-spec; this project's library attribute, batch by batch; and readings of the paper.
 const std::vector<AttributeSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: there is one.
+/// The built-in subject of that name.  Domain: a subject has that name.
 AttributeSubjectPtr built_in(const std::string& name);
 
-/// A subject with one thing broken on purpose.
+/// A subject with one deliberate error.
 Mutant mutant(const char* name, const std::string& base, Levels levels,
               const std::function<void(Functions&)>& change);
 

@@ -1,4 +1,4 @@
-// What the built-in subjects have of each part of the topic: the specification's functions, and the library's.
+// Parts of the built-in subjects of topic attribute: the specification's functions, and the library's.
 #pragma once
 
 #include "proofs/attribute/subject.hpp"
@@ -6,22 +6,22 @@
 namespace mmverify::proofs::attribute {
 
 Orders specified_orders();
-/// impl/attribute/order.hpp, its spans and its single values.
+/// The orders of impl/attribute/order.hpp, by spans and one value at a time.
 Orders library_orders();
 Orders library_orders_one_by_one();
 /// W-minor and U-major with every product in 32 bits.
 Orders orders_in_32_bits();
-/// The rows' triplets in W-minor order as figure 4 has them, with a binary32 root; `short_root` takes the number before
-/// it.
+/// The rows' triplets in W-minor order as figure 4 prints them, with a binary32 root.  `short_root`: the root is the
+/// number before.
 Orders figure_4_triplets(bool short_root);
 
 Lookup specified_lookup();
-/// impl/attribute/lookup.hpp, its spans and its single values.
+/// The lookups of impl/attribute/lookup.hpp, by spans and one value at a time.
 Lookup library_lookup();
 Lookup library_lookup_one_by_one();
-/// The library's micro-triangle, and the specification's formula of one remap with each operation rounded to binary32.
+/// The library's micro-triangle with the specification's formula of one remap, each operation rounded to binary32.
 Lookup rounded_lookup(Remap way);
-/// A float lookup answers on grid points by way of binary32.
+/// Answers grid points through the float lookups.
 void answer_points_by_floats(Lookup& f);
 Decimation specified_decimation();
 Decimation library_decimation();

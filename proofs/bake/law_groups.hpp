@@ -7,11 +7,11 @@
 
 namespace mmverify::proofs::bake {
 
-/// What a state says of its micro-triangle.
+/// Laws of single states: each state is true of its micro-triangle.
 std::vector<Law> state_laws();
-/// What no state of a large texture may say.
+/// The law of large textures: states that single points refute.
 Law large_law();
-/// How maps of one texture hang together.
+/// Relations between the maps of one texture.
 std::vector<Law> relation_laws();
 
 }  // namespace mmverify::proofs::bake

@@ -1,4 +1,4 @@
-// What the laws of topic bake are put together from: a check of one case, and the cases that it is run on.
+// Common parts of the laws of topic bake: the check of a case, and the cases that it runs on.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,27 +19,27 @@ inline Finding wrong(std::function<Words()> in_words) {
 }
 using proofs::wrong;
 
-/// The subject does not support the case.
+/// The finding for a case that the subject does not support.
 inline Finding unsupported() { return {.declined = true}; }
 
-/// What a law ranges over.  `number` gives case k of the level, for one subject what that declares; a family knows
-/// its case's number, and its check may ask for the truth by it.
+/// The cases of a law.  `number` gives case k of the level, fitted to what the subject declares.  A family knows its
+/// case's number, by which its check can look up the true states.
 struct Cases {
   std::function<std::uint64_t(Level, const Run&)> count;
   std::function<Case(const Support&, Level, std::uint64_t k, std::uint64_t seed)> number;
   std::uint64_t chunk = 16;
 };
 
-/// Judges a case; `number` says which of the law's it is, none where it was read from a text.
+/// Judges a case; `number` is its number in the law, or nothing for a case read from text.
 using Check = std::function<Finding(const BakeSubject&, const Case&, Level,
                                     const std::optional<std::uint64_t>& number)>;
-/// Draws it.
+/// Draws a case as a picture.
 using Draw = std::function<std::string(const BakeSubject&, const Case&, Level)>;
 
-/// Why a law does not fit a subject, if so.
+/// The reason why a law does not fit a subject, if any.
 using Lacks = std::function<std::optional<std::string>(const BakeSubject&, Level)>;
 
-/// The law, case by case.  Its levels are those of `fast`, unless `long_run` is said.
+/// The law on numbered cases.  Its levels are those of `fast`, unless it has `long_run`.
 Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw = {}, const Lacks& lacks = {});
 
 }  // namespace mmverify::proofs::bake

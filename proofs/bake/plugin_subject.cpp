@@ -22,7 +22,7 @@ static_assert(MMVERIFY_REPEAT == static_cast<int>(Wrap::repeat) &&
               MMVERIFY_BILINEAR == static_cast<int>(Filter::bilinear) &&
               MMVERIFY_NEAREST == static_cast<int>(Filter::nearest));
 
-/// The case as the header has it and, behind it, its texels: those end where the blob does.
+/// The case in the C header's form, with its texels behind it up to the end of the blob.
 std::vector<std::uint8_t> blob_of(const Case& one, Level n, Format format) {
   mmverify_bake_case_t what{};
   what.size = sizeof what;
@@ -48,7 +48,7 @@ std::vector<std::uint8_t> blob_of(const Case& one, Level n, Format format) {
   std::memcpy(blob.data(), &what, sizeof what);
   std::uint8_t* to = blob.data() + sizeof what;
   for (const std::uint32_t bits : one.alpha) {
-    // The header's texels are the machine's own numbers.
+    // The header's texels have the machine's byte order.
     if (texel == 1) {
       *to = static_cast<std::uint8_t>(bits);
     } else if (texel == 2) {
@@ -62,10 +62,10 @@ std::vector<std::uint8_t> blob_of(const Case& one, Level n, Format format) {
   return blob;
 }
 
-/// What the header's numbers say, zeros that all is supported.
+/// The support that the header's numbers describe; a zero means that all is supported.
 Support supported(const mmverify_bake_support_t& says) {
   Support s;
-  // Texels and alpha modes by the values that the header gives them.
+  // Texels and alpha modes by the header's values.
   const auto set = [](std::uint32_t bits, unsigned first) { return bits == 0 ? Set() : Set(bits >> first); };
   const auto in = [](std::uint32_t bits, std::uint32_t value) {
     return bits == 0 || (bits >> value & 1) != 0;

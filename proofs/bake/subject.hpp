@@ -1,4 +1,4 @@
-// An implementation of topic bake in the dock: what it makes of a base triangle.
+// A subject of topic bake: a baker of maps of base triangles, built in or in the dock.
 #pragma once
 
 #include <functional>
@@ -13,21 +13,21 @@ namespace mmverify::proofs::bake {
 
 using spec::micromap::State;
 
-/// As Vulkan numbers formats.
+/// The formats with Vulkan's numbers.
 enum class Format : std::uint8_t { two_state = 1, four_state = 2 };
 
 struct Baked {
   std::vector<State> states;  ///< of all 4^n micro-triangles, in the order of the index
-  bool padded = true;         ///< with zeros, after the last state
+  bool padded = true;         ///< the bits after the last state are zeros
 };
 
-/// What a subject has.
+/// The baking function of a subject, and the rules that it follows.
 struct Functions {
-  /// None where it does not support the case.  Calls may come from several threads at once.
+  /// Nothing if the subject does not support the case.  Several threads may call at once.
   std::function<std::optional<Baked>(const Case&, Level, Format)> bake = {};
   bool centroid = false;  ///< its unknown states are those of spec/bake/state.hpp, micro_state
   Support support = {};   ///< cases are drawn inside it
-  bool tight = true;      ///< it promises that nothing is unknown but what has to be
+  bool tight = true;      ///< it promises that a state is unknown only if it has to be
 };
 
 class BakeSubject : public Subject {
@@ -36,7 +36,7 @@ class BakeSubject : public Subject {
       : Subject("bake", std::move(name), std::move(about)),
         functions(std::move(functions)),
         fingerprint_(std::move(fingerprint)) {}
-  /// It is asked about whole micro-triangles.
+  /// A baker answers for whole micro-triangles.
   bool exact() const override { return true; }
   std::string fingerprint() const override { return fingerprint_; }
 
@@ -47,20 +47,20 @@ class BakeSubject : public Subject {
 };
 using BakeSubjectPtr = std::shared_ptr<const BakeSubject>;
 
-/// bake-spec, the specification; bake, this project's baker; and two that sample: centre-sample and
-/// corner-samples, of which bake.conservative is not true.
+/// The specification bake-spec; this project's baker bake; and two that sample, centre-sample and corner-samples,
+/// which bake.conservative refutes.
 const std::vector<BakeSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: there is one.
+/// The built-in subject of that name.  Domain: a subject has that name.
 BakeSubjectPtr built_in(const std::string& name);
 
-/// What a mutant does to the states of a map in 4-state.
+/// A mutant's change to the states of a map in 4-state.
 using Spoil = std::function<void(const Case&, Level, std::vector<State>&)>;
 
-/// `base` with its maps spoiled on purpose, those in 2-state forced from the spoiled ones.
+/// `base` with spoiled maps; a map in 2-state is forced from the spoiled one.
 Mutant spoiled(const char* name, const std::string& base, Levels levels, const Spoil& spoil);
 
-/// A subject with one thing broken on purpose.
+/// A subject with one deliberate error.
 Mutant mutant(const char* name, const std::string& base, Levels levels,
               const std::function<void(Functions&)>& change);
 

@@ -1,4 +1,4 @@
-// What a baker says that it supports: cases are drawn inside it.  mmverify_bake_support in the C header.
+// The support that a baker declares; cases are drawn inside it.  In the C header: mmverify_bake_support.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace mmverify::proofs::bake {
 
-/// Which unknown a micro-triangle is that is neither O nor T.
+/// The choice between UO and UT for a micro-triangle that is neither O nor T.
 enum class UnknownSide : std::uint8_t { any, centroid, coverage, opaque, transparent };
 
 struct Support {
@@ -30,26 +30,25 @@ struct Support {
 
   bool bounded() const { return uv_min != 0 || uv_max != 0; }
   bool exact_sampling() const { return weight_bits == 0 && coordinate_bits == 0; }
-  /// Of sampling in fixed point nothing is said at the thresholds of BLEND.
+  /// BLEND's thresholds are not judged if sampling is in fixed point.
   bool judges_blend() const { return blend && exact_sampling(); }
-  /// Whether cases and rules are as they are of one that says nothing.
+  /// Whether cases and rules need no change.
   bool whole() const;
-  /// "8 bits, clamp, cutoff as binary32, ...": what is not as it is of one that says nothing; empty: nothing.
+  /// The restrictions as text, "8 bits, clamp, cutoff as binary32, ..."; empty if there are none.
   std::string text() const;
 
   friend bool operator==(const Support&, const Support&) = default;
 };
 
-/// Whether the case is one that fitted() leaves as it is, but for its rules: looked at without a texel.
+/// Whether fitted() leaves the case as it is, except for its rules; no texel is read.
 bool covers(const Support& support, const Case& one);
 
-/// The number nearest to the cutoff that binary32 has, in [0, 1]; below 2^-8 it is 0 or 2^-8.
+/// The binary32 number in [0, 1] nearest to the cutoff; below 2^-8 it is 0 or 2^-8.
 Cutoff float_cutoff(const Cutoff& cutoff);
 
-/// The case changed as little as makes it one that is supported: texels, sides, mips, addressing, factors, cutoff
-/// and coordinates, with the subject's rules.  Of several values that would do `salt` picks one.
-/// Domain: a case of MASK where only MASK is supported, and so on, is up to this function; level and format are the
-/// caller's.
+/// The case with the fewest changes that make it supported: texels, sides, mips, addressing, factors, cutoff and
+/// coordinates, with the subject's rules.  `salt` picks one of several possible values.
+/// Domain: a case of any alpha mode; level and format are the caller's.
 Case fitted(const Support& support, Case one, std::uint64_t salt);
 
 }  // namespace mmverify::proofs::bake

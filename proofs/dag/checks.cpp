@@ -76,7 +76,7 @@ Elements elements(const Scene& scene, std::uint64_t most) {
   return out;
 }
 
-/// The same ones a step of a golden section of them at a time.
+/// The elements in another order: each step is near the golden section of their number.
 Elements scattered(const Elements& in) {
   const std::uint64_t size = in.map.size();
   std::uint64_t step = size * 5 / 8 | 1;
@@ -152,7 +152,7 @@ Finding points(const DagSubject& s, const Scene& scene, std::uint64_t most) {
     const Level n = scene.maps[m].level;
     const auto exact = [&](std::int64_t k) { return spec::Fixed64::dyadic(k, n + 2); };
     const auto rounded = [&](std::int64_t k) {
-      return static_cast<float>(k) / static_cast<float>(4 * spec::side(n));  // exact: a few bits
+      return static_cast<float>(k) / static_cast<float>(4 * spec::side(n));  // exact: k has few bits
     };
     u.push_back(rounded(ku));
     v.push_back(rounded(kv));
@@ -161,7 +161,7 @@ Finding points(const DagSubject& s, const Scene& scene, std::uint64_t most) {
   Random random(hash_of_scene(scene), most, 2);
   for (std::size_t m = 0; m < scene.maps.size(); ++m) {
     const std::int64_t side = 4 * std::int64_t{spec::side(scene.maps[m].level)};
-    // Pairs near what breaks index functions.
+    // Pairs of floats near values that break index functions.
     for (std::uint64_t k = 0; k < most / 4; ++k) {
       const points::FloatPair p = points::hard_floats(scene.maps[m].level, hash_of_scene(scene), k);
       u.push_back(p.u);
@@ -198,7 +198,7 @@ Finding is_specified(const DagSubject& s, const Scene& scene) {
   if (expected == got) return {hash_of(got)};
   if (expected.size() != got.size())
     return wrong(fmt::format("{} bytes", expected.size()), fmt::format("{}", got.size()));
-  std::size_t at = spec::dag::header_bytes;  // the checksum differs with whatever else does
+  std::size_t at = spec::dag::header_bytes;  // the checksum is left out, since it differs with any other byte
   while (at < got.size() && expected[at] == got[at]) ++at;
   if (at == got.size())
     at =
@@ -263,7 +263,7 @@ Bytes sealed(Bytes bytes) {
   return bytes;
 }
 
-/// What a subject makes of bytes, against the specification.
+/// Compares a subject's reading of bytes with the specification's.
 Finding taken_as_specified(const DagSubject& s, Format f, const std::string& what, const Bytes& bytes) {
   static const DagSubjectPtr right = built_in("dag-spec");
   const auto expected = right->functions.open(f, bytes), got = s.functions.open(f, bytes);
@@ -275,7 +275,7 @@ Finding taken_as_specified(const DagSubject& s, Format f, const std::string& wha
   return found;
 }
 
-/// Whether the bytes announce a map of a level that the specification would take seconds for.
+/// Whether the bytes announce a map of a level for which the specification needs seconds.
 bool slow_to_judge(const Bytes& bytes) {
   for (std::size_t at = spec::dag::header_bytes;
        at < bytes.size() && at < spec::dag::header_bytes + 8 * std::size_t{bytes[8]}; at += 8)
@@ -289,8 +289,8 @@ void swap_words(Bytes& bytes, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-/// A map, its subtrees of level 3 as maps of their own, and the first record once more: of a map that lies flat, what came
-/// after it could let it be nodes.
+/// A code of a map and its subtrees of level 3 as maps, with the first record repeated at the end.  If that map is
+/// stored flat, the later maps would allow to store it as nodes.
 Bytes again_behind_its_tiles(const DagSubject& s, Format f, const Map& map) {
   Scene scene{f, {map}};
   const std::size_t tile = 8 * bits(f);
@@ -356,7 +356,7 @@ Finding damage(const DagSubject& s, const Scene& scene, bool every, std::uint64_
     if (kind == 4)
       std::copy_n(code.begin() + static_cast<std::ptrdiff_t>(also), 4,
                   bytes.begin() + static_cast<std::ptrdiff_t>(at));
-    if (kind == 5) {  // an array a word longer, or one shorter by one
+    if (kind == 5) {  // an array a word longer, or one a word shorter
       const std::size_t count = 8 + 4 * static_cast<std::size_t>(random.below(4));
       const bool longer = random.below(2) == 0;
       bytes[count] = static_cast<std::uint8_t>(bytes[count] + (longer ? 1 : -1));

@@ -1,5 +1,5 @@
-// Codes of any form, cut, longer and with bits flipped.  Nobody but its maker can say which of them are codes; that a
-// decoder comes back from each of them, and what its answers look like, can be judged.
+// Law of damaged codes of any form: cut, longer, or with flipped bits.  Only the encoder can tell which of them are
+// codes; the law judges that the decoder returns and gives a refusal or a scene.
 #include <algorithm>
 
 #include "proofs/dag/law_parts.hpp"
@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t most_cuts = 40, most_flips = 60;
 constexpr Level highest = 12;
 
-/// The scene that a decoder made of bytes; none where it refuses them.
+/// The scene that a decoder makes of bytes; nothing if it refuses them.
 std::optional<Scene> opened(const DagSubject& s, Format f, const Bytes& bytes) {
   const std::optional<Code> code = s.functions.open(f, bytes);
   return code ? std::optional(s.functions.decode(*code)) : std::nullopt;
@@ -25,7 +25,7 @@ bool is_scene(const Scene& scene) {
   });
 }
 
-/// Of so many numbers all, or `most` of them.
+/// All numbers below `all`, or `most` of them at random.
 std::vector<std::uint64_t> some_of(std::uint64_t all, std::uint64_t most, Random& random) {
   std::vector<std::uint64_t> some;
   for (std::uint64_t k = 0; k < std::min(all, most); ++k) some.push_back(all <= most ? k : random.below(all));
@@ -54,7 +54,7 @@ Finding survives(const DagSubject& s, const Scene& scene) {
       return wrong(what + ": refused, or a scene", "no scene");
     digest = digest * 31 + (answers.back() ? answers.back()->maps.size() : 0);
   }
-  // The other way around: what was asked before must not matter.
+  // Repeats the questions backwards: earlier questions must not matter.
   for (std::size_t k = damaged.size(); k-- > 0;)
     if (opened(s, scene.format, damaged[k].second) != answers[k])
       return wrong(damaged[k].first + ": what it was before", "another answer");

@@ -12,7 +12,7 @@ void flip(Map& map, std::size_t bit) {
   map.packed[bit / 8] = static_cast<std::uint8_t>(map.packed[bit / 8] ^ 1u << bit % 8);
 }
 
-/// What a builder would do that took two tiles for the same which differ in their last state.
+/// The bug of a builder that takes two tiles for equal if they differ in the last state only.
 void merge_near_tiles(Scene& scene) {
   const std::size_t tile = 8 * bits(scene.format);
   const Bytes* first = nullptr;
@@ -308,7 +308,7 @@ Law bound_law() {
        .mutants = {mutant("nodes are kept, however large", "dag", {4, 6},
                           writes_wrongly([](const Scene& scene, Bytes& bytes) {
                             if (scene.maps.back().level >= 4 && bytes[16] != 0) {
-                              ++bytes[12];  // a tile more beside what is laid flat
+                              ++bytes[12];  // one tile more beside maps that lie flat
                               bytes.insert(bytes.end(), 8 * bits(scene.format), 0);
                             }
                           })),
@@ -374,7 +374,7 @@ Law damage_law() {
                           })}},
       {entry::container, entry::reads}, [](Level n) -> std::uint64_t { return n <= 4 ? 60 : 20; },
       [](const DagSubject& s, const Scene& scene) {
-        // Of the large ones the first map alone: each bit is one string.
+        // Large scenes use their first map only, since every bit of the code makes a case.
         const Scene first{
             scene.format,
             {scene.maps.begin(),

@@ -23,7 +23,7 @@ Level highest_level(const Scene& scene) {
   return n;
 }
 
-/// As the header has scenes.
+/// The scene in the C header's form.
 Bytes bytes_of(const Scene& scene) {
   Bytes bytes;
   for (const Map& map : scene.maps) {
@@ -33,7 +33,7 @@ Bytes bytes_of(const Scene& scene) {
   return bytes;
 }
 
-/// A scene without maps where the bytes are none.
+/// The scene of bytes in that form; without maps if they are malformed.
 Scene scene_of(Format f, const Bytes& bytes) {
   Scene scene{f, {}};
   for (std::size_t at = 0; at < bytes.size();) {
@@ -57,15 +57,15 @@ std::string text_of(const Scene& scene) {
   return fmt::format("the {}-state scene of levels {}", 1u << bits(scene.format), levels);
 }
 
-/// What the library made of a scene or took as a code.
+/// The library's code of a scene, or a code that it has read.
 struct Held {
   Bytes code;
-  std::vector<Level> levels;        ///< of what was encoded
-  std::optional<Scene> scene = {};  ///< of a code that was read
-  bool gave_up = false;             ///< the encoder; no code is there
+  std::vector<Level> levels;        ///< the levels of the encoded scene
+  std::optional<Scene> scene = {};  ///< the scene of a code that was read
+  bool gave_up = false;             ///< the encoder gave up, and there is no code
 };
 
-/// Room for a scene some times larger than its code, so that most codes are asked about once.
+/// Leaves room for a scene several times larger than its code, so that most codes need one call only.
 dock::Answer ask_decoder(const Library& library, Level n, Format f, std::span<const std::uint8_t> code,
                          std::size_t room) {
   return dock::ask(library, {Call::dag_decode, n, bits(f), code, room},
@@ -96,7 +96,8 @@ void look_up_points(const Library& library, const Code& c, Numbers map, std::spa
           [&](std::uint64_t k) { return fmt::format("map={},u={:a},v={:a}", map[k], u[k], v[k]); });
 }
 
-/// By all indices, or by a point inside each micro-triangle: half of one corner and a quarter of either other.
+/// Decodes by lookups of all indices, or of a point inside each micro-triangle: one half of one corner and a quarter
+/// of each other.
 Scene decoded_by_lookups(const Library& library, const Code& c) {
   Scene scene{c.format, {}};
   const std::vector<Level>& levels = form_of<Held>(c).levels;

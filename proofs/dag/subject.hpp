@@ -1,5 +1,5 @@
-// An implementation of topic dag in the dock: who makes a graph of a scene's maps, gives the maps and their states back, and
-// reads others' bytes, a function each.
+// A subject of topic dag, built in or in the dock: functions that build a graph of a scene's maps, give the maps and
+// their states back, and read the bytes of others.
 #pragma once
 
 #include <functional>
@@ -34,7 +34,7 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// A graph, in a form that its subject alone reads.
+/// A graph, in a form that only its subject can read.
 struct Code {
   Format format = Format::two_state;
   std::shared_ptr<const void> form;
@@ -45,7 +45,7 @@ Code coded(Format f, Form form) {
   return {f, std::make_shared<const Form>(std::move(form))};
 }
 
-/// Domain: the code was made of such a form.
+/// The form of a code.  Domain: the code was made of such a form.
 template <class Form>
 const Form& form_of(const Code& code) {
   return *static_cast<const Form*>(code.form.get());
@@ -53,26 +53,26 @@ const Form& form_of(const Code& code) {
 
 using Numbers = std::span<const std::uint32_t>;
 
-/// What a subject has; an empty function is an entry point that is missing, and all have encode and decode.
-/// Calls may come from several threads at once.
+/// The entry points of a subject; an empty function is a missing entry point.  Every subject has encode and decode.
+/// Several threads may call at once.
 struct Functions {
   std::function<Code(const Scene& scene)> encode = {};
   std::function<Scene(const Code& code)> decode = {};
-  /// One state an element: of map[k] at index[k].
+  /// Writes one state for each element: that of map[k] at index[k].
   std::function<void(const Code& code, Numbers map, Numbers index, std::span<std::uint8_t> state)> lookup =
       {};
   std::function<void(const Code& code, Numbers map, std::span<const float> u, std::span<const float> v,
                      std::span<std::uint8_t> state)>
       point = {};
   std::function<Bytes(const Code& code)> bytes = {};
-  /// None where the bytes are refused.
+  /// Nothing if the bytes are refused.
   std::function<std::optional<Code>(Format f, std::span<const std::uint8_t> bytes)> open = {};
-  /// The bytes that it writes, and those that it reads, are docs/DAG.md's containers.
+  /// Whether the bytes that it writes, and those that it reads, are docs/DAG.md's containers.
   bool writes_container = false, reads_container = false;
   Level max_level = 12;
 };
 
-/// What a law may need of a subject beside encoding and decoding, as messages call it.
+/// An entry point that a law needs beside encoding and decoding, and its name in messages.
 struct Entry {
   const char* name;
   bool (*there)(const Functions&);
@@ -93,7 +93,7 @@ class DagSubject : public Subject {
       : Subject("dag", std::move(name), std::move(about)),
         functions(std::move(functions)),
         fingerprint_(std::move(fingerprint)) {}
-  /// Codes and indices stand for themselves; barycentrics come as floats, whose index is found anew each time.
+  /// Answers on floats decide no other points, since the index of barycentrics is computed anew each time.
   bool exact() const override { return !functions.point; }
   std::string fingerprint() const override { return fingerprint_; }
 
@@ -105,13 +105,13 @@ class DagSubject : public Subject {
 
 using DagSubjectPtr = std::shared_ptr<const DagSubject>;
 
-/// dag-spec, dag, dag-loaded.
+/// The built-in subjects dag-spec, dag and dag-loaded.
 const std::vector<DagSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: there is one.
+/// The built-in subject of that name.  Domain: a subject has that name.
 DagSubjectPtr built_in(const std::string& name);
 
-/// State of micro-triangle k.  Domain: k < 4^level.
+/// The state of micro-triangle k.  Domain: k < 4^level.
 inline std::uint8_t state_at(const Map& map, Format f, std::uint64_t k) {
   const unsigned b = bits(f);
   return static_cast<std::uint8_t>(map.packed[k * b / 8] >> k * b % 8 & (b == 1 ? 1 : 3));

@@ -1,4 +1,4 @@
-// Cases on which a subject did something else than answer: a law goes on after them.
+// Cases that a subject broke on instead of answering; a law continues after them.
 #pragma once
 
 #include <atomic>
@@ -15,26 +15,26 @@
 
 namespace mmverify::proofs {
 
-/// Of one law and subject, at all levels.  Threads share it.
+/// The breaks of one law and subject, at all levels.  Threads share it.
 class Breaks {
  public:
-  /// A law ends with so many, or with so many that took all the time that they may; before any case was answered, with
-  /// fewer: the subject breaks on everything.
+  /// The number of breaks that ends a law, and of breaks by timeout that does.  Before any answer fewer end it, since
+  /// the subject breaks on everything.
   static constexpr std::size_t most = 100, most_hung = 3, most_unanswered = 8;
 
-  /// A law may end with fewer.
+  /// `end_with`: the number of breaks that ends the law.
   explicit Breaks(std::size_t end_with = most) : most_(end_with) {}
 
-  /// Notes case k of a level, which counts as not judged.  Throws SubjectBroken where it is one too many: as the first in
-  /// the order of cases among those of its level does.
+  /// Notes a break on case k of a level; the case counts as not judged.  If that is one too many, throws
+  /// SubjectBroken with the break of the least case of the level.
   void note(Level level, std::uint64_t k, const dock::CaseBroken& what);
 
-  /// Says that the subject answered a case.
+  /// Notes that the subject answered a case.
   void answered() {
     if (!answered_.load(std::memory_order_relaxed)) answered_ = true;
   }
 
-  /// What the subject did at a level, in the order of its cases; the same words of several cases once.
+  /// The messages of a level's breaks, in the order of cases; each message once.
   std::vector<std::string> at(Level level) const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace mmverify::proofs {
 
-/// Order-dependent, for digests: the same on every machine.
+/// A hash for digests that depends on the order, the same on every machine.
 /// Source: FNV-1a, 64 bits.
 class Hash {
  public:
@@ -32,7 +32,7 @@ class Hash {
   std::uint64_t value_ = 0xCBF29CE484222325u;
 };
 
-/// Of bytes, characters or states.
+/// The hash of bytes, characters or states.
 template <class Bytes>
 std::uint64_t hash_of(const Bytes& bytes) {
   Hash hash;
@@ -40,9 +40,9 @@ std::uint64_t hash_of(const Bytes& bytes) {
   return hash.value();
 }
 
-/// Two digits a byte.
+/// The bytes in hexadecimal, two digits each.
 std::string hex(std::span<const std::uint8_t> bytes, std::string_view between = "");
-/// And back; none where it is anything but pairs of the digits 0 to 9 and a to f.
+/// The bytes of hexadecimal text; nothing unless it is pairs of the digits 0 to 9 and a to f.
 std::optional<std::vector<std::uint8_t>> bytes_from_hex(std::string_view digits);
 
 }  // namespace mmverify::proofs

@@ -1,4 +1,4 @@
-// A law case by case: what a check finds of one case, and the law over the numbers of all.
+// A law over numbered cases: the finding of one case, and the law made from the check.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,16 @@ struct Words {
   std::string expected, got;
 };
 
-/// What a check of one case found: a number for the digest, and what was wrong first.
+/// The finding of one case: a number for the digest, and the first thing that is wrong.
 struct Finding {
   std::uint64_t answer = 0;
   bool holds = true;
   std::string expected = {}, got = {};
   bool declined = false;  ///< the subject does not claim to support the case
-  bool broken = false;    ///< it did something else than answer
-  bool allowed = false;   ///< it holds by an allowance alone
-  bool lesser = false;    ///< what is wrong is less than what may be: shown after all that is not
-  /// In the place of expected and got: worked out only where somebody reads it.
+  bool broken = false;    ///< it broke instead of answering
+  bool allowed = false;   ///< it holds only by an allowance
+  bool lesser = false;    ///< a lesser fault, shown after all others
+  /// Replaces expected and got; computed only if somebody reads them.
   std::function<Words()> in_words = {};
 
   Words words() const { return in_words ? in_words() : Words{expected, got}; }
@@ -35,29 +35,29 @@ inline Finding wrong(std::string expected, std::string got) {
   return {0, false, std::move(expected), std::move(got)};
 }
 
-/// A finding, for `replay`.
+/// The finding in the form of `replay`.
 inline Replayed replayed(const Finding& found) {
   if (found.holds) return {true, "ok", "ok", {}};
   const Words words = found.words();
   return {false, words.expected, words.got, {}};
 }
 
-/// Cases by number: how many at a level, the check of one, the text that names it, and the check of a text.
+/// Cases by number: their count at a level, the check of a case, its text, and the check of a text.
 struct NumberedCases {
   std::function<std::uint64_t(Level, const Run&)> count;
   std::function<Finding(const Subject&, Level, std::uint64_t k, const Run&)> check;
   std::function<std::string(const Subject&, Level, std::uint64_t k, const Run&)> text;
   std::function<Finding(const Subject&, Level, const std::string&)> read;  ///< throws BadCase
   std::uint64_t chunk = 256;
-  Kind kind;  ///< that all are counted by
-  /// Of a subject at a level, where a case is drawn: an SVG; empty: none.
+  Kind kind;  ///< the kind that all cases count as
+  /// A picture (SVG) of a case, for a subject at a level; an empty text means none.
   std::function<std::string(const Subject&, Level, const std::string&)> draw = {};
 };
 
-/// The law, case by case, in one sweep: its cases, judge and replay; `how` where it has none.
+/// The law in one sweep over its cases: sets cases, judge and replay, and `how` if it is missing.
 Law on_numbered_cases(Law law, const NumberedCases& cases);
 
-/// The sweep of it alone, for a law that makes something ready first.
+/// Only the sweep, for a law that prepares something first.
 Tally judge_numbered_cases(const NumberedCases& cases, const Subject& subject, Level n, const Run& run);
 
 }  // namespace mmverify::proofs

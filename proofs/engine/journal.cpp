@@ -26,14 +26,14 @@ std::string line_of(const std::string& json) {
   return fmt::format("{:08x} {}\n", crc.checksum(), json);
 }
 
-/// The line's JSON, or nothing where its checksum is not that of its text.
+/// The line's JSON; nothing if the checksum does not match.
 std::optional<Json> checked(const std::string& line) {
   if (line.size() < 10 || line_of(line.substr(9)) != line + "\n") return std::nullopt;
   Json json = Json::parse(line.substr(9), nullptr, false);
   return json.is_object() ? std::optional(std::move(json)) : std::nullopt;
 }
 
-/// Names and messages may be any bytes: what is no UTF-8 is written as U+FFFD.
+/// Names and messages may be any bytes: invalid UTF-8 is written as U+FFFD.
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json to_json(const Identity& identity) {
@@ -49,7 +49,7 @@ Identity identity_of(const Json& json) {
   return identity;
 }
 
-/// As a journal has them.
+/// A name after a journal has written and read it.
 std::string as_written(const std::string& name) { return Json::parse(text_of(name)).get<std::string>(); }
 Identity as_written(Identity identity) {
   for (auto& [name, value] : identity) value = as_written(value);
@@ -168,11 +168,11 @@ void Journal::read(const std::string& text) {
         if (!json) throw BadJournal("a damaged line");
         pieces_.push_back(piece(*json));
       } catch (const std::exception&) {
-        dropped_ += end + 1 - at;  // each line stands for itself: the others count
+        dropped_ += end + 1 - at;  // each line stands alone: the others still count
       }
     }
   }
-  // A first line that was cut short is one we would write; anything else in its place is somebody's file.
+  // A first line that was cut short is a prefix of ours; anything else is somebody's file.
   if (at == 0 && !line_of(text_of(to_json(identity_))).starts_with(text))
     throw BadJournal(fmt::format("{}: not a journal, or the journal of another run", path_));
   size_ = at;
@@ -225,7 +225,7 @@ void Journal::write_line(const std::string& json) {
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
       const int error = errno;
-      // Half a line must not stand before the next run's first.
+      // A partial line must not precede the next run's first line.
       if (ftruncate(file_, static_cast<off_t>(size_)) != 0) errno = error;
       throw BadJournal(
           fmt::format("{}: cannot be written: {}; what it holds is whole", path_, std::strerror(error)));

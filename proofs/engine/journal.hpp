@@ -1,4 +1,4 @@
-// A file that a run adds to as it goes, so that it can be killed at any moment and go on later.
+// A file that a run appends to as it works, so that it can be killed at any moment and resume later.
 #pragma once
 
 #include <chrono>
@@ -13,20 +13,19 @@
 
 namespace mmverify::proofs {
 
-/// A journal that cannot be gone on with: another run's, damaged, in use, or no disk to write it to.  what()
-/// names the file.
+/// A journal that cannot be resumed: of another run, damaged, in use, or without disk space.  what() names the file.
 struct BadJournal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a run is about, item by item (name, value).  Two runs that agree on all of it do the same work.
+/// The identity of a run: items (name, value).  Two runs that agree on all of them do the same work.
 using Identity = std::vector<std::pair<std::string, std::string>>;
 
-/// The first item in which two identities differ, in words; empty where there is none.
+/// The first item in which two identities differ, in words; empty if they are equal.
 std::string difference(const Identity& theirs, const Identity& ours);
 
-/// Lines of text: a checksum and a JSON object each.  The first names the run, the others are finished pieces
-/// of work. What a damaged line was about is done again.
+/// A file of lines, each a checksum and a JSON object.  The first names the run, and the others are finished pieces
+/// of work.  The work of a damaged line is repeated.
 class Journal {
  public:
   /// Opens or makes the file, and reads what is finished.  Throws BadJournal.
@@ -35,7 +34,7 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// A finished piece: units [units.begin, units.end) of the `of` units of what `about` names.
+  /// A finished piece: units [units.begin, units.end) of the `of` units of the work `about`.
   struct Piece {
     std::string about;
     Chunk units;
@@ -43,22 +42,21 @@ class Journal {
     Tally tally;
   };
 
-  /// The pieces that the file held when it was opened, of one name and number of units, in order and
-  /// disjoint.
+  /// The pieces that the file had when it was opened, for one name and number of units, in order and disjoint.
   std::vector<Piece> finished(const std::string& about, std::uint64_t of) const;
 
-  /// Appends a piece. It survives the death of this process at once, and that of the machine from the first
-  /// append or flush on that comes a quarter of a second after the last. May be called from several threads.
-  /// Throws BadJournal where it cannot be written; the file then ends with the last whole line.
+  /// Appends a piece.  It survives the death of this process at once, and that of the machine after the next flush.
+  /// An append flushes by itself if no append has done so for a quarter of a second.  Several threads may call at
+  /// once. Throws BadJournal if the file cannot be written; it then ends with the last whole line.
   void append(const Piece& piece);
 
-  /// Forgets all: what was found says nothing of the run any more.  Throws BadJournal.
+  /// Deletes all pieces: they do not describe the run any more.  Throws BadJournal.
   void discard();
 
-  /// Writes through to the disk what has been appended.
+  /// Writes all appended pieces through to the disk.
   void flush();
 
-  /// Bytes of the file that were in no whole line when it was opened.
+  /// The number of bytes that belonged to no whole line when the file was opened.
   std::uint64_t dropped() const { return dropped_; }
 
  private:

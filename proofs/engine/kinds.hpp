@@ -1,4 +1,4 @@
-// The names that cases are counted by.
+// The kinds that cases are counted by.
 #pragma once
 
 #include <array>
@@ -7,7 +7,8 @@
 
 namespace mmverify::proofs {
 
-/// Where a point lies on the level's grid.  What is no point, or a whole micro-triangle, counts as interior.
+/// The kind of a point by its place on the level's grid.  A whole micro-triangle, or a case that is no point, counts
+/// as interior.
 enum class Kind : std::uint8_t { vertex, edge, interior };
 inline constexpr std::array<const char*, kinds> kind_names{"vertex", "edge", "interior"};
 

@@ -1,4 +1,4 @@
-// A law: a statement for all inputs of a domain, how one level of it is judged, and who must fail it.
+// A law: a statement for all inputs of a domain, the judge of one level, and mutants that must fail it.
 #pragma once
 
 #include <functional>
@@ -26,15 +26,14 @@ class Subject {
   const std::string& name() const { return name_; }
   const std::string& about() const { return about_; }
 
-  /// Tells another implementation of the same name apart.  Empty where the program itself is the
-  /// implementation.
+  /// Distinguishes implementations of the same name.  Empty if the program itself is the implementation.
   virtual std::string fingerprint() const { return {}; }
 
-  /// Why it cannot be asked in this place at all, and is of no topic's own type; its laws are then not_applicable.  Empty:
-  /// it can.
+  /// The reason why it cannot be called on this machine, if any; it then has no topic's own type, and its laws are
+  /// not_applicable.
   virtual std::string absent() const { return {}; }
 
-  /// Whether its answers on the cases of a law decide all inputs that those stand for.
+  /// Whether its answers on the cases of a law decide all inputs that the cases stand for.
   virtual bool exact() const = 0;
 
  private:
@@ -42,14 +41,14 @@ class Subject {
 };
 using SubjectPtr = std::shared_ptr<const Subject>;
 
-/// Both ends included, as on the command line.
+/// A range of levels, both ends included, as on the command line.
 struct Levels {
   Level first = 0, last = 0;
   friend bool operator==(const Levels&, const Levels&) = default;
 };
 
-/// How a passing run may be called: exhaustive and witness runs prove, a sample only checks; an induction and
-/// bit vectors prove if a prover has discharged every statement.
+/// The kind of a passing run.  Exhaustive and witness runs prove, a sample only checks.  An induction and bit vectors
+/// prove if a prover has discharged every statement.
 enum class Method { exhaustive, sample, witness, induction, bit_vectors };
 
 constexpr const char* to_string(Method method) {
@@ -79,52 +78,49 @@ struct Mutant {
 struct Replayed {
   bool holds = false;
   std::string expected, got;
-  std::string picture;  ///< SVG text, empty where a picture says nothing
+  std::string picture;  ///< SVG text; empty if a picture shows nothing
 };
 
 struct Law {
   std::string id, topic;
   std::string says = {}, source = {};
   Method method = Method::exhaustive;
-  /// Built-in subjects of a run that names none: those that the law is true of.
+  /// Built-in subjects of a run that names none; the law holds for them.
   std::vector<std::string> subjects = {};
   Levels fast = {}, long_run = {};
-  /// Where one run settles many levels: which, in words.  It is then run once, as level 0, whatever levels
-  /// are asked for, and its counterexamples and mutants name levels of their own.  Empty: a run settles its
-  /// level.
+  /// The levels that one run settles together, in words.  The law then runs once, as level 0, for any requested
+  /// levels, and its counterexamples and mutants name levels of their own.  Empty: a run settles its level.
   std::string at_once = {};
   double fast_seconds = 0;  ///< on two cores of the machine the README names, mutants included
 
   std::function<std::uint64_t(Level, const Run&)> cases = {};  ///< closed form
   std::function<std::string(const Subject&, Level)> domain = {};
   std::function<std::string(const Subject&, Level)> how = {};  ///< "exhaustive, rational", ...
-  /// Why the law does not apply, if so.
+  /// The reason why the law does not apply, if any.
   std::function<std::optional<std::string>(const Subject&, Level)> unfit = {};
-  /// Whether its cases are judged one by one, in a single sweep, so that shards and resumed runs add up to
-  /// it.
+  /// Whether its cases are judged one by one, in a single sweep, so that shards and resumed runs add up.
   bool divisible = false;
   std::function<Tally(const Subject&, Level, const Run&)> judge = {};
-  /// Throws BadCase; empty: none.
+  /// Throws BadCase; empty if the law has no replay.
   std::function<Replayed(const Subject&, Level, const std::string&)> replay = {};
   std::vector<Mutant> mutants = {};
-  /// Given its results on a subject, of which one is refuted at least, lines that say what the subject did instead.
-  /// Empty: nothing to say.
+  /// Given its results on a subject, at least one of them refuted, lines that describe the subject's mistake.  Empty:
+  /// no diagnosis.
   std::function<std::vector<std::string>(const Subject&, const std::vector<Result>&)> diagnose = {};
-  bool long_only = false;     ///< no part of the fast tier, unless asked for by its id
-  bool general = true;        ///< about any subject that fits; otherwise about the ones it names only
-  Options heeds = {};         ///< the choices of a run that its judge knows
+  bool long_only = false;     ///< not part of the fast tier, unless its id is requested
+  bool general = true;        ///< about any subject that fits; else only about those that it names
+  Options heeds = {};         ///< the options that its judge knows
   bool knows_near = false;    ///< whether it knows Run::near
-  Options mutants_with = {};  ///< those that its mutants are run with: no less wrong, and sooner done
-  /// The command that shows a counterexample of it again, but for --case LEVEL@CASE; empty: `mmverify
-  /// replay`.
+  Options mutants_with = {};  ///< options for its mutants, which stay wrong and finish sooner
+  /// The command that shows its counterexample again, without --case LEVEL@CASE; empty: `mmverify replay`.
   std::string replayed_by = {};
-  /// The law that runs with it on a subject that is not exact, for which its cases decide nothing else; and so
-  /// does that law's own companion.
+  /// The law that runs with it on an inexact subject, whose other inputs its cases do not decide.  The companion of
+  /// that law runs as well.
   std::string companion = {};
   std::string dialect = {};  ///< as in Result
-  /// Laws in the place of this one on a subject that they fit, by the dialect that a run is in.
+  /// Laws that replace this one on subjects that they fit, by the dialect of a run.
   std::vector<std::pair<std::string, std::string>> in_dialect = {};
-  /// Whether it stands in another law's place alone, or where it is asked for by its id.
+  /// Whether it runs only in another law's place, or if its id is requested.
   bool alternative = false;
 };
 
@@ -139,7 +135,7 @@ struct NotProved : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A case text that the law cannot read; what() says what is wrong with it.
+/// A case text that the law cannot read; what() names the error.
 struct BadCase : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,4 +1,4 @@
-// A choice that a run makes for the laws that know it.
+// An option of a run, for the laws that know it.
 #pragma once
 
 #include <algorithm>
@@ -6,11 +6,11 @@
 
 namespace mmverify::proofs {
 
-/// Told apart by its address.  A law names those that it heeds; it does not see the others.
+/// An option, identified by its address.  A law names the options that it heeds, and does not see others.
 struct Option {
-  /// Of a run with it, what a result's domain says at its end; null where the domain is the same.
+  /// The words that a run with it appends to a result's domain; null if the domain is the same.
   const char* domain = nullptr;
-  /// Leaves cases out.  Laws about the subjects that they name are always about all cases.
+  /// The option leaves cases out.  A law about named subjects is always about all cases.
   bool narrows = false;
 };
 

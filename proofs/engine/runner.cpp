@@ -24,7 +24,7 @@ void judge(const Law& law, Result& r, bool finished) {
   if (r.mismatches() == 0 && !finished) {
     r.verdict = Verdict::incomplete;
   } else if (r.mismatches() == 0 && !whole) {
-    // Never more than checked; the parts together may be (shards.hpp).
+    // A shard's verdict is checked at most; all shards together may be proved (shards.hpp).
     r.verdict = r.cases_run() == 0 ? Verdict::not_applicable : Verdict::checked;
     if (r.cases_run() == 0) r.reason = "0 cases in this shard";
   } else {
@@ -32,7 +32,7 @@ void judge(const Law& law, Result& r, bool finished) {
   }
 }
 
-/// Those of the options that change what the law does.
+/// The options that the law heeds.
 Options heeded(const Law& law, Options options) {
   std::erase_if(options, [&](const Option* option) {
     return !has(law.heeds, *option) || (option->narrows && !law.general);
@@ -48,7 +48,7 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   r.level = level;
   r.dialect = law.dialect;
   name_proof(r, law);
-  // A law can only say how it would judge a subject of its own topic.
+  // A law can only describe its method for a subject of its own topic.
   const bool known = subject.topic() == law.topic && subject.absent().empty();
   r.method = known ? law.how(subject, level) : to_string(law.method);
   r.domain = known ? law.domain(subject, level) : "subjects of topic " + law.topic;
@@ -59,7 +59,7 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   return r;
 }
 
-/// Judges all of a law that cannot be divided, or takes it from the journal.
+/// Judges a law that cannot be divided completely, or takes its tally from the journal.
 Tally judge_whole(const Law& law, const Subject& subject, Level level, const Run& asked) {
   Run run = asked;
   run.division = nullptr;
@@ -93,7 +93,7 @@ Result cut_short(const Law& law, const Subject& subject, Level level, const Run&
   return r;
 }
 
-/// A law that is not divided is one shard's business; the others say so.
+/// The result of a law that cannot be divided and that another shard runs.
 Result of_another_shard(const Law& law, const Subject& subject, Level level, const Run& run) {
   if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
   Result r = not_applicable(law, subject, level, run, "run whole by another shard");
@@ -102,12 +102,12 @@ Result of_another_shard(const Law& law, const Subject& subject, Level level, con
   return r;
 }
 
-/// What the journal calls a job's level.
+/// The journal's name for a job's level.
 std::string about(const Job& job, Level level) {
   return fmt::format("{} {} level {}", job.law->id, job.subject->name(), level);
 }
 
-/// Why the job has no level to run, or nothing.
+/// The reason why the job has no level to run; empty if it has one.
 std::string unfit_throughout(const Job& job) {
   std::string why = job.unfit;
   for (Level n = job.levels.first; why.empty() && n <= job.levels.last; ++n)
@@ -115,7 +115,7 @@ std::string unfit_throughout(const Job& job) {
   return why.empty() ? job.law->unfit(*job.subject, job.levels.first).value_or("no level") : why;
 }
 
-/// The job's results at the levels that ran, where one of them is refuted; else none.
+/// The job's results at the levels that ran, if one of them is refuted; else none.
 std::vector<Result> refuting(const Report& report, const Job& job) {
   std::vector<Result> of_job;
   for (const Result& r : report.results)
@@ -127,14 +127,14 @@ std::vector<Result> refuting(const Report& report, const Job& job) {
   return of_job;
 }
 
-/// Laws of one kind may find the same.
+/// Whether another law gave the same diagnosis.
 bool said_before(const Report& report, const Diagnosis& diagnosis) {
   return std::any_of(report.diagnoses.begin(), report.diagnoses.end(), [&](const Diagnosis& d) {
     return d.subject == diagnosis.subject && d.lines == diagnosis.lines;
   });
 }
 
-/// Takes back what was said of subjects that are others by now: of which of the two it was, nobody knows.
+/// Withdraws the results of subjects whose files have changed: they may come from either version.
 void withdraw_changed(const std::vector<Job>& jobs, const RunOptions& options, Report& report) {
   if (!options.change_of) return;
   bool some = false;
@@ -162,7 +162,7 @@ void withdraw_changed(const std::vector<Job>& jobs, const RunOptions& options, R
   if (some && options.journal != nullptr) options.journal->discard();
 }
 
-/// Nothing where an interrupt left it undecided.
+/// Runs a mutant; nothing if an interrupt came first.
 std::optional<MutantResult> run_mutant(const Law& law, const Mutant& mutant, const Run& run) {
   MutantResult m{law.id, mutant.name, false, 0, {}};
   const Level last = law.at_once.empty() ? mutant.levels.last : mutant.levels.first;
@@ -184,7 +184,8 @@ void name_proof(Result& r, const Law& law) {
   if (law.method == Method::induction || law.method == Method::bit_vectors) r.proof = to_string(law.method);
 }
 
-/// What a subject does on the first case on which it breaks: threads may have found another one first.
+/// The break on the first case that breaks the subject, found on one thread; several threads may find another one
+/// first.
 std::optional<std::string> first_break(const Law& law, const Subject& subject, Level level,
                                        const Run& of_threads) {
   if (of_threads.arena == nullptr) return std::nullopt;
@@ -266,7 +267,7 @@ std::vector<MutantResult> run_mutants(const Law& law, const Run& run) {
 }
 
 std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const Run& asked) {
-  // Whether a law can fail must not depend on the sample that was asked for.
+  // A mutant's run must not depend on the requested sample.
   Run run = asked;
   run.seed = Run().seed;
   run.tier = Tier::fast;
@@ -283,8 +284,8 @@ std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const
     found[k] = run_mutant(*all[k].first, *all[k].second, of_law);
   };
   const auto each = [&] {
-    // Many are short, or a prover's, which has one thread.  Isolated: a thread that waits within one would
-    // else begin another, with what the first has locked.
+    // Many runs are short, or a prover's, which has one thread.  Isolation keeps a waiting thread from beginning
+    // another mutant while the first has a lock.
     oneapi::tbb::parallel_for(
         std::size_t{0}, all.size(),
         [&](std::size_t k) { oneapi::tbb::this_task_arena::isolate([&] { one(k); }); },
@@ -324,7 +325,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   const InterruptGuard guard;
   run.progress = &progress;
   const auto add = [&](const Job& job, Result r) {
-    // A scene's takes a second, and is in no file.
+    // A scene has no file, and its fingerprint takes a second.
     if (options.change_of) r.fingerprint = job.subject->fingerprint();
     report.results.push_back(r);
     on_result(r);
@@ -346,13 +347,13 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
         add(job, elsewhere ? of_another_shard(*job.law, *job.subject, n, run)
                            : run_level(*job.law, *job.subject, n, run));
       } catch (const NoResources& why) {
-        // Says nothing of the subject; what was judged before stands.
+        // This shows nothing about the subject; earlier results stand.
         report.gave_up = why.what();
         add(job, cut_short(*job.law, *job.subject, n, run, report.gave_up));
       }
       run.division = nullptr;
       if (!report.gave_up.empty()) break;
-      // A subject that breaks on all of a level would at the next; the run goes on with the next law.
+      // A subject that breaks on all of a level would do so at the next level; the run continues with the next law.
       const Result& last = report.results.back();
       if (last.verdict == Verdict::broken && last.breaks.empty()) break;
     }
@@ -370,7 +371,7 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
         if (!said_before(report, diagnosis)) report.diagnoses.push_back(std::move(diagnosis));
       } catch (const Interrupted&) {
       } catch (const NoResources&) {
-        // The verdict stands without it.
+        // The verdict stands without the diagnosis.
       } catch (const SubjectBroken& broken) {
         report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
       }

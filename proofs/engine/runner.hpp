@@ -13,8 +13,8 @@ struct Job {
   const Law* law;
   SubjectPtr subject;
   Levels levels;
-  std::string unfit = {};           ///< why the law is not about this subject, if so
-  const Law* brought_by = nullptr;  ///< the law whose companion this one is; null where it was asked for
+  std::string unfit = {};           ///< the reason why the law is not about this subject, if any
+  const Law* brought_by = nullptr;  ///< the law whose companion this one is; null for a requested law
 };
 
 struct RunOptions {
@@ -26,14 +26,15 @@ struct RunOptions {
   Options options = {};     ///< each law gets those that it heeds
   std::uint32_t near = 0;   ///< as in Run
   bool show_progress = true;
-  std::optional<Shard> shard = {};  ///< none: the whole domain, not called a shard
+  std::optional<Shard> shard = {};  ///< none: the whole domain, without a shard's name
   Journal* journal = nullptr;
-  bool mutants = true;  ///< show that each law can fail
-  /// What a subject has become since it was opened, in a sentence; empty where it is the same.  Empty: none changes.
+  bool mutants = true;  ///< run the mutants, which show that each law can fail
+  /// The change of a subject since it was opened, as a sentence; empty if it is the same.  An empty function: no
+  /// subject can change.
   std::function<std::string(const Subject&)> change_of = {};
 };
 
-/// What a law has to say about a subject that it refuted.
+/// A law's diagnosis of a subject that it refuted.
 struct Diagnosis {
   std::string law, subject;
   std::vector<std::string> lines;
@@ -45,29 +46,28 @@ struct Report {
   std::vector<MutantResult> mutants;
   unsigned threads = 1;
   bool interrupted = false;
-  std::string gave_up;  ///< what the machine had no room for, where that ended the run
+  std::string gave_up;  ///< the resource that the machine lacked, if that ended the run
 };
 
-/// Called as each result comes in.
+/// Called for each result as it arrives.
 using OnResult = std::function<void(const Result&)>;
 
-/// Runs the jobs in order, then, where asked, the mutants of every law among them.  A shard runs its part of
-/// each law that is divisible, every so many of the others whole, and the mutants where it is the first.
-/// Throws BadJournal.
+/// Runs the jobs in order, then, if requested, the mutants of all their laws.  A shard runs its part of each
+/// divisible law, and every `of`-th of the other laws whole; the first shard runs the mutants.  Throws BadJournal.
 Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result);
 
-/// One law on one subject at one level; verdict, counts and reason filled in.
-/// A proof whose cases do not add up to the closed form is an error of this program: std::logic_error.
+/// Runs one law on one subject at one level; fills in verdict, counts and reason.  A proof whose cases do not add up
+/// to the closed form is an error of this program: std::logic_error.
 Result run_level(const Law& law, const Subject& subject, Level level, const Run& run);
 
-/// Says in a result what its law is about in the place of a level, and how it is proved.
+/// Notes in a result the levels that its law settles together, and its method of proof.
 void name_proof(Result& result, const Law& law);
 
-/// Runs every mutant of a law, lowest level first, until the law refutes it.  Samples are those of the
-/// default seed and the fast tier.
+/// Runs every mutant of a law, lowest level first, until the law refutes it.  Samples have the default seed and the
+/// fast tier's size.
 std::vector<MutantResult> run_mutants(const Law& law, const Run& run);
 
-/// The same of several laws, side by side where the run has an arena; the results in the laws' order.
+/// Runs the mutants of several laws, side by side if the run has an arena; results are in the laws' order.
 std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const Run& run);
 
 }  // namespace mmverify::proofs

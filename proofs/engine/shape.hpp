@@ -1,4 +1,4 @@
-// Short texts taken apart by a regular expression.
+// Short texts split by a regular expression.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 
 namespace mmverify::proofs {
 
-/// What the groups of an ECMAScript regular expression hold where it fits the whole text: [0] the text, [k]
-/// group k, empty where it took no part; nothing where it does not fit.
-/// Nor does any text beyond `longest`: the standard library's matcher calls itself for each character.
+/// The groups of an ECMAScript regular expression that matches the whole text: [0] the text, [k] group k, empty if it
+/// took no part.  Nothing if it does not match, or if the text is longer than `longest`: the standard library's
+/// matcher recurses for each character.
 inline constexpr std::size_t longest = 2048;
 using Groups = std::optional<std::vector<std::string>>;
 Groups groups_of(const std::string& text, const char* regex);

@@ -1,4 +1,4 @@
-// Puts the results of a run's shards together again, or says why they do not make up the run.
+// Merges the results of a run's shards, or explains why they do not make up the run.
 #pragma once
 
 #include <functional>
@@ -11,23 +11,23 @@
 
 namespace mmverify::proofs {
 
-/// What one shard found.
+/// The report of one shard.
 struct ShardRun {
   std::string file;  ///< for messages
   Shard shard;
   Identity identity;
   Report report;
   bool finished = true;    ///< not interrupted, its mutants included
-  bool as_written = true;  ///< nothing in its file was changed since; merge_shards does not ask
+  bool as_written = true;  ///< its file is unchanged since it was written; merge_shards ignores this
 };
 
-/// Shards that are not those of one run, or not all of them, or leave a part of a domain out or do it twice.
+/// Shards that belong to different runs, are incomplete, or leave out or repeat a part of a domain.
 struct ShardsDoNotAddUp : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The run that was divided: each result's counts, digest and counterexamples over all shares, in the order
-/// of the first shard.  `law_of` gives a law by its id.
+/// The report of the divided run: each result's counts, digest and counterexamples over all shares, in the order of
+/// the first shard.  `law_of` gives a law by its id.
 /// Domain: at least one shard.  Throws ShardsDoNotAddUp.
 Report merge_shards(std::vector<ShardRun> shards, std::size_t errors,
                     const std::function<const Law&(const std::string&)>& law_of);

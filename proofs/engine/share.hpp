@@ -1,4 +1,4 @@
-// Which part of a domain a run does itself: a shard of it, less what a journal has done already.
+// The part of a domain that a run judges: a shard of it, less the work that a journal has finished.
 #pragma once
 
 #include <cstdint>
@@ -17,26 +17,27 @@ struct Shard {
   bool whole() const { return of == 1; }
   friend bool operator==(const Shard&, const Shard&) = default;
 
-  /// Its chunks of `chunks`: [chunks (number-1) / of, chunks number / of).  The shards of one `of` tile them.
+  /// The shard's part of the chunks [0, chunks): [chunks (number-1) / of, chunks number / of).  The shards of one
+  /// `of` tile them.
   Chunk chunks(std::uint64_t chunks) const {
-    // chunks = q of + r, so that nothing overflows.
+    // chunks = q of + r, which avoids an overflow.
     const std::uint64_t q = chunks / of, r = chunks % of;
     const auto bound = [&](std::uint64_t k) { return q * k + r * k / of; };
     return {bound(number - 1), bound(number)};
   }
 };
 
-/// Units of a domain that one result speaks of.
+/// The units of a domain that one result covers.
 struct Share {
   std::uint64_t from = 0, to = 0, of = 0;
   bool whole() const { return from == 0 && to == of; }
   friend bool operator==(const Share&, const Share&) = default;
 };
 
-/// What the runner and `sweep` agree on for one law, subject and level.
+/// The division of a law's domain, shared by the runner and `sweep` for one law, subject and level.
 struct Division {
   std::optional<Shard> shard;
-  Journal* journal = nullptr;  ///< null: none is kept
+  Journal* journal = nullptr;  ///< null: no journal
   std::string about;           ///< the journal's name for this law, subject and level
   // Filled in by sweep.
   Share share;

@@ -1,4 +1,4 @@
-// What a mutant changes, of any topic whose subjects are structs of functions.
+// A mutant's change of one entry point, for any topic whose subjects are structs of functions.
 #pragma once
 
 #include <functional>
@@ -6,8 +6,9 @@
 
 namespace mmverify::proofs {
 
-/// A change of a subject's functions: one entry point answers, and `spoil` gets what it got, and then its
-/// answer, which it may alter.  Where answers go to an argument, it gets no other.  What is missing stays so.
+/// Replaces one entry point of a subject by the real one followed by `spoil`, which gets the arguments and then the
+/// answer, and may alter the answer.  Without a return value, the answer is among the arguments.  A missing entry
+/// point stays missing.
 template <class Functions, class Answer, class... Given, class Spoil>
 auto spoils(std::function<Answer(Given...)> Functions::*entry, Spoil spoil) {
   return [=](Functions& functions) {

@@ -15,7 +15,7 @@ namespace {
 using Judge = std::function<void(Chunk, Tally&)>;
 using Range = oneapi::tbb::blocked_range<std::uint64_t>;
 
-// A journal has about this many lines a sweep, but not one for every chunk of a short one.
+// The approximate number of a journal's lines for a sweep; a short sweep has several chunks a line.
 constexpr std::uint64_t pieces_per_sweep = 1024, least_chunks_per_piece = 4;
 
 struct Domain {
@@ -27,12 +27,12 @@ struct Domain {
   }
 };
 
-/// The judge of a sweep and how it goes on where the subject breaks.
+/// The judge of a sweep, which continues if the subject breaks.
 struct Judging {
   const Judge& judge;
   const DeclineUnit& decline;
 
-  /// Judges all units but those on which the subject breaks.
+  /// Judges all units except those that the subject breaks on.
   void operator()(const Run& run, Chunk units, Tally& tally) const {
     if (run.breaks == nullptr || !decline) return judge(units, tally);
     try {
@@ -57,7 +57,7 @@ struct Judging {
   }
 };
 
-/// Judges a range of chunks one by one.  False where the run was interrupted before the last.
+/// Judges a range of chunks one by one.  False if an interrupt came before the last.
 bool judge_chunks(const Run& run, const Domain& domain, Chunk chunks, const Judging& judge, Tally& tally) {
   for (std::uint64_t c = chunks.begin; c != chunks.end; ++c) {
     if (interrupted()) return false;
@@ -89,7 +89,7 @@ Tally sum(const Run& run, std::uint64_t parts, const Part& part) {
                                                     : several(Range(0, parts), Tally(run.errors));
 }
 
-/// What is left of `chunks` beside the finished pieces, in pieces.
+/// The chunks that no finished piece covers, in pieces.
 std::vector<Chunk> unfinished(Chunk chunks, const std::vector<Journal::Piece>& finished,
                               const Domain& domain) {
   const std::uint64_t size = std::max(least_chunks_per_piece, domain.chunks() / pieces_per_sweep);

@@ -1,4 +1,4 @@
-// What a sweep accumulates. Everything here adds up to the same whatever the order of the chunks.
+// The sums of a sweep, which do not depend on the order of the chunks.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ class Tally {
  public:
   explicit Tally(std::size_t keep = 1) : keep_(keep) {}
 
-  /// The sum that was taken apart: counts, digest, counterexamples in their order.
+  /// A tally rebuilt from its parts: counts, digest, counterexamples in their order.
   static Tally restored(const CountByKind& by_kind, std::uint64_t digest, std::vector<Counterexample> found) {
     Tally tally(found.size());
     tally.by_kind_ = by_kind;
@@ -23,17 +23,17 @@ class Tally {
     return tally;
   }
 
-  /// Counts one case that the subject does not claim to support: it is run, and says nothing.
+  /// Counts one case that the subject does not claim to support; it shows nothing.
   void decline(Kind kind) {
     Count& count = by_kind_[static_cast<std::size_t>(kind)];
     ++count.cases;
     ++count.declined;
   }
 
-  /// Says that a case of these broke the subject: they are not to be kept as finished.
+  /// Notes that a case broke the subject, so that the cases of this tally are not finished.
   void break_off() { broke_ = true; }
 
-  /// Counts one case on which the subject broke.
+  /// Counts one case that the subject broke on.
   void leave_unjudged(Kind kind) {
     Count& count = by_kind_[static_cast<std::size_t>(kind)];
     ++count.cases;
@@ -41,14 +41,14 @@ class Tally {
     break_off();
   }
 
-  /// The same of all cases that were counted as declined: none of them was, they are not judged.
+  /// Turns all declined cases into unjudged ones.
   void none_declined() {
     for (Count& count : by_kind_) count.unjudged += std::exchange(count.declined, 0);
     break_off();
   }
   bool broke() const { return broke_; }
 
-  /// Says of a case that was counted that its answer passed by an allowance alone.
+  /// Notes that the answer of a counted case passed only by an allowance.
   void allow(Kind kind) { ++by_kind_[static_cast<std::size_t>(kind)].allowed; }
 
   void count(Kind kind, std::uint64_t cases) { by_kind_[static_cast<std::size_t>(kind)].cases += cases; }
@@ -61,8 +61,7 @@ class Tally {
   void digest(std::uint64_t case_number, std::uint64_t answer) { digest_ += digest_of(case_number, answer); }
   void digest_sum(std::uint64_t sum) { digest_ += sum; }
 
-  /// Counts one failed case; `describe` makes its Counterexample, and is called only if it is among the
-  /// simplest.
+  /// Counts one failed case; `describe` makes its Counterexample, and is called only if it is among the simplest.
   template <class Describe>
   void mismatch(Kind kind, const Simplicity& simplicity, Describe describe) {
     ++by_kind_[static_cast<std::size_t>(kind)].mismatches;
@@ -83,7 +82,7 @@ class Tally {
     for (const Counterexample& c : other.found_) keep(c);
   }
 
-  /// Puts another tally's counterexamples in the place of these; the counts stay.
+  /// Replaces the counterexamples by another tally's; the counts stay.
   void replace_found(const Tally& other) { found_ = other.found_; }
 
   const CountByKind& by_kind() const { return by_kind_; }
@@ -99,7 +98,7 @@ class Tally {
     const auto place = std::upper_bound(found_.begin(), found_.end(), c, [](const auto& a, const auto& b) {
       return std::tie(a.simplicity, a.at) < std::tie(b.simplicity, b.at);
     });
-    // A sample may meet a case twice.
+    // A sample may contain a case twice.
     if (place != found_.begin() && std::prev(place)->at == c.at &&
         std::prev(place)->simplicity == c.simplicity)
       return;

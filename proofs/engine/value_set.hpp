@@ -1,4 +1,4 @@
-// What a subject supports of an enumeration.
+// A set of values of an enumeration, for the support of a subject.
 #pragma once
 
 #include <cstdint>

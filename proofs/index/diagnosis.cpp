@@ -17,7 +17,7 @@ using Permutation = std::array<std::uint32_t, 4>;
 constexpr Permutation identity{0, 1, 2, 3};
 constexpr std::uint32_t unknown = 4;
 
-/// Every micro-triangle of the level with the index that it was given.
+/// A micro-triangle of the level, with its index by the subject.
 struct Given {
   GridPoint point;
   std::uint32_t index;
@@ -40,8 +40,8 @@ bool is(const std::vector<Given>& given, Order order) {
   return std::all_of(given.begin(), given.end(), [&](const Given& g) { return order(g.point) == g.index; });
 }
 
-/// 2 N iu - iu^2 + 2 iv, and 1 more in the upper half of the square: rows along v, the longest, at u = 0, first, as
-/// BaryFile numbers faces.
+/// U-major order as BaryFile numbers faces: 2 N iu - iu^2 + 2 iv, and 1 more in the upper half of the square.  The
+/// rows run along v, the longest, at u = 0, first.
 std::uint32_t in_u_major(const GridPoint& p, Level n) {
   const Fixed64 u = times(side(n), p.u), v = times(side(n), p.v);
   const std::uint32_t iu = whole(u), iv = whole(v);
@@ -49,8 +49,7 @@ std::uint32_t in_u_major(const GridPoint& p, Level n) {
   return 2 * side(n) * iu - iu * iu + 2 * iv + (upper ? 1 : 0);
 }
 
-/// The recursion of Algorithm 4 with its flips or its middle triangle left out: a slip that implementations
-/// make.
+/// Algorithm 4 without its flips or without the turn of its middle triangle: a common mistake of implementations.
 std::uint32_t simplified(GridPoint p, Level n, bool flips, bool turns) {
   using spec::index::Reading;
   auto s = spec::index::first_step(p);
@@ -70,8 +69,8 @@ std::uint32_t simplified(GridPoint p, Level n, bool flips, bool turns) {
   return s.index;
 }
 
-/// The permutation of children at each depth that turns one order's digits into the other's; nothing where
-/// none does.
+/// The permutation of children at each depth that turns one order's digits into the other's; nothing if there is
+/// none.
 template <class Order>
 std::optional<std::vector<Permutation>> digit_permutations(const std::vector<Given>& given, Level n,
                                                            Order order) {
@@ -102,8 +101,8 @@ std::string name(const Permutation& p) {
   return fmt::format("children 0, 1, 2, 3 are numbered {}, {}, {}, {}", p[0], p[1], p[2], p[3]);
 }
 
-/// "children 0 and 2 change places from digit 2 on", the first digit being the highest; one clause a stretch of depths with the same
-/// permutation.
+/// The permutations as text, "children 0 and 2 change places from digit 2 on".  The first digit is the highest; each
+/// stretch of depths with the same permutation makes one clause.
 std::string name(const std::vector<Permutation>& at_depth) {
   std::vector<std::string> clauses;
   for (std::size_t from = 0; from < at_depth.size();) {
@@ -122,7 +121,7 @@ std::string name(const std::vector<Permutation>& at_depth) {
   return fmt::format("{}", fmt::join(clauses, "; "));
 }
 
-/// The point with its barycentrics (w, u, v) rearranged.
+/// The point with its barycentrics (w, u, v) permuted.
 GridPoint rearranged(const GridPoint& p, const std::array<int, 3>& order) {
   const std::array<Fixed64, 3> wuv{Fixed64(1) - p.u - p.v, p.u, p.v};
   return {wuv[static_cast<std::size_t>(order[1])], wuv[static_cast<std::size_t>(order[2])]};
@@ -176,8 +175,8 @@ std::uint64_t wrong(const CountByKind& counts, Kind kind) {
   return counts[static_cast<std::size_t>(kind)].mismatches;
 }
 
-/// What is wrong at the level of `first`, the lowest that is refuted: ties, or insides.  That ties alone are wrong is said
-/// of the levels whose every case was run and of no other.
+/// The kind of wrong answers at the level of `first`, the lowest refuted level: on ties or inside.  "Ties only"
+/// covers the levels whose every case was run, and no other.
 std::string where_wrong(const std::vector<Result>& results, const Result& first,
                         const CountByKind& at_first) {
   const std::uint64_t interiors = wrong(at_first, Kind::interior);
@@ -204,11 +203,10 @@ std::vector<std::string> diagnose(const IndexSubject& s, const std::vector<Resul
   const Result& first = *std::find_if(results.begin(), results.end(),
                                       [](const Result& r) { return r.verdict == Verdict::refuted; });
   const Level first_wrong = first.level;
-  // A few levels further, an order that goes wrong on the way shows where it does; higher costs more and says
-  // no more.
+  // A few levels further show at which depth an order goes wrong; still higher levels cost more and show no more.
   const Level n = std::max(first_wrong, std::min<Level>({first_wrong + 3, 7, s.functions.max_level}));
   std::vector<std::string> lines;
-  if (first.share)  // of the levels below, others have run a part
+  if (first.share)  // of the levels below, other shards have run a part
     lines.push_back(fmt::format("wrong at level {}", first_wrong));
   else if (results.front().level == first_wrong)
     lines.push_back(fmt::format("wrong at level {}, the lowest that was run", first_wrong));

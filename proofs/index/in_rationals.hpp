@@ -1,8 +1,8 @@
 // A specification algorithm at a rational point, in 63 bits where they hold all numbers on the way.
 #pragma once
 
+#include "proofs/index/points.hpp"
 #include "proofs/points/narrow.hpp"
-#include "proofs/points/point.hpp"
 
 namespace mmverify::proofs::index {
 

@@ -1,14 +1,14 @@
-// What a run may choose of laws about points.
+// Options of a run for laws about points.
 #pragma once
 
 #include "proofs/engine/option.hpp"
 
 namespace mmverify::proofs::index {
 
-/// Leave out the cells on lines: for who promises nothing there.
+/// Leaves out the cells on lines, for a subject that promises nothing there.
 inline constexpr Option interiors_only{"those inside micro-triangles only", true};
 
-/// Fixed point in the place of rationals, where a law has both.
+/// Fixed point instead of rationals, in laws that have both.
 inline constexpr Option in_fixed_point_alone{};
 
 }  // namespace mmverify::proofs::index

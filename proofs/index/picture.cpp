@@ -18,10 +18,10 @@ using spec::index::Corners;
 using drawing::blue, drawing::Canvas, drawing::grey, drawing::ink, drawing::Pixel, drawing::vermilion;
 constexpr double width = 760, drawing_size = 600, left = 80, top = 96;
 constexpr double slope = std::numbers::sqrt3 / 2;
-constexpr std::uint32_t widest = 8;  // squares to a side that can be read with numbers in them
+constexpr std::uint32_t widest = 8;  // the most squares along a side with legible numbers in them
 
-/// Grid coordinates (in squares of the level, from the window's origin) to pixels: w left below, u right, v
-/// on top.
+/// Maps grid coordinates (in squares of the level, from the window's origin) to pixels: w left below, u right, v on
+/// top.
 struct View {
   double i0, j0, span;
   double x0, y0, size;
@@ -53,7 +53,7 @@ bool inside(const Corners& c, const View& view) {
   return true;
 }
 
-/// A triangular window of the grid, the whole of it where that can be read, or the part round the point.
+/// A triangular window of the grid: all of it if it stays legible, or the part around the point.
 View window(Level n, double pi, double pj) {
   const double N = side(n), span = std::min<double>(N, widest);
   double i0 = std::floor(pi - span / 3), j0 = std::floor(pj - span / 3);
@@ -79,7 +79,7 @@ void draw_grid(Canvas& canvas, const View& view) {
                  ink, 1.5);
 }
 
-/// Numbers in the micro-triangles of the window, and the order they are visited in as a thin line.
+/// Draws numbers in the micro-triangles of the window, and their order as a thin line.
 void draw_indices(Canvas& canvas, const View& view, Level n, Order order, std::uint32_t expected,
                   std::uint32_t got) {
   std::vector<Pixel> stretch;
@@ -168,7 +168,7 @@ std::string picture(Level n, const RationalPoint& p, std::uint32_t expected, std
                 "middle");
     canvas.text({u.x, u.y + 22}, fmt::format("u = {}/{}", view.i0 + view.span, N), 13, ink, "middle");
     canvas.text({v.x + 12, v.y + 2}, fmt::format("v = {}/{}", view.j0 + view.span, N), 13, ink, "start");
-    // Where the window lies in the whole triangle.
+    // A small picture of the whole triangle shows the window's place.
     const View small{0, 0, N, width - 190, top + 6, 160};
     canvas.polygon({small(0, 0), small(N, 0), small(0, N)}, "#f4f4f4", ink, 1);
     canvas.polygon(

@@ -1,7 +1,7 @@
 // A counterexample as a picture.
 #pragma once
 
-#include "proofs/points/point.hpp"
+#include "proofs/index/points.hpp"
 
 namespace mmverify::proofs::index {
 

@@ -25,7 +25,7 @@ std::uint64_t cases_of(Level n, bool interiors_only) {
   return interiors_only ? triangle_count(n) : cell_count(n);
 }
 
-/// Calls visit(case number, row, t) for each case asked for.
+/// Calls visit(case number, row, t) for each case.
 template <class Visit>
 void each_case(Level n, bool interiors_only, Visit visit) {
   const Cells cells(n);
@@ -120,7 +120,7 @@ Answered check_corners(Level n, std::size_t errors, std::istream& in) {
   }
   answers.end(given.size());
 
-  // What was answered is a subject like any other, of this one level.
+  // The answers make a subject like any other, of this one level.
   Functions f;
   f.corners = [&given](Level, std::span<const std::uint32_t> indices, std::span<Corners> out) {
     for (std::size_t t = 0; t < out.size(); ++t) out[t] = given[indices[t]];

@@ -29,7 +29,7 @@ void put(const Worker& worker, Call call, std::size_t array, std::uint64_t count
 
 std::string point_text(double u, double v) { return fmt::format("u={:a},v={:a}", u, v); }
 
-/// Puts questions to a library, whole batches at a time.
+/// Puts questions to a library, in whole batches.
 class Questions {
  public:
   explicit Questions(LibraryPtr library)
@@ -69,7 +69,7 @@ class Questions {
     });
   }
 
-  /// Pairs of floats or doubles; a call that takes floats rounds doubles.
+  /// Asks for pairs of floats or doubles; a call that takes floats rounds doubles.
   template <class Pairs>
   void pairs(Call call, Level n, const Pairs& batch, std::span<std::uint32_t> out) const {
     in_pieces(out.size(), [&](std::size_t from, std::size_t count) {
@@ -106,7 +106,7 @@ class Questions {
       piece(from, std::min(dock::capacity, size - from));
   }
 
-  /// Writes points straight to where the worker reads them; at(t) gives u and v.
+  /// Writes points directly to the worker's input; at(t) gives u and v.
   template <class At>
   static void place_points(Worker& worker, Call call, std::size_t count, At at) {
     const auto fill = [&](auto number) {
@@ -128,7 +128,7 @@ class Questions {
       fill(float{});
   }
 
-  /// The same for the representatives of rows, which floats hold exactly: k / (4 2^grid) has at most 19 bits.
+  /// Writes the representatives of rows, which floats hold exactly: k / (4 2^grid) has at most 19 bits.
   static void place_rows(Worker& worker, Call call, std::size_t count, Level grid,
                          std::span<const Row> rows) {
     const auto fill = [&](auto number) {
@@ -157,9 +157,10 @@ class Questions {
       fill(float{});
   }
 
-  /// What a library fills at its first call of all, two threads may see half full: so that call is about all that it may
-  /// fill, at its end first, and not about the one micro-triangle of level 0.  The worker asks it from two threads.
-  /// Tables are of some levels or of all: a process of its own is asked for each.
+  /// Makes the first call of an entry point reveal races.  Two threads may see a table half full that a library fills
+  /// at its first call.  So that call, made by the worker from two threads, covers all that may be filled, its end
+  /// first, and not only the one micro-triangle of level 0.  A library may have tables for some levels or for all, so
+  /// two levels run, each in a process of its own.
   void begin(Call call) const {
     std::call_once((*begun_)[static_cast<std::size_t>(call)], [&] {
       const Level last = library_->description().max_level;
@@ -171,7 +172,7 @@ class Questions {
             ask_of_last_indices(n, call);
           const Borrowed of_no_more_use(library_->pool());
         } catch (const dock::CaseBroken&) {
-          // The law that asks for this case says so.
+          // The law that reaches this case reports it.
         }
     });
   }
@@ -204,7 +205,7 @@ class Questions {
     run(n, call, count, place, out);
   }
 
-  /// Runs one command; `place` writes the inputs, the answers go to `out`.
+  /// Runs one command; `place` writes the inputs, and the answers go to `out`.
   template <class Place, class Number>
   void run(Level n, Call call, std::size_t count, Place place, Number* out) const {
     Borrowed worker =
@@ -290,7 +291,7 @@ IndexSubjectPtr subject(const std::string& name, const LibraryPtr& library, Arit
 std::vector<IndexSubjectPtr> plugin_subjects(const LibraryPtr& library) {
   const auto offers = [&](Call call) { return library->offers(call); };
   std::vector<IndexSubjectPtr> subjects;
-  // A library without any index still has corners or rows to judge.
+  // A library without an index may still have corners or rows to judge.
   const bool others = offers(Call::corners) || offers(Call::row_index_f32) || offers(Call::row_corners);
   if (offers(Call::index_f32) || (others && !offers(Call::index_f64)))
     subjects.push_back(subject(library->path(), library, Arithmetic::binary32));

@@ -1,4 +1,4 @@
-// Where a subject is wrong on a level: the cells themselves, for pictures.
+// The cells of a level on which a subject is wrong, for pictures.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace mmverify::proofs::index {
 
-/// A cell by its representative, (ku, kv) / 4N, the right answer and the subject's.
+/// A cell by its representative, (ku, kv) / 4N, with the right answer and the subject's.
 struct WrongCell {
   std::int64_t ku, kv;
   std::uint32_t expected, got;
 };
 
-/// Representatives with ku in [ku0, ku1] and kv in [kv0, kv1].
+/// A window of representatives with ku in [ku0, ku1] and kv in [kv0, kv1].
 struct CellWindow {
   std::int64_t ku0, ku1, kv0, kv1;
   bool holds(std::int64_t ku, std::int64_t kv) const {
@@ -23,7 +23,7 @@ struct CellWindow {
   }
 };
 
-/// All of level n.
+/// The window that holds all of level n.
 constexpr CellWindow whole_level(Level n) {
   const std::int64_t all = 4 * std::int64_t{side(n)};
   return {0, all, 0, all};
@@ -31,11 +31,11 @@ constexpr CellWindow whole_level(Level n) {
 
 struct WrongCells {
   std::uint64_t cells = 0, wrong = 0;  ///< of the level
-  std::vector<WrongCell> listed;       ///< those in the window, in the order of Cells
+  std::vector<WrongCell> listed;       ///< the wrong cells in the window, in the order of Cells
 };
 
-/// Asks the subject on all cells of level n, and compares with the Vulkan formula or, in row order, with
-/// figure 4, both on the points as the subject receives them; lists the wrong cells of a window.
+/// Compares the subject on all cells of level n with the Vulkan formula or, in row order, with figure 4, both on the
+/// points as the subject receives them.  Lists the wrong cells of a window.
 /// Domain: a subject that has the order's entry point, n up to its highest level.
 WrongCells wrong_cells(const IndexSubject& subject, Level n, Order order, const CellWindow& window);
 

@@ -1,4 +1,4 @@
-// Runs a program on names once for every way its branches can go.
+// Runs a program on names once for every combination of its branches.
 #pragma once
 
 #include <algorithm>
@@ -10,26 +10,26 @@
 
 namespace mmverify::proofs::induction {
 
-/// A branch that a run asked about, and the answer it was given.
+/// A branch's condition in a run, and the answer to it.
 struct Decision {
   Term condition;
   bool answer;
 };
 using Trail = std::vector<Decision>;
 
-/// The answer to a branch in the run that every_path has in progress on this thread: true first, and in a
-/// later run false. Whether the conditions of a trail can hold together is left to the prover.
+/// The answer to a branch in the run that every_path has in progress on this thread: true first, and in a later run
+/// false.  The prover finds out whether the conditions of a trail can hold together.
 /// Outside of every_path: std::logic_error.
 bool decided(const Term& condition);
 
-/// One run's branches and what came of it.
+/// The branches of one run, and its outcome.
 template <class Outcome>
 struct Path {
   Trail trail;
   Outcome outcome;
 };
 
-/// A run in progress: answers as scripted, true beyond that.
+/// A run in progress: its answers follow the script, and are true beyond it.
 class Walk {
  public:
   explicit Walk(std::vector<bool> script);
@@ -38,7 +38,7 @@ class Walk {
   Walk& operator=(const Walk&) = delete;
   bool ask(const Term& condition);
   const Trail& trail() const { return trail_; }
-  /// The script of the next walk, empty after the last: the last `true` becomes `false`.
+  /// The script of the next walk, in which the last `true` becomes `false`; empty after the last walk.
   std::vector<bool> next() const;
 
  private:
@@ -47,7 +47,7 @@ class Walk {
   Walk* outer_;
 };
 
-/// Every path of a deterministic program that asks finitely many questions, `true` branches first.
+/// Every path of a deterministic program with finitely many branches, `true` branches first.
 template <class Program>
 auto every_path(Program program) {
   std::vector<Path<decltype(program())>> paths;
@@ -61,7 +61,7 @@ auto every_path(Program program) {
   return paths;
 }
 
-/// What `project` says of the outcome, as one formula: the branches as nested `ite`s.
+/// The projected outcome as one formula, with the branches as nested `ite`s.
 template <class Outcome, class Project>
 Term as_formula(const std::vector<Path<Outcome>>& paths, Project project) {
   const auto fold = [&](const auto& self, std::size_t first, std::size_t last, std::size_t depth) -> Term {

@@ -28,7 +28,7 @@ std::uint64_t steps_of(const z3::solver& solver) {
   return 0;
 }
 
-/// The statements that z3 has settled in this process, by their text: a mutant shares most of its own with the right
+/// The statements that z3 has settled in this process, by their text: a mutant shares most statements with the right
 /// subject.  Threads share it.
 class Settled {
  public:
@@ -53,7 +53,7 @@ Found ask_anew(const Statement& statement, const Effort& effort) {
     z3::solver solver(context);
     z3::params limits(context);
     limits.set("timeout", effort.milliseconds);
-    // z3 would take Ctrl-C for itself.
+    // The setting keeps z3 from catching Ctrl-C.
     limits.set("ctrl_c", false);
     if (effort.steps != 0) limits.set("rlimit", effort.steps);
     solver.set(limits);
@@ -76,7 +76,7 @@ bool has_prover() { return true; }
 std::string no_prover_text() { return {}; }
 
 Found ask_z3(const Statement& statement, const Effort& effort) {
-  // Whether another effort settles it is a question of its own.
+  // Another effort may settle a statement differently, so it is not looked up.
   constexpr Effort usual;
   if (effort.milliseconds != usual.milliseconds || effort.steps != usual.steps)
     return ask_anew(statement, effort);
@@ -88,7 +88,7 @@ Found ask_z3(const Statement& statement, const Effort& effort) {
 }
 
 Solved ask_words(const Statement& statement, const Effort& effort) {
-  // What a context has learnt of names stays with it; after some statements it is more than a new one costs.
+  // A context remembers all names; after some statements that costs more than a new context.
   constexpr int statements_a_context = 64;
   thread_local std::unique_ptr<z3::context> context;
   thread_local int asked = 0;

@@ -1,4 +1,4 @@
-// In the place of prover.cpp where z3 is not there, as in WebAssembly.
+// A replacement of prover.cpp for builds without z3, such as WebAssembly.
 #include "proofs/induction/prover.hpp"
 
 namespace mmverify::proofs::induction {

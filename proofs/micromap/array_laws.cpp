@@ -1,5 +1,5 @@
-// Laws of arrays: what is built gives every state back and is clean, and the validator lists what the
-// specification lists.
+// Laws of arrays: a built array gives every state back and is valid, and the validator lists the specification's
+// violations.
 #include <fmt/format.h>
 
 #include <set>
@@ -32,7 +32,7 @@ std::uint64_t hash_of(const std::vector<Violation>& found) {
 // Building
 // ---------------------------------------------------------------------------------------------------------------------
 
-// The states of a triangle, found as a traversal would.  Of a special index as many as asked for.
+// The states of a triangle, found as a traversal finds them; for a special index, `count` times its state.
 States fetched(const Built& b, const Options& o, std::uint64_t t, std::uint64_t count) {
   const Meaning m =
       slow::meaning(slow::code_at(b.indices, o.encoding, slow::width(o.encoding) / 8, t), o.encoding);
@@ -45,7 +45,7 @@ Finding builds(const MicromapSubject& s, const BuildCase& c) {
   const Options& o = c.options;
   const Built built = s.functions.build(c.before, c.maps, o);
 
-  // Clean first: then nothing below reads outside.
+  // Validity first: then nothing below reads outside.
   Input in;
   in.sets = slow::glTF;
   in.records = built.records;
@@ -65,8 +65,8 @@ Finding builds(const MicromapSubject& s, const BuildCase& c) {
   for (const Violation& v : slow::validate(in))
     if (v.rule != Rule::index_encoding) return wrong("a clean geometry", text(v));
 
-  // Sharing: as many more records as there are different maps without a special index that no record from the
-  // base triangle on has, or as there are such maps.
+  // Sharing: the new records are the different maps without a special index that no record from the base triangle on
+  // has. Without sharing each such triangle has a new record.
   std::set<std::tuple<Level, Format, Bytes>> different;
   for (std::size_t r = o.base_triangle; r < c.before.size(); ++r)
     different.insert({c.before[r].level, c.before[r].format, c.before[r].bytes});
@@ -95,7 +95,7 @@ Finding builds(const MicromapSubject& s, const BuildCase& c) {
         return wrong(fmt::format("triangle {} state {} {}", t, i, slow::code(states[i])),
                      fmt::format("{}", slow::code(got[i])));
   }
-  // What was there before is there still, and first.
+  // Earlier records are unchanged, and come first.
   for (std::size_t r = 0; r < c.before.size(); ++r) {
     const PackedMap& map = c.before[r];
     const slow::Record record = slow::record_at(built.records, 8 * r);
@@ -125,7 +125,7 @@ bool are(std::span<const PackedMap> maps, Level n, std::initializer_list<std::ui
   return true;
 }
 
-/// A mutant's change: it takes other options than it got.
+/// A mutant that builds with other options.
 template <class Choose>
 auto builds_otherwise(Choose choose) {
   return [=](Functions& functions) {
@@ -136,7 +136,7 @@ auto builds_otherwise(Choose choose) {
   };
 }
 
-// Every ordered pair of maps of one small level, shared and with special indices.
+// Every ordered pair of maps of one small level, with sharing and special indices.
 Law pairs() {
   const auto pair = [](Level n, std::uint64_t k) {
     const std::uint64_t maps = map_count(n);
@@ -285,7 +285,7 @@ Finding validates(const MicromapSubject& s, const Input& in) {
   return wrong(at(expected), at(got));
 }
 
-// Drops, or changes, the first violation of a rule.
+// Drops the first violation of a rule.
 auto misses(Rule rule, std::uint64_t at_least = 0) {
   return spoils(&Functions::validate, [=](const Input& in, std::vector<Violation>& found) {
     if (in.record_count < at_least) return;

@@ -1,4 +1,4 @@
-// Packing of any number of states: `count` is not always a power of four.
+// Laws of packing any number of states, not only powers of four.
 #include <fmt/format.h>
 
 #include <array>
@@ -48,7 +48,7 @@ Bytes codes(const States& states) {
   return out;
 }
 
-// Unpacked with the padding zero, all ones, and alternating; and packed.
+// Unpacks with the padding zero, all ones, and alternating; and packs.
 Finding packs(const MicromapSubject& s, const Sequence& sequence) {
   const auto& [format, states] = sequence;
   const Bytes map = slow::pack(states, format), expected = codes(states);
@@ -87,8 +87,8 @@ Sequence sequence_number(std::uint64_t k) {
   return s;
 }
 
-// Of 1 to 300 states, and of some beside 2^9 to 2^14: noise, noise of another seed, and one state but for the last and but
-// for the first.
+// Sequences of 1 to 300 states, and of lengths beside 2^9 to 2^14: noise, noise of another seed, one state but for
+// the last, and one state but for the first.
 constexpr std::uint64_t each_to = 300, kinds = 4, first_power = 9, last_power = 14;
 constexpr std::array beside{-3, -1, 1, 2, 3};
 constexpr std::uint64_t lengths = each_to + (last_power - first_power + 1) * beside.size();

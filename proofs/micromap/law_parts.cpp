@@ -12,15 +12,15 @@ const MicromapSubject& of_micromap(const Subject& s) { return dynamic_cast<const
 
 PackedMap packed(const Map& map) { return {map.level, map.format, map.packed}; }
 
-// A 4-state map of a sample: the 2-state ones are widened, state by state.
+// A 4-state map of a sample; 2-state ones are widened, state by state.
 Map sampled(Level n, std::uint64_t seed, std::uint64_t k, Maps maps) {
   Map map = sample_map(n, seed, k);
   if (maps == Maps::both_formats || map.format == Format::four_state) return map;
-  const States states = spec::micromap::unpack(map.packed, map.format, spec::micro_triangles(n));
+  const States states = spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
   return {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
 }
 
-std::uint64_t two_state_maps(Level n) { return std::uint64_t{1} << spec::micro_triangles(n); }
+std::uint64_t two_state_maps(Level n) { return std::uint64_t{1} << spec::micromap::micro_triangles(n); }
 
 std::string first_bytes(const Bytes& bytes) {
   constexpr std::size_t shown = 24;
@@ -28,7 +28,7 @@ std::string first_bytes(const Bytes& bytes) {
   return hex(first, " ") + (bytes.size() > shown ? " ..." : "");
 }
 
-/// What maps to maps a subject may have, as the domain of a law names it.
+/// The entry points that map maps to maps, with their words in the domain of a law.
 constexpr std::pair<Entry, const char*> map_parts[] = {{entry::pack, "packing"},
                                                        {entry::force2, "force-2-state"},
                                                        {entry::up, "up"},
@@ -38,7 +38,8 @@ constexpr std::pair<Entry, const char*> map_parts[] = {{entry::pack, "packing"},
 }  // namespace
 
 std::vector<Bytes> with_paddings(const PackedMap& map) {
-  const unsigned used = static_cast<unsigned>(spec::micro_triangles(map.level) * bits(map.format) % 8);
+  const unsigned used =
+      static_cast<unsigned>(spec::micromap::micro_triangles(map.level) * bits(map.format) % 8);
   std::vector<Bytes> all;
   for (unsigned padding = 0; padding < (used == 0 ? 1u : 256u >> used); ++padding) {
     all.push_back(map.bytes);
@@ -94,7 +95,7 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, Map
     if (!both) return fmt::format("all 4-state maps of level {}", n);
     return fmt::format("all {} maps of level {}", n < 2 ? "2-state and 4-state" : "65,536 2-state", n);
   };
-  // map_number() has the 2-state maps first.
+  // map_number() counts the 2-state maps first.
   const auto number = [both](Level n, std::uint64_t k) {
     return map_number(n, both ? k : k + two_state_maps(n));
   };
@@ -155,7 +156,7 @@ Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check) {
                     Map map = map_from_text(n, at);
                     if (maps == Maps::four_state && map.format != Format::four_state) {
                       const States states =
-                          spec::micromap::unpack(map.packed, map.format, spec::micro_triangles(n));
+                          spec::micromap::unpack(map.packed, map.format, spec::micromap::micro_triangles(n));
                       map = {n, Format::four_state, spec::micromap::pack(states, Format::four_state)};
                     }
                     return check(s, packed(map));

@@ -1,5 +1,4 @@
-// What the laws of topic micromap are put together from: a check of one case, and the cases that it is run
-// on.
+// Common parts of the laws of topic micromap: the check of a case, and the cases that it runs on.
 #pragma once
 
 #include <functional>
@@ -19,10 +18,10 @@ inline constexpr char design_source[] = "this project's definition, docs/MICROMA
 /// The map's bytes with every value of the bits after its last state.
 std::vector<Bytes> with_paddings(const PackedMap& map);
 
-/// Holds just if the bytes are equal; `what` names them.
+/// Compares bytes; `what` names them.
 Finding same(const char* what, const Bytes& expected, const Bytes& got);
 
-/// The first finding that does not hold; otherwise their answers together.
+/// The first finding that does not hold; otherwise one with all their answers.
 template <class... Findings>
 Finding all(const Finding& first, const Findings&... rest) {
   if (!first.holds) return first;
@@ -35,7 +34,7 @@ Finding all(const Finding& first, const Findings&... rest) {
   }
 }
 
-/// Cases by number: how many at a level, the check of one, its text, and the check of a text.
+/// Cases by number: the count at a level, the check of a case, its text, and the check of a text.
 struct Cases {
   std::function<std::uint64_t(Level)> count;
   std::function<Finding(const MicromapSubject&, Level, std::uint64_t k, const Run&)> check;
@@ -44,27 +43,27 @@ struct Cases {
   std::uint64_t chunk = 256;
 };
 
-/// The law, case by case.
+/// The law on numbered cases.
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases);
 
 using MapCheck = std::function<Finding(const MicromapSubject&, const PackedMap&)>;
 
-/// Which maps: all 2-state maps of levels 0..2 and all 4-state maps of levels 0 and 1, or the 4-state ones
-/// alone.
+/// A choice of maps: all 2-state maps of levels 0..2 and all 4-state maps of levels 0 and 1, or only the 4-state
+/// ones.
 enum class Maps { both_formats, four_state };
 
-/// What a subject has of packing, force-2-state, levels and modes, in words: ", of it packing, up"; nothing
-/// where it has them all.
+/// The entry points of a subject among packing, force-2-state, levels and modes, as ", of it packing, up"; empty if
+/// it has them all.
 std::string asked_of(const MicromapSubject& s);
 
-/// A law that asks what is there: it fits where any of those entry points is.
+/// A law on any of these entry points: it fits a subject that has at least one.
 Law on_any_part(Law law);
 
-/// The law, on every map of the small levels; one case a map.  `first`: the lowest level that it is about.
+/// The law on every map of the small levels, a case each.  `first`: its lowest level.
 Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, MapCheck check);
 
-/// The law, on sample maps of each level from `fast.first`.  Without entries: of subjects that have anything of
-/// packing, force-2-state, levels and modes.
+/// The law on sample maps of each level from `fast.first`.  Without entries it fits a subject with any entry point
+/// for packing, force-2-state, levels or modes.
 Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check);
 
 }  // namespace mmverify::proofs::micromap

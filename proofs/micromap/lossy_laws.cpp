@@ -1,4 +1,4 @@
-// The three laws of lossy substitution, each of the codecs that keep it; and who judges substitutions.
+// The three laws of lossy substitution, each for the codecs that keep it; and the law of judges of substitutions.
 #include <fmt/format.h>
 
 #include "proofs/engine/shape.hpp"
@@ -43,7 +43,7 @@ MapCheck keeps(Pair rule) {
   };
 }
 
-// Replaces one state by another at a micro-triangle, where it has just that.
+// Replaces the state `was` by `now` at a micro-triangle.
 auto instead(Level level, std::uint64_t at, State was, State now) {
   return spoils(&Functions::substitute, [=](Level n, std::span<const std::uint8_t> in, Bytes& out) {
     if (n != level) return;
@@ -60,7 +60,7 @@ struct Rule {
   const char* source;
   Pair pair;
   std::vector<std::string> subjects;
-  // What each of the mutants does, at levels 0 and 1, and at 5 and 6.
+  // The changes of the mutants at levels 0 and 1, and at 5 and 6.
   State was[3], now[3];
 };
 
@@ -98,7 +98,7 @@ void add(std::vector<Law>& laws, const Rule& rule) {
 Finding judges(const MicromapSubject& s, const PackedMap& was, const PackedMap& is) {
   const std::uint64_t count = slow::micro_triangles(was.level);
   const States a = slow::unpack(was.bytes, four, count), b = slow::unpack(is.bytes, four, count);
-  // By the statements, not by spec/micromap/lossy.hpp, which a subject may use.
+  // The statements themselves, not spec/micromap/lossy.hpp, which a subject may use.
   Kept expected{true, true, true};
   for (std::size_t i = 0; i < count; ++i) {
     const bool same_state = a[i] == b[i];
@@ -109,7 +109,7 @@ Finding judges(const MicromapSubject& s, const PackedMap& was, const PackedMap& 
     expected.force2_stable &= same_state || own_side;
   }
   const auto number = [](const Kept& k) { return 4 * k.allowed + 2 * k.conservative + k.force2_stable; };
-  // Padding is no state: zero in both maps, then that of the first goes one way, that of the second the other.
+  // Padding is no state: it is zero in both maps first; then the first map's values rise and the second's fall.
   const std::vector<Bytes> before = with_paddings(was), after = with_paddings(is);
   for (std::size_t k = 0; k <= before.size(); ++k) {
     const Kept got = k == 0 ? s.functions.judge(was.level, was.bytes, is.bytes)
@@ -174,15 +174,15 @@ Law judge_law() {
        }});
 }
 
-// A map, and the same with one state replaced, or with a whole node of the curve.
+// A map, and the same map with one state replaced, or with all states of one node of the curve replaced.
 struct Substituted {
-  std::uint64_t map;  // of the sample
+  std::uint64_t map;  // the number of the sample
   State now;
   Level depth;
   std::uint64_t node;
 };
 
-// Each state in the place of what is there: at the ends of words and of the map, and in a quarter.
+// Each of the four states replaces the present one: at the ends of words and of the map, and in a quarter.
 constexpr std::uint64_t substitutions = 4 * 8, maps = 5;
 
 Substituted substituted(Level n, std::uint64_t k) {

@@ -1,4 +1,4 @@
-// Laws of packed maps.  Each oracle goes state by state and knows nothing of words.
+// Laws of packed maps.  Each oracle works state by state, without words.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,12 +27,12 @@ Bytes codes(const States& states) {
   return out;
 }
 
-// A bit of the packed bytes changes, where there is one.
+// Flips a bit of the packed bytes, if they have it.
 void flip(Bytes& bytes, std::size_t bit) {
   if (bit / 8 < bytes.size()) bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
 }
 
-// Mutants are found by the map that they spoil.
+// Mutants recognize the map that they spoil.
 bool is(Level n, std::span<const std::uint8_t> in, Level level, std::initializer_list<std::uint8_t> bytes) {
   return n == level && std::equal(in.begin(), in.end(), bytes.begin(), bytes.end());
 }
@@ -41,7 +41,7 @@ bool is(Level n, std::span<const std::uint8_t> in, Level level, std::initializer
 // Checks
 // ---------------------------------------------------------------------------------------------------------------------
 
-// Whatever the padding holds, what is made of the map is the same: `expected` of each.
+// The result of `make` is `expected` for any padding.
 Finding always(const char* what, const PackedMap& map, const Bytes& expected,
                const std::function<Bytes(const Bytes&)>& make) {
   Finding found;
@@ -82,7 +82,7 @@ Finding rises_and_falls(const MicromapSubject& s, const PackedMap& map) {
   });
 }
 
-// What four children become, by the promises alone.
+// The parent of four children, by the promises only.
 State parent_of(Format f, std::span<const State> children) {
   unsigned T_count = 0, O_count = 0, opaque = 0;
   for (const State child : children) {
@@ -119,7 +119,7 @@ Finding falls(const MicromapSubject& s, const PackedMap& map) {
   return found;
 }
 
-// Both ways, and not only one like the other.
+// Both orders of operations against the expected map, not only against each other.
 Finding forces_and_falls(const MicromapSubject& s, const PackedMap& map) {
   const States states = states_of(map);
   const Bytes wide = map.format == four ? map.bytes : slow::pack(states, four),
@@ -133,7 +133,8 @@ Finding forces_and_falls(const MicromapSubject& s, const PackedMap& map) {
              }));
 }
 
-// T/O forces.  T/C and O/C keep one state; the rest is unknown, and of one kind, as a bit tells no two apart.
+// T/O forces.  T/C and O/C keep one state, and all other states become one unknown state, since one bit cannot tell
+// them apart.
 Finding goes_through(const MicromapSubject& s, const PackedMap& map, const States& was, Mode mode) {
   const State kept = mode == Mode::T_C ? T : O;
   Finding found;
@@ -168,7 +169,7 @@ Finding goes_through_modes(const MicromapSubject& s, const PackedMap& map) {
              goes_through(s, map, was, Mode::O_C));
 }
 
-// All that the subject has.  Levels go up to 12: nothing rises from there.
+// Every entry point that the subject has.  Level 12 is the highest: up does not start from there.
 Finding everything(const MicromapSubject& s, const PackedMap& map) {
   Finding found;
   const auto also = [&](bool asked, Finding (*check)(const MicromapSubject&, const PackedMap&)) {
@@ -403,7 +404,7 @@ Law modes() {
       {entry::modes}, Maps::four_state, 0, goes_through_modes);
 }
 
-// The mutants show at level 5 and above, in one state of a sample.
+// The mutants change one state of a sample at level 5 and above.
 Law samples() {
   return on_samples(
       {.id = "micromap.on_samples",

@@ -9,7 +9,7 @@
 namespace mmverify::proofs::micromap {
 namespace {
 
-using spec::micro_triangles;
+using spec::micromap::micro_triangles;
 
 Map from_states(Level n, Format f, const std::vector<std::uint8_t>& codes) {
   States states;
@@ -39,10 +39,10 @@ Codes noise(Level n, Format f, Random& random) {
   return codes;
 }
 
-/// A disc, its outline unknown where the format can say so.
+/// A disc, with an unknown outline in 4-state.
 Codes leaf(Level n, Format f, Random& random) {
   const auto N = static_cast<std::int64_t>(spec::side(n));
-  // In units of 1/16 of a micro-triangle's side.
+  // The unit is 1/16 of a micro-triangle's side.
   const std::int64_t cu = random.between(0, 16 * N), cv = random.between(0, 16 * N),
                      r = random.between(2 * N, 12 * N);
   Codes codes(micro_triangles(n));
@@ -58,7 +58,7 @@ Codes leaf(Level n, Format f, Random& random) {
   return codes;
 }
 
-/// Every node is uniform with one chance in three.
+/// A map in which every node is uniform with one chance in three.
 Codes blocks(Level n, Format f, Random& random) {
   Codes codes;
   const auto subtree = [&](const auto& self, Level level) -> void {
@@ -93,7 +93,7 @@ constexpr std::array families{noise, leaf, blocks, alternating, all_but_one};
 std::string name_of(Format f) { return f == Format::two_state ? "2-state" : "4-state"; }
 
 /// The ordered pairs of states: 2 in 2-state, 12 in 4-state.
-constexpr std::uint64_t pairs = 14;
+constexpr std::uint64_t pairs_of_states = 14;
 
 OneApart pair_number(std::uint64_t k) {
   if (k < 2) return {Format::two_state, static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(1 - k), 0, 0};
@@ -107,7 +107,8 @@ OneApart uniform_number(std::uint64_t k) {
   return {k < 2 ? Format::two_state : Format::four_state, state, state, 0, 0};
 }
 
-/// Single micro-triangles at the ends of the map and of words of 16, 32 and 64 states, where there are so many.
+/// The number of places of single micro-triangles: the ends of the map and of words of 16, 32 and 64 states, if the
+/// map has so many.
 constexpr std::uint64_t places = 10;
 
 std::uint64_t place_number(Level n, std::uint64_t k) {
@@ -121,25 +122,27 @@ std::uint64_t place_number(Level n, std::uint64_t k) {
 
 OneApart one_apart_number(Level n, std::uint64_t k) {
   if (k < 6) return uniform_number(k);
-  OneApart apart = pair_number((k - 6) % pairs);
+  OneApart apart = pair_number((k - 6) % pairs_of_states);
   apart.depth = 1;
-  apart.node = (k - 6) / pairs;
+  apart.node = (k - 6) / pairs_of_states;
   while (apart.depth < n && apart.node >= micro_triangles(apart.depth))
     apart.node -= micro_triangles(apart.depth++);
   return apart;
 }
 
-std::uint64_t chosen_apart_count(Level n) { return n <= 7 ? 6 + pairs * places : n == 8 ? 6 + pairs : 8; }
+std::uint64_t chosen_apart_count(Level n) {
+  return n <= 7 ? 6 + pairs_of_states * places : n == 8 ? 6 + pairs_of_states : 8;
+}
 
 OneApart chosen_apart(Level n, std::uint64_t k) {
-  // Above level 8: T and UO alone, then T among O, O among T, UT among T, T among UT, UO among O, O among UO.
+  // Above level 8: uniform T and UO, then T among O, O among T, UT among T, T among UT, UO among O, O among UO.
   constexpr std::uint64_t few[] = {2, 5, 1, 0, 3, 9, 6, 12};
   const bool all = n <= 8, alone = all ? k < 6 : k < 2;
   if (alone) return uniform_number(all ? k : few[k]);
-  const std::uint64_t pair = all ? (k - 6) % pairs : few[k];
+  const std::uint64_t pair = all ? (k - 6) % pairs_of_states : few[k];
   OneApart apart = pair_number(pair);
   apart.depth = n;
-  apart.node = place_number(n, n <= 7 ? (k - 6) / pairs : (3 * k + n) % places);
+  apart.node = place_number(n, n <= 7 ? (k - 6) / pairs_of_states : (3 * k + n) % places);
   return apart;
 }
 
@@ -167,7 +170,7 @@ Map map_of(Level n, const OneApart& apart) {
 }
 
 Bytes code_of(const OneApart& apart) {
-  States tree, data;  // a bit of the tree as a 2-state state
+  States tree, data;  // a bit of the tree is a 2-state state
   const auto leaf = [&](std::uint8_t state) {
     tree.push_back(State::T);
     data.push_back(static_cast<State>(state));

@@ -24,7 +24,7 @@ struct Map {
 
 /// All 2-state maps and, below level 2, all 4-state maps: 2 + 4, 16 + 256, 65,536.  Domain: n in 0..2.
 constexpr std::uint64_t map_count(Level n) {
-  const std::uint64_t two_state = std::uint64_t{1} << spec::micro_triangles(n);
+  const std::uint64_t two_state = std::uint64_t{1} << spec::micromap::micro_triangles(n);
   return n < 2 ? two_state + two_state * two_state : two_state;
 }
 
@@ -51,7 +51,9 @@ struct OneApart {
 
 /// How many there are at a level: 6 uniform ones, and one for each ordered pair of states, 2 and 12, and each
 /// node but the root.  6 + 14 (4^(n+1) - 4) / 3
-constexpr std::uint64_t one_apart_count(Level n) { return 6 + 14 * ((spec::micro_triangles(n + 1) - 4) / 3); }
+constexpr std::uint64_t one_apart_count(Level n) {
+  return 6 + 14 * ((spec::micromap::micro_triangles(n + 1) - 4) / 3);
+}
 /// Number k of them, the uniform ones first.  Domain: k < one_apart_count(n).
 OneApart one_apart_number(Level n, std::uint64_t k);
 

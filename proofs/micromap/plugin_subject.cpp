@@ -9,7 +9,7 @@ namespace {
 
 using dock::Call;
 using dock::LibraryPtr;
-using spec::micro_triangles;
+using spec::micromap::micro_triangles;
 
 constexpr std::uint32_t two = 1, four = 2;
 
@@ -19,7 +19,7 @@ std::size_t packed_bytes(std::uint64_t states, std::uint32_t format) {
   return static_cast<std::size_t>((states * format + 7) / 8);
 }
 
-/// Of a map with that many states; for messages.
+/// The level of a map with that many states; for messages.
 Level level_of(std::uint64_t states) { return static_cast<Level>(std::countr_zero(states) / 2); }
 
 Bytes packed(Format f, const States& states) { return spec::micromap::pack(states, f); }
@@ -62,7 +62,7 @@ Functions functions_of(const LibraryPtr& library) {
       return of_map(*library, "force-2-state of", Call::micromap_force2, n, four, map,
                     packed_bytes(micro_triangles(n), two));
     };
-    // The specification's for a subject that forces only.
+    // The specification's widening, for a subject that only forces.
     f.widen = [](Level n, std::span<const std::uint8_t> map) {
       return packed(Format::four_state, spec::micromap::unpack(map, Format::two_state, micro_triangles(n)));
     };

@@ -1,4 +1,4 @@
-// Special indices: what every code means, in each encoding.
+// Laws of special indices: the meaning of every code, in each encoding.
 #include <fmt/format.h>
 
 #include "proofs/engine/random.hpp"
@@ -22,7 +22,7 @@ std::string text(const Meaning& m) {
   return m.kind == Kind::special ? fmt::format("state {}", spec::micromap::code(m.state)) : "nothing";
 }
 
-// By arithmetic on the signed value; the specification compares codes.
+// The meaning of a code by arithmetic on its signed value; the specification compares codes.
 Meaning expected(std::uint32_t code, Encoding e) {
   const unsigned width = e == Encoding::u8 ? 8 : e == Encoding::u16 || e == Encoding::i16 ? 16 : 32;
   const std::int64_t value = code, all = std::int64_t{1} << width,
@@ -61,7 +61,7 @@ Finding replayed(const MicromapSubject& s, Level, const std::string& text) {
   return means(s, encoding, static_cast<std::uint32_t>(code));
 }
 
-// All codes of 8 bits, of 16 without sign, of 16 with.
+// The number of codes of 8 bits, of 16 unsigned, and of 16 signed.
 constexpr std::uint64_t small_codes = 256 + 2 * 65'536;
 
 Code small_code(std::uint64_t k) {
@@ -70,8 +70,8 @@ Code small_code(std::uint64_t k) {
   return {k < 65'536 ? Encoding::u16 : Encoding::i16, static_cast<std::uint32_t>(k % 65'536)};
 }
 
-// Either encoding: the codes around 0 and 2^31, 16 around each power of two, where codes of fewer bits have their
-// special ones, and others anywhere.
+// The codes of each 32-bit encoding: those around 0 and 2^31; 16 around each power of two, at which codes of fewer
+// bits have their special ones; and others anywhere.
 constexpr std::uint64_t around = 8192, powers = 32, around_power = 16, anywhere = 50'000;
 constexpr std::uint64_t wide_codes = 2 * (2 * around + powers * around_power + anywhere);
 

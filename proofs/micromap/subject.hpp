@@ -1,4 +1,4 @@
-// An implementation of topic micromap in the dock, and what it may be asked: bytes in, bytes out, a function each.
+// A subject of topic micromap: an implementation as functions on bytes, built in or in the dock.
 #pragma once
 
 #include <functional>
@@ -32,35 +32,35 @@ struct PackedMap {
   Bytes bytes;
 };
 
-/// What a subject builds of a geometry's maps.
+/// The array that a subject builds from a geometry's maps.
 struct Built {
   Bytes records, data, indices;
   std::vector<UsageCount> array_counts, geometry_counts;
 };
 
-/// Which of the three rules of lossy substitution hold between two maps.
+/// The rules of lossy substitution, and whether each holds between two maps.
 struct Kept {
   bool allowed = false, conservative = false, force2_stable = false;
   friend bool operator==(const Kept&, const Kept&) = default;
 };
 
-/// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads
-/// at once.  Packed bytes are LSB first; a subject gets padding bits of any value and gives zeros.  Level and
-/// format are those of the input.
+/// The entry points of a subject; an empty function is a missing entry point.  Several threads may call at once.
+/// Packed bytes are LSB first; a subject gets padding bits of any value and gives zeros.  Level and format are those
+/// of the input.
 struct Functions {
   std::function<Bytes(Format f, const States& states)> pack = {};
   std::function<States(Format f, std::uint64_t count, std::span<const std::uint8_t> bytes)> unpack = {};
   std::function<Bytes(Level n, std::span<const std::uint8_t> four_state)> force2 = {};
   std::function<Bytes(Level n, std::span<const std::uint8_t> two_state)> widen = {};
-  /// One level.
+  /// The map one level up or down.
   std::function<Bytes(Level n, Format f, std::span<const std::uint8_t> bytes)> up = {}, down = {};
-  /// Through a 1-bit mode and back.
+  /// The map through a 1-bit mode and back.
   std::function<Bytes(Level n, Mode mode, std::span<const std::uint8_t> four_state)> through = {};
   std::function<std::uint32_t(State s, Encoding e)> special_code = {};
   std::function<Meaning(std::uint32_t code, Encoding e)> meaning = {};
-  /// What a lossy codec makes of a map.
+  /// The map that a lossy codec gives for a map.
   std::function<Bytes(Level n, std::span<const std::uint8_t> four_state)> substitute = {};
-  /// What a substitution keeps.
+  /// The rules that a substitution keeps.
   std::function<Kept(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is)> judge =
       {};
   /// Appends to an array in which every map of `before` has a record of its own.
@@ -70,7 +70,7 @@ struct Functions {
   std::function<std::vector<Violation>(const Input& in)> validate = {};
 };
 
-/// What a law may need of a subject, as messages call it.
+/// An entry point that a law needs, and its name in messages.
 struct Entry {
   const char* name;
   bool (*there)(const Functions&);
@@ -94,7 +94,7 @@ class MicromapSubject final : public Subject {
       : Subject("micromap", std::move(name), std::move(about)),
         functions(std::move(functions)),
         fingerprint_(std::move(fingerprint)) {}
-  /// Maps have no points between theirs.
+  /// Answers on maps are exact: no values lie between them.
   bool exact() const override { return true; }
   std::string fingerprint() const override { return fingerprint_; }
 
@@ -105,13 +105,14 @@ class MicromapSubject final : public Subject {
 };
 using MicromapSubjectPtr = std::shared_ptr<const MicromapSubject>;
 
-/// micromap-spec, micromap, and three lossy codecs: lossy-stable, lossy-conservative, lossy-merge.
+/// The specification micromap-spec; the library micromap; and three lossy codecs: lossy-stable, lossy-conservative,
+/// lossy-merge.
 const std::vector<MicromapSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: there is one.
+/// The built-in subject of that name.  Domain: a subject has that name.
 MicromapSubjectPtr built_in(const std::string& name);
 
-/// A subject with one thing broken on purpose.
+/// A subject with one deliberate error.
 Mutant mutant(const std::string& name, const std::string& base, Levels levels,
               const std::function<void(Functions&)>& change);
 

@@ -1,4 +1,4 @@
-// What goes to a program on a pipe and comes back from it: a case a line.
+// Lines to and from a program on a pipe: a case a line.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@
 
 namespace mmverify::proofs::pipe {
 
-/// A line that is no answer, or the end before its time; what() names the line.
+/// A line that is no answer, or an early end; what() names the line.
 struct BadAnswers : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Lines that go out in pieces. A reader that goes away early ends them, and is no error.
+/// Output lines, sent in pieces.  If the reader leaves early, output ends without an error.
 class Written {
  public:
   explicit Written(std::FILE* out) : out_(out) {}
-  /// Adds a line; false once nobody takes them.
+  /// Adds a line; false if the reader has left.
   bool line(std::string_view text);
-  /// Sends the rest; false where not all was taken.
+  /// Sends the rest; false if not all was accepted.
   bool end();
 
  private:
@@ -35,28 +35,29 @@ class Written {
   bool open_ = true;
 };
 
-/// How the first line of all cases begins.
+/// The beginning of the first line of all cases.
 inline constexpr char heading_begins[] = "# mmverify ";
 
-/// The answers' lines, "CASE ANSWER", in the order of the cases. Empty lines and those that start with # are passed
-/// over; but a heading that was copied has to be that of these cases.  All functions throw BadAnswers.
+/// The lines of answers, "CASE ANSWER", in the order of the cases.  Empty lines and lines that start with # are
+/// skipped, but a copied heading must match that of these cases.  All functions throw BadAnswers.
 class Answers {
  public:
-  /// heading: the first line of the cases; form: how a line is to look, "CASE INDEX"; answer: what is answered, "index".
+  /// heading: the first line of the cases; form: the form of a line, such as "CASE INDEX"; answer: its name, such as
+  /// "index".
   Answers(std::istream& in, std::string heading, const char* form, const char* answer)
       : in_(in), heading_(std::move(heading)), form_(form), answer_(answer) {}
 
-  /// What answers case `number` of `cases`, in words that blanks part; until the next one is asked for.
+  /// The answer to case `number` of `cases`, words separated by blanks; valid until the next call.
   std::string_view text(std::uint64_t number, std::uint64_t cases);
-  /// The same, as so many numbers, decimal or 0x hexadecimal.
+  /// The answer as `count` numbers, decimal or 0x hexadecimal.
   std::span<const std::uint32_t> numbers(std::uint64_t number, std::uint64_t cases, std::size_t count);
-  /// Nothing may come any more.
+  /// Throws if another line follows.
   void end(std::uint64_t cases);
-  /// The line read last is no answer of case `number`.
+  /// Throws: the last line read is no answer to case `number`.
   [[noreturn]] void garbled(std::uint64_t number) const;
 
  private:
-  /// The next line that is not passed over.
+  /// Reads the next line that is not skipped.
   bool next();
   [[noreturn]] void fail(const std::string& what) const;
 

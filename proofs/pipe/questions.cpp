@@ -15,7 +15,7 @@
 namespace mmverify::proofs::pipe {
 namespace {
 
-/// The questions asked so far, by two hashes of their text: a texture's text is long.
+/// The questions so far, by two hashes of their text: a texture's text is long.
 class Numbers {
  public:
   /// The question's number, and whether it is new.
@@ -40,7 +40,7 @@ class Numbers {
   std::unordered_map<Key, std::uint64_t, Low> known_;
 };
 
-/// The laws one after the other on one thread, so that questions come in one order.
+/// Judges the laws one after the other on one thread, so that questions come in one order.
 std::vector<Result> judged(const Asked& asked, const SubjectPtr& subject, Progress* progress) {
   Request request;
   request.laws = asked.laws;
@@ -59,7 +59,7 @@ std::vector<Result> judged(const Asked& asked, const SubjectPtr& subject, Progre
   return results;
 }
 
-/// All that the questions depend on.
+/// The first line, with all that the questions depend on.
 std::string heading(const Asked& asked) {
   std::string text = fmt::format("{}{} levels {}..{} seed {}", heading_begins, asked.topic,
                                  asked.levels.first, asked.levels.last, asked.seed);
@@ -68,7 +68,7 @@ std::string heading(const Asked& asked) {
   return text;
 }
 
-/// Of all that is asked, twice.
+/// The number of cases, which all run twice.
 std::uint64_t cases_of(const Asked& asked) {
   std::uint64_t cases = 0;
   Run run;

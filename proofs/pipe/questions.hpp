@@ -1,8 +1,7 @@
-// The questions of a topic's laws as lines of text, for programs in any language, and the laws on what these answer.
-//
-// Laws draw cases, and ask more than one question about some. They run twice: on a subject that is right, which notes
-// each question down, and on one whose answers were read. A wrong subject is asked no more than a right one: a law ends
-// a case at the first wrong answer.
+// The questions of a topic's laws as lines of text, for programs in any language, and the judgement of their answers.
+// A law draws cases, and a case may lead to several questions.  Laws run twice: on a right subject, which collects
+// the questions, and on one that gives the answers read.  The second asks no more questions than the first, since a
+// law ends a case at the first wrong answer.
 #pragma once
 
 #include <cstdio>
@@ -15,36 +14,38 @@
 
 namespace mmverify::proofs::pipe {
 
-/// An answer in pairs of hexadecimal digits, or none.
+/// The line of an answer that is a refusal; other answers are pairs of hexadecimal digits.
 inline constexpr char no_answer[] = "-";
 
-/// What answers a question, both of them a line.  Calls come from one thread.
+/// Answers a question; both are lines.  Calls come from one thread.
 using Ask = std::function<std::string(const std::string& question)>;
 
-/// What a topic needs for it.
+/// The two functions that a topic provides for questions.
 struct Dialogue {
   SubjectPtr (*subject)(Ask);                          ///< of the topic, named "standard input"
   std::string (*answer)(const std::string& question);  ///< the right one
 };
 
-/// Which laws, on what.
+/// A set of laws and the settings of their runs.
 struct Asked {
   std::string topic;
   Dialogue dialogue;
   std::vector<const Law*> laws;
-  std::vector<std::string> chosen;  ///< as `laws` were named; none for all that ask
+  std::vector<std::string>
+      chosen;  ///< the names by which `laws` were chosen; empty for all laws with questions
   Levels levels;
   std::size_t errors = 1;
   std::uint64_t seed = 1, cases = 0;  ///< as in Run
   bool show_progress = false;
 };
 
-/// Writes each question once, "CASE QUESTION", CASE counting from 0; the first line starts with # and says what
-/// they depend on, the last how many there were. False where `out` no longer takes anything, or the run was interrupted.
+/// Writes each question once, "CASE QUESTION", CASE counting from 0.  The first line starts with # and has the
+/// settings that the questions depend on, and the last has their number.  False if `out` no longer accepts lines, or
+/// the run was interrupted.
 bool generate_questions(const Asked& asked, std::FILE* out);
 
-/// Reads the answers, "CASE ANSWER", all of them in the order of the cases, and judges them.  Throws BadAnswers.
-/// Memory: an answer each, and 24 bytes.
+/// Reads the answers, "CASE ANSWER", all in the order of the cases, and judges them.  Throws BadAnswers. Memory: the
+/// answers, and 24 bytes each.
 Report check_questions(const Asked& asked, std::istream& in);
 
 }  // namespace mmverify::proofs::pipe

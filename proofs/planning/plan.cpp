@@ -28,16 +28,16 @@ bool fits_somewhere(const Law& law, const Subject& subject, const Levels& levels
   return false;
 }
 
-/// What the law brings along on a float subject, if it is about that subject: one takes binary64 numbers,
-/// another has no entry point for points.
+/// The companion of a law on a float subject, if it is about that subject: one takes binary64 numbers, another has no
+/// entry point for points.
 const Law* companion(const Law& law, const Subject& subject) {
   const Law* on_floats = law.companion.empty() ? nullptr : find_law(law.companion);
   return on_floats != nullptr && fits_somewhere(*on_floats, subject, on_floats->long_run) ? on_floats
                                                                                           : nullptr;
 }
 
-/// The law that stands in its place in a dialect, if that is about the subject; not of the law's own subjects, which
-/// promise what it says.
+/// The law that replaces this one in a dialect, if it is about the subject.  It does not replace the law for the
+/// law's own subjects, which promise its statement.
 const Law& in_dialect(const Law& law, const Subject& subject, const std::string& dialect) {
   if (std::find(law.subjects.begin(), law.subjects.end(), subject.name()) != law.subjects.end()) return law;
   for (const auto& [name, id] : law.in_dialect)
@@ -78,8 +78,8 @@ std::vector<Job> plan(const Request& request) {
     const bool of_its_topic =
         std::any_of(on.begin(), on.end(), [&](const SubjectPtr& s) { return s->topic() == law->topic; });
     for (const SubjectPtr& subject : on) {
-      // A run of every law on one subject leaves out those that are about others; a library may hold
-      // subjects of several topics.
+      // A run of every law on one subject leaves out laws about other subjects; a library may have subjects of
+      // several topics.
       const bool other_topic = subject->topic() != law->topic;
       if (request.laws.empty() ? !about(*law, *subject) || other_topic : other_topic && of_its_topic)
         continue;

@@ -11,7 +11,7 @@
 
 namespace mmverify::proofs {
 
-/// A whole number of 64 bits that throws std::overflow_error where it would wrap.
+/// A whole number of 64 bits that throws std::overflow_error instead of wrapping.
 class Whole64 {
  public:
   constexpr Whole64(std::integral auto x) : x_(static_cast<std::int64_t>(x)) {
@@ -35,7 +35,7 @@ class Whole64 {
     return __builtin_mul_overflow(a.x_, b.x_, &r) ? overflow() : Whole64(r);
   }
   constexpr Whole64 operator-() const { return Whole64(0) - *this; }
-  /// Towards zero.  Domain: b > 0.
+  /// Rounds towards zero.  Domain: b > 0.
   friend constexpr Whole64 operator/(Whole64 a, Whole64 b) { return a.x_ / b.x_; }
   friend constexpr Whole64 operator%(Whole64 a, Whole64 b) { return a.x_ % b.x_; }
   constexpr Whole64& operator/=(Whole64 b) { return *this = *this / b; }
@@ -51,9 +51,9 @@ class Whole64 {
   std::int64_t x_;
 };
 
-/// Rationals whose numerator and denominator have 63 bits and a sign: beyond them it throws
-/// std::overflow_error, and never rounds.  What of boost::rational the specification asks for, many times as
-/// fast; a test holds the two equal.  Always in lowest terms, the denominator positive.
+/// Rationals with a numerator and a denominator of 63 bits and a sign.  Beyond them it throws std::overflow_error,
+/// and it never rounds.  Has the operations of boost::rational that the specification uses, many times as fast; a
+/// test compares the two.  Always in lowest terms, the denominator positive.
 class Rational64 {
  public:
   using int_type = Whole64;
@@ -88,7 +88,7 @@ class Rational64 {
   using Half = std::int64_t;
   __extension__ using Wide = __int128;
 
-  /// In lowest terms already; d > 0.
+  /// Wraps a fraction that is in lowest terms.  Domain: d > 0.
   static Rational64 reduced(Wide n, Wide d);
   static Rational64 of(Half n, Half d);
   /// a + n/d.
@@ -97,10 +97,10 @@ class Rational64 {
   Half n_ = 0, d_ = 1;
 };
 
-/// Within 255 bits, without memory of their own: twice as fast as those without bounds.
+/// Rationals within 255 bits, without allocations: twice as fast as unbounded ones.
 using Rational256 = boost::rational<boost::multiprecision::checked_int256_t>;
 
-/// f.operator()<Q>() over the first of these rationals that holds all numbers on the way; the last one holds any.
+/// f.operator()<Q>() with the first of these rationals that holds all numbers on the way; the last one holds any.
 template <class Q, class... Wider, class F>
 auto in_first_of(F f) {
   if constexpr (sizeof...(Wider) != 0) {
@@ -114,7 +114,7 @@ auto in_first_of(F f) {
     return f.template operator()<Q>();
   }
 }
-/// The same over all of them.
+/// f.operator()<Q>() with the smallest of all rationals that suffices.
 template <class F>
 auto in_smallest(F f) {
   return in_first_of<Rational64, spec::Rational128, Rational256, spec::Rational>(f);

@@ -1,4 +1,4 @@
-// Somebody's shared library, as subjects of every topic that it has entry points of.
+// A shared library of a stranger, as subjects of every topic that it has entry points of.
 #pragma once
 
 #include <string>
@@ -8,23 +8,23 @@
 
 namespace mmverify::proofs {
 
-/// Opens the library once; what stops a run stops its workers.
-/// Throws dock::CannotLoad, dock::NotHere, and std::runtime_error where no process can be had.
+/// Opens the library once; an interrupt of the run stops its workers. Throws dock::CannotLoad, dock::NotHere, and
+/// std::runtime_error if no process can be started.
 dock::LibraryPtr open_library(const std::string& file, dock::Options options);
 
-/// What the file of the library that a subject is of has become since it was opened, in a sentence; empty where it is
-/// the same, or where the subject is of no library.
+/// The change of a subject's library file since it was opened, as a sentence; empty if it is the same, or if the
+/// subject has no library.
 std::string change_of(const Subject& subject);
 
-/// The first of its subjects is named as the library, the others FILE:KIND.
+/// The subjects of a library; the first has the library's name, the others FILE:KIND.
 std::vector<PluginSubject> plugin_subjects(const dock::LibraryPtr& library);
 
-/// Of a library that cannot run here: a subject for each topic that these entry points are of, for no topic that of index,
-/// whose laws are not_applicable for that reason.
+/// The subjects of a library that cannot run here: one for each topic of these entry points, or one of topic index if
+/// there is none.  Their laws are not_applicable because of `why`.
 std::vector<SubjectPtr> absent_subjects(const std::string& name, const std::vector<std::string>& entry_points,
                                         const std::string& why);
 
-/// FILE:KIND in two; the kind is empty where the name has none.
+/// FILE:KIND, split; the kind is empty if the name has none.
 struct PluginName {
   std::string file, kind;
 };

@@ -25,14 +25,14 @@
 namespace mmverify::proofs {
 namespace {
 
-/// The subjects of a topic, as the engine knows them.
+/// The subjects of a topic as the engine's type.
 template <auto of_topic>
 std::vector<SubjectPtr> all() {
   const auto subjects = of_topic();
   return {subjects.begin(), subjects.end()};
 }
 
-/// Of a topic that makes one subject of a library, FILE:TOPIC or, where it is the first, FILE.
+/// The subjects of a topic that makes one of a library, named FILE:TOPIC or, as the library's first, FILE.
 template <auto plugin_subject>
 std::vector<PluginSubject> one(const dock::LibraryPtr& library, const char* topic, bool first) {
   const SubjectPtr subject = plugin_subject(first ? library->path() : library->path() + ":" + topic, library);
@@ -50,7 +50,7 @@ std::vector<PluginSubject> by_arithmetic(const dock::LibraryPtr& library, bool) 
 using dock::Call;
 using dock::LibraryPtr;
 
-// A topic a row.
+// The table has a row for each topic.
 // clang-format off
 const std::vector<Topic> table{
     {"index", {"index", "paper"}, index::laws, all<index::built_in_subjects>, {"f32", "f64"},

@@ -1,4 +1,4 @@
-// The topics: one table.
+// The table of topics.
 #pragma once
 
 #include <span>
@@ -13,26 +13,27 @@ namespace mmverify::proofs {
 
 /// One of a library's subjects.
 struct PluginSubject {
-  std::string kind;  ///< what tells it from the library's others: FILE:KIND
+  std::string kind;  ///< distinguishes it from the library's other subjects: FILE:KIND
   SubjectPtr subject;
 };
 
 struct Topic {
   const char* name;
-  std::vector<std::string> families;  ///< what its laws' ids begin with, up to the dot
-  std::vector<Law> (*laws)();         ///< in the order in which `list` and `prove` have them
+  std::vector<std::string> families;  ///< the beginnings of its laws' ids, up to the dot
+  std::vector<Law> (*laws)();         ///< in the order of `list` and `prove`
   std::vector<SubjectPtr> (*subjects)();
-  std::vector<std::string> kinds;  ///< of a library's subjects
-  /// The library's subjects of this topic; none where it has no entry point of it.  `first`: no subject of
-  /// the library has its plain name yet.
+  std::vector<std::string> kinds;  ///< the kinds of a library's subjects
+  /// The library's subjects of this topic; none if it has no entry point of the topic.  `first`: no subject of the
+  /// library has its plain name yet.
   std::vector<PluginSubject> (*of_library)(const dock::LibraryPtr& library, bool first);
-  dock::Call first_entry;  ///< of its entry points in the header: a library's subjects come in that order
-  Level highest;           ///< that any of its laws is defined at
-  const char* bench = nullptr;  ///< its bench, as `mmverify bench` and the schemas name it; null: none
-  const pipe::Dialogue* dialogue = nullptr;  ///< of a program on a pipe; null: none, or one of its own
+  dock::Call first_entry;  ///< the first of its entry points in the header, which orders a library's subjects
+  Level highest;           ///< the highest level of any of its laws
+  const char* bench = nullptr;  ///< the name of its bench in `mmverify bench` and the schemas; null: none
+  const pipe::Dialogue* dialogue =
+      nullptr;  ///< the dialogue of a program on a pipe; null: none, or another form
 };
 
-/// In the order in which `list` and `prove` have them.
+/// The topics in the order of `list` and `prove`.
 std::span<const Topic> topics();
 
 }  // namespace mmverify::proofs

@@ -1,4 +1,4 @@
-// The scene's array, and its way from a triangle to its states.
+// Laws of the scene's array, and of the way from a triangle to its states.
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,11 +15,11 @@ namespace micromap = impl::micromap;
 using mmverify::scene::BakedTriangle;
 using mmverify::scene::TriangleUse;
 
-/// Everything that `validate` is given of one primitive.
+/// The input of `validate` for one primitive.
 micromap::Input input_of(const Data& data, std::size_t primitive, const micromap::Bytes& records) {
   const mmverify::scene::PrimitiveIndices& indices = data.arrays.primitives[primitive];
   micromap::Input in;
-  // u8 indices and what else EXT forbids do not occur; all sets of rules are to hold.
+  // u8 indices, and anything else that EXT forbids, do not occur, so all sets of rules must hold.
   in.records = records;
   in.record_count = data.arrays.array.records.size();
   in.data = data.arrays.array.data;
@@ -60,7 +60,7 @@ struct Use {
 struct Uses {
   struct One {
     Use use;
-    Use first;  ///< with the same planned triangle and order of vertices: the use itself, or one before it
+    Use first;  ///< the first use with the same planned triangle and order of vertices; may be `use` itself
   };
   std::vector<std::vector<One>> of = std::vector<std::vector<One>>(17);
 
@@ -87,12 +87,12 @@ std::uint32_t code_of(const Data& data, const Use& use) {
   return code;
 }
 
-/// States of `b` bits, packed.
+/// One of the packed states of `b` bits.
 unsigned state_at(std::span<const std::uint8_t> map, std::uint64_t index, unsigned b) {
   return map[index * b / 8] >> (index * b % 8) & ((1u << b) - 1);
 }
 
-/// What a device finds by a code: one state of a whole triangle, or a record's map.
+/// The states that a device finds by a code: one state of a whole triangle, or a record's map.
 struct Found {
   std::optional<unsigned> special;
   std::span<const std::uint8_t> map;
@@ -101,7 +101,7 @@ struct Found {
   unsigned at(std::uint64_t index) const { return special ? *special : state_at(map, index, bits); }
 };
 
-/// Nothing where the code names no record, or a record no map of the level within the data.
+/// Nothing if the code names no record, or a record without a map of the level within the data.
 std::optional<Found> found_by(const Data& data, std::uint32_t code, Level n) {
   if (const auto state = micromap::special_state(code, data.arrays.encoding))
     return Found{static_cast<unsigned>(*state), {}, 0};
@@ -115,7 +115,7 @@ std::optional<Found> found_by(const Data& data, std::uint32_t code, Level n) {
   return Found{std::nullopt, all.subspan(record.offset, size), record.format};
 }
 
-/// Every state of one use against what was baked, and how many of each state the plan says that there are.
+/// Compares every state of a use with the baked one, and their counts with the plan's.
 Finding leads_to_its_states(const Data& data, Level n, const Use& at) {
   const TriangleUse& use = data.plan.primitives[at.primitive].triangles[at.triangle];
   const BakedTriangle& baked = data.baked.triangles[use.triangle];
@@ -163,7 +163,7 @@ Law indirection_law(const Data& data) {
        [&data, uses](Level n, std::uint64_t k) -> Finding {
          const auto& [use, first] = uses->of[n][k];
          const bool is_first = use.primitive == first.primitive && use.triangle == first.triangle;
-         // With the code of the first use comes what that one's own case has looked at, state by state.
+         // A use with the code of its first use has the states that the first use's case checks.
          if (!is_first && code_of(data, use) == code_of(data, first)) return {code_of(data, use)};
          return leads_to_its_states(data, n, use);
        }});

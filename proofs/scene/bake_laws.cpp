@@ -25,7 +25,7 @@ unsigned code_of(const BakedTriangle& t, std::uint32_t index) {
   return t.map[std::size_t{index} * b / 8] >> (index * b % 8) & ((1u << b) - 1);
 }
 
-/// What is claimed of a micro-triangle, by its code.
+/// Whether a code is that of a known state, T or O.
 constexpr bool is_known(unsigned code) { return code < 2; }
 
 struct Place {
@@ -45,21 +45,22 @@ struct OfLevel {
   }
 };
 
-/// One of the laws: which codes it is about, and which true state denies them.
+/// A law: the codes that it is about, and the true state that denies them.
 struct Claim {
   const char* id;
   const char* says;
   enum About { known, unknown, forced } what;
-  const char* states;  ///< that it is about, in words
+  const char* states;  ///< the states that it is about, in words
 
   bool about(unsigned code) const { return what == forced || is_known(code) == (what == known); }
-  /// Domain: a code that it is about; `leans` as alpha at the centroid does.
+  /// Whether a code agrees with the true state.  `leans`: whether alpha at the centroid is rather opaque.  Domain: a
+  /// code that the law is about.
   bool holds(unsigned code, State truly, bool leans) const {
     if (what == unknown) return truly == State::C;
     if (what == forced && truly == State::C) return code == (leans ? 1u : 0u);
     return truly == (code == 1 ? State::O : State::T);
   }
-  /// How many micro-triangles of a map it is about.
+  /// The number of micro-triangles of a map that the law is about.
   std::uint64_t count(const BakedTriangle& t) const {
     return (what == unknown ? 0 : t.states[0] + t.states[1]) +
            (what == known ? 0 : t.states[2] + t.states[3]);
@@ -97,8 +98,8 @@ void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::
   });
 }
 
-/// Micro-triangles that the claim is about, drawn by a number; every second one near a change of state, where
-/// there is one within the draws that are allowed.
+/// A micro-triangle that the claim is about, drawn by a number.  Every second one is near a change of state, if 512
+/// draws find such.
 Place drawn(const Claim& claim, const OfLevel& of, const std::vector<std::size_t>& from, Level n,
             std::uint64_t seed, std::uint64_t number) {
   Random random(seed, 70 + static_cast<std::uint64_t>(claim.what), number << 5 | n);
@@ -112,13 +113,13 @@ Place drawn(const Claim& claim, const OfLevel& of, const std::vector<std::size_t
     if (number % 2 == 0 || of.exact->near_change(p.triangle, n, p.index)) return p;
   }
   if (found) return best;
-  // Rare ones: the first of some triangle.
+  // Rare states: the first one of some triangle.
   for (std::uint32_t k = 0;; ++k)
     if (claim.about(code_of(of.data.baked.triangles[from[number % from.size()]], k)))
       return {from[number % from.size()], k};
 }
 
-/// Node `index` of depth m, all of whose 4^(n-m) micro-triangles are in the chunk.
+/// Judges node `index` of depth m, all of whose 4^(n-m) micro-triangles are in the chunk.
 void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangle, Level m,
              std::uint32_t index, std::uint64_t base, Tally& tally) {
   const std::uint32_t first = index << (2 * (n - m));
@@ -134,7 +135,7 @@ void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangl
       descend(claim, of, n, triangle, m + 1, 4 * index + child, base, tally);
     return;
   }
-  // All of a part that is T or O is that.
+  // All micro-triangles of a node that is T or O have that state.
   const unsigned right = truly == State::O ? 1 : 0;
   for (std::uint32_t k = first; k < first + count; ++k) {
     const unsigned code = code_of(baked, k);
@@ -148,7 +149,7 @@ void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangl
   }
 }
 
-constexpr Level piece = 4;  ///< 4^piece micro-triangles to a unit of the whole domain
+constexpr Level piece = 4;  ///< a unit of the whole domain has 4^piece micro-triangles
 
 Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactSurfaces>& exact,
         const BakeSample& sample) {

@@ -1,4 +1,4 @@
-// The specification's view of a plan: the exact state of any micro-triangle of it.
+// The specification's view of a plan: the exact state of any of its micro-triangles.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,21 @@ namespace mmverify::proofs::scene {
 
 class ExactSurfaces {
  public:
-  /// The textures of the plan's surfaces, copied.  Margin: in texels, finite and not below 0.
+  /// Copies the textures of the plan's surfaces.  Margin: in texels, finite and not below 0.
   ExactSurfaces(const mmverify::scene::Scene& scene, const mmverify::scene::Plan& plan, float margin);
   ~ExactSurfaces();
 
-  /// Of micro-triangle `index` of level n of a planned triangle: spec::bake in rationals.
+  /// The state of micro-triangle `index` of level n of a planned triangle: spec::bake in rationals.
   /// Domain: triangle below Plan::triangles.size(), index < 4^n, n in 0..16.
   spec::bake::State state(std::size_t triangle, Level n, std::uint32_t index) const;
 
-  /// Whether alpha is rather opaque at its centroid: UO, not UT.
+  /// Whether alpha at its centroid is rather opaque: UO, not UT.
   bool rather_opaque(std::size_t triangle, Level n, std::uint32_t index) const;
 
-  /// "alpha 1/5..4/5, cutoff 1/2".
+  /// Its range of alpha and the cutoff as text, "alpha 1/5..4/5, cutoff 1/2".
   std::string text(std::size_t triangle, Level n, std::uint32_t index) const;
 
-  /// Whether texels on both sides of the cutoff lie less than a texel from it; a choice for samples, no
-  /// proof.
+  /// Whether texels on both sides of the cutoff lie less than a texel from it; a choice for samples, no proof.
   bool near_change(std::size_t triangle, Level n, std::uint32_t index) const;
 
  private:

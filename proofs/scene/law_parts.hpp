@@ -1,4 +1,4 @@
-// What the laws on a scene's parts are put together from: so many parts a level, and how one is judged.
+// Common parts of the laws on a scene's parts: the parts of a level, and the check of a part.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace mmverify::proofs::scene {
 
-/// A law on all parts of a level: `parts` says how many, `what` names them, `check` judges one.
+/// The domain of a law, all parts of a level: `count` is their number, `what` names them, `check` judges one.
 struct Domain {
   std::string what;
   std::function<std::uint64_t(Level)> count;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Level finest = 12;
 
-/// "levels 0..3, 7": those that a law has nothing for.
+/// Levels as text, "levels 0..3, 7".
 std::string levels_text(const std::vector<Level>& levels) {
   std::string text = levels.size() == 1 ? "level " : "levels ";
   for (std::size_t k = 0; k < levels.size();) {
@@ -37,7 +37,7 @@ void add_formats(SceneLaws& all, const Data& data) {
   if (!four) all.left_out.push_back({"4-state", "no map has both an unknown and another state"});
 }
 
-/// Of everything that the laws look at.
+/// A hash of everything that the laws read.
 std::string fingerprint_of(const Data& data) {
   Hash hash;
   hash.numbers(data.arrays.array.data);
@@ -68,7 +68,7 @@ std::string fingerprint_of(const Data& data) {
 
 }  // namespace
 
-/// Of all that the laws look at; a second's work, so done once.
+/// The fingerprint takes a second, so it is computed once.
 std::string SceneSubject::fingerprint() const {
   std::call_once(asked_, [this] { fingerprint_ = fingerprint_of(data_); });
   return fingerprint_;

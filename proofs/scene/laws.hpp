@@ -9,23 +9,23 @@
 
 namespace mmverify::proofs::scene {
 
-/// What of a law's levels the scene has nothing for.
+/// A law, levels of a law, or a format without cases in the scene, and the reason.
 struct LeftOutLaw {
   std::string what, why;
 };
 
-/// The laws of a scene, and a job for each level that occurs.  Moving it leaves the laws where they are.
+/// The laws of a scene, and a job for each level that occurs.  A move keeps the laws in place.
 struct SceneLaws {
   std::vector<Law> laws;
   std::vector<Job> jobs;
   std::vector<LeftOutLaw> left_out;
 };
 
-/// `command`: what shows a counterexample again, but for --replay LAW and --case LEVEL@CASE.
+/// `command`: the command that shows a counterexample again, without --replay LAW and --case LEVEL@CASE.
 /// Domain: data that outlives the laws.
 SceneLaws scene_laws(const Data& data, const BakeSample& sample, const std::string& command);
 
-/// The laws of baking alone, on maps that somebody else has made; `name`: of their file.
+/// The laws of baking only, on maps that another program has made; `name`: their file's.
 SceneLaws map_laws(const Data& data, const BakeSample& sample, const std::string& name,
                    const std::string& command);
 

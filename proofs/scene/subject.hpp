@@ -1,4 +1,4 @@
-// A scene's own data in the dock: what was baked from it and built of that.
+// A scene's own data as a subject: its baked maps, and the arrays and codes built from them.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace mmverify::proofs::scene {
 
-/// What codes the maps: this project's, or in a test a wrong one, which the laws must refute.
+/// The codecs of the maps: this project's, or in a test a wrong one, which the laws must refute.
 struct Codecs {
   using Map = std::span<const std::uint8_t>;
   std::function<impl::tree::Stream(Level, impl::micromap::Format, Map)> stream =
@@ -26,7 +26,7 @@ struct Codecs {
   };
 };
 
-/// All that its laws look at.  Not owned, but for nothing: the scene outlives its laws.
+/// All data that the scene's laws read.  Nothing is owned: the scene outlives its laws.
 struct Data {
   const mmverify::scene::Scene& scene;
   const mmverify::scene::Plan& plan;
@@ -34,8 +34,8 @@ struct Data {
   const mmverify::scene::SceneArrays& arrays;
   const mmverify::scene::Pairs& pairs;
   const mmverify::scene::SquareMaps& squares;
-  float margin = 0;        ///< that was baked with
-  bool two_state = false;  ///< whether it was forced to 2-state
+  float margin = 0;        ///< the margin of the bake
+  bool two_state = false;  ///< whether the maps were forced to 2-state
   Codecs codecs = {};
 };
 
@@ -43,7 +43,7 @@ class SceneSubject : public Subject {
  public:
   SceneSubject(const Data& data, const std::string& topic)
       : Subject(topic, "impl", "what this project bakes, packs and codes of a scene"), data_(data) {}
-  /// Maps that somebody else has made.
+  /// A subject of maps that another program has made.
   SceneSubject(const Data& data, const std::string& topic, const std::string& name)
       : Subject(topic, name, "maps that a file has"), data_(data) {}
   bool exact() const override { return true; }

@@ -1,4 +1,4 @@
-// The maps that somebody else's baker makes of a scene's triangles, held against this project's.
+// The maps of a scene's triangles by another program's baker, compared with this project's.
 #pragma once
 
 #include <atomic>
@@ -14,34 +14,37 @@
 
 namespace mmverify::proofs::scene {
 
-/// What is wrong of one triangle's map: micro-triangles that are O or T and should not be, and that are unknown and
-/// could be known, by the baker's own rules.
+/// The wrong states of one triangle's map by the baker's own rules: micro-triangles that are O or T and should not
+/// be, and needlessly unknown ones.
 struct WrongStates {
   std::vector<std::uint32_t> known, unknown;
 };
 
 /// Sums over the triangles of a scene.
 struct SubjectTotals {
-  std::uint64_t triangles = 0, outside = 0, declined = 0;                    ///< outside: not asked
-  std::uint64_t micro_triangles = 0, wrong_known = 0, needless_unknown = 0;  ///< of the rest
-  double ns = 0,
-         our_ns = 0;  ///< a micro-triangle: the baker's in its worker, question and answer included; ours
+  std::uint64_t triangles = 0, outside = 0, declined = 0;  ///< outside: not supported by the baker
+  std::uint64_t micro_triangles = 0, wrong_known = 0,
+                needless_unknown = 0;  ///< of the triangles that it baked
+  double
+      ns = 0,
+      our_ns =
+          0;  ///< a micro-triangle: the baker's in its worker, with the transfer of question and answer; ours
 };
 
 class SubjectMaps {
  public:
-  /// Domain: data of 4-state maps that outlives this.
+  /// Domain: data of 4-state maps; it outlives this object.
   SubjectMaps(const Data& data, bake::BakeSubjectPtr subject);
 
-  /// Whether the baker declares what a planned triangle asks for, and a case says it: the texture fits into the memory
-  /// that a worker shares, the cutoff is a fraction of 32 bits.
+  /// Whether the baker supports a planned triangle, and a case can express it: the texture fits into the memory that
+  /// a worker shares, and the cutoff is a fraction of 32 bits.
   bool asks(std::size_t triangle) const;
-  /// Baked at the first question, from any thread; none where the baker declined it.  Domain: one that it is asked.
-  /// Throws SubjectBroken.
+  /// The wrong states of a triangle, baked at the first call, from any thread; null if the baker declined it.
+  /// Domain: asks(triangle).  Throws SubjectBroken.
   const WrongStates* wrong(std::size_t triangle) const;
-  /// What it is asked.  Domain: one that it is asked.
+  /// The case of a triangle.  Domain: asks(triangle).
   bake::Case case_of(std::size_t triangle) const;
-  /// Of all triangles, those that were asked so far.
+  /// The sums over all triangles; states and times only of those baked so far.
   SubjectTotals totals() const;
 
   const Data& data() const { return data_; }

@@ -1,5 +1,5 @@
-// Operations on payloads, code by code.  If any two hits may change places on any payload, hits of any number may be met in
-// any order: each order comes of each other one by exchanging neighbours.
+// Laws of operations on payloads, code by code.  If any two hits may be exchanged on any payload, any number of hits
+// may be met in any order: exchanges of neighbours lead from each order to each other.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -19,7 +19,7 @@ constexpr char cam_functions[] = "Color and Attribute Micromaps, 4.3, figure 6";
 
 using spec::traverse::Code;
 
-/// An operation and two codes; a third one runs through all 256.
+/// An operation and two codes; each case combines them with all 256 third codes.
 struct Codes {
   Operation operation;
   Code first, second;
@@ -28,8 +28,8 @@ struct Codes {
 constexpr std::size_t all_codes = 256;
 using CodeWords = std::vector<std::uint32_t>;
 
-/// The words of a number of up to three codes, the first in its highest bits: each channel has a permutation of all such
-/// numbers, so that it meets every combination, and no channel tells what another one holds.
+/// The words of a number of up to three codes, the first in its highest bits.  Each channel has its own permutation
+/// of all such numbers, so that it meets every combination, and no channel determines another.
 template <std::size_t codes>
 constexpr std::array<std::uint32_t, codes> in_all(std::uint32_t number) {
   std::array<std::uint32_t, codes> words{};
@@ -39,8 +39,8 @@ constexpr std::array<std::uint32_t, codes> in_all(std::uint32_t number) {
   }
   return words;
 }
-/// The payload and the value of a payload's code, an alpha and a value's code: under each alpha each of R, G and B meets
-/// every pair of codes, and A every payload's.
+/// The words of a payload's code, an alpha and a value's code.  Under each alpha each of R, G and B meets every pair
+/// of codes, and A every payload's code.
 constexpr std::array<std::uint32_t, 2> with_alpha(std::uint32_t number) {
   const Code p = number >> 16, alpha = number >> 8 & 255, v = number & 255;
   std::array<std::uint32_t, 2> words{((p + 85 * v) & 255) << 24, alpha << 24};
@@ -58,7 +58,7 @@ CodeWords blended(const TraverseSubject& s, Operation o, const CodeWords& payloa
   return out;
 }
 
-/// A first code's words of all pairs of a second and a third one, by columns: payloads, then values.
+/// The words of a first code with all pairs of a second and a third one, by columns: payloads, then values.
 template <std::size_t columns>
 std::array<CodeWords, columns> of_pairs(std::array<std::uint32_t, columns> (*words)(std::uint32_t),
                                         Code first) {
@@ -72,14 +72,14 @@ std::array<CodeWords, columns> of_pairs(std::array<std::uint32_t, columns> (*wor
   return all;
 }
 
-/// What a subject answers of all pairs, for one operation and one first code.
+/// A subject's answers to all pairs, for one operation and one first code.
 struct CodeSheet {
   CodeWords one, other;
 };
 using AsksSheet = CodeSheet (*)(const TraverseSubject&, Operation, Code first);
 
-/// The answers to a case's second code: 256 words.  A thread asks for a whole sheet at once, as a subject elsewhere is
-/// fastest, and keeps the last one.
+/// The answers to a case's second code: 256 words.  A thread asks for a whole sheet at once, as calls to a library
+/// cost time, and keeps the last one.
 struct TwoColumns {
   std::span<const std::uint32_t> one, other;
 };
@@ -94,7 +94,7 @@ TwoColumns answers_to(const TraverseSubject& s, const Codes& c, AsksSheet asks) 
   thread_local Kept kept;
   if (kept.subject != s.serial || kept.asks != asks || kept.operation != c.operation ||
       kept.first != c.first) {
-    kept.subject = 0;  // while it may throw
+    kept.subject = 0;  // until the sheet is complete, since `asks` may throw
     kept.sheet = asks(s, c.operation, c.first);
     kept.asks = asks;
     kept.operation = c.operation;
@@ -118,7 +118,7 @@ std::uint64_t digest_of(std::span<const std::uint32_t> column) {
   return sum;
 }
 
-/// Operations first to last, with all pairs of codes.
+/// Cases of the operations first to last, with all pairs of codes.
 Cases<Codes> on_codes(Operation first, Operation last,
                       std::function<Finding(const TraverseSubject&, const Codes&)> check) {
   const auto from = static_cast<std::uint64_t>(first), to = static_cast<std::uint64_t>(last) + 1;
@@ -147,7 +147,7 @@ Cases<Codes> on_codes(Operation first, Operation last,
   return cases;
 }
 
-/// A mutant's change: `wrong` may alter a word that was blended.
+/// A mutant whose blended words `wrong` may alter.
 std::function<void(Functions&)> blending(void (*wrong)(Operation, std::uint32_t payload, std::uint32_t value,
                                                        std::uint32_t& out)) {
   return spoils(&Functions::blend,
@@ -187,7 +187,7 @@ Law blend_law() {
                             if (o == Operation::over && (v & 255) == 9 && v >> 24 < 128) --out;
                           }))}},
       {entry::blend}, on_codes(Operation::max, Operation::over, [](const TraverseSubject& s, const Codes& c) {
-        // The first code is a payload's, the second the value's alpha, the third a value's.
+        // The first code is a payload's, the second one the value's alpha, the third one a value's.
         const TwoColumns all = answers_to(s, c, [](const TraverseSubject& subject, Operation o, Code first) {
           const auto [payload, value] = of_pairs(with_alpha, first);
           CodeWords right;
@@ -206,7 +206,7 @@ Law blend_law() {
       }));
 }
 
-/// Both orders of two values on a payload.
+/// The results of two values on a payload, in both orders.
 using ThreeWords = std::array<std::uint32_t, 3>;
 template <ThreeWords (*words)(std::uint32_t)>
 TwoColumns in_both_orders(const TraverseSubject& s, const Codes& c) {
@@ -216,7 +216,7 @@ TwoColumns in_both_orders(const TraverseSubject& s, const Codes& c) {
                      blended(subject, o, blended(subject, o, payload, b), a)};
   });
 }
-/// One code in all channels, and opaque.
+/// Words with one code in all channels; opaque() sets A to 255.
 constexpr ThreeWords alike(std::uint32_t number) {
   return {(number >> 16) * 0x01010101u, (number >> 8 & 255) * 0x01010101u, (number & 255) * 0x01010101u};
 }
@@ -292,7 +292,7 @@ Law duplicates() {
                           }))}},
       {entry::blend},
       on_codes(Operation::max, Operation::multiply, [](const TraverseSubject& s, const Codes& c) {
-        // Of all second codes, as there is no third.
+        // The sheet has all second codes, since there is no third.
         const auto asks = [](const TraverseSubject& subject, Operation o, Code first) {
           CodeWords payload, value;
           for (Code second = 0; second < all_codes; ++second) {
@@ -324,7 +324,7 @@ Law duplicates() {
 // What does depend on the order
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// By payload, value and value.
+/// The smallest case: payload, value and value.
 constexpr std::array<Code, 3> smallest{2, 64, 128};
 
 Law multiply_depends() {

@@ -1,4 +1,4 @@
-// What becomes of a candidate, in every combination that an API defines; and which ones none does.
+// Laws of the outcome for a candidate, in every combination that an API defines, and of the undefined combinations.
 #include "proofs/engine/spoils.hpp"
 #include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"

@@ -20,7 +20,7 @@ constexpr std::uint64_t stream = 0x68697473;
 constexpr std::uint64_t kinds_of_distances = 6;
 constexpr std::uint32_t infinite = 0x7F800000, least_normal = 0x00800000;
 
-/// A distance of a kind; all of a list are about `middle`, the bits of a number.
+/// A distance of a kind; all distances of a list are near `middle`, the bits of a number.
 std::uint32_t distance(std::uint64_t kind, std::uint32_t middle, Random& random) {
   const auto bits = [](std::uint64_t word) { return static_cast<std::uint32_t>(word); };
   switch (kind) {
@@ -39,7 +39,7 @@ std::uint32_t distance(std::uint64_t kind, std::uint32_t middle, Random& random)
   }
 }
 
-/// A value whose effect a later one does not hide.
+/// A value whose effect later ones do not hide.
 Colour telling_value(Operation o, Random& random) {
   Colour v{};
   for (auto& code : v) {
@@ -62,15 +62,16 @@ HitList hit_list(std::uint64_t seed, std::uint64_t k) {
   HitList list;
   list.operation = static_cast<Operation>(k % spec::traverse::operations);
   const bool bright = list.operation == Operation::min || list.operation == Operation::multiply;
-  // Half of the lists have any payload and any values: what the others leave out of them.
+  // Half of the lists have any payload and any values, which the other half avoids.
   const bool any = random.below(2) == 0;
   const auto four_codes = [&random] { return colour_of(random.four_codes()); };
   list.payload = any ? four_codes() : bright ? Colour{255, 254, 253, 252} : Colour{0, 1, 2, 3};
   const std::uint64_t count = 1 + k % most_hits, kind = random.below(kinds_of_distances);
-  // From 2^-20 to 2^20; now and then the largest below a power of two, so that neighbours have another exponent.
+  // The middle is from 2^-20 to 2^20, and at times just below a power of two, so that neighbours have another
+  // exponent.
   const auto fraction = random.below(4) == 0 ? 0x7FFFFE : random.below(1u << 23);
   const auto middle = static_cast<std::uint32_t>((107 + random.below(40)) << 23 | fraction);
-  // Of so many hits about one is accepted: of none, of few, of most.
+  // The share of accepted hits: about one of `one_in`, from all to few.
   const std::uint64_t one_in = std::uint64_t{1} << random.below(6);
   for (std::uint64_t at = 0; at < count; ++at) {
     Hit hit{distance(kind, middle, random), random.below(one_in) == 0,

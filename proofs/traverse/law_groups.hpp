@@ -7,21 +7,21 @@
 
 namespace mmverify::proofs::traverse {
 
-/// What becomes of a candidate, in every combination.
+/// The outcome for a candidate, in every combination.
 std::vector<Law> decision_laws();
-/// What a lossy substitution of states may do to it.
+/// The effects of a lossy substitution of states on a candidate.
 std::vector<Law> lossy_laws();
-/// Values of hits blended into a payload: which operations need no order.
+/// Blends of hits into a payload, and the operations that need no order.
 std::vector<Law> blend_laws();
 /// Blends of whole random payloads and values.
 std::vector<Law> blend_sample_laws();
-/// The same where hits are accepted among them.
+/// Blends with accepted hits among them.
 std::vector<Law> order_laws();
-/// The same of up to sixteen hits.
+/// Blends of up to sixteen hits, accepted ones among them.
 std::vector<Law> many_hits_laws();
-/// What rays see, micromaps asked or not.
+/// Images along rays, with and without micromaps.
 std::vector<Law> image_laws();
-/// What hits that blend leave in a payload, along the same rays.
+/// The payloads of hits that blend, along the same rays.
 std::vector<Law> payload_laws();
 
 }  // namespace mmverify::proofs::traverse

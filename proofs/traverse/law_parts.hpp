@@ -1,4 +1,4 @@
-// What the laws of topic traverse are put together from: a check of one case, and the cases that it is run on.
+// Common parts of the laws of topic traverse: the check of a case, and the cases that it runs on.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,10 +22,10 @@ inline constexpr char vulkan_culling[] = "Vulkan, Ray Opacity Culling and Ray Op
 /// Domain: a subject of this topic.
 const TraverseSubject& of_traverse(const Subject& s);
 
-/// Why the law does not apply, if so: another topic, or an entry point that is missing.
+/// The reason why the law does not apply, if any: another topic, or a missing entry point.
 std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries);
 
-/// Cases by number: how many, which, the text of one, the case of a text (or BadCase), and how one is judged.
+/// Cases by number: their count, a case by number, its text, the case of a text (or BadCase), and its check.
 template <class Case>
 struct Cases {
   std::function<std::uint64_t()> count;
@@ -36,7 +36,7 @@ struct Cases {
   std::uint64_t chunk = 1024;
 };
 
-/// The law, case by case, at all levels at once.
+/// The law on numbered cases, at all levels at once.
 template <class Case>
 Law on_cases(Law law, std::vector<Entry> entries, Cases<Case> cases) {
   law.topic = "traverse";
@@ -58,27 +58,27 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases<Case> cases) {
 
 using Check = std::function<Finding(const TraverseSubject&, const Combination&)>;
 
-/// The law on those of the defined combinations that it is about; a text of another one is a BadCase.
+/// The law on the defined combinations that `about` accepts; the text of another combination is a BadCase.
 Law on_defined(Law law, bool (*about)(const Combination&), Check check);
 
-/// A law's domain, where it is the same for all.
+/// The domain of a law, the same text for every subject and level.
 std::function<std::string(const Subject&, Level)> named_domain(const char* text);
 
-/// A mutant's change: `wrong` makes its outcome of the combination and the right one.
+/// A mutant: `wrong` makes its outcome from the combination and the right outcome.
 std::function<void(Functions&)> deciding(Outcome (*wrong)(const Combination&, Outcome));
-/// A mutant's change: it takes one combination for another.
+/// A mutant that takes one combination for another.
 std::function<void(Functions&)> mistaking(void (*change)(Combination&));
 
-/// A mutant's change: it gathers other hits.
+/// A mutant that gathers other hits.
 std::function<void(Functions&)> gathering(void (*change)(std::vector<Hit>&));
 
-/// "255 0 0 255".
+/// The codes as text, "255 0 0 255".
 std::string text_of_colour(const spec::traverse::Colour& c);
 
-/// `opaque`; of a code that is no outcome its number.
+/// The name of an outcome, such as `opaque`; the number of a code that is no outcome.
 std::string text_of(Outcome o);
 
-/// Holds where the outcome is the one expected.
+/// Holds if the outcomes are equal.
 Finding same(Outcome expected, Outcome got);
 
 }  // namespace mmverify::proofs::traverse

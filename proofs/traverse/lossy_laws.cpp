@@ -1,5 +1,5 @@
-// A lossy map has unknown states in the place of others.  Its shader answers as the full map would; then a ray may end
-// another way only where nobody asks the shader.
+// Laws of lossy maps, which replace states by unknown ones.  The shader answers as the full map would, so a ray may
+// only end another way if no shader runs.
 #include <map>
 #include <mutex>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr char lossy_source[] =
     "VK_KHR_opacity_micromap proposal, lossy micromaps; the KHR slides, \"Lossy Micromaps\"";
 
-/// A combination of the full map, and the unknown state that is read in the place of its state.
+/// A combination of the full map, and the unknown state that the lossy map has instead.
 struct Substitution {
   Combination full;
   State read;
@@ -21,7 +21,7 @@ struct Substitution {
 
 bool own_side(const Substitution& s) { return spec::micromap::as_unknown(s.full.candidate.state) == s.read; }
 
-/// Traces of KHR that read a state of a 4-state map or of a special index, and another state, which is unknown.
+/// KHR traces that read a state of a 4-state map or of a special index, each with every other state that is unknown.
 std::vector<Substitution> all_substitutions() {
   std::vector<Substitution> all;
   for (const Combination& c : defined()) {
@@ -36,14 +36,14 @@ std::vector<Substitution> all_substitutions() {
 
 bool any(const Substitution&) { return true; }
 
-/// The ray drops whatever is opaque by the lookup.
+/// Whether the ray drops hits that are opaque by the lookup.
 bool drops_opaque(const Combination& c) {
   return made_non_opaque(c) ? c.ray.cull_no_opaque : c.ray.cull_opaque;
 }
 
-/// Nobody but a shader can tell.  Without force-2-state: T where no flag makes hits opaque, or CullOpaque drops them; O
-/// where a flag settles the opacity, or nothing is culled by it.  With it: states that stay on their side; others where the
-/// ray drops both sides, and T where flags let a shader drop it.
+/// Whether only a shader can tell the states apart.  Without force-2-state: T if no flag makes hits opaque, or if
+/// CullOpaque drops them; O if a flag settles the opacity, or if nothing is culled by it.  With force-2-state: states
+/// that stay on their side; others if the ray drops both sides; and T if flags let a shader drop it.
 bool leaves_it_to_the_shader(const Substitution& s) {
   const Combination& c = s.full;
   if (spec::traverse::two_state_override(c))
@@ -54,9 +54,9 @@ bool leaves_it_to_the_shader(const Substitution& s) {
 
 bool shows(const Substitution& s) { return !leaves_it_to_the_shader(s); }
 
-/// Traversal itself accepts or drops what the full map leaves to a shader, or does the other with.  Without force-2-state: a
-/// T that flags make opaque, an O that CullNoOpaque drops because it is unknown.  With it: a state read as the other one,
-/// unless both are dropped, or a shader is asked of a T or UT.
+/// Whether traversal itself accepts or drops a candidate that the full map leaves to a shader, or the other way
+/// round. Without force-2-state: a T that flags make opaque, an O that CullNoOpaque drops because it is unknown.
+/// With it: a state read as the other one, unless both are dropped, or a shader runs for a T or UT.
 bool decides_more(const Substitution& s) {
   const Combination& c = s.full;
   if (spec::traverse::two_state_override(c))
@@ -66,15 +66,15 @@ bool decides_more(const Substitution& s) {
   return c.candidate.state == State::O && c.ray.cull_no_opaque && !made_opaque(c) && !made_non_opaque(c);
 }
 
-/// Whether the candidate is a hit, given what the shader would say.
+/// Whether the candidate is a hit, given the shader's answer.
 bool hits(Outcome o, bool shader_says) {
   return o == Outcome::opaque || (o == Outcome::non_opaque && shader_says);
 }
 
-/// The law on the substitutions that it is about.
+/// The law on the substitutions that `about` accepts.
 Law on_substitutions(Law law, bool (*about)(const Substitution&),
                      std::function<Finding(const Substitution&, Outcome full, Outcome lossy)> check) {
-  // By then the combinations are there.
+  // Evaluated late, when defined() can be called.
   const auto some = [about]() -> const std::vector<Substitution>& {
     static std::map<bool (*)(const Substitution&), std::vector<Substitution>> known;
     static std::mutex lock;
@@ -104,10 +104,11 @@ Law on_substitutions(Law law, bool (*about)(const Substitution&),
   return on_cases(std::move(law), {entry::decide}, std::move(cases));
 }
 
-/// Whether the ray ends otherwise than with the full map, for some answer of a shader that answers as that would.
+/// Whether the ray ends another way than with the full map, for some answer of a shader that agrees with the full
+/// map.
 bool ends_otherwise(const Substitution& s, Outcome full, Outcome lossy) {
   for (const bool shader_says : {false, true}) {
-    // The full map settles what a shader says of its known states.
+    // The full map settles the shader's answer for its known states.
     if (s.full.candidate.state == State::T && shader_says) continue;
     if (s.full.candidate.state == State::O && !shader_says) continue;
     if (hits(full, shader_says) != hits(lossy, shader_says)) return true;

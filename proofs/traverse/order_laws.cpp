@@ -1,4 +1,4 @@
-// Hits that blend, with accepted hits among them, in every order in which traversal may meet them.
+// Laws of hits that blend, with accepted hits among them, in every order in which traversal may meet them.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -23,17 +23,17 @@ using spec::traverse::Colour;
 enum class Reports { once, each_twice, all_again };
 constexpr const char* reports_names[] = {"once", "each-twice", "all-again"};
 
-/// Whether a hit that is met later, of those at one distance, or farther, of the others, has greater codes; of `mixed` each
-/// channel has an order of its own, and of add each sum is another one.
+/// The order of the values' codes by distance, and at one distance by the order of the hits: rising or falling.  With
+/// `mixed` each channel has an order of its own, and for add every sum differs.
 enum class Values { rising, falling, mixed };
 constexpr const char* values_names[] = {"rising", "falling", "mixed"};
 
-/// What the payload is before any hit.
+/// The payload before any hit.
 enum class Before { neutral, coloured };
 constexpr const char* before_names[] = {"neutral", "coloured"};
 
-/// Hits in the order in which they are met: a letter, A accepted and B blends, and a distance, 1 to 4, which several may
-/// share.
+/// Hits in the order in which traversal meets them.  Each is a letter, A for accepted and B for blending, and a
+/// distance, 1 to 4, which several may share.
 struct Scene {
   Operation operation = Operation::max;
   std::string hits = {};
@@ -59,7 +59,7 @@ Colour payload_of(const Scene& s) {
   return bright ? Colour{254, 253, 252, 251} : Colour{9, 8, 7, 6};
 }
 
-/// The value of the k-th of `count` hits, by distance and then as they are met.
+/// The value of the k-th of `count` hits, sorted by distance and then by the order of the hits.
 Colour value_of(const Scene& s, std::size_t k, std::size_t count) {
   constexpr std::array<std::array<std::uint32_t, 4>, 4> orders{
       {{0, 1, 2, 3}, {2, 0, 3, 1}, {1, 3, 0, 2}, {3, 2, 1, 0}}};
@@ -68,14 +68,14 @@ Colour value_of(const Scene& s, std::size_t k, std::size_t count) {
     std::uint32_t place = static_cast<std::uint32_t>(k);
     if (s.values == Values::falling) place = static_cast<std::uint32_t>(count - 1 - k);
     if (s.values == Values::mixed) place = orders[c][k];
-    // No two sets of hits have one sum, and no product or mean one code.
+    // No two sets of hits have the same sum, and no product or mean has a code twice.
     value[c] = s.operation == Operation::add ? (1u << (place + 1)) + (c == 3 ? 1 : 0)
                                              : 20 + 50 * place + static_cast<std::uint32_t>(c);
   }
   return value;
 }
 
-/// The hits, once each.
+/// The hits of a scene, once each.
 std::vector<Hit> hits_of(const Scene& s) {
   std::vector<std::size_t> nearest(s.count());
   std::iota(nearest.begin(), nearest.end(), std::size_t{0});
@@ -89,7 +89,7 @@ std::vector<Hit> hits_of(const Scene& s) {
   return hits;
 }
 
-/// The same as traversal reports them.
+/// The hits as traversal reports them.
 std::vector<Hit> reported(const Scene& s, const std::vector<Hit>& hits) {
   std::vector<Hit> all;
   for (const Hit& hit : hits) {
@@ -105,8 +105,8 @@ std::vector<Hit> reported(const Scene& s, const std::vector<Hit>& hits) {
 
 constexpr Operation order_free_ones[] = {Operation::max, Operation::min, Operation::add};
 
-/// Lists of one to four hits as they are met, each of either kind at a distance of 1 to their number: 2 + 16 + 216 + 4096.
-/// Every order of every such scene is among them.
+/// Lists of one to four hits in the order of traversal, each of either kind at a distance of 1 to their number: 2 +
+/// 16 + 216 + 4096.  They contain every order of every such scene.
 std::vector<std::string> make_lists() {
   std::vector<std::string> all;
   for (std::size_t hits = 1; hits <= 4; ++hits) {
@@ -130,7 +130,7 @@ const std::vector<std::string>& all_lists() {
   return all;
 }
 
-/// Those of them that are met from the nearest on, each distance up to the last one taken: scenes, whatever the order.
+/// The lists sorted by distance that use every distance up to their last: one list for each scene.
 const std::vector<std::string>& sorted_lists() {
   static const std::vector<std::string> all = [] {
     std::vector<std::string> some;
@@ -145,7 +145,7 @@ const std::vector<std::string>& sorted_lists() {
   return all;
 }
 
-/// Each of the `frames` with each of the lists.
+/// The cases of each of the `frames` with each of the lists.
 Cases<Scene> on_scenes(std::vector<Scene> frames, const std::vector<std::string>& (*lists)(),
                        std::function<Finding(const TraverseSubject&, const Scene&)> check) {
   const auto number = [frames, lists](std::uint64_t k) {
@@ -168,13 +168,13 @@ Cases<Scene> on_scenes(std::vector<Scene> frames, const std::vector<std::string>
   return cases;
 }
 
-/// A mutant that changes what it gathered.
+/// A mutant that changes the gathered payload.
 std::function<void(Functions&)> gathered(void (*change)(std::span<const Hit>, Colour&)) {
   return spoils(&Functions::gather, [change](Operation, const Colour&, std::span<const Hit> hits,
                                              Colour& out) { change(hits, out); });
 }
 
-/// A mutant that gathers hits by distance, for some operations.
+/// A mutant that sorts hits by distance before it gathers them, for some operations.
 std::function<void(Functions&)> sorting_gathered(bool (*some)(Operation)) {
   return [some](Functions& f) {
     f.gather = [some, real = f.gather](Operation o, const Colour& payload, std::span<const Hit> hits) {
@@ -191,7 +191,7 @@ std::function<void(Functions&)> sorting_gathered(bool (*some)(Operation)) {
 // As they are met
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Where the nearest A has a B behind it, or beside it.
+/// Whether a B lies behind the nearest A, or at its distance.
 bool blends_behind_an_accepted(const Scene& s) {
   std::uint32_t nearest = ~0u;
   for (std::size_t k = 0; k < s.count(); ++k)
@@ -203,7 +203,7 @@ bool blends_behind_an_accepted(const Scene& s) {
 
 Law accepted_hit() {
   std::vector<Scene> frames;
-  // What lies behind must show: it is the greatest, or of min the least.
+  // The hit behind must show: its codes are the greatest, or for min the least.
   for (const Operation o : order_free_ones)
     for (const Before before : {Before::neutral, Before::coloured})
       frames.push_back(
@@ -266,7 +266,8 @@ Law accepted_hit() {
 
 bool is_order_free(Operation o) { return o != Operation::multiply && o != Operation::over; }
 
-/// The blends before the nearest A: of max, min and add by distance and each once, of multiply and over as they are met.
+/// The payload of the blends before the nearest A: for max, min and add by distance and each once, for multiply and
+/// over in the order of the hits.
 Colour expected_of(const Scene& s) {
   std::vector<Hit> hits = hits_of(s);
   if (is_order_free(s.operation))
@@ -288,7 +289,7 @@ Law before_closest() {
     for (const Reports reports : {Reports::once, Reports::each_twice, Reports::all_again})
       for (const Values values : {Values::rising, Values::falling, Values::mixed})
         for (const Before before : {Before::neutral, Before::coloured})
-          // Only max and min take a hit that is reported twice as one.
+          // Only max and min treat a hit reported twice as one.
           if (o <= static_cast<unsigned>(Operation::min) || reports == Reports::once)
             frames.push_back({static_cast<Operation>(o), {}, reports, values, before});
   return on_cases(

@@ -37,7 +37,7 @@ Key key_of(const Combination& c) {
   return {w.candidate, w.instance, w.ray};
 }
 
-/// What a library answers about candidates of one API, all that is asked in one batch.
+/// A library's answers about candidates of one API, in one batch.
 std::vector<std::uint8_t> asked(const Library& library, Api api, const std::vector<Combination>& all) {
   std::vector<std::uint32_t> candidates, instances, rays;
   for (const Combination& c : all) {
@@ -57,7 +57,7 @@ std::vector<std::uint8_t> asked(const Library& library, Api api, const std::vect
   return codes;
 }
 
-/// The answers to all defined combinations, an API at a time, when the first of them is wanted.
+/// The answers to all defined combinations; each API is asked once, at its first combination.
 class Answers {
  public:
   explicit Answers(LibraryPtr library) : library_(std::move(library)) {}
@@ -69,7 +69,8 @@ class Answers {
       std::vector<Combination> all;
       for (const Combination& one : defined())
         if (one.api == c.api) all.push_back(one);
-      // Those with the same flags follow each other, whatever is held: who goes by several at a time may mix them up.
+      // Combinations with equal flags follow each other, with all kinds of micromap data: a library that works on
+      // several at a time may mix these up.
       std::stable_sort(all.begin(), all.end(), [](const Combination& a, const Combination& b) {
         const Words x = words_of(a), y = words_of(b);
         return std::pair(x.instance, x.ray) < std::pair(y.instance, y.ray);
@@ -87,7 +88,7 @@ class Answers {
   std::map<Api, std::map<Key, std::uint8_t>> known_;
 };
 
-/// A payload or a value, as cases of laws write it.
+/// A payload or a value, as the cases of laws write it.
 std::string text_of_word(std::uint32_t word) {
   return fmt::format("{} {} {} {}", word & 255, word >> 8 & 255, word >> 16 & 255, word >> 24);
 }
@@ -150,7 +151,8 @@ Functions functions_of(const LibraryPtr& library) {
     };
   if (library->offers(Call::traverse_decide))
     f.decide = [answers = std::make_shared<Answers>(library)](const Combination& c) {
-      return static_cast<Outcome>((*answers)(c));  // one that is none is wrong, and named by its number
+      return static_cast<Outcome>(
+          (*answers)(c));  // a code that is no outcome is wrong, and named by its number
     };
   return f;
 }

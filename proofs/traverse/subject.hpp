@@ -1,4 +1,4 @@
-// An implementation of topic traverse in the dock: what it decides of a candidate, a function each.
+// A subject of topic traverse: functions that decide on candidates and blend hits, built in or in the dock.
 #pragma once
 
 #include <atomic>
@@ -26,11 +26,11 @@ using spec::traverse::Operation;
 using spec::traverse::Outcome;
 using spec::traverse::Undefined;
 
-/// A hit's distance as the specification has it, and back.
+/// A hit's distance in the specification's form, and as a number.
 constexpr std::uint32_t distance_of(float distance) { return std::bit_cast<std::uint32_t>(distance); }
 constexpr float number_of_distance(std::uint32_t distance) { return std::bit_cast<float>(distance); }
 
-/// What a candidate hit asks of the sample world's maps in one form; square maps have one level.
+/// A lookup of a candidate hit in the sample world's maps of one form; square maps have one level.
 struct Looks {
   render::Method method = render::Method::flat;
   unsigned level = 0;
@@ -38,26 +38,25 @@ struct Looks {
   render::Barycentrics at{0, 0};
 };
 
-/// What a subject has; an empty function is an entry point that is missing.  Calls may come from several threads at
-/// once.
+/// The entry points of a subject; an empty function is a missing entry point.  Several threads may call at once.
 struct Functions {
   /// Domain: a combination whose outcome is defined.
   std::function<Outcome(const Combination&)> decide = {};
   /// Domain: a candidate that exists.
   std::function<Undefined(const Combination&)> undefined = {};
-  /// Payloads and values to payloads, four codes to a word, R in the lowest byte.  Domain: spans of one size.
+  /// Blends values into payloads, four codes to a word, R in the lowest byte.  Domain: spans of one size.
   std::function<void(Operation, std::span<const std::uint32_t> payload, std::span<const std::uint32_t> value,
                      std::span<std::uint32_t> out)>
       blend = {};
-  /// The payload that a ray ends with, of hits in the order in which they are met.
+  /// The payload at a ray's end, from hits in the order in which traversal meets them.
   std::function<spec::traverse::Colour(Operation, const spec::traverse::Colour& payload,
                                        std::span<const Hit>)>
       gather = {};
-  /// The state; none of a triangle without a map.  Domain: a form, a triangle and a point of the sample world.
+  /// The state; nothing for a triangle without a map.  Domain: a form, a triangle and a point of the sample world.
   std::function<std::optional<State>(const Looks&)> look = {};
 };
 
-/// An entry point that must be there, as messages call it.
+/// An entry point that a law needs, and its name in messages.
 struct Entry {
   const char* name;
   bool (*there)(const Functions&);
@@ -76,12 +75,12 @@ class TraverseSubject final : public Subject {
       : Subject("traverse", std::move(name), std::move(about)),
         functions(std::move(functions)),
         fingerprint_(std::move(fingerprint)) {}
-  /// Combinations have nothing between theirs.
+  /// Answers on combinations are exact: none lie between them.
   bool exact() const override { return true; }
   std::string fingerprint() const override { return fingerprint_; }
 
   const Functions functions;
-  const std::uint64_t serial = ++made_;  ///< no other one of this process has it
+  const std::uint64_t serial = ++made_;  ///< unique in this process
 
  private:
   static inline std::atomic<std::uint64_t> made_ = 0;
@@ -89,14 +88,14 @@ class TraverseSubject final : public Subject {
 };
 using TraverseSubjectPtr = std::shared_ptr<const TraverseSubject>;
 
-/// traverse-spec, the specification; traverse, the library's spans; traverse-single, its single values; traverse-as-met,
-/// which blends hits as it meets them.
+/// The specification traverse-spec; the library's spans, traverse, and its single values, traverse-single; and
+/// traverse-as-met, which blends hits as it meets them.
 const std::vector<TraverseSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: there is one.
+/// The built-in subject of that name.  Domain: a subject has that name.
 TraverseSubjectPtr built_in(const std::string& name);
 
-/// A subject with one thing broken on purpose.
+/// A subject with one deliberate error.
 Mutant mutant(const char* name, const std::string& base, const std::function<void(Functions&)>& change);
 
 }  // namespace mmverify::proofs::traverse

@@ -20,8 +20,8 @@ std::vector<std::uint32_t> every_index(Level n) {
   return indices;
 }
 
-/// Of a large map: the first and the last, and others that are not the same for two maps: every second one
-/// anywhere, the rest in pairs at which the state changes, if it soon does.
+/// Some indices of a large map: the first, the last, and others that depend on the map.  Every second one is
+/// anywhere; the rest are pairs at which the state changes, if it does so soon.
 std::vector<std::uint32_t> some_indices(const Map& map, std::uint64_t most) {
   constexpr std::uint64_t soon = 512;
   const std::uint64_t all = micro_triangles(map.level);
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> some_indices(const Map& map, std::uint64_t most) {
   return indices;
 }
 
-/// The same indices in another order: a step of a golden section of them at a time.
+/// The indices in another order: each step is near the golden section of their number.
 std::vector<std::uint32_t> scattered(std::span<const std::uint32_t> indices) {
   const std::uint64_t size = indices.size();
   std::uint64_t step = size * 5 / 8 | 1;
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> scattered(std::span<const std::uint32_t> indices) {
   return out;
 }
 
-/// The states looked up, in batches of first, 4 first + 1, ... elements.
+/// Compares lookups with the map's states, in batches of first, 4 first + 1, ... elements.
 Finding looked_up(const Functions& subject, const Code& code, const Map& map,
                   std::span<const std::uint32_t> indices, std::size_t first) {
   Bytes states(indices.size(), 0xFF);
@@ -73,7 +73,7 @@ struct Points {
   void add(Level n, std::int64_t ku, std::int64_t kv) {
     const auto coordinate = [&](std::int64_t k) { return spec::Fixed64::dyadic(k, n + 2); };
     const auto rounded = [&](std::int64_t k) {
-      return static_cast<float>(k) / static_cast<float>(4 * spec::side(n));  // exact: a few bits
+      return static_cast<float>(k) / static_cast<float>(4 * spec::side(n));  // exact: k has few bits
     };
     u.push_back(rounded(ku));
     v.push_back(rounded(kv));
@@ -97,7 +97,7 @@ Points chosen_points(Level n, std::uint64_t most, std::uint64_t seed = 1) {
   return points;
 }
 
-/// The same for every map of a level, so made once.
+/// The points of a level, made once for all its maps.
 const Points& all_points(Level n) {
   static const std::vector<Points> by_level = [] {
     std::vector<Points> all;
@@ -107,8 +107,8 @@ const Points& all_points(Level n) {
   return by_level[n];
 }
 
-/// The map with two siblings of the third quarter exchanged, four levels below the root where there are so many.  The code
-/// has as many bits and the same ends, and where the nodes have other shapes another tree.
+/// The map with two siblings of the third quarter exchanged, at most four levels below the root.  Its code has the
+/// same length and the same ends, and another tree if the two nodes have other shapes.
 Map with_two_nodes_exchanged(const Map& map) {
   Map other = map;
   if (map.level == 0) return other;
@@ -121,7 +121,7 @@ Map with_two_nodes_exchanged(const Map& map) {
   return other;
 }
 
-/// Its first eight indices, and eight at even steps.
+/// The first eight indices of the third quarter, and eight at even steps.
 std::vector<std::uint32_t> spread_over_the_third_quarter(Level n) {
   constexpr std::uint64_t most = 8;
   const std::uint64_t quarter = micro_triangles(n) / 4, step = std::max<std::uint64_t>(1, quarter / most);
@@ -158,7 +158,7 @@ Finding lookups(const TreeSubject& s, const Map& map, std::uint64_t most) {
       micro_triangles(map.level) <= most ? every_index(map.level) : some_indices(map, most);
   const Finding at_once = looked_up(s.functions, code, map, indices, indices.size());
   if (!at_once.holds) return at_once;
-  // An answer depends on its index alone, not on its place, its batch's size or what was asked before.
+  // An answer depends only on its index, not on its place, the size of its batch or earlier questions.
   const Finding again = looked_up(s.functions, code, map, scattered(indices), 1);
   return again.holds ? at_once : again;
 }
@@ -224,7 +224,7 @@ Finding sizes(const TreeSubject& s, const Map& map) {
     return wrong("leaves", fmt::format("{}", 3 * internal + 1), fmt::format("{}", leaves));
   const std::uint64_t most = spec::tree::most_nodes(map.level);
   if (nodes > most) return wrong("nodes, at most", fmt::format("{}", most), fmt::format("{}", nodes));
-  // Closed forms of the sizes that a leaf count gives.
+  // The sizes by closed forms from the number of leaves.
   const std::uint64_t expected = (nodes + 7) / 8 + (leaves * bits(map.format) + 7) / 8;
   if (bytes.size() != expected)
     return wrong("bytes", fmt::format("{}", expected), fmt::format("{}", bytes.size()));

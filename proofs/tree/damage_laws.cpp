@@ -1,4 +1,4 @@
-// Malformed and non-canonical codes above the levels of which every map is tried.
+// Laws of malformed and non-canonical codes, above the levels of which every map is tried.
 #include <fmt/format.h>
 
 #include "proofs/tree/damages.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr Format two = Format::two_state, four = Format::four_state;
 
-/// Codes up to so many bytes are cut and flipped everywhere.
+/// The size in bytes up to which codes are cut and flipped everywhere.
 constexpr std::size_t thorough = 24;
 
 Finding refuses(const TreeSubject& s, const Map& map) {
@@ -20,7 +20,7 @@ Finding refuses(const TreeSubject& s, const Map& map) {
     found = wrong(d.what, expected, std::move(got));
     return false;
   };
-  // Whatever the form: what is taken is the one code of another map.
+  // Bytes that are taken are the one code of another map, in any form.
   any_damage(map, s.functions.bytes(s.functions.encode(map)), thorough, [&](const Damaged& d) {
     const auto code = s.functions.open(d.level, d.format, d.bytes);
     if (!code) return true;
@@ -33,7 +33,7 @@ Finding refuses(const TreeSubject& s, const Map& map) {
     return true;
   });
   if (!found.holds || !s.functions.reads_paper) return found;
-  // In the paper's form it is known what each string means.
+  // Strings in the paper's form have a known meaning.
   constructed_codes(map, [&](const Constructed& d) {
     const auto code = s.functions.open(d.level, d.format, d.bytes);
     if (code.has_value() != d.meant.has_value())
@@ -82,7 +82,7 @@ Law damage_samples_law() {
                      n, apart_maps);
   };
   law.how = [](const Subject&, Level) { return std::string("sample, by construction"); };
-  // Each takes a code that it has to refuse, for a map of one state, or refuses one that it has to take.
+  // Each mutant takes a code that it must refuse, for a map of one state, or refuses one that it must take.
   const auto with = [](const char* name, const char* base, Levels levels, auto choose) {
     return mutant(name, base, levels,
                   opens_wrongly([=](const Functions& real, Level n, Format f, auto bytes,

@@ -18,7 +18,7 @@ void flip(Bytes& bytes, std::size_t bit) {
   bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
 }
 
-/// Where a subtree lies in the two sequences, and in the map.
+/// A subtree by its place in the two sequences and in the map.
 struct Subtree {
   Level depth;
   std::uint64_t node;              ///< its number among those of its depth
@@ -26,7 +26,7 @@ struct Subtree {
   bool leaf() const { return t + 1 == t_end; }
 };
 
-/// All of a tree, in pre-order.
+/// All subtrees of a tree, in pre-order.
 std::vector<Subtree> subtrees(const Succinct& s) {
   std::vector<Subtree> all;
   std::size_t d = 0;
@@ -44,7 +44,7 @@ std::vector<Subtree> subtrees(const Succinct& s) {
   return all;
 }
 
-/// The sequences with subtree `at` replaced by others, one after the other behind `before` internal nodes.
+/// The sequences with the subtree `at` replaced by `by`.
 Succinct replaced(const Succinct& s, const Subtree& at, const Succinct& by) {
   Succinct out;
   const auto add = [&](const Succinct& from, std::size_t t, std::size_t t_end, std::size_t d,
@@ -66,7 +66,7 @@ Succinct part(const Succinct& s, const Subtree& at) {
            s.data.begin() + static_cast<std::ptrdiff_t>(at.d_end)}};
 }
 
-/// A node with these four children.
+/// A node with four children.
 Succinct node_of(std::initializer_list<const Succinct*> children) {
   Succinct out;
   out.tree.push_back(true);
@@ -77,7 +77,7 @@ Succinct node_of(std::initializer_list<const Succinct*> children) {
   return out;
 }
 
-/// A leaf, split into four equal ones `times` times over; all of them, or the first one only.
+/// A leaf that is split `times` times into four equal ones; each time all of them are split, or only the first.
 Succinct split(State state, Level times, bool all) {
   const Succinct leaf{{false}, {state}};
   Succinct out = leaf;
@@ -93,7 +93,7 @@ void set_state(Map& map, std::uint64_t k, std::uint8_t state) {
   byte = static_cast<std::uint8_t>((byte & ~(((1u << b) - 1) << shift)) | unsigned{state} << shift);
 }
 
-/// A node's run of states.
+/// The number of states of a node.
 std::uint64_t run_of(Level n, Level depth) { return micro_triangles(n - depth); }
 
 }  // namespace
@@ -129,13 +129,13 @@ void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const T
       longer.insert(longer.end(), more, value);
       give(fmt::format("{} bytes {:02x} more,", more, value), longer);
     }
-  // What a count of 8 or 16 bits takes for none.
+  // A count of 8 or 16 bits overflows to 0 with so many bytes more.
   for (const std::size_t more : {std::size_t{1} << 8, std::size_t{1} << 16}) {
     Bytes longer = code;
     longer.insert(longer.end(), more, 0);
     give(fmt::format("{} bytes 00 more,", more), longer);
   }
-  // A node in a node a million times over, for who descends before he counts.
+  // Nodes in nodes, a million deep, against a decoder that descends before it counts.
   give("in the place of all 2^17 bytes ff,", Bytes(std::size_t{1} << 17, 0xFF));
   Bytes twice = code;
   twice.insert(twice.end(), code.begin(), code.end());
@@ -169,7 +169,7 @@ void constructed_codes(const Map& map, const std::function<bool(const Constructe
   };
   const auto at = [](const Subtree& x) { return fmt::format("node {} of depth {}", x.node, x.depth); };
 
-  // One leaf, one internal node and one node of four leaves of each depth, anywhere.
+  // Any leaf, any internal node and any node of four leaves, for each depth.
   std::vector<const Subtree*> leaves(n + 1), internals(n + 1), last_internals(n + 1);
   std::vector<std::uint64_t> seen(3 * (n + 1));
   for (const Subtree& x : all) {
@@ -186,13 +186,13 @@ void constructed_codes(const Map& map, const std::function<bool(const Constructe
     const auto four_for_one = [&](const char* what, Level times, bool everywhere) {
       give(fmt::format("{} {},", at(*x), what), bytes_of(replaced(s, *x, split(state, times, everywhere))));
     };
-    // At the last level this goes below it.
+    // Four children of a leaf at the last level lie below it.
     four_for_one("is four equal leaves", 1, true);
     if (x->depth + 1 < n)
       four_for_one("is equal leaves down to the last level on one way", n - x->depth, false);
     if (x->depth + 2 < n) four_for_one("is sixteen equal leaves", 2, true);
     four_for_one("goes below the last level", n - x->depth + 1, false);
-    // The same leaf of another state: a code unless it is like its siblings then.
+    // The leaf with another state; that is a code unless it then equals its siblings.
     const auto other = static_cast<State>(
         (spec::micromap::code(state) + 1 + random.below((1u << bits(f)) - 1)) % (1u << bits(f)));
     Map changed = map;
@@ -209,7 +209,7 @@ void constructed_codes(const Map& map, const std::function<bool(const Constructe
 
   for (const Subtree* x : internals) {
     if (x == nullptr) continue;
-    // Two children exchanged.
+    // The internal node with two children exchanged.
     std::vector<const Subtree*> children;
     for (std::size_t t = x->t + 1; t < x->t_end; t = all[t].t_end) children.push_back(&all[t]);
     const std::size_t a = random.below(3), b = a + 1 + random.below(3 - a);
@@ -224,7 +224,7 @@ void constructed_codes(const Map& map, const std::function<bool(const Constructe
     }
     give(fmt::format("children {} and {} of {} exchanged,", a, b, at(*x)),
          bytes_of(replaced(s, *x, node_of({&parts[0], &parts[1], &parts[2], &parts[3]}))), exchanged);
-    // It is alone: of four times its size a micro-triangle.
+    // A quarter alone: each of its micro-triangles becomes four times as large.
     if (x->depth != 1) continue;
     Map alone{n, f, Bytes(map.packed.size(), 0)};
     for (std::uint64_t k = 0; k < micro_triangles(n); ++k)
@@ -238,7 +238,7 @@ void constructed_codes(const Map& map, const std::function<bool(const Constructe
       give(fmt::format("four alike below {},", at(*x)), bytes_of(alike));
     }
 
-  // Every leaf at the last level, where any is not.
+  // All leaves split down to the last level, if any is above it.
   if (std::any_of(all.begin(), all.end(), [&](const Subtree& x) { return x.leaf() && x.depth < n; })) {
     Succinct perfect;
     for (const Subtree& x : all) {
@@ -253,7 +253,7 @@ void constructed_codes(const Map& map, const std::function<bool(const Constructe
     give("no siblings merged,", bytes_of(perfect));
   }
 
-  // Padding, and what lies between the sequences.
+  // Padding, and bits between the sequences.
   const Bytes code = bytes_of(s);
   const std::size_t tree_bytes = (s.tree.size() + 7) / 8, tree_end = s.tree.size(),
                     data_end = 8 * tree_bytes + bits(f) * s.data.size();

@@ -1,4 +1,4 @@
-// Codes that are spoilt on purpose: what may become of one, and what a decoder must do with it.
+// Damaged codes: the ways to damage one, and the right answer of a decoder to it.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace mmverify::proofs::tree {
 
-/// A string of bytes, handed to a decoder of that level and format.
+/// A string of bytes for a decoder of that level and format.
 struct Damaged {
   std::string what;  ///< "bit 17 flipped,"
   Level level;
@@ -17,22 +17,21 @@ struct Damaged {
   Bytes bytes;
 };
 
-/// Called for each; returns false to stop.
+/// Receives each damaged code; returns false to stop.
 using TakeDamaged = std::function<bool(const Damaged&)>;
 
-/// What may become of any code, whatever it means: cut, longer, another level or format, flipped bits; at most
-/// some dozens, other ones for other maps.  Up to `thorough` bytes every cut and every flip.
+/// Damage to any code, whatever its form: cut, longer, another level or format, flipped bits.  There are at most some
+/// dozens, which depend on the map; up to `thorough` bytes, every cut and every flip.
 void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const TakeDamaged& take);
 
-/// A string in the paper's form and the map that it is the code of; none where it is no map's.
+/// A string in the paper's form, and the map whose code it is; nothing if it is no map's code.
 struct Constructed : Damaged {
   std::optional<Map> meant;
 };
 
-/// Strings built from the paper's code of the map, so that what they mean is known: four equal leaves in the
-/// place of one, at each depth; a tree deeper than the level; a tree with every leaf at the last level; padding bits
-/// that are set; a sequence too long or too short; two children exchanged, one state changed, one quarter alone: other
-/// maps' codes.
+/// Strings with a known meaning, built from the paper's code of the map: four equal leaves instead of one, at each
+/// depth; a tree deeper than the level; a tree with every leaf at the last level; set padding bits; a sequence too
+/// long or too short.  Other maps' codes: two children exchanged, one state changed, one quarter alone.
 void constructed_codes(const Map& map, const std::function<bool(const Constructed&)>& take);
 
 }  // namespace mmverify::proofs::tree

@@ -14,19 +14,19 @@ std::string question(const char* what, Level n, Format f, std::span<const std::u
   return fmt::format("{} {} {} {}", what, n, bits(f), bytes.empty() ? "-" : hex(bytes));
 }
 
-/// None for no_answer.
+/// The bytes of an answer; nothing for no_answer.
 std::optional<Bytes> bytes_of(const std::string& answer) { return bytes_from_hex(answer); }
 
-/// What was answered for a map, or taken as a code.
+/// The program's code of a map, or a code that it has read.
 struct Answered {
   Bytes code;
-  std::optional<Bytes> map = {};  ///< of a code that was read
+  std::optional<Bytes> map = {};  ///< the map of a code that was read
 };
 
 SubjectPtr on_pipe(pipe::Ask ask) {
   Functions s;
   s.encode = [ask](const Map& map) {
-    // No code is none of the paper's.
+    // An encoder that gave no code has an empty one, which is none of the paper's.
     return coded(
         map.level, map.format,
         Answered{bytes_of(ask(question("encode", map.level, map.format, map.packed))).value_or(Bytes{})});
@@ -46,7 +46,7 @@ SubjectPtr on_pipe(pipe::Ask ask) {
   return std::make_shared<TreeSubject>("standard input", "answers on a pipe", std::move(s));
 }
 
-/// Domain: one of the questions above.
+/// The specification's answer.  Domain: one of the questions above.
 std::string right_answer(const std::string& text) {
   static const TreeSubjectPtr right = built_in("tree-spec");
   const Functions& s = right->functions;

@@ -19,15 +19,15 @@ const TreeSubject& of_tree(const Subject& s) { return dynamic_cast<const TreeSub
 
 constexpr char law_id[] = "tree.point_exact_on_floats";
 
-/// Up to this level all of a map is noise; above, the subtrees of this many levels around the pairs alone, as
-/// lookups that read a tree from its beginning take time in proportion to it.
+/// The highest level at which all of a map is noise.  Above it only subtrees of `noisy_subtree` levels around the
+/// pairs are: a lookup that reads a tree from its beginning takes time in proportion to its size.
 constexpr Level noisy_levels = 6, noisy_subtree = 2;
 
 struct Sizes {
-  std::uint64_t maps, pairs;  ///< maps of the level, pairs asked in each
+  std::uint64_t maps, pairs;  ///< maps of the level, pairs looked up in each
 };
 
-/// Maps of high levels take long to make and to encode.
+/// The sizes fall with the level, since maps of high levels take long to make and to encode.
 Sizes sizes(Level n, const Run& run) {
   const Sizes fast = n <= 8 ? Sizes{32, 256} : n <= 10 ? Sizes{8, 256} : Sizes{2, 256};
   return run.tier == Tier::fast ? fast : Sizes{8 * fast.maps, fast.pairs};
@@ -41,8 +41,8 @@ FloatPair pair(Level n, std::uint64_t seed, std::uint64_t map, std::uint64_t k) 
   return points::hard_floats(n, seed, map * 256 + k);
 }
 
-/// Map number `map` of a level, 2-state and 4-state in turn. Its noise lies where its pairs fall, so that
-/// neighbours differ there; the rest has one state.
+/// Map number `map` of a level, 2-state and 4-state in turn.  Its noise lies around its pairs, so that neighbours
+/// differ there; the rest has one state.
 Map noisy_map(Level n, std::uint64_t seed, std::uint64_t map, std::uint64_t pairs) {
   const Format f = map % 2 == 0 ? Format::two_state : Format::four_state;
   const unsigned b = bits(f), states = 1u << b;
@@ -55,7 +55,7 @@ Map noisy_map(Level n, std::uint64_t seed, std::uint64_t map, std::uint64_t pair
     const std::uint64_t shift = k * b % 8, mask = (states - 1) << shift;
     byte = static_cast<std::uint8_t>((byte & ~mask) | state << shift);
   };
-  // By its number alone, as subtrees of several pairs may be the same one.
+  // Noise depends only on k, since the subtrees of several pairs may be the same.
   const auto make_noise = [&](std::uint64_t from, std::uint64_t count) {
     for (std::uint64_t k = from; k < from + count; ++k) set(k, Random(noise_seed, n, k).below(states));
   };
@@ -131,7 +131,7 @@ Replayed replay(const Subject& subject, Level n, const std::string& at) {
   return replayed(looked_up(map, p, got));
 }
 
-/// The state of another micro-triangle than the reference's, where `index` finds one.
+/// A mutant that answers with the state at index(level, point).
 template <class Index>
 Change taken_from(Index index) {
   return finds_points_wrongly([=](const Map& map, float u, float v, std::uint8_t& state) {
@@ -139,7 +139,7 @@ Change taken_from(Index index) {
   });
 }
 
-/// The true state but where the pair is this one of this level.
+/// A mutant that is wrong only at this pair of this level.
 Change wrong_at(Level level, float u, float v) {
   return finds_points_wrongly([=](const Map& map, float pu, float pv, std::uint8_t& state) {
     if (map.level == level && pu == u && pv == v) state ^= 1;

@@ -1,4 +1,4 @@
-// What the laws of topic tree are put together from: a check of one map, and the maps that it is run on.
+// Common parts of the laws of topic tree: the check of a map, and the maps that it runs on.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,11 @@
 
 #include "proofs/engine/cases.hpp"
 #include "proofs/micromap/maps.hpp"
+#include "proofs/tree/subject.hpp"
 
 namespace mmverify::proofs::tree {
+
+using namespace micromap;
 
 inline constexpr char succinct_4_1[] = "Succinct Opacity Micromaps, 4.1, Algorithms 1 and 2";
 inline constexpr char succinct_4_2[] = "Succinct Opacity Micromaps, 4.2, Algorithm 3";
@@ -16,13 +19,13 @@ inline constexpr char succinct_6_2[] = "Succinct Opacity Micromaps, 6.2 and 6.2.
 
 using Check = std::function<Finding(const TreeSubject&, const Map&)>;
 
-/// A failed finding: "WHERE EXPECTED" and what was there.
+/// A failed finding: it expected "WHERE EXPECTED", and got `got`.
 Finding wrong(const std::string& where, const std::string& expected, std::string got);
 
-/// Why a law that needs these entries does not apply, if so.
+/// The reason why a law that needs these entries does not apply, if any.
 std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries);
 
-/// Cases by number: how many at a level, the check of one, its text, and the check of a text.
+/// Cases by number: the count at a level, the check of a case, its text, and the check of a text.
 struct Cases {
   std::function<std::uint64_t(Level)> count;
   std::function<Finding(const TreeSubject&, Level, std::uint64_t k, const Run&)> check;
@@ -31,16 +34,16 @@ struct Cases {
   std::uint64_t chunk = 256;
 };
 
-/// The law, case by case.
+/// The law on numbered cases.
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases);
 
-/// The law, on every map of levels 0, 1 and (2-state) 2; one case a map.
+/// The law on every map of levels 0, 1 and (2-state) 2; a case each.
 Law on_all_maps(Law law, std::vector<Entry> entries, Check check);
 
-/// The law, on all 4-state maps of level 2.
+/// The law on all 4-state maps of level 2.
 Law on_four_state_maps_of_level_2(Law law, std::vector<Entry> entries, Check check);
 
-/// The law, on samples of each level.
+/// The law on samples of each level.
 Law on_samples(Law law, std::vector<Entry> entries, Check check);
 
 /// The first difference of two maps, as a finding; `answer` is a hash of the second.

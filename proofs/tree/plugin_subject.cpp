@@ -27,11 +27,11 @@ dock::Answer ask_decoder(const Library& library, Level n, Format f, std::span<co
                    [&] { return "decoding " + dock::code_text(bits(f), code); });
 }
 
-/// What the library made of a map or took as a code.
+/// The library's code of a map, or a code that it has read.
 struct Held {
   Bytes code;
-  std::optional<Bytes> map = {};  ///< of a code that was read
-  bool gave_up = false;           ///< the encoder; no code is there
+  std::optional<Bytes> map = {};  ///< the map of a code that was read
+  bool gave_up = false;           ///< the encoder gave up, and there is no code
 };
 
 void look_up(const Library& library, const Code& c, Call call, std::vector<const void*> arrays,
@@ -56,7 +56,7 @@ void look_up_points(const Library& library, const Code& c, std::span<const float
           [&](std::uint64_t k) { return fmt::format("u={:a},v={:a}", u[k], v[k]); });
 }
 
-/// The map of its states; none where one is no state of the format.
+/// The map of these states; empty if one is no state of the format.
 Bytes map_of_states(std::span<const std::uint8_t> states, Format f) {
   States map;
   for (const std::uint8_t s : states) {
@@ -74,7 +74,7 @@ Bytes decoded_by_indices(const Library& library, const Code& c) {
   return map_of_states(states, c.format);
 }
 
-/// By a point inside each micro-triangle: half of one corner and a quarter of either other.
+/// Decodes by points, one inside each micro-triangle: one half of one corner and a quarter of each other.
 Bytes decoded_by_points(const Library& library, const Code& c) {
   std::vector<float> u, v;
   const float quarter = 0.25f / static_cast<float>(spec::side(c.level));
@@ -114,7 +114,7 @@ Code encoded(const Library& library, const Map& map) {
     const States states = spec::micromap::unpack(map.packed, f, micro_triangles(n));
     return coded(n, f, Held{spec::tree::bytes(spec::tree::encode(states, n), f)});
   }
-  // Room for a code some times larger than the map, so that most maps are asked about once.
+  // Leaves room for a code several times larger than the map, so that most maps need one call only.
   dock::Answer answer =
       dock::ask(library, {Call::tree_encode, n, bits(f), map.packed, 64 + 2 * map.packed.size()},
                 [&] { return "encoding " + dock::map_text(bits(f), micro_triangles(n), map.packed); });
@@ -122,7 +122,7 @@ Code encoded(const Library& library, const Map& map) {
   return coded(n, f, Held{std::move(answer.bytes)});
 }
 
-/// What the specification does in the subject's place is not judged as the subject's.
+/// The functions of a library.  Those that the specification replaces are not judged as the library's.
 Functions functions_of(const LibraryPtr& library) {
   const auto offers = [&](Call call) { return library->offers(call); };
   const bool stream = (library->description().flags & MMVERIFY_TREE_STREAM) != 0;
@@ -135,7 +135,7 @@ Functions functions_of(const LibraryPtr& library) {
     s.lookup = [library](const Code& c, std::span<const std::uint32_t> index, std::span<std::uint8_t> state) {
       look_up_indices(*library, c, index, state);
     };
-  // Its floats stand for themselves.
+  // Answers on floats decide no other points.
   if (offers(Call::tree_lookup_f32))
     s.point = [library](const Code& c, std::span<const float> u, std::span<const float> v,
                         std::span<std::uint8_t> state) { look_up_points(*library, c, u, v, state); };

@@ -62,7 +62,7 @@ Functions specified() {
 // The paper's streams, fast
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The two sequences: the tree ends where no more nodes are owed, or with the bytes.
+/// The two sequences: the tree ends once every node has its children, or with the bytes.
 fast::Stream cut(std::span<const std::uint8_t> bytes) {
   fast::Stream s;
   for (std::uint64_t owed = 1; owed > 0 && s.nodes / 8 < bytes.size(); ++s.nodes) {
@@ -112,7 +112,7 @@ Functions streamed() {
 // The form for random access
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// What is asked of a code's tree, which tree_of(code) finds.
+/// The functions on a code's tree; tree_of(code) gives the tree.
 template <class TreeOf>
 Functions of_trees(TreeOf tree_of) {
   Functions s;
@@ -121,7 +121,7 @@ Functions of_trees(TreeOf tree_of) {
     tree_of(c).decode(map);
     return map;
   };
-  // One at a time and all at once must be the same.
+  // Single lookups and batches must agree.
   s.lookup = [tree_of](const Code& c, std::span<const std::uint32_t> index, std::span<std::uint8_t> state) {
     const fast::Tree& tree = tree_of(c);
     tree.lookup(index, state);
@@ -143,12 +143,12 @@ Functions ranked() {
   return s;
 }
 
-/// A form with steps from the root to the last level, and the one that the library chooses.
+/// A tree with steps from the root to the last level, and the tree that the library chooses.
 struct Stepwise {
   fast::Tree tree, usual;
 };
 
-/// Where the library would lay small maps flat, it steps.
+/// A subject whose trees have steps even for small maps, which the library would lay flat.
 Functions stepwise() {
   Functions s = of_trees([](const Code& c) -> const fast::Tree& { return form_of<Stepwise>(c).tree; });
   s.encode = [](const Map& map) {
@@ -158,7 +158,7 @@ Functions stepwise() {
         Stepwise{fast::Tree::encode(map.level, bits, map.packed, {0, std::max<Level>(map.level, 1) - 1}),
                  fast::Tree::encode(map.level, bits, map.packed)});
   };
-  // In both at once, turn by turn, besides: lookups in many trees take steps of their own.
+  // Also looks up in both trees by turns: lookups in many trees take steps of their own.
   s.lookup = [in_one = s.lookup](const Code& c, std::span<const std::uint32_t> index,
                                  std::span<std::uint8_t> state) {
     in_one(c, index, state);

@@ -1,5 +1,5 @@
-// An implementation of topic tree in the dock: who encodes maps, gives states back, and reads others' bytes,
-// a function each.
+// A subject of topic tree, built in or in the dock: functions that encode maps, give states back, and read the bytes
+// of others.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ using spec::micromap::Format;
 using spec::micromap::State;
 using spec::micromap::States;
 
-/// An encoded map, in a form that its subject alone reads.
+/// An encoded map, in a form that only its subject can read.
 struct Code {
   Level level = 0;
   Format format = Format::two_state;
@@ -34,35 +34,35 @@ Code coded(Level n, Format f, Form form) {
   return {n, f, std::make_shared<const Form>(std::move(form))};
 }
 
-/// Domain: the code was made of such a form.
+/// The form of a code.  Domain: the code was made of such a form.
 template <class Form>
 const Form& form_of(const Code& code) {
   return *static_cast<const Form*>(code.form.get());
 }
 
-/// What a subject has; an empty function is an entry point that is missing, and all have encode and decode.
-/// Calls may come from several threads at once.
+/// The entry points of a subject; an empty function is a missing entry point.  Every subject has encode and decode.
+/// Several threads may call at once.
 struct Functions {
   std::function<Code(const Map& map)> encode = {};
   std::function<Bytes(const Code& code)> decode = {};
-  /// One state an index below 4^n.
+  /// Writes one state for each index below 4^n.
   std::function<void(const Code& code, std::span<const std::uint32_t> index, std::span<std::uint8_t> state)>
       lookup = {};
-  /// One state a pair of barycentrics.
+  /// Writes one state for each pair of barycentrics.
   std::function<void(const Code& code, std::span<const float> u, std::span<const float> v,
                      std::span<std::uint8_t> state)>
       point = {};
   std::function<Bytes(const Code& code)> bytes = {};
-  /// None where the bytes are refused.
+  /// Nothing if the bytes are refused.
   std::function<std::optional<Code>(Level n, Format f, std::span<const std::uint8_t> bytes)> open = {};
-  /// How many of the tree's bits a lookup reads.
+  /// The number of the tree's bits that a lookup reads.
   std::function<std::uint64_t(const Code& code, std::uint64_t index)> tree_bits_read = {};
-  /// The bytes that it writes, and those that it reads, are the paper's: spec::tree::bytes.
+  /// Whether the bytes that it writes, and those that it reads, are the paper's: spec::tree::bytes.
   bool writes_paper = false, reads_paper = false;
   Level max_level = 12;
 };
 
-/// What a law may need of a subject beside encoding a map and decoding it, as messages call it.
+/// An entry point that a law needs beside encoding and decoding, and its name in messages.
 struct Entry {
   const char* name;
   bool (*there)(const Functions&);
@@ -84,7 +84,7 @@ class TreeSubject : public Subject {
       : Subject("tree", std::move(name), std::move(about)),
         functions(std::move(functions)),
         fingerprint_(std::move(fingerprint)) {}
-  /// Codes and indices stand for themselves; barycentrics come as floats, whose index is found anew each time.
+  /// Answers on floats decide no other points, since the index of barycentrics is computed anew each time.
   bool exact() const override { return !functions.point; }
   std::string fingerprint() const override { return fingerprint_; }
 
@@ -96,10 +96,10 @@ class TreeSubject : public Subject {
 
 using TreeSubjectPtr = std::shared_ptr<const TreeSubject>;
 
-/// tree-spec, tree-stream, tree-ranked, tree-stepwise, tree-container.
+/// The built-in subjects tree-spec, tree-stream, tree-ranked, tree-stepwise and tree-container.
 const std::vector<TreeSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: there is one.
+/// The built-in subject of that name.  Domain: a subject has that name.
 TreeSubjectPtr built_in(const std::string& name);
 
 }  // namespace mmverify::proofs::tree

@@ -1,4 +1,4 @@
-// How vectors are written (figure 4, 5.1, table 2): the oracle is sets of code words.
+// Laws of the codes of vectors (figure 4, 5.1, table 2); the oracle is sets of code words.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -13,13 +13,13 @@ namespace {
 
 using enum State;
 
-/// A code word, or a vector of C but for one O and one T, which can be written just where they have palettes
-/// of their own.
+/// A code word, or a vector of C with one O and one T, which has a code if and only if the two have palettes of their
+/// own.
 struct Word {
   std::uint32_t side;
   Code4 how;
   bool of_pair;
-  std::uint32_t code;  ///< the word; of a pair, 16 times O's region plus T's
+  std::uint32_t code;  ///< the word; for a pair, 16 times O's region plus T's
 };
 
 constexpr std::array<const char*, 5> kinds{"simple", "vertical", "horizontal", "generic", "mini"};
@@ -33,7 +33,7 @@ std::string text_of(const Word& w) {
                    : fmt::format("{}:{:#x}", kind, w.code);
 }
 
-/// Whether O and T at two regions have a palette each.
+/// Whether O and T at two regions have different palettes.
 bool apart(const Word& w) {
   const std::uint32_t o = w.code / 16, t = w.code % 16;
   if (w.side == 2 || w.how == Code4::simple) return false;
@@ -56,7 +56,7 @@ Finding writes(const VqSubject& s, const Word& w) {
     return {code.value_or(0)};
   }
   const Vector<side> v = of.decode(w.how, w.code);
-  // By the definition: bit k is C; else the palette that holds there.
+  // The definition: bit k gives C, else the region's palette gives O or T.
   for (std::uint32_t k = 0; k < side * side; ++k) {
     const std::uint32_t x = k % side, y = k / side, m = x / 2 + 2 * (y / 2);
     const bool generic = side == 4 && w.how == Code4::generic;
@@ -72,7 +72,7 @@ Finding writes(const VqSubject& s, const Word& w) {
   }
   const auto again = of.encode(w.how, v);
   if (!again) return wrong(fmt::format("a code of {}", letters(v)), "none");
-  // As this is asked of every word, the least of those that mean the vector is below each of them.
+  // Every word is checked, so the code found is the least of all words of its vector.
   if (*again > w.code) return wrong(fmt::format("{:#x} or less", w.code), fmt::format("{:#x}", *again));
   if (const Vector<side> meant = of.decode(w.how, *again); meant != v)
     return wrong(letters(v), letters(meant));
@@ -81,7 +81,7 @@ Finding writes(const VqSubject& s, const Word& w) {
 
 constexpr std::array<Code4, 4> ways{Code4::simple, Code4::vertical, Code4::horizontal, Code4::generic};
 
-/// The words of each way, then its pairs.
+/// Case k: the words of each way, then its pairs.
 Word word_number(Level n, std::uint64_t k) {
   if (n == 1) {
     if (k < 32) return {2, Code4::generic, false, static_cast<std::uint32_t>(k)};

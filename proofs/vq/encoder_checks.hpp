@@ -1,4 +1,4 @@
-// Checks of what an encoder made of one map, and laws of them over many maps.
+// Checks of an encoder's code of one map, and laws that run them over many maps.
 #pragma once
 
 #include "proofs/vq/law_parts.hpp"
@@ -18,7 +18,7 @@ std::string region_text(std::size_t k) {
   return fmt::format("region {},{}", k % (8 * Format::side), k / (8 * Format::side));
 }
 
-/// The substitutions between two maps, where they are allowed ones.
+/// The number of substitutions between two maps as the answer; fails if one is not allowed.
 template <class Format>
 Finding substituted(const Map<Format>& was, const Map<Format>& is) {
   std::uint64_t count = 0;
@@ -118,7 +118,7 @@ Law on_maps(Law law, std::function<std::uint64_t(const Run&)> count,
   return on_cases(std::move(law), lacks, cases);
 }
 
-/// As many in the fast tier, as many in the long one.
+/// The number of cases: `fast` in the fast tier, `long_run` in the long tier.
 inline std::function<std::uint64_t(const Run&)> cases_of(std::uint64_t fast, std::uint64_t long_run) {
   return [=](const Run& run) { return run.tier == Tier::fast ? fast : long_run; };
 }

@@ -1,5 +1,4 @@
-// Encoders that are broken on purpose: what one wrote, changed where its transforms are the ones that are
-// meant.
+// Deliberately wrong encoders, which change a code if its transforms are particular ones.
 #pragma once
 
 #include <functional>
@@ -24,7 +23,7 @@ std::function<void(Functions&)> spoiled(Spoil<Format> spoil) {
   };
 }
 
-/// The first vector of a quadrant that is not written as a uniform one; 64 if there is none.
+/// The first vector of a quadrant whose index is not that of a uniform one; 64 if there is none.
 template <class Format>
 std::uint32_t looked_up_in(const Format& fields, std::size_t q) {
   std::uint32_t vector = 0;
@@ -39,8 +38,8 @@ inline auto& code_of(Vq2& fields, std::size_t q, std::uint32_t index) {
 }
 inline auto& code_of(Vq4& fields, std::size_t, std::uint32_t index) { return fields.codebook[index - 3]; }
 
-/// Under one transform of one quadrant, an entry in use loses its lowest bit: C becomes O or T, or, where the
-/// entry has no C, O becomes T.
+/// A mutant for one transform of one quadrant: an entry in use loses its lowest bit.  C becomes O or T or, in an
+/// entry without C, O becomes T.
 template <class Format>
 std::function<void(Functions&)> loses_a_check(std::size_t q, std::uint32_t transform) {
   return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
@@ -53,7 +52,7 @@ std::function<void(Functions&)> loses_a_check(std::size_t q, std::uint32_t trans
   });
 }
 
-/// Under one transform of one quadrant, a uniform vector of T becomes O.
+/// A mutant for one transform of one quadrant: a uniform vector of T becomes O.
 template <class Format>
 std::function<void(Functions&)> opaque_for_transparent(std::size_t q, std::uint32_t transform) {
   return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
@@ -69,7 +68,7 @@ std::function<void(Functions&)> opaque_for_transparent(std::size_t q, std::uint3
   });
 }
 
-/// Under one transform of one quadrant, a vector is given up: all C, and so counted.
+/// A mutant for one transform of one quadrant: a vector becomes all C, and the substitutions are counted.
 template <class Format>
 std::function<void(Functions&)> gives_up_a_vector(std::size_t q, std::uint32_t transform) {
   return spoiled<Format>([=](const Map<Format>& map, Encoded<Format>& encoded) {
@@ -83,7 +82,7 @@ std::function<void(Functions&)> gives_up_a_vector(std::size_t q, std::uint32_t t
   });
 }
 
-/// Where two entries in all are of use, neither is used: their vectors are all C, and so counted.
+/// A mutant that uses neither entry if a block uses two in all: their vectors become all C, and are counted.
 inline std::function<void(Functions&)> gives_up_two_entries() {
   return spoiled<Vq2>([](const Map<Vq2>& map, Encoded<Vq2>& encoded) {
     Vq2 fields = spec::vq::from_bytes<Vq2>(encoded.block);
@@ -112,7 +111,7 @@ std::function<void(Functions&)> counts_one_less(std::size_t q, std::uint32_t tra
   });
 }
 
-/// One map is encoded as another.
+/// A mutant that encodes one map as another.
 template <class Format>
 std::function<void(Functions&)> instead(Map<Format> map, Map<Format> other) {
   return [=](Functions& functions) {

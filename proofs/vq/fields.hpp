@@ -1,4 +1,4 @@
-// A block as a row of fields, by a table of its own: what spec/vq/block.hpp writes and reads field by field.
+// A block as a row of fields, by a table of their places; spec/vq/block.hpp writes and reads them one by one.
 #pragma once
 
 #include <array>
@@ -7,13 +7,13 @@
 
 namespace mmverify::proofs::vq {
 
-/// The figures' fields and docs/VQ.md's order.
+/// The source of the fields; docs/VQ.md has their order.
 inline constexpr char figure_11[] = "Compressed Opacity Maps, 4, 4.1, 5.1, table 2 and figure 11";
 
 template <class Format>
 constexpr std::size_t entries = Format::side == 2 ? 11 : 13;  ///< codes in a codebook
 
-/// Where a field lies.
+/// The place of a field.
 struct Place {
   std::uint32_t first, bits;
 };
@@ -41,7 +41,7 @@ constexpr std::array<Place, fields_of<Format>> places = [] {
 static_assert(places<Vq2>.back().first + places<Vq2>.back().bits == 256);
 static_assert(places<Vq4>.back().first + places<Vq4>.back().bits == 512);
 
-/// A value each field.
+/// The values of all fields.
 template <class Format>
 using Values = std::array<std::uint32_t, fields_of<Format>>;
 

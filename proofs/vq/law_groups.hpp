@@ -7,7 +7,7 @@
 
 namespace mmverify::proofs::vq {
 
-/// Which vectors there are.
+/// The vectors that exist.
 Law vectors_law();
 /// The eight transforms.
 Law transforms_law();
@@ -15,9 +15,9 @@ Law transforms_law();
 Law codes_law();
 /// The bits of blocks.
 std::vector<Law> field_laws();
-/// Both ways to decode a block.
+/// Decoding of whole blocks and of single regions.
 std::vector<Law> decoder_laws();
-/// What encoders may do to a map, and what they promise of it.
+/// The changes that encoders may make to a map, and their promises.
 std::vector<Law> encoder_laws();
 
 }  // namespace mmverify::proofs::vq

@@ -1,4 +1,4 @@
-// What the laws of topic vq are put together from: a check of one case, and the cases that it is run on.
+// Common parts of the laws of topic vq: the check of a case, and the cases that it runs on.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,17 +13,17 @@
 
 namespace mmverify::proofs::vq {
 
-/// Of a law about one format.
+/// The levels of a law about one format: the format's level.
 template <class Format>
 constexpr Levels level_alone{level_of<Format>, level_of<Format>};
 
-/// Throws BadCase at another level than the format's.
+/// Throws BadCase unless the level is the format's.
 template <class Format>
 void check_level(Level n) {
   if (n != level_of<Format>) throw BadCase(fmt::format("level {}: this law's is {}", n, level_of<Format>));
 }
 
-/// Cases by number: how many, which, the text of one, the case of a text (or BadCase), and how one is judged.
+/// Cases by number: their count, a case by number, its text, the case of a text (or BadCase), and its check.
 template <class Case>
 struct Cases {
   std::function<std::uint64_t(Level, const Run&)> count;
@@ -34,10 +34,10 @@ struct Cases {
   std::uint64_t chunk = 16;
 };
 
-/// Why a subject does not fit, if so.
+/// The reason why a subject does not fit, if any.
 using Lacks = std::function<std::optional<std::string>(const VqSubject&)>;
 
-/// The law, case by case.  Its levels are those of `fast`, in the long tier as well.
+/// The law on numbered cases.  Its levels are those of `fast`, in the long tier as well.
 template <class Case>
 Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
   law.topic = "vq";

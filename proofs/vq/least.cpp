@@ -23,12 +23,12 @@ std::uint32_t loss(const Vector<2>& from, const Vector<2>& to) {
   return lost;
 }
 
-/// What each word loses of each kind of vector in a quadrant under a transform, a uniform one instead where
-/// that is better.
+/// The losses of each word for each kind of vector in a quadrant under a transform; a uniform vector replaces the
+/// word if it loses less.
 using Losses = std::array<std::vector<std::uint32_t>, words>;
 
 struct Part {
-  std::vector<std::uint32_t> times;  ///< of each kind of vector
+  std::vector<std::uint32_t> times;  ///< the number of vectors of each kind
   std::vector<Losses> by_transform;
 };
 
@@ -36,7 +36,7 @@ bool no_worse(const std::vector<std::uint32_t>& a, const std::vector<std::uint32
   return std::equal(a.begin(), a.end(), b.begin(), [](auto x, auto y) { return x <= y; });
 }
 
-/// The words that no other one replaces: of two that lose alike the first stays.
+/// The words that no other word replaces; of two with equal losses the first stays.
 std::vector<std::uint32_t> not_replaced(const Losses& losses) {
   std::vector<std::uint32_t> kept;
   for (std::uint32_t w = 0; w < words; ++w) {
@@ -69,7 +69,7 @@ Part part_of(const Map<Vq2>& map, std::size_t q) {
   return part;
 }
 
-/// The words that may be worth sharing: by what they lose anywhere.
+/// The words that may be worth sharing, by their losses in all quadrants and transforms.
 std::vector<std::uint32_t> worth_sharing(const std::array<Part, 4>& functions) {
   Losses everywhere;
   for (const Part& part : functions)
@@ -79,7 +79,7 @@ std::vector<std::uint32_t> worth_sharing(const std::array<Part, 4>& functions) {
   return not_replaced(everywhere);
 }
 
-/// What a quadrant loses with three shared words and its own best pair.
+/// The least loss of a quadrant with three shared words and its own best pair.
 std::uint32_t least_of(const Part& part, const std::vector<std::vector<std::uint32_t>>& own,
                        const std::array<std::uint32_t, 3>& shared) {
   std::uint32_t least = ~0u;

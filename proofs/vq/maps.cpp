@@ -9,7 +9,7 @@ using spec::vq::Quadrant;
 State any_state(Random& random) { return static_cast<State>(random.below(3)); }
 Transform any_transform(Random& random) { return Transform::of(static_cast<std::uint32_t>(random.below(8))); }
 
-/// A vector that a codebook may hold.
+/// A vector that a codebook can hold.
 template <class Format>
 Vector<Format::side> any_entry(Random& random) {
   if constexpr (Format::side == 2) {
@@ -21,7 +21,7 @@ Vector<Format::side> any_entry(Random& random) {
   }
 }
 
-/// An ellipse: how far a region is inside (above 0) or outside, in squares of half regions.
+/// An ellipse; a region's depth inside it (above 0) or outside counts squares of half regions.
 struct Shape {
   std::int64_t x, y, r, wide, high;
 
@@ -99,7 +99,7 @@ Map<Format> few_vectors(Random& random) {
   return repeated<Format>(random, 1 + random.below(12), last);
 }
 
-/// What the format is made for: vectors of TL come again in each quadrant, under its transform.
+/// A map that suits the format: vectors of TL occur again in each quadrant, under the quadrant's transform.
 template <class Format>
 Map<Format> symmetric(Random& random) {
   const Map<Format> tl = two_shapes<Format>(random);
@@ -128,7 +128,7 @@ Map<Format> one_odd_region(Random& random) {
   return map;
 }
 
-/// Indices and codes.  Few: each quadrant has two to four indices of its own choice.
+/// Fills indices and codes.  `few`: each quadrant has two to four indices of its own choice.
 template <class Format>
 void fill(Format& fields, bool few, Random& random) {
   const std::uint64_t kinds = few ? 2 + random.below(3) : 1u << Format::index_bits;
@@ -153,7 +153,7 @@ void fill(Format& fields, bool few, Random& random) {
   }
 }
 
-/// Each quadrant uses the entries of its set, bit k for index k, in turn.
+/// The indices of each quadrant run through the entries of its set, bit k for index k.
 void use_in_turn(Vq2& fields, const std::array<std::uint64_t, 4>& used) {
   for (std::uint32_t q = 0; q < 4; ++q) {
     std::vector<std::uint8_t> indices;
@@ -167,8 +167,8 @@ void use_in_turn(Vq2& fields, const std::array<std::uint64_t, 4>& used) {
 
 constexpr std::uint64_t all_entries = 255;
 
-/// Quadrants that use all their entries beside some that use few, and an entry that two quadrants have as their own:
-/// an encoder that shares an entry because most quadrants use it has no room for the others.
+/// Quadrants that use all their entries beside some that use few, and one entry that two quadrants own.  An encoder
+/// that shares an entry because most quadrants use it lacks room for the others.
 void fill_unevenly(Vq2& fields, Random& random) {
   const auto code = [&] { return static_cast<std::uint8_t>(random.below(32)); };
   for (auto& c : fields.shared) c = code();
@@ -181,7 +181,7 @@ void fill_unevenly(Vq2& fields, Random& random) {
   use_in_turn(fields, used);
 }
 
-/// All entries differ, none is of one state, and all are used: about half of such blocks have no second triple of
+/// All entries differ, none has one state only, and all are used: about half of such blocks have no second triple of
 /// transforms.
 void fill_full(Vq2& fields, Random& random) {
   std::vector<std::uint8_t> codes;
@@ -199,13 +199,13 @@ void fill_full(Vq2& fields, Random& random) {
   use_in_turn(fields, {all_entries, all_entries, all_entries, all_entries});
 }
 
-/// One to three entries in all: of a codebook that has room for more, none may be left out for want of others to go with.
+/// One to three entries in all: the codebook has room for more, and an encoder may leave out none.
 void fill_sparsely(Vq2& fields, Random& random) {
   const std::uint64_t count = 1 + random.below(3);
   std::array<std::uint64_t, 4> used;
   used.fill(7);
   for (std::uint64_t k = 0; k < count; ++k) {
-    // Not of one state.
+    // A code with more than one state.
     const auto code = static_cast<std::uint8_t>(16 * random.below(2) + 1 + random.below(14));
     const std::uint64_t index = 3 + random.below(5), owner = random.below(4);
     if (index < 6)
@@ -218,8 +218,8 @@ void fill_sparsely(Vq2& fields, Random& random) {
   use_in_turn(fields, used);
 }
 
-/// One quadrant uses all its entries; each other uses one that is shared, and two of its own, one of which all three have: to
-/// share the entry that most quadrants use leaves too few for the one that needs three.
+/// One quadrant uses all its entries.  Each other uses a shared one and two of its own, one of which all three have.
+/// Sharing the entry that most quadrants use leaves too few for the quadrant that needs three.
 void fill_with_a_common_own(Vq2& fields, Random& random) {
   fill_full(fields, random);
   const std::uint64_t full = random.below(4);
@@ -233,7 +233,7 @@ void fill_with_a_common_own(Vq2& fields, Random& random) {
   use_in_turn(fields, used);
 }
 
-/// A block's map but for up to three regions: what fits no block, by little.
+/// A block's map with up to three regions changed, so that it nearly fits a block.
 template <class Format>
 Map<Format> near_a_block(Random& random) {
   Format fields;

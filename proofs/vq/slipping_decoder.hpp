@@ -1,5 +1,5 @@
-// A third decoder, for mutants alone: bit by bit from docs/VQ.md, with nothing of the specification's or of
-// impl's, and one slip.
+// A third decoder, only for mutants: bit by bit from docs/VQ.md, without the specification's or impl's code, and with
+// one slip.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace mmverify::proofs::vq {
 
-/// What it reads wrongly.
+/// The mistake of the decoder.
 enum class Slip {
   none,
   bottom_left_for_all,  ///< every quadrant has the indices of BL
-  halves_exchanged,     ///< the left half has the indices of the right one, and the other way about
+  halves_exchanged,     ///< the left half has the indices of the right one, and the other way round
   one_index_of_64,      ///< the vector (6, 1) has the index of (7, 1)
-  low_bits_of_the_row,  ///< an index takes its lowest bit from the first one of its row
+  low_bits_of_the_row,  ///< an index takes its lowest bit from the first index of its row
   entries_of_the_left,  ///< VQ2: R has the own entries of L
-  entries_one_on,       ///< a shared or generic entry has its last region's bit from the next entry
-  turned_first,         ///< the rotation undone before the reflections
-  turn_of_the_other,    ///< BL and BR have each other's transform where TR has its own reflected
+  entries_one_on,       ///< a shared or generic entry takes its last region's bit from the next entry
+  turned_first,         ///< the rotation is undone before the reflections
+  turn_of_the_other,    ///< BL and BR have each other's transform if TR's is 6, both reflections
 };
 
 template <class Format>
@@ -68,7 +68,7 @@ class SlippingDecoder {
     return number(turns + 3 * which, 3);
   }
 
-  /// 0 T, 1 C, 2 O of a region of a vector, as it lies in the map.
+  /// The state of a region of a vector, as it lies in the map: 0 T, 1 C, 2 O.
   unsigned state(unsigned index, unsigned column, unsigned row, unsigned turn, unsigned x, unsigned y) const {
     if (index < 3) return index;
     constexpr unsigned last = side - 1;
@@ -106,7 +106,7 @@ class SlippingDecoder {
   Slip slip_;
 };
 
-/// A mutant's change: it decodes whole maps alone, with a slip.
+/// A mutant that decodes whole maps only, with a slip.
 template <class Format>
 auto slips(Slip slip) {
   return [slip](Functions& functions) {

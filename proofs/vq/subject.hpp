@@ -1,4 +1,4 @@
-// An implementation of topic vq in the dock: what it makes of vectors, blocks and maps, a function each.
+// A subject of topic vq: functions on vectors, blocks and maps, built in or in the dock.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +23,15 @@ using spec::vq::Vector;
 using spec::vq::Vq2;
 using spec::vq::Vq4;
 
-/// A map of the format has 2^level regions along each side: 16 and 32.
+/// The level of the format's maps, which have 2^level regions along each side: 16 and 32.
 template <class Format>
 inline constexpr Level level_of = Format::side == 2 ? 4 : 5;
 
-/// What an encoder made of a map.
+/// An encoder's result for a map.
 template <class Format>
 struct Encoded {
   BlockBytes<Format> block;
-  std::optional<std::uint32_t> substitutions = {};  ///< as it counts them, if it does
+  std::optional<std::uint32_t> substitutions = {};  ///< the encoder's own count, if it counts
 };
 
 /// Vectors of side x side regions.
@@ -39,29 +39,29 @@ template <std::size_t side>
 struct Vectors {
   std::function<bool(const Vector<side>&)> valid = {};
   std::function<Vector<side>(Transform, const Vector<side>&)> applied = {};
-  /// Domain: the code fits its bits; of 2x2 vectors there is one way to write them, and `how` says nothing.
+  /// Domain: the code fits its bits.  2x2 vectors have one kind of code, and `how` is ignored.
   std::function<Vector<side>(Code4 how, std::uint32_t code)> decode = {};
   std::function<std::optional<std::uint32_t>(Code4 how, const Vector<side>&)> encode = {};
 };
 
-/// Blocks of one format.  Calls may come from several threads at once.
+/// The functions on blocks of one format.  Several threads may call at once.
 template <class Format>
 struct Codec {
   std::function<BlockBytes<Format>(const Format&)> bytes = {};
   std::function<Format(const BlockBytes<Format>&)> fields = {};
   std::function<Map<Format>(const BlockBytes<Format>&)> decode = {};
-  /// State k of region (x[k], y[k]).
+  /// Writes the state k of region (x[k], y[k]).
   std::function<void(const BlockBytes<Format>&, std::span<const std::uint32_t> x,
                      std::span<const std::uint32_t> y, std::span<State>)>
       regions = {};
   std::function<Encoded<Format>(const Map<Format>&)> encode = {};
-  // What the encoder promises of its substitutions: none where a block can hold the map, no more than any
-  // block needs, no more than another encoder's; and a bound that none can be below.
+  // The encoder's promises about its substitutions: none if a block can hold the map; no more than any block needs;
+  // no more than another encoder's; and a bound that none can go below.
   bool keeps_what_fits = false, fewest = false;
   std::function<std::uint32_t(const Map<Format>&)> at_most = {}, at_least = {};
 };
 
-/// What a subject has; an empty function is an entry point that is missing.
+/// The entry points of a subject; an empty function is a missing entry point.
 struct Functions {
   Vectors<2> of2;
   Vectors<4> of4;
@@ -99,7 +99,7 @@ class VqSubject : public Subject {
       : Subject("vq", std::move(name), std::move(about)),
         functions(std::move(functions)),
         fingerprint_(std::move(fingerprint)) {}
-  /// Regions have no points between theirs.
+  /// Answers on regions are exact: no values lie between them.
   bool exact() const override { return true; }
   std::string fingerprint() const override { return fingerprint_; }
 
@@ -110,13 +110,13 @@ class VqSubject : public Subject {
 };
 using VqSubjectPtr = std::shared_ptr<const VqSubject>;
 
-/// vq-spec, the specification; vq, this project's decoders; and its encoders.
+/// The specification vq-spec; this project's decoders, vq; and its encoders.
 const std::vector<VqSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: there is one.
+/// The built-in subject of that name.  Domain: a subject has that name.
 VqSubjectPtr built_in(const std::string& name);
 
-/// A subject with one thing broken on purpose.
+/// A subject with one deliberate error.
 Mutant mutant(const char* name, const std::string& base, Levels levels,
               const std::function<void(Functions&)>& change);
 

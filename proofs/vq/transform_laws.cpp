@@ -1,4 +1,4 @@
-// How vectors turn (4.1, table 1): the oracle is signed coordinates.
+// Laws of the transforms of vectors (4.1, table 1); the oracle is signed coordinates.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace {
 
 using enum State;
 
-/// What a result of table 1 does to X, Y counted from the middle, y upwards: (a X + b Y, c X + d Y).
+/// The matrix of a row of table 1, for X, Y counted from the middle, y upwards: (a X + b Y, c X + d Y).
 struct Linear {
   int a, b, c, d;
   constexpr bool operator==(const Linear&) const = default;
@@ -42,13 +42,13 @@ constexpr std::uint32_t row_that_does(Linear m) {
   return 8;
 }
 
-/// The row `then` after the row `first`; of a single row, `first` is the identity.
+/// The row `then` after the row `first`; for a single row, `first` is the identity.
 struct Pair {
   std::uint32_t then, first, side;
 };
 
-/// A vector of one state but for one region, which must arrive where the matrix says: for each place of it, each
-/// state in each other.
+/// A vector of one state with one other region, which must move as the matrix says: for each place, and for each
+/// state among each other.
 template <std::size_t side>
 Finding moves(const VqSubject& s, const char* what, Linear does, const auto& turned) {
   constexpr int last = side - 1;
@@ -83,7 +83,7 @@ Finding composes(const VqSubject& s, const Pair& pair) {
     return two;
   const std::uint32_t got = s.functions.composed(then, first).number();
   if (got != row) return wrong(fmt::format("row {}", row), fmt::format("row {}", got));
-  // Closed under composition and finite; that each row has an inverse among the eight is a case of its own.
+  // The eight rows are closed under composition and finite in number; that each has an inverse is a case of its own.
   bool undone = false;
   for (std::uint32_t k = 0; k < 8; ++k)
     undone = undone || s.functions.composed(Transform::of(k), then).number() == 0;

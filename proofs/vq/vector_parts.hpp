@@ -1,4 +1,4 @@
-// What the laws about vectors share.
+// Common parts of the laws of vectors.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,10 +13,10 @@
 
 namespace mmverify::proofs::vq {
 
-/// 1 and 2: vectors have 2^level regions along a side.
+/// The levels of vectors, which have 2^level regions along a side.
 inline constexpr Levels both_sides{1, 2};
 
-/// f(std::integral_constant<std::size_t, side>) of a level.  Throws BadCase at others.
+/// Calls f(std::integral_constant<std::size_t, side>) for a level.  Throws BadCase at other levels.
 template <class F>
 auto at_side(Level n, F f) {
   if (n == 1) return f(std::integral_constant<std::size_t, 2>());

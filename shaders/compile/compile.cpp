@@ -24,7 +24,7 @@ namespace {
 
 using program::ProgramEnd;
 
-/// The first of the compiler's messages about a file, and how many more there are: FILE:LINE: what.
+/// The compiler's first message about the file, FILE:LINE: TEXT, and the number of further ones.
 std::string message(const std::string& printed, const std::string& ours, const std::string& file) {
   std::string first;
   std::size_t more = 0;
@@ -36,7 +36,7 @@ std::string message(const std::string& printed, const std::string& ours, const s
       continue;
     line = line.substr(begins.size());
     if (line.starts_with(ours)) line = file + line.substr(ours.size());
-    // Where a snippet leaves something open, the compiler sees it after the snippet's end.
+    // If a snippet leaves a brace open, the compiler reports a line of our part after the snippet's end.
     if (line.starts_with(own_part)) line = fmt::format("{}: after its end, in {}", file, line);
     if (first.empty())
       first = line;
@@ -47,14 +47,15 @@ std::string message(const std::string& printed, const std::string& ours, const s
   return more == 0 ? first : fmt::format("{} (and {} more)", first, more);
 }
 
-/// A source's text, without the byte order mark that some editors begin UTF-8 with and no compiler takes.
+/// The source's text without a byte order mark: some editors write one at the start of UTF-8, and compilers
+/// refuse it.
 std::string source_of(const std::string& file) {
   constexpr std::string_view mark = "\xef\xbb\xbf";
   std::string text = contents_of(file);
   return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
-/// A compiler and a language.
+/// The compiler of a file's language.
 class Compiler {
  public:
   Compiler(const ShaderName& name, const program::Folder& folder)
@@ -69,11 +70,11 @@ class Compiler {
     write_file(source, text);
     auto words = glslang(source);
     words.push_back("-E");
-    // It needs less than a compiler; a file that includes itself fills all of it.
+    // Preprocessing needs less memory than compilation; a file that includes itself uses all it may.
     return printed_by(words, source, std::uint64_t{192} << 20);
   }
 
-  /// SPIR-V's bytes; `name` is that of the module's file.
+  /// Compiles `text` to SPIR-V in the file `spirv`.
   void compile(const std::string& text, const std::string& spirv, bool all_functions = false) const {
     const std::string source = spirv + suffix();
     write_file(source, text);
@@ -85,7 +86,7 @@ class Compiler {
     }
     auto words = glslang(source);
     words.insert(words.end(), {"-V", "--target-env", "vulkan1.1", "-o", spirv});
-    // As written: HLSL is inlined else.
+    // Without optimization, since otherwise HLSL's functions are inlined.
     if (all_functions) words.insert(words.end(), {"-g", "--keep-uncalled", "-Od"});
     printed_by(words, source);
   }
@@ -131,7 +132,7 @@ class Compiler {
   Language language_;
 };
 
-/// Throws BadShader; false where there is no spirv-val.
+/// Whether spirv-val was there to validate the module. Throws BadShader if the module is invalid.
 bool valid(const std::string& file, const std::string& spirv, std::uint32_t version) {
   constexpr std::uint32_t spirv_1_4 = 0x00010400, spirv_1_5 = 0x00010500, spirv_1_6 = 0x00010600;
   const char* target = version >= spirv_1_6   ? "vulkan1.3"
@@ -145,7 +146,8 @@ bool valid(const std::string& file, const std::string& spirv, std::uint32_t vers
   return true;
 }
 
-/// What is called, and may be.
+/// Throws BadShader unless the module has one compute shader to run, or one called main, and needs only
+/// capabilities that devices are opened with.
 void check_entry_point(const std::string& file, const ModuleFacts& facts) {
   if (facts.function.empty()) {
     if (facts.other_entry_points.empty()) throw BadShader(file + ": it has no entry point");
@@ -164,7 +166,8 @@ void check_entry_point(const std::string& file, const ModuleFacts& facts) {
                     file, fmt::join(facts.foreign_capabilities, ", ")));
 }
 
-/// What it wants to be given.  A driver takes what it is not given from anywhere.
+/// Throws BadShader if the shader uses a resource that mmverify does not bind: a driver may read anything for
+/// it. Specialization constants give a warning.
 void check_interface(const std::string& file, const Module& m, const program::Folder& folder,
                      Compiled& made) {
   std::optional<Interface> found;
@@ -187,7 +190,7 @@ void check_interface(const std::string& file, const Module& m, const program::Fo
                     file, m.entry_point, fmt::join(found->constants, ", ")));
 }
 
-/// Reads the modules that the manifest names and fills in what is known of them.
+/// Reads the modules that the manifest names, and fills in the facts about them.
 void describe(const std::string& file, Compiled& made) {
   std::string all;
   bool validated = true;
@@ -230,7 +233,7 @@ void describe(const std::string& file, Compiled& made) {
   made.fingerprint = fmt::format("(sha256 {}, device {})", sha256(all).substr(0, 16), made.manifest.device);
 }
 
-/// What a whole shader answers.
+/// The entry point that a whole shader answers: the named one, index_f32 by default.
 std::string known_entry(const ShaderName& name) {
   std::string entry = name.entry_point.value_or("index_f32");
   const std::vector<std::string> all = entry_points();
@@ -301,7 +304,7 @@ Compiled compile(const ShaderName& name) {
   made.files = folder;
   made.manifest.device = name.device.value_or(0);
   if (name.file.ends_with(".spv")) {
-    // What is judged stays what was read, whatever becomes of the file.
+    // A copy of the file: what is judged is what was read, even if the file changes.
     const std::string spirv = folder->file("whole.spv");
     write_file(spirv, contents_of(name.file));
     made.manifest.modules.push_back({known_entry(name), {}, 0, spirv});
@@ -320,7 +323,7 @@ std::string compile_function(const std::string& file, const std::string& functio
   if (compiler.language() == Language::slang)
     throw BadShader(file + ": Slang's compiler keeps nothing but what an entry point calls; name its SPIR-V");
   std::string text = source_of(file);
-  // A file that is whole stays so.
+  // A file with a #version is compiled as it is.
   const bool versioned = text.find("#version") != std::string::npos;
   const std::string plain =
       compiler.preprocess(versioned ? text : preamble_and(text, file, compiler.language()));
@@ -328,7 +331,7 @@ std::string compile_function(const std::string& file, const std::string& functio
     text = preamble_and(text, file, compiler.language());
     if (compiler.language() == Language::glsl)
       text += "void main() {}\n";
-    else  // it drops what nobody calls
+    else  // the compiler drops functions without a caller
       text += fmt::format(
           "RWStructuredBuffer<uint> mmverify_answer;\n[numthreads(1, 1, 1)] void main() {{ "
           "mmverify_answer[0] = "

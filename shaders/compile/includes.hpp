@@ -1,11 +1,11 @@
-// Where `#include "shaders/..."` of a shader is found.
+// Finds `#include "shaders/..."` of a shader.
 #pragma once
 
 #include <string>
 
 namespace mmverify::shaders {
 
-/// The folder that holds `shaders/`: the checkout, or where the program is installed.
+/// The folder that contains `shaders/`: the checkout, or the installed one.
 std::string include_root();
 
 /// The folder of this program.

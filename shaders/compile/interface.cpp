@@ -20,7 +20,7 @@ std::string name_of(const json& resource) {
   return name.empty() ? "" : fmt::format(" (`{}`)", name);
 }
 
-/// spirv-cross's groups of what takes a binding, but for storage buffers.
+/// spirv-cross's groups of resources that take a binding, other than storage buffers.
 struct Group {
   const char *key, *is;
 };
@@ -78,7 +78,7 @@ class Reader {
                        name_of(resource));
   }
 
-  /// spirv-cross numbers the variable of a block that has no name of its own.
+  /// The name of a block's type: spirv-cross numbers the variable of a block without a name.
   std::string name_of_type(const json& block) const {
     const std::string type = block.value("type", "");
     return all_.contains("types") && all_["types"].contains(type) ? name_of(all_["types"][type]) : "";
@@ -96,13 +96,13 @@ class Reader {
   std::uint64_t bytes_of(const json& member, unsigned depth) const {
     const std::string type = member.value("type", "");
     std::uint64_t one = type.starts_with("_") ? end_of_struct(type, depth + 1) : bytes_of_numbers(type);
-    if (member.contains("matrix_stride"))  // columns or rows: four at most, and never too few
+    if (member.contains("matrix_stride"))  // columns or rows: at most four, so the size is never too small
       one = 4 * member.value("matrix_stride", std::uint64_t{16});
     std::uint64_t count = 1;
     for (const json& length : member.value("array", json::array())) count *= length.get<std::uint64_t>();
     return count <= 1 ? one : (count - 1) * member.value("array_stride", one) + one;
   }
-  /// Of scalars and vectors: uint, float, uvec2, u64vec3, double, ...
+  /// The size of a scalar or vector type: uint, float, uvec2, u64vec3, double, ...
   static std::uint64_t bytes_of_numbers(const std::string& type) {
     const auto has = [&type](const char* text) { return type.find(text) != std::string::npos; };
     const std::uint64_t lanes =
@@ -126,7 +126,7 @@ Interface interface_of(const std::string& reflected) {
 }
 
 std::optional<Interface> read_interface(const std::string& spirv, const program::Folder& folder) {
-  // A module may declare more than its entry point uses, and only the latter has to be bound.
+  // A module may declare more than its entry point uses; only what is used has to be bound.
   const std::string used = folder.file("used.spv");
   const auto cut =
       ended({"spirv-opt", "--eliminate-dead-functions", "--eliminate-dead-variables", spirv, "-o", used});

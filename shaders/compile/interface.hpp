@@ -1,4 +1,4 @@
-// What a module wants to be given: descriptors, push constants, specialization constants.
+// The resources that a module uses: descriptors, push constants, specialization constants.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@
 namespace mmverify::shaders {
 
 struct Interface {
-  std::vector<std::string> faults;     ///< what nobody will give it, each with the binding and its name
+  std::vector<std::string> faults;     ///< resources that mmverify does not bind, each with binding and name
   std::vector<std::string> constants;  ///< specialization constants: "3 (`SIDE`): 5"
 };
 
-/// By spirv-cross's reflection, of what the entry point uses: spirv-opt leaves out the rest before.  None where there is
-/// no spirv-cross.
-/// Domain: a valid module.  Errors: std::runtime_error where spirv-cross does not bear it.
+/// The interface of a module's entry point, by spirv-cross's reflection after spirv-opt has removed unused
+/// variables. Nothing if there is no spirv-cross.
+/// Domain: a valid module. Errors: std::runtime_error if spirv-cross refuses the module.
 std::optional<Interface> read_interface(const std::string& spirv, const program::Folder& folder);
 
-/// The same of spirv-cross's own words.  Errors: std::runtime_error where they are no such.
+/// The interface in spirv-cross's JSON output. Errors: std::runtime_error if it is no such JSON.
 Interface interface_of(const std::string& reflected);
 
 }  // namespace mmverify::shaders

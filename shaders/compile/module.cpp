@@ -10,7 +10,7 @@
 namespace mmverify::shaders {
 namespace {
 
-// Numbers of SPIR-V's specification, 3.
+// Opcodes and numbers of SPIR-V's specification, section 3.
 enum Op : std::uint32_t {
   op_name = 5,
   op_entry_point = 15,
@@ -38,8 +38,9 @@ bool is_float_operation(std::uint32_t op) {
          op == op_f_mod || (op >= op_vector_times_scalar && op <= op_dot);
 }
 
-/// What every device of Vulkan 1.1 has, or what a device is opened with or refused for (Program), or refuses by itself:
-/// Matrix, Shader, numbers of other sizes, ImageQuery, DerivativeControl, subgroups, float controls.
+/// Whether a capability is known: Matrix, Shader, numbers of other sizes, ImageQuery, DerivativeControl,
+/// subgroups, float controls. Every device of Vulkan 1.1 has it, or a device is opened with it, or a device
+/// without it is refused (Program) or refuses the module itself.
 bool is_ours(std::uint32_t capability) {
   constexpr std::uint32_t ours[] = {0, 1, 9, 10, 11, 22, 39, 50, 51};
   constexpr std::uint32_t subgroups = 61, last_of_subgroups = 68, float_controls = 4464,
@@ -49,7 +50,7 @@ bool is_ours(std::uint32_t capability) {
          (capability >= float_controls && capability <= last_of_float_controls);
 }
 
-/// Of SPV_KHR_float_controls.
+/// The name of an execution mode of SPV_KHR_float_controls, with the width; empty for another mode.
 std::string float_mode(std::uint32_t mode, std::uint32_t width) {
   constexpr const char* names[] = {"DenormPreserve", "DenormFlushToZero", "SignedZeroInfNanPreserve",
                                    "RoundingModeRTE", "RoundingModeRTZ"};
@@ -58,7 +59,7 @@ std::string float_mode(std::uint32_t mode, std::uint32_t width) {
   return std::string(names[mode - first]) + " " + std::to_string(width);
 }
 
-/// An instruction: its number, and the words after that.
+/// An instruction: its opcode, and its operand words.
 struct Instruction {
   std::uint32_t op;
   const std::uint32_t* words;

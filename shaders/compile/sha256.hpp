@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), by which a module is known.
+// SHA-256 (FIPS 180-4), the identity of a module.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
   return text;
 }
 
-/// The lines that a compiler wants at the very beginning, and the rest, its lines where they were.
+/// A source's leading lines, which a compiler wants first, and the rest with unchanged line numbers.
 struct Split {
   std::string first, rest;
 };
@@ -33,7 +33,7 @@ Split split(const std::string& text) {
   return both;
 }
 
-/// GLSL's names of vectors and casts, in HLSL and Slang.
+/// Replaces GLSL's names of vectors and casts by those of HLSL and Slang.
 std::string in_hlsl(std::string text) {
   text = replaced(std::move(text), "uintBitsToFloat", "asfloat");
   text = std::regex_replace(text, std::regex("\\buvec([234])\\b"), "uint$1");
@@ -160,7 +160,7 @@ const std::vector<SnippetFunction>& snippet_functions() {
 std::vector<SnippetFunction> functions_in(const std::string& preprocessed) {
   std::vector<SnippetFunction> found;
   for (const SnippetFunction& f : snippet_functions()) {
-    // A definition: its type, its name, as many parameters, and a brace.
+    // A definition: the type, the name, the right number of parameters, and a brace.
     const auto commas = std::count(f.parameters, f.parameters + std::string_view(f.parameters).size(), ',');
     std::string parameters = "[^,(){};]+";
     for (auto k = commas; k > 0; --k) parameters += ",[^,(){};]+";

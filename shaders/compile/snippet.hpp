@@ -1,4 +1,4 @@
-// A file that defines functions becomes compute shaders, one for each entry point that its functions answer.
+// Turns a file of functions into compute shaders, one for each entry point that its functions answer.
 #pragma once
 
 #include <string>
@@ -7,36 +7,36 @@
 
 namespace mmverify::shaders {
 
-/// What a compiler's messages about the lines after a snippet's end begin with.
+/// The file name in a compiler's messages about the lines after a snippet's end.
 inline constexpr std::string_view own_part = "mmverify's own part";
 
 enum class Language { glsl, hlsl, slang };
 
-/// A function that a snippet may define, and the entry point of mmverify_subject_t that it answers; ranked_lookup: both
-/// tree_encode, which is the library's, and tree_lookup.
+/// A function that a snippet may define, and the entry point of mmverify_subject_t that it answers. The
+/// function ranked_lookup answers tree_lookup, and tree_encode with the library's encoder.
 struct SnippetFunction {
   const char* entry_point;
-  const char* returns;  ///< GLSL's name of the type; of void, three uvec2 are written
+  const char* returns;  ///< the type in GLSL; a void function writes three uvec2
   const char* name;
-  const char* parameters;  ///< as docs/SUBJECTS.md declares them, in GLSL
-  const char* arguments;   ///< what it is called with: IN0, IN1, IN2 are this element's inputs
-  const char* inputs;      ///< their type
+  const char* parameters;  ///< in GLSL, as docs/SUBJECTS.md declares them
+  const char* arguments;   ///< the arguments of the call: IN0, IN1, IN2 are this element's inputs
+  const char* inputs;      ///< the inputs' type
 };
 
-/// All of them, in the header's order.
+/// All functions, in the order of the header.
 const std::vector<SnippetFunction>& snippet_functions();
 
-/// Those that the text defines.  Domain: preprocessed text, without comments.
+/// The known functions that the text defines. Domain: preprocessed text, without comments.
 std::vector<SnippetFunction> functions_in(const std::string& preprocessed);
-/// Whether it is a whole shader instead: it defines main.
+/// Whether the text is a whole shader: it defines main.
 bool defines_main(const std::string& preprocessed);
 
-/// A compute shader that includes the snippet `text` and asks the function of each element.  Messages of a compiler about
-/// the snippet's lines name `file`.
+/// A compute shader that includes the snippet `text` and calls the function for each element. A compiler's
+/// messages about the snippet's lines name `file`.
 std::string shader_of(const std::string& text, const std::string& file, const SnippetFunction& function,
                       Language language);
 
-/// The same without a function: what the snippet is preprocessed with.
+/// The snippet after our preamble, without a function: the text to preprocess.
 std::string preamble_and(const std::string& text, const std::string& file, Language language);
 
 }  // namespace mmverify::shaders

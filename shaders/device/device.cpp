@@ -10,10 +10,10 @@ namespace mmverify::shaders {
 namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
-/// Debian's chromium-common brings a second device along, where the loader does not look.
+/// The driver of SwiftShader, a second device in Debian's chromium-common, where the loader does not look.
 constexpr const char* swiftshader = "/usr/lib/chromium/vk_swiftshader_icd.json";
 
-/// Two functions of Vulkan's are called until the count stays.
+/// Calls a function of Vulkan twice, for the count and the elements, until the count stays the same.
 template <class T, class Call>
 std::vector<T> all(Call call) {
   std::uint32_t count = 0;
@@ -127,11 +127,11 @@ void Device::make_instance(bool validation) {
 void Device::choose(std::uint32_t number) {
   std::vector<VkPhysicalDevice> devices;
   std::uint32_t count = 0;
-  // A loader without any driver says so by an error.
+  // A loader without any driver returns an error.
   if (vkEnumeratePhysicalDevices(instance_, &count, nullptr) == VK_SUCCESS && count != 0)
     devices = all<VkPhysicalDevice>(
         [&](std::uint32_t* n, VkPhysicalDevice* to) { return vkEnumeratePhysicalDevices(instance_, n, to); });
-  // The loader's own order may have what was added first.
+  // SwiftShader goes last: the loader's order may begin with the driver that was added first.
   std::stable_partition(devices.begin(), devices.end(), [](VkPhysicalDevice d) {
     VkPhysicalDeviceProperties p;
     vkGetPhysicalDeviceProperties(d, &p);
@@ -190,7 +190,7 @@ void Device::make_device() {
     if ((families[family_].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0) break;
   if (family_ == count) throw NoDevice(properties_.name + " does not compute");
 
-  // Whatever number types a shader uses are there if the device has them.
+  // Enables every number type that the device has.
   VkPhysicalDeviceShaderFloat16Int8Features small{};
   small.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_FLOAT16_INT8_FEATURES;
   VkPhysicalDeviceFeatures2 has{};

@@ -1,4 +1,4 @@
-// A Vulkan device that computes, and no more of Vulkan than that takes.
+// A Vulkan device for compute, and no more of Vulkan than that needs.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -10,18 +10,18 @@
 
 namespace mmverify::shaders {
 
-/// No device, or not one that can run this; what() says why.
+/// There is no device, or none that can run this; what() gives the reason.
 struct NoDevice : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws std::runtime_error `what: VK_ERROR_...` unless it is VK_SUCCESS.
+/// Throws std::runtime_error `what: VK_ERROR_...` unless the result is VK_SUCCESS.
 void check(VkResult result, const char* what);
 
-/// What the device says of itself.
+/// The properties that a device reports.
 struct Properties {
   std::string name, driver, driver_info;
-  std::uint32_t number = 0, of = 0;  ///< among the devices that were found
+  std::uint32_t number = 0, of = 0;  ///< its number, and the number of devices found
   std::uint32_t api_version = 0, driver_version = 0;
   bool float_controls_known = false;
   VkPhysicalDeviceFloatControlsProperties float_controls{};
@@ -32,7 +32,7 @@ struct Properties {
 
 class Device {
  public:
-  /// The one of this number: those that the Vulkan loader finds, then SwiftShader where Chromium has brought it along.
+  /// Opens the device of that number: first the devices of the Vulkan loader, then Chromium's SwiftShader.
   /// Throws NoDevice.
   Device(std::uint32_t number, bool validation);
   ~Device();
@@ -43,7 +43,7 @@ class Device {
   VkDevice handle() const { return device_; }
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return family_; }
-  /// Memory that this process sees, of one of the kinds in the set; cached where there is such.
+  /// A memory type among `kinds` that this process can map; cached memory if there is any.
   std::uint32_t host_memory(std::uint32_t kinds) const;
 
   /// Throws the first message of the validation layer, if there is one.
@@ -65,7 +65,7 @@ class Device {
   std::string validation_said_;
 };
 
-/// Where it runs, as mmverify_subject_t's runs_on has it.
+/// The device as mmverify_subject_t's runs_on reports it.
 std::string runs_on(const Properties& properties, bool validation);
 
 }  // namespace mmverify::shaders

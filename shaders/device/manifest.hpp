@@ -1,5 +1,5 @@
-// What a worker is to run: the shaders' files, and on which device.  The program writes it, the library in the worker
-// reads it.
+// A worker's manifest: the files of its shaders, and the device. The program writes it, the library in the
+// worker reads it.
 #pragma once
 
 #include <cstddef>
@@ -9,34 +9,35 @@
 
 namespace mmverify::shaders {
 
-/// The environment variables by which a worker is told.
+/// The environment variables that a worker reads.
 constexpr const char* manifest_variable = "MMVERIFY_SHADER";
-/// Set: the Khronos validation layer is on, and the first of its messages ends the call.
+/// If set, the Khronos validation layer is on, and its first message ends the call.
 constexpr const char* validation_variable = "MMVERIFY_VULKAN_VALIDATION";
 
-/// One compute shader, that answers one entry point of mmverify_subject_t.
+/// A compute shader that answers one entry point of mmverify_subject_t.
 struct Module {
-  std::string entry_point;     ///< of the header: index_f32, ...
-  std::string function;        ///< of the module: OpEntryPoint's name
+  std::string entry_point;     ///< in the header: index_f32, ...
+  std::string function;        ///< in the module: OpEntryPoint's name
   std::uint32_t group_size{};  ///< invocations of a workgroup
   std::string file;            ///< SPIR-V
 };
 
 struct Manifest {
-  std::uint32_t device = 0;  ///< by number, as devices are found
+  std::uint32_t device = 0;  ///< the device's number
   std::vector<Module> modules;
 };
 
-/// A line each: `device N`, then `module ENTRY_POINT GROUP_SIZE FUNCTION FILE`, FILE to the line's end.
+/// One item a line: `device N`, then `module ENTRY_POINT GROUP_SIZE FUNCTION FILE`, FILE up to the line's
+/// end.
 std::string to_text(const Manifest& manifest);
 
-/// Throws std::runtime_error that names the file and the line.
+/// Throws std::runtime_error, which names the file and the line.
 Manifest read_manifest(const std::string& file);
 
-// The shaders' side, as docs/SUBJECTS.md has it: descriptor set 0, and push constants.
+// The interface of shaders, as docs/SUBJECTS.md has it: descriptor set 0, and push constants.
 constexpr std::uint32_t input_bindings = 3;  ///< 0, 1, 2: the entry point's arrays
 constexpr std::uint32_t answer_binding = 3;
-constexpr std::uint32_t bytes_binding = 4;  ///< the code, block or map that is asked about
+constexpr std::uint32_t bytes_binding = 4;  ///< the code, block or map that the entry point reads
 constexpr std::uint32_t bindings = 5;
 
 /// layout(push_constant)

@@ -19,7 +19,7 @@ std::vector<std::uint32_t> read_words(const std::string& file) {
   return words;
 }
 
-/// Number types that a module uses and the device lacks; nothing where there is none.
+/// Number types that the module uses and the device lacks; empty if there are none.
 std::string lacking(const Properties& p, const std::vector<std::uint32_t>& words) {
   constexpr std::uint32_t header = 5, capability = 17;
   enum : std::uint32_t { float16 = 9, float64 = 10, int64 = 11, int16 = 22, int8 = 39 };
@@ -184,12 +184,12 @@ const std::uint32_t* Program::run(const Asked& asked) {
     fill(k, k < asked.arrays.size() ? asked.arrays[k] : nullptr, bytes, bytes);
   }
   fill(answer_binding, nullptr, 0, asked.count * asked.values * word);
-  // Shaders read words: the last one's other bytes are zero, and one more word is there to be read.
+  // Shaders read whole words: the last word is padded with zeros, and one more word may be read.
   const std::size_t padded = (asked.byte_count + word - 1) / word * word + word;
   fill(bytes_binding, asked.bytes, asked.byte_count, padded);
   std::memset(static_cast<char*>(buffers_[bytes_binding]->data()) + asked.byte_count, 0,
               padded - asked.byte_count);
-  // What a shader leaves unwritten must not look like the answer before.
+  // Fills the buffer, so that a value that a shader leaves unwritten is not the previous call's answer.
   void* const answers = buffers_[answer_binding]->data();
   const std::size_t answer_bytes = asked.count * asked.values * word;
   if (asked.before != nullptr)
@@ -229,7 +229,7 @@ void Program::dispatch(const Asked& asked) {
   submit.commandBufferCount = 1;
   submit.pCommandBuffers = &command_;
   check(vkQueueSubmit(device_.queue(), 1, &submit, fence_), "submitting");
-  // A device that hangs is the worker's end: the tool has the clock.
+  // No timeout here: if the device hangs, the tool ends the worker.
   check(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX), "waiting for the device");
   check(vkResetFences(device_.handle(), 1, &fence_), "resetting a fence");
 }

@@ -1,4 +1,4 @@
-// One compute shader on a device, ready to be asked.
+// A compute shader on a device, ready for calls.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace mmverify::shaders {
 
-/// A storage buffer in memory that this process sees; grows as it is asked to.
+/// A storage buffer in memory that this process maps; it grows on demand.
 class Buffer {
  public:
   explicit Buffer(const Device& device) : device_(device) {}
@@ -19,7 +19,7 @@ class Buffer {
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
 
-  /// Room for as many bytes; what lies in it may be lost.  Returns whether the buffer is another one now.
+  /// Grows to that many bytes; the content may be lost. Returns whether the Vulkan buffer is a new one.
   bool reserve(std::size_t bytes);
   void* data() const { return data_; }
   VkBuffer handle() const { return buffer_; }
@@ -34,29 +34,29 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
-/// What a shader is asked.
+/// The inputs of one call to a shader.
 struct Asked {
   std::uint32_t level = 0, first = 0, second = 0;
-  std::vector<const void*> arrays = {};  ///< of `count` numbers of 32 bits each
+  std::vector<const void*> arrays = {};  ///< each of `count` 32-bit numbers
   const void* bytes = nullptr;           ///< the code, block or map
   std::size_t byte_count = 0;
   std::size_t count = 0;
-  std::size_t values = 1;  ///< words of an answer
-  const void* before =
-      nullptr;  ///< what lies in the answers while the shader has not written them; null: anything
+  std::size_t values = 1;        ///< words in an answer
+  const void* before = nullptr;  ///< the answers' initial content; null if it does not matter
 };
 
-/// Not for two threads at once.
+/// One compute shader and its buffers. Not thread-safe.
 class Program {
  public:
-  /// Throws NoDevice where the device lacks what the module needs, std::runtime_error where the driver refuses it.
+  /// Throws NoDevice if the device lacks a feature of the module, std::runtime_error if the driver refuses
+  /// the module.
   Program(const Device& device, const Module& module);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// The answers' words, valid until the next call.  Throws std::runtime_error: a lost device, a message of the
-  /// validation layer.
+  /// The words of the answers, valid until the next call. Throws std::runtime_error if the device is lost or
+  /// the validation layer reports something.
   const std::uint32_t* run(const Asked& asked);
 
  private:

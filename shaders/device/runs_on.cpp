@@ -1,4 +1,4 @@
-// What a device says of itself and promises of floats, in lines.
+// Describes a device and its guarantees on floats, a line each.
 #include <sstream>
 
 #include "shaders/device/device.hpp"
@@ -11,7 +11,7 @@ std::string version(std::uint32_t v) {
          std::to_string(VK_API_VERSION_PATCH(v));
 }
 
-/// What of two things a shader may ask for and gets; the device promises none of them unasked.
+/// The modes of two that a shader may request; the device guarantees neither without a request.
 std::string on_request(const char* first, VkBool32 has_first, const char* second, VkBool32 has_second) {
   if (has_first == VK_FALSE && has_second == VK_FALSE) return "nothing promised";
   std::string text;

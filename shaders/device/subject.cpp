@@ -1,4 +1,4 @@
-// A subject that is compute shaders on a Vulkan device: which ones, a file says that MMVERIFY_SHADER names.
+// A subject that runs compute shaders on a Vulkan device; MMVERIFY_SHADER names the manifest.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace mmverify::shaders;
 
-/// All that the entry points use; made once, and left to the process's end.
+/// The state of all entry points: made once and never freed.
 struct Running {
   std::unique_ptr<Device> device;
   std::map<std::string, std::unique_ptr<Program>> programs;  ///< by entry point
@@ -36,19 +36,19 @@ void to_words(const char* entry_point, Asked asked, T* out) {
   std::memcpy(out, run(entry_point, asked), asked.count * asked.values * sizeof(T));
 }
 
-/// States, and other answers of a byte; what does not fit is a wrong one.
+/// Narrows the answers to bytes, states for example; a value above 255 becomes 255, a wrong answer.
 void to_bytes(const char* entry_point, const Asked& asked, std::uint8_t* out) {
   const std::uint32_t* words = run(entry_point, asked);
   for (std::size_t k = 0; k < asked.count; ++k)
     out[k] = static_cast<std::uint8_t>(words[k] > 0xff ? 0xff : words[k]);
 }
 
-// The entry points; where the shaders have none, the pointer is null.
+// The entry points; a pointer is null if the manifest has no shader for it.
 using Words = const std::uint32_t*;
 using Floats = const float*;
 using Bytes = const std::uint8_t*;
 
-/// The form of a map that ranked_lookup reads.
+/// Encodes a map as ranked_lookup reads it.
 std::size_t encode_ranked(std::uint32_t level, std::uint32_t format, Bytes map, std::uint8_t* code,
                           std::size_t capacity) {
   using namespace mmverify::impl;
@@ -59,7 +59,7 @@ std::size_t encode_ranked(std::uint32_t level, std::uint32_t format, Bytes map, 
   return bytes;
 }
 
-/// The container that dag_lookup reads.
+/// Encodes a scene as the container that dag_lookup reads.
 std::size_t encode_scene(std::uint32_t format, Bytes scene, std::size_t scene_size, std::uint8_t* code,
                          std::size_t capacity) {
   using namespace mmverify::impl;
@@ -75,7 +75,7 @@ std::size_t encode_scene(std::uint32_t format, Bytes scene, std::size_t scene_si
   return bytes.size();
 }
 
-/// How an entry point is filled in.
+/// An entry point's name, and the function that sets its pointer.
 struct Entry {
   const char* name;
   void (*offer)(mmverify_subject_t&);
@@ -310,7 +310,7 @@ const Entry entries[] = {
      }},
 };
 
-/// The shaders that the manifest names, ready.
+/// Opens the shaders that the manifest names.
 const mmverify_subject_t* open_subject() {
   static mmverify_subject_t subject{};
   const char* file = std::getenv(manifest_variable);
@@ -320,7 +320,7 @@ const mmverify_subject_t* open_subject() {
   subject.abi = MMVERIFY_SUBJECT_ABI;
   subject.size = sizeof subject;
   subject.max_level = 16;
-  // Two dispatches at once would be two of this class's programs.
+  // Program is not thread-safe.
   subject.flags = MMVERIFY_SINGLE_THREADED | MMVERIFY_LARGE_BATCHES;
   auto made = std::make_unique<Running>();
   made->device = std::make_unique<Device>(manifest.device, validation);

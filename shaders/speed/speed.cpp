@@ -23,7 +23,7 @@ namespace {
 
 using impl::micromap::Format;
 
-/// A call's wall time in ns, over its lookups: the best of three turns.
+/// Time of a call in ns per lookup: wall time, the best of three turns.
 template <class Call>
 double ns_each(double seconds, std::size_t lookups, const Call& call) {
   using Clock = std::chrono::steady_clock;
@@ -40,7 +40,7 @@ double ns_each(double seconds, std::size_t lookups, const Call& call) {
   return best;
 }
 
-/// The shaders of a file, on the device.  What it gives is valid until the next one is opened.
+/// The shaders of a file on the device. A subject is valid until the next file is opened.
 class OnDevice {
  public:
   OnDevice(const std::string& file, std::uint32_t device)
@@ -78,7 +78,7 @@ class Measuring {
   }
 
   Speeds all() {
-    // Codes of ranked trees first: a subject keeps what a file before it offered.
+    // Ranked trees first: a subject keeps the functions that an earlier file offered.
     trees("tree_ranked.glsl", true);
     trees("tree.glsl", false);
     graphs();
@@ -153,7 +153,7 @@ class Measuring {
           false);
   }
 
-  /// O inside a disc, T outside, unknown along its border.
+  /// A map with O inside a disc, T outside, and unknown along the border.
   static std::vector<std::uint8_t> disc(std::uint32_t level) {
     std::vector<std::uint8_t> map(std::max<std::size_t>(1, (std::size_t{2} << 2 * level) / 8));
     const auto side = static_cast<float>(1u << level);
@@ -174,7 +174,7 @@ class Measuring {
     const OnDevice opened(file, options_.device);
     about(opened);
     for (const std::uint32_t level : levels()) {
-      if (level > 8) break;  // bit by bit, the paper's form takes seconds a call from here on
+      if (level > 8) break;  // the paper's lookup goes bit by bit: a call takes seconds
       const std::vector<std::uint8_t> map = disc(level);
       const auto tree = impl::tree::Tree::encode(level, Format::four_state, map);
       const auto stream = impl::tree::encode_stream(level, Format::four_state, map);

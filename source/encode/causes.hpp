@@ -1,4 +1,4 @@
-// Undefined behaviour in words.
+// Describes undefined behaviour in words.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace mmverify::source {
 
-/// Why a node's value must not be used, and where it stands: "shl: a shift too far, or bits lost, mine.c:12".
+/// The reason why a node's value must not be used, and its place: "shl: a shift too far, or bits lost,
+/// mine.c:12".
 std::string said(const Node& node);
 
 }  // namespace mmverify::source

@@ -12,14 +12,14 @@
 namespace mmverify::source {
 namespace {
 
-/// A node's value: a condition where it is of one bit, a word or a number.
+/// The value of a node: a condition if it has one bit, else a word or a number.
 struct Value {
   Condition condition = "false";
   Bits word = {};
-  std::uint64_t most = 0;  ///< no word of it is above, unless poison
+  std::uint64_t most = 0;  ///< an upper bound on the word, unless it is poison
   Number number = {format_of(32)};
-  Condition poison = "false";  ///< it must not be used
-  Bits unset = {};             ///< bits of the word that must not be used (unset.hpp)
+  Condition poison = "false";  ///< true if the value must not be used
+  Bits unset = {};             ///< bits of the word that were never set (unset.hpp)
 };
 
 std::uint64_t mask(unsigned bits) { return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1; }
@@ -34,7 +34,7 @@ class Encoder {
   Formula run() {
     values_.reserve(program_.nodes.size());
     for (const Node& node : program_.nodes) {
-      // Whoever uses poison has poison, but a choice only by what it chooses.
+      // An operand's poison is inherited; a select inherits it only from the operand that it chooses.
       own_poison_ = "false";
       Value value = value_of(node);
       value.unset = unset_of(node);
@@ -71,7 +71,7 @@ class Encoder {
 
   Condition must_not_be_used(const Value& v) { return d.name(either(v.poison, any_unset(d, v.unset))); }
 
-  /// What may make that node's value one that must not be used.
+  /// Collects the causes why the value of node `root` must not be used.
   void find_causes(std::uint32_t root) {
     std::vector<std::uint32_t> next{root};
     while (!next.empty()) {
@@ -89,7 +89,7 @@ class Encoder {
       if (node.op == Op::freeze) continue;
       for (std::size_t j = 0; j < node.of.size(); ++j) {
         const Node& from = program_.nodes[node.of[j]];
-        // Where a choice is of a value that is left open, there it comes in.
+        // A select of a value that is left open introduces it: the cause is reported at the select.
         if (node.op == Op::select && j > 0 && from.op == Op::unset) {
           Node open = from;
           if (!node.where.empty()) open.where = node.where;
@@ -117,7 +117,8 @@ class Encoder {
       operands.push_back({of(node, k).word, of(node, k).unset});
     if (node.op == Op::read) poison_where(all_unset(d, of(node, 0).unset));
     const Bits unset = shadow_of(d, node, operands);
-    // Bits go one by one, but a word of which none is set has no use: C leaves x & 0 undefined.
+    // The shadow is bit by bit, but a word without a set bit must not be used at all: C leaves x & 0
+    // undefined.
     if ((node.op == Op::bit_and || node.op == Op::bit_or) && unset.width == 0)
       for (const std::size_t k : {0u, 1u}) poison_where(all_unset(d, of(node, k).unset));
     return unset;
@@ -152,7 +153,7 @@ class Encoder {
     v.number = std::move(x);
     return v;
   }
-  /// As a word, of one bit too.
+  /// The value as a word, conditions included.
   Bits word(const Value& v, unsigned bits) { return bits == 1 ? d.of_condition(v.condition, 1) : v.word; }
   Bits word(const Node& node, std::size_t k) {
     return word(of(node, k), program_.nodes[node.of[k]].type.bits);
@@ -324,7 +325,8 @@ class Encoder {
     }
   }
 
-  /// By the bits of the place; where that is none of the table's, poison.
+  /// The table's element at a byte offset, chosen by the bits of its index. An offset outside the table or
+  /// between elements is poison.
   Bits looked_up(const Node& node) {
     const std::uint64_t size = node.numbers[0], count = node.numbers.size() - 1;
     const Bits offset = word(node, 0);
@@ -345,7 +347,7 @@ class Encoder {
     const unsigned bits = node.type.bits;
     const Bits a = word(node, 0);
     const auto number_of = [&](auto at) {
-      // The number of the first place that is set, counted from one end.
+      // The number of the first set bit, counted from one end.
       Bits count = constant(bits, bits);
       for (unsigned k = bits; k-- > 0;) count = d.choose_word(d.bit(a, at(k)), constant(k, bits), count);
       return count;
@@ -387,7 +389,7 @@ class Encoder {
       };
       return d.binary(head, widen(a), widen(b));
     };
-    /// Whether the operation in words without bounds gives another number.
+    /// Whether the exact result differs from the one of `bits` bits.
     const auto wraps = [&](const char* head, const Bits& result, bool with_sign) {
       const unsigned width = head == std::string_view("bvmul") ? 2 * bits : bits + 1;
       return negated(d.equal(wide(head, with_sign, width),
@@ -424,7 +426,7 @@ class Encoder {
       case Op::sdiv: {
         const Bits q = d.binary(node.op == Op::udiv ? "bvudiv" : "bvsdiv", a, b);
         if (whole) poison_where(negated(d.equal(d.binary("bvmul", q, b), a)));
-        // By zero it is all ones.
+        // Division by zero gives all ones.
         return is(q, node.op == Op::udiv && b.value && *b.value != 0 ? most_a / *b.value : all);
       }
       case Op::urem:
@@ -485,10 +487,10 @@ class Encoder {
   Definitions d{"code_"};
   Numbers d_numbers;
   std::vector<Value> values_;
-  /// By node; the last ones where no other holds.
+  /// The causes by node; last_causes_ serve only if no other cause holds.
   std::multimap<std::uint32_t, Cause> causes_, open_causes_, last_causes_;
   Condition own_poison_ = "false";
-  std::vector<Condition> own_;  ///< of each node: it makes poison of what is none
+  std::vector<Condition> own_;  ///< of each node: whether the node itself makes poison
   std::set<std::uint32_t> looked_at_;
 };
 

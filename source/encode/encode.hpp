@@ -1,4 +1,4 @@
-// A program as formulas of SMT-LIB 2 over words, for inputs whose exponents are known.
+// Encodes a program as SMT-LIB 2 formulas over words, for inputs in given ranges of exponents.
 #pragma once
 
 #include <string>
@@ -9,34 +9,34 @@
 
 namespace mmverify::source {
 
-/// Binary32 numbers of one sign whose exponent field is from first to last, below 255.
+/// Binary32 numbers of one sign whose exponent field is in first..last, below 255.
 struct Exponents {
   bool negative = false;
   unsigned first = 0, last = 0;
   friend bool operator==(const Exponents&, const Exponents&) = default;
 };
 
-/// Something that must not happen, and whether it does, as the name of a condition.
+/// An event that must not happen, and the name of the condition that it does.
 struct Cause {
   std::string condition, what;
 };
 
 struct Formula {
-  std::string declarations;  ///< commands
+  std::string declarations;  ///< SMT-LIB commands
   std::vector<std::pair<std::string, std::string>>
-      definitions;        ///< names and formulas, each of names before it
-  std::string index;      ///< a word of 32 bits
-  std::string undefined;  ///< a condition: the index is undefined, or what must not be comes to be
+      definitions;        ///< names and formulas, each over earlier names
+  std::string index;      ///< a 32-bit word
+  std::string undefined;  ///< a condition: the index is undefined, or a forbidden event happens
   std::vector<Cause> causes;
 };
 
-/// What the program computes on the binary32 numbers with the bits `u` and `v`.  Domain: their exponents are these.
-/// Names that are defined begin with "code_".
+/// Encodes the program's result for binary32 inputs with the bits `u_bits` and `v_bits`. Domain: their signs
+/// and exponents are those of `u` and `v`. Defined names begin with "code_".
 /// Throws NotEncoded.
 Formula encode(const Program& program, const Exponents& u, const Exponents& v, const std::string& u_bits,
                const std::string& v_bits, Mistake mistake = Mistake::none);
 
-/// An operation that has no formula here; what() begins with file and line where they are known.
+/// An operation that has no formula; what() begins with file and line if they are known.
 struct NotEncoded : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -74,7 +74,7 @@ Number Numbers::of_bits(const Bits& word, bool negative, unsigned first, unsigne
 Bits Numbers::to_bits(const Number& x) {
   const Format& f = x.format;
   if (!x.bits.empty()) return {x.bits, f.bits};
-  // In units that a significand of full length has, the leading 1 at the top.
+  // The unit is chosen so that the significand has full length; the leading 1 is shifted to the top.
   const unsigned width = std::max(x.size.width, f.precision);
   const int unit = x.unit - static_cast<int>(width - x.size.width);
   Bits top = d.concat(x.size, zeros(width - x.size.width));
@@ -85,13 +85,13 @@ Bits Numbers::to_bits(const Number& x) {
     top = d.choose_word(empty, d.times_two_to(d.lowest(top, width - step), step), top);
     moved = d.binary("bvadd", moved, d.choose_word(empty, constant(step, count_bits), zeros(count_bits)));
   }
-  // Of the leading 1: 2^exponent, and field = exponent + bias.
+  // The exponent field of the leading 1, exponent + bias.
   const int bias = f.beyond - 1, highest = unit + static_cast<int>(width) - 1 + bias;
   const Bits field = d.binary(
       "bvsub", constant(static_cast<std::uint64_t>(static_cast<std::int64_t>(highest)), count_bits), moved);
   const Condition normal = d.asked("bvsgt", field, zeros(count_bits));
   const Bits fraction = d.extract(top, width - 2, width - f.precision);
-  // Below that, the size in units of the least number.
+  // A subnormal number: the size in units of the least number.
   const Bits size = x.unit >= f.least ? d.concat(x.size, zeros(static_cast<unsigned>(x.unit - f.least)))
                                       : d.shifted_down(x.size, static_cast<unsigned>(f.least - x.unit));
   const Bits small = d.lowest(size, f.fraction_bits());
@@ -103,7 +103,7 @@ Bits Numbers::to_bits(const Number& x) {
       d.choose_word(x.infinite, beyond, d.choose_word(d.is_zero(x.size), zeros(f.bits - 1), finite));
   Condition sign = x.negative;
   if (x.nan != "false") {
-    // Which NaN it is, IEEE 754 leaves open.
+    // IEEE 754 leaves the payload of a NaN open.
     const Bits payload = d.binary("bvor", d.free_word(f.fraction_bits()),
                                   d.concat(constant(1, 1), zeros(f.fraction_bits() - 1)));
     size_bits = d.choose_word(x.nan, d.concat(ones(f.exponent_bits()), payload), size_bits);
@@ -113,7 +113,7 @@ Bits Numbers::to_bits(const Number& x) {
 }
 
 Numbers::Aligned Numbers::aligned(const Number& a, const Number& b, unsigned spare) {
-  // A number that is 0 has any unit.
+  // Zero may have any unit.
   const int unit = a.size.width == 0 ? b.unit : b.size.width == 0 ? a.unit : std::min(a.unit, b.unit);
   const auto shifted = [&](const Number& x) {
     return x.size.width == 0 ? x.size : d.times_two_to(x.size, static_cast<unsigned>(x.unit - unit));
@@ -139,7 +139,7 @@ Number Numbers::exact_sum(const Number& a, const Number& b) {
   const Condition less = d.below(x, y);
   const Bits gap = d.choose_word(less, d.binary("bvsub", y, x), d.binary("bvsub", x, y));
   s.size = apart == "true" ? gap : d.choose_word(apart, gap, d.binary("bvadd", x, y));
-  // Of an exact 0 the sign is +, and of infinity that of the infinite one.
+  // The sign of an exact 0 is +; the sign of an infinite sum is that of the infinite operand.
   const Condition of_gap = choose(less, b.negative, choose(d.equal(x, y), "false", a.negative));
   s.negative =
       choose(a.infinite, a.negative, choose(b.infinite, b.negative, choose(apart, of_gap, a.negative)));
@@ -171,17 +171,17 @@ Number Numbers::rounded(Number x) {
   const Format& f = x.format;
   x.bits.clear();
   const unsigned least =
-      x.unit < f.least ? static_cast<unsigned>(f.least - x.unit) : 0;  // bits below the format's
+      x.unit < f.least ? static_cast<unsigned>(f.least - x.unit) : 0;  // bits below the format's least
   if (x.size.width > f.precision || least > 0) {
     const unsigned width = std::max(x.size.width, least + 1);
     const Bits size = d.widened(x.size, width);
-    // A 1 at each place at or below the leading 1.
+    // Ones at and below the leading 1.
     Bits below = size;
     for (unsigned k = 1; k < width; k *= 2) below = d.binary("bvor", below, d.shifted_down(below, k));
-    // Places that are kept: so many from the leading 1 on, none below the format's least.
+    // Places that are kept: `precision` places from the leading 1, none below the format's least.
     Bits kept = d.unary("bvnot", d.shifted_down(below, f.precision));
     if (least > 0) kept = d.binary("bvand", kept, d.concat(ones(width - least), zeros(least)));
-    // Half of the last place, less a unit; and a unit where the last place is odd.
+    // Half of the last place less a unit; one unit more if the last place is odd.
     const Bits half = d.shifted_down(d.unary("bvnot", kept), 1);
     const Bits last =
         width == 1
@@ -201,14 +201,14 @@ Number Numbers::rounded(Number x) {
         from <= 0 ? negated(d.is_zero(x.size))
                   : negated(d.is_zero(d.extract(x.size, x.size.width - 1, static_cast<unsigned>(from))));
     x.infinite = d.name(either(x.infinite, both(negated(x.nan), over)));
-    // Where it is infinite any size will do.
+    // The size of an infinite number is arbitrary.
     x.size = d.lowest(x.size, from <= 0 ? 0 : static_cast<unsigned>(from));
   }
   return x;
 }
 
 Number Numbers::sum(const Number& a, const Number& b) {
-  // x + 0 is x, but for the sign of -0 + 0.
+  // x + 0 is x, except for the sign of -0 + 0.
   for (const auto& [x, zero] : {std::pair{&a, &b}, std::pair{&b, &a}})
     if (zero->size.width == 0 && zero->infinite == "false" && zero->nan == "false") {
       Number s = *x;
@@ -245,7 +245,7 @@ Number Numbers::size_of(Number x) const {
 }
 Number Numbers::with_sign_of(Number x, const Number& y) {
   x.bits.clear();
-  // The sign of a NaN that was computed is open.
+  // The sign of a computed NaN is open.
   x.negative = y.nan == "false" ? y.negative : d.name(choose(y.nan, d.free_condition(), y.negative));
   return x;
 }
@@ -267,7 +267,7 @@ Number Numbers::chosen(const Condition& c, const Number& a, const Number& b) {
 
 Number Numbers::lesser(const Number& a, const Number& b, bool greater) {
   Condition first = compared(greater ? 2 : 4, a, b);
-  // Of 0 and -0 either may come.
+  // For 0 and -0 the result may be either.
   if (const Condition same = compared(1, a, b); a.negative != b.negative)
     first = d.name(choose(same, d.free_condition(), first));
   return chosen(a.nan, b, chosen(b.nan, a, chosen(first, a, b)));
@@ -276,7 +276,7 @@ Number Numbers::lesser(const Number& a, const Number& b, bool greater) {
 Condition Numbers::compared(unsigned predicate, const Number& a, const Number& b) {
   const Condition unordered = d.name(either(a.nan, b.nan));
   auto [x, y, unit] = aligned(a, b, a.infinite == "false" && b.infinite == "false" ? 0 : 1);
-  // Infinity is above all that is finite.
+  // Infinity is above every finite number.
   const Bits top = d.concat(constant(1, 1), zeros(x.width - 1));
   x = d.choose_word(a.infinite, top, x);
   y = d.choose_word(b.infinite, top, y);
@@ -336,7 +336,7 @@ Number Numbers::of_word(const Bits& word, std::uint64_t most, bool is_signed, Fo
     x.size = d.choose_word(x.negative, d.unary("bvneg", word), word);
   } else {
     x.size = d.lowest(word, static_cast<unsigned>(std::bit_width(most)));
-    // Of a power of two the product is a matter of the unit.
+    // Trailing zeros of a constant go into the unit: a product with a power of two then only adds units.
     if (x.size.value && *x.size.value != 0) {
       x.unit = std::countr_zero(*x.size.value);
       const std::uint64_t odd = *x.size.value >> x.unit;
@@ -350,7 +350,8 @@ Numbers::Word Numbers::to_word(const Number& x, unsigned bits, bool is_signed) {
   const Bits whole = whole_part(x);
   const Condition number = negated(either(x.nan, x.infinite));
   const Condition small = [&]() -> Condition {
-    // At most 2^bits - 1 and none below 0; signed: at most 2^(bits-1) - 1, or 2^(bits-1) below 0.
+    // Whether it is at most 2^bits - 1 and not below 0; if signed, at most 2^(bits-1) - 1, or 2^(bits-1)
+    // below 0.
     const unsigned room = is_signed ? bits - 1 : bits;
     const Condition over =
         whole.width <= room ? "false" : negated(d.is_zero(d.extract(whole, whole.width - 1, room)));

@@ -3,7 +3,7 @@
 namespace mmverify::source {
 namespace {
 
-/// A shadow without a set bit is none.
+/// The shadow; one without a set bit becomes a shadow of no bits.
 Bits kept(Bits unset) {
   if (unset.value && *unset.value == 0) return {};
   return unset;
@@ -22,7 +22,7 @@ Bits inverse(Definitions& d, const Bits& a) {
   return a.value && a.width <= 64 ? constant(~*a.value, a.width) : d.unary("bvnot", a);
 }
 
-/// A sum's bit depends on all below it.
+/// Sets all bits above the lowest set one: a bit of a sum depends on all bits below it.
 Bits from_the_lowest(Definitions& d, const Bits& a) {
   if (is_zero(a)) return {};
   if (a.value) return constant(*a.value | (0 - *a.value), a.width);
@@ -86,7 +86,7 @@ Bits shadow_of(Definitions& d, const Node& node, const std::vector<Shadowed>& of
       return unset(0);
     case Op::bit_and:
     case Op::bit_or: {
-      // A bit that is set to what decides hides the other one.
+      // A bit that was set, to 0 for `and` or to 1 for `or`, decides the result and hides the other bit.
       const auto shows = [&](std::size_t k) {
         return node.op == Op::bit_and ? of[k].word : inverse(d, of[k].word);
       };

@@ -12,7 +12,8 @@ std::string applied(const std::string& head, const std::string& a, const std::st
 std::string sort_of(unsigned width) { return "(_ BitVec " + std::to_string(width) + ")"; }
 bool is_atom(const std::string& text) { return text.front() != '(' || text.starts_with("(_ bv"); }
 
-/// Of two constants: a level makes some.
+/// The result of an operation on two constants; nothing if it is not folded. Fixing a level makes such
+/// constants.
 std::optional<std::uint64_t> folded(std::string_view head, std::uint64_t a, std::uint64_t b, unsigned width) {
   if (head == "bvadd") return a + b;
   if (head == "bvsub") return a - b;

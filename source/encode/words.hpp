@@ -1,4 +1,4 @@
-// Words and conditions as text of SMT-LIB 2, with names for what is used more than once.
+// Words and conditions as text of SMT-LIB 2; formulas that are used more than once get names.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ namespace mmverify::source {
 /// A condition: "true", "false", a name or a formula of sort Bool.
 using Condition = std::string;
 
-/// A word of so many bits, none included: then it is 0.
+/// A word of `width` bits; a word of no bits is 0.
 struct Bits {
   std::string text;
   unsigned width = 0;
-  std::optional<std::uint64_t> value = std::nullopt;  ///< where it is a constant below 2^64
+  std::optional<std::uint64_t> value = std::nullopt;  ///< the value of a constant below 2^64
 };
 
 Condition both(const Condition& a, const Condition& b);
@@ -30,24 +30,24 @@ Bits constant(std::uint64_t value, unsigned width);
 Bits zeros(unsigned width);
 Bits ones(unsigned width);
 
-/// A name for each formula that was not met before.
+/// Gives each new formula a name.
 class Definitions {
  public:
-  /// A name's formula is written once; names begin with `prefix`.
+  /// A formula is defined once; names begin with `prefix`.
   explicit Definitions(std::string prefix) : prefix_(std::move(prefix)) {}
 
   Condition name(const Condition& formula);
   Bits name(const Bits& word);
-  /// A constant of which nothing is known.
+  /// An unconstrained word.
   Bits free_word(unsigned width);
   Condition free_condition();
 
-  /// Names and formulas, each of names that come before.
+  /// Names and formulas, each over earlier names.
   const std::vector<std::pair<std::string, std::string>>& all() const { return all_; }
-  /// Commands that declare the constants of which nothing is known.
+  /// The commands that declare the unconstrained constants.
   const std::string& declarations() const { return declarations_; }
 
-  // Of words; the results have names.  Domain: equal widths where there are two.
+  // Operations on words; the results have names. Domain: two operands have equal widths.
   Bits unary(const char* head, const Bits& a);
   Bits binary(const char* head, const Bits& a, const Bits& b);
   Bits concat(const Bits& high, const Bits& low);
@@ -56,7 +56,7 @@ class Definitions {
   Bits widened_with_sign(const Bits& a, unsigned width);
   Bits lowest(const Bits& a, unsigned width);  ///< cut, or zeros above
   Bits times_two_to(const Bits& a, unsigned k) { return concat(a, zeros(k)); }
-  Bits shifted_down(const Bits& a, unsigned k);  ///< of the same width
+  Bits shifted_down(const Bits& a, unsigned k);  ///< keeps the width
   Bits choose_word(const Condition& c, const Bits& a, const Bits& b);
   Condition equal(const Bits& a, const Bits& b);
   Condition below(const Bits& a, const Bits& b);  ///< unsigned

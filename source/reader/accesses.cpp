@@ -20,7 +20,7 @@ namespace {
 
 using I = llvm::Instruction;
 
-/// A variable of which a pointer may be loaded; SROA comes to it first.
+/// Whether a pointer may be loaded from the variable; SROA replaces such variables first.
 bool is_holder(const llvm::Value* base) {
   const auto* call = llvm::dyn_cast<llvm::CallInst>(base);
   const auto* variable = llvm::dyn_cast<llvm::AllocaInst>(call != nullptr ? call->getArgOperand(0) : base);
@@ -33,8 +33,8 @@ std::vector<I*> all_of(llvm::Function& function) {
   return all;
 }
 
-/// A variable of one bit that is 1 from where the variable begins to where it ends; null: it is always there.  Takes the
-/// marks away: what is in it then is written already.
+/// A variable of one bit that is 1 during the lifetime of `variable`; null if it has no lifetime marks. The
+/// caller erases the marks: stores of the variable's content at each mark exist already.
 llvm::AllocaInst* lifetime_of(llvm::AllocaInst& variable, const std::vector<llvm::IntrinsicInst*>& marks) {
   llvm::AllocaInst* alive = nullptr;
   for (llvm::IntrinsicInst* mark : marks) {
@@ -109,7 +109,7 @@ class Guards {
     return llvm::ConstantInt::get(llvm::Type::getInt64Ty(function_.getContext()),
                                   layout_.getTypeStoreSize(t));
   }
-  /// A variable's begin, written by undefined.cpp, or its lifetime.
+  /// Whether the store sets a variable's initial content (undefined.cpp), or its lifetime.
   static bool begins(const llvm::StoreInst& store) {
     const auto* set = llvm::dyn_cast<llvm::CallInst>(store.getValueOperand());
     return (set != nullptr && guarded(*set) == Guarded::unset) ||
@@ -121,7 +121,8 @@ class Guards {
     llvm::IRBuilder<> build(&at);
     const bool all_holders =
         reach.known && !reach.bases.empty() && std::all_of(reach.bases.begin(), reach.bases.end(), is_holder);
-    // The first run is for these alone; the second one leaves what that has guarded, and lifetimes.
+    // The first run handles accesses of holders only. The second skips accesses that the first has guarded,
+    // and lifetimes.
     if (holders_ ? !all_holders : shown(reach)) return;
     if (!reach.known || some_shown(reach)) return refuse(build, Refusal::pointer);
     if (is_plain(pointer)) return;
@@ -155,7 +156,7 @@ class Guards {
   static bool some_shown(const Reach& reach) {
     return std::any_of(reach.bases.begin(), reach.bases.end(), is_shown);
   }
-  /// A table's number by one step from its start: the translator looks at each row.
+  /// Whether the pointer is one step from a table's start: the translator checks the bounds of each row.
   static bool is_plain(llvm::Value* pointer) {
     auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer);
     if (step == nullptr) return false;

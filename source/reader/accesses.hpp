@@ -1,4 +1,5 @@
-// Accesses of variables and tables, kept from LLVM's passes where they may lie outside.
+// Guards accesses of variables and tables that may be out of bounds, so that LLVM's passes do not assume they
+// are not.
 #pragma once
 
 #include <llvm/IR/Function.h>
@@ -7,12 +8,12 @@
 
 namespace mmverify::source {
 
-/// Makes values of variables that hold pointers.
+/// Turns variables that are pointers into values.
 void promote_pointers(llvm::Function& function);
 
-/// Forbids, in so many words, each access of a variable, a table or a row or member of either that may lie outside, or may
-/// come when the variable is no more: passes would take it for none.  Refuses those that are not known to have none of
-/// that, and those that C lets compilers take for apart.  `sroa`: runs LLVM's pass of that name.
+/// Adds a guard to each access that may be outside its variable, table, row or member, or outside the
+/// variable's lifetime: passes would assume that it never is. Refuses an access whose target is not known,
+/// and accesses that C lets compilers assume to be distinct. `sroa`: runs LLVM's pass of that name.
 /// Domain: a function without calls.
 void guard_accesses(llvm::Function& function, const std::function<void()>& sroa);
 

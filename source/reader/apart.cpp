@@ -15,7 +15,7 @@ namespace {
 
 using I = llvm::Instruction;
 
-/// What is said to be of a type: a node of TBAA.
+/// An access with its type, a node of TBAA metadata.
 struct Typed {
   I* at;
   Reach reach;
@@ -23,7 +23,7 @@ struct Typed {
   const llvm::MDNode* type;
 };
 
-/// The type that is accessed, of a tag with or without the struct's.
+/// The type accessed by a TBAA tag, with or without a struct path.
 const llvm::MDNode* type_of(const llvm::MDNode& tag) {
   const bool has_path = tag.getNumOperands() >= 3 && llvm::isa<llvm::MDNode>(tag.getOperand(0));
   return has_path ? llvm::dyn_cast<llvm::MDNode>(tag.getOperand(1)) : &tag;
@@ -37,7 +37,7 @@ bool is_within(const llvm::MDNode* type, const llvm::MDNode* other) {
   return false;
 }
 
-/// A struct's copy is an access of each of its members.
+/// A copy of a struct accesses each of its members.
 void add_members(I& at, llvm::Value* pointer, const Pointers& pointers, std::vector<Typed>& all) {
   const llvm::MDNode* members = at.getMetadata(llvm::LLVMContext::MD_tbaa_struct);
   for (unsigned k = 0; members != nullptr && k + 2 < members->getNumOperands(); k += 3) {
@@ -68,7 +68,7 @@ std::vector<Typed> typed_accesses(llvm::Function& function, const Pointers& poin
   return all;
 }
 
-/// Of a variable: what is constant is never written.
+/// Whether both may reach the same variable; constant tables do not count, as they are never written.
 bool have_a_common_variable(const Reach& a, const Reach& b) {
   return std::any_of(a.bases.begin(), a.bases.end(), [&](llvm::Value* base) {
     return !llvm::isa<llvm::GlobalVariable>(base) && b.bases.count(base) != 0;
@@ -90,7 +90,7 @@ void refuse_two_types(llvm::Function& function, const Pointers& pointers) {
   }
 }
 
-/// Whether a restricted pointer of the call may lead to what another one leads to.
+/// Whether a restricted pointer of the call may reach a variable that another pointer reaches.
 bool may_meet(const llvm::CallInst& call, const Pointers& pointers) {
   for (unsigned k = 0; k < call.arg_size(); k += 2) {
     if (!llvm::cast<llvm::ConstantInt>(call.getArgOperand(k))->isOne()) continue;

@@ -1,4 +1,5 @@
-// Accesses that C lets compilers take for apart: of one variable by two types, and by two pointers of which one is restricted.
+// Accesses that C lets compilers assume to be distinct: one variable by two types, or two pointers of which
+// one is restricted.
 #pragma once
 
 #include <llvm/IR/Function.h>
@@ -7,7 +8,8 @@
 
 namespace mmverify::source {
 
-/// Refuses those of which it is not known that they are apart, or that nobody is told so.
+/// Refuses such accesses unless they are known to be distinct, and drops the metadata that would let passes
+/// assume it.
 void refuse_types(llvm::Function& function, const Pointers& pointers);
 
 }  // namespace mmverify::source

@@ -21,7 +21,7 @@ using I = llvm::Instruction;
 bool shifts(unsigned opcode) { return opcode == I::Shl || opcode == I::LShr || opcode == I::AShr; }
 bool becomes_a_word(unsigned opcode) { return opcode == I::FPToUI || opcode == I::FPToSI; }
 
-/// Whether it is defined whatever its other operand is.
+/// Whether the operation by `by` is defined for every other operand.
 bool is_safe(unsigned opcode, unsigned flags, const llvm::Value* by) {
   const auto* k = llvm::dyn_cast<llvm::ConstantInt>(by);
   if (k == nullptr || flags != 0) return false;
@@ -41,7 +41,7 @@ bool may_be_undefined(const llvm::CallInst& call) {
   return becomes_a_word(opcode);
 }
 
-/// A float's word, where it is a constant that has one.
+/// The integer of a constant float; null if it is none or does not fit.
 llvm::Value* word_of_float(const llvm::CallInst& call) {
   const auto* x = llvm::dyn_cast<llvm::ConstantFP>(call.getArgOperand(2));
   if (x == nullptr) return nullptr;
@@ -53,7 +53,8 @@ llvm::Value* word_of_float(const llvm::CallInst& call) {
   return llvm::ConstantInt::get(call.getType(), whole);
 }
 
-/// An intrinsic of LLVM: those that are known here are of one type, or of a result's and an operand's.
+/// The call of an LLVM intrinsic again. Known intrinsics have one type, or the types of the result and an
+/// operand.
 llvm::Value* intrinsic_again(llvm::IRBuilder<>& build, llvm::CallInst& call,
                              const std::vector<llvm::Value*>& of) {
   const auto id = static_cast<llvm::Intrinsic::ID>(word_of(call, 1));
@@ -67,7 +68,7 @@ llvm::Value* intrinsic_again(llvm::IRBuilder<>& build, llvm::CallInst& call,
   return build.CreateCall(f, of);
 }
 
-/// The instruction that a call stands for; null: it stays one.
+/// The instruction that a guarded call stands for; null if it stays a call.
 llvm::Value* plain(llvm::CallInst& call) {
   llvm::IRBuilder<> build(&call);
   const unsigned opcode = word_of(call, 0), detail = word_of(call, 1);
@@ -91,7 +92,7 @@ llvm::Value* plain(llvm::CallInst& call) {
   }
 }
 
-/// The table that a pointer leads to, by steps that are known and within its rows; null: there is none.
+/// The table of a pointer with constant steps within the table's rows; null if there is none.
 const llvm::GlobalVariable* table_at(const llvm::Value* pointer, const llvm::DataLayout& layout,
                                      llvm::APInt& offset) {
   for (;; pointer = llvm::cast<llvm::User>(pointer)->getOperand(0)) {
@@ -112,7 +113,7 @@ const llvm::GlobalVariable* table_at(const llvm::Value* pointer, const llvm::Dat
   }
 }
 
-/// A constant table's number at a place that is known; null: another load.
+/// A constant table's element at a constant offset; null for another load.
 llvm::Constant* looked_up(const llvm::LoadInst& load) {
   const llvm::DataLayout& layout = load.getModule()->getDataLayout();
   llvm::APInt offset(64, 0);
@@ -129,7 +130,7 @@ llvm::Constant* looked_up(const llvm::LoadInst& load) {
              : found;
 }
 
-/// Whether it may be undefined by itself.
+/// Whether an instruction may introduce an undefined value.
 bool is_source(const I& at) {
   for (const llvm::Value* v : at.operand_values())
     if (llvm::isa<llvm::UndefValue>(v)) return true;
@@ -141,7 +142,7 @@ bool is_source(const I& at) {
   }
   const auto* load = llvm::dyn_cast<llvm::LoadInst>(&at);
   if (load == nullptr) return false;
-  // Memory that is written: passes will make values of it.
+  // Memory that is written: passes will turn it into values.
   const llvm::Value* from = load->getPointerOperand();
   while (llvm::isa<llvm::GEPOperator>(from) || llvm::isa<llvm::BitCastOperator>(from))
     from = llvm::cast<llvm::User>(from)->getOperand(0);
@@ -149,7 +150,7 @@ bool is_source(const I& at) {
   return call == nullptr || guarded(*call) != Guarded::address;
 }
 
-/// All that something undefined may come into, by way of operands.
+/// All instructions that an undefined value may reach through operands.
 std::set<const I*> open_in(const llvm::Function& f) {
   std::set<const I*> all;
   std::vector<const I*> next;
@@ -165,7 +166,8 @@ std::set<const I*> open_in(const llvm::Function& f) {
   return all;
 }
 
-/// What stands for it once it is certain; itself: nothing does, it goes; null: it stays.
+/// The replacement of an instruction that is certain; the instruction itself if it can be removed; null if it
+/// stays.
 llvm::Value* settled(I& at, const std::set<const I*>& open) {
   if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) return looked_up(*load);
   auto* call = llvm::dyn_cast<llvm::CallInst>(&at);
@@ -191,7 +193,7 @@ llvm::Value* settled(I& at, const std::set<const I*>& open) {
   }
 }
 
-/// What is decided may decide more.
+/// Settles every instruction once; returns whether any was settled, since that may settle more.
 bool once(llvm::Function& f) {
   const std::set<const I*> open = open_in(f);
   std::vector<I*> all;

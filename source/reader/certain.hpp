@@ -1,12 +1,12 @@
-// Makes operations plain again that nothing undefined can reach.
+// Restores operations that no undefined value can reach.
 #pragma once
 
 #include <llvm/IR/Function.h>
 
 namespace mmverify::source {
 
-/// Makes plain instructions of the function's guarded ones (undefined.hpp) that nothing undefined comes into, and drops what
-/// guards them.  The rest stay calls, whatever passes do.
+/// Turns guarded operations (undefined.hpp) that no undefined value can reach into plain instructions, and
+/// drops their guards. The other ones stay calls, opaque to passes.
 void make_certain_plain(llvm::Function& function);
 
 }  // namespace mmverify::source

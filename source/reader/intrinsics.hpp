@@ -1,4 +1,4 @@
-// LLVM's intrinsics that are one operation each.
+// LLVM's intrinsics that are one operation.
 #pragma once
 
 #include <llvm/IR/Intrinsics.h>
@@ -10,7 +10,7 @@
 
 namespace mmverify::source {
 
-/// The operation, and how many of the call's arguments are its operands.
+/// The operation of an intrinsic, and the number of its operands among the call's arguments.
 std::optional<std::pair<Op, unsigned>> plain_intrinsic(llvm::Intrinsic::ID id);
 
 }  // namespace mmverify::source

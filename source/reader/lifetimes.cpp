@@ -17,10 +17,10 @@
 namespace mmverify::source {
 namespace {
 
-/// What reads or writes a variable, or hands its place on.
+/// The uses of a variable: instructions that set it, and others that read it or pass its address on.
 struct Uses {
   std::vector<llvm::Instruction*> sets, others;
-  bool marked = false;  ///< it begins where the bitcode says
+  bool marked = false;  ///< the bitcode marks its start
 
   void collect(llvm::Value& pointer) {
     for (llvm::User* user : pointer.users()) {
@@ -45,7 +45,7 @@ struct Uses {
   }
 };
 
-/// Whether each way from the loop's head to the use comes by what sets it.
+/// Whether every path from the loop's head to the use passes an instruction that sets the variable.
 bool is_set_before(const llvm::Instruction& use, const std::vector<llvm::Instruction*>& sets,
                    const llvm::Loop& loop) {
   std::set<const llvm::BasicBlock*> setting, seen;
@@ -73,7 +73,7 @@ bool is_parameter(llvm::AllocaInst& variable) {
 }  // namespace
 
 void check_lifetimes(llvm::Function& function) {
-  // Other front ends, and clang without -O, mark none.
+  // Other front ends, and clang without -O, mark no lifetimes.
   if (function.getParent()->getFunction("llvm.lifetime.start.p0i8") == nullptr) return;
   const llvm::DominatorTree tree(function);
   const llvm::LoopInfo loops(tree);

@@ -1,9 +1,10 @@
-// mmverify-source: LLVM's bitcode or SPIR-V in, a program of source/program.hpp out.  A process of its own, so that LLVM is in no
-// other, and so that bitcode that LLVM cannot bear ends nothing else.
+// mmverify-source: reads LLVM bitcode or SPIR-V and writes a program of source/program.hpp. It is a process
+// of its own, so that no other process contains LLVM, and bitcode that crashes LLVM ends nothing else.
 //
 //   mmverify-source FILE FUNCTION LEVEL [FAULT]   the program, to standard output
-//   mmverify-source FILE FUNCTION export OUT.bc [FAULT]   the bitcode with that function for others to call
-// Exit codes: 0; 2 a bad file, no such function, or one of another form; 3 an instruction that is not known; 4 else.
+//   mmverify-source FILE FUNCTION export OUT.bc [FAULT]   writes bitcode that exports that function
+// Exit codes: 0; 2 a bad file, no such function, or one of another form; 3 an unknown instruction; 4 any
+// other error.
 #include <llvm/Bitcode/BitcodeWriter.h>
 #include <llvm/IR/DiagnosticInfo.h>
 #include <llvm/Support/CommandLine.h>
@@ -56,7 +57,7 @@ int run(int count, char** words) {
     llvm::WriteBitcodeToFile(*module, out);
     return 0;
   }
-  // Loops are unrolled whatever that takes.
+  // Loops are unrolled whatever their size.
   const char* options[] = {"mmverify-source", "-unroll-threshold=1000000", "-unroll-full-max-count=4096",
                            "-unroll-max-iteration-count-to-analyze=4096"};
   llvm::cl::ParseCommandLineOptions(std::size(options), options);

@@ -31,10 +31,10 @@ namespace {
 constexpr const char* exported = "mmverify_source_index";
 constexpr const char* asked = "mmverify_source_at_level";
 
-/// As the source has it, with a C++ function's parameters: "ns::index_of(unsigned int, float, float)".
+/// The name in the source, with a C++ function's parameters: "ns::index_of(unsigned int, float, float)".
 std::string full_name(const llvm::Function& f) { return llvm::demangle(f.getName().str()); }
 
-/// The same without parameters.
+/// The name without parameters.
 std::string plain_name(const llvm::Function& f) {
   const std::string full = full_name(f);
   return full.substr(0, full.find('('));
@@ -48,9 +48,9 @@ std::string text_of(const llvm::Type* type) {
 
 bool is_float(const llvm::Type* t) { return t->isFloatTy() || t->isDoubleTy(); }
 
-/// -1: another form.
+/// The number of the level's parameter, 0 or 2; -1 for a function of another form.
 int place_of_level(const llvm::Function& f) {
-  // An index of more bits would be cut off, a level of fewer too.
+  // An index of more bits would be truncated; so would the level if it had fewer.
   if (f.arg_size() != 3 || f.isVarArg() || !f.getReturnType()->isIntegerTy() ||
       f.getReturnType()->getIntegerBitWidth() > 32)
     return -1;
@@ -63,7 +63,7 @@ int place_of_level(const llvm::Function& f) {
   return -1;
 }
 
-/// A call of it in a new function; `level` null: the new function's first parameter.
+/// A new function that calls `index`; if `level` is null, the level is the new function's first parameter.
 llvm::Function& calling(llvm::Module& module, llvm::Function& index, const char* name,
                         llvm::Constant* level) {
   llvm::LLVMContext& context = module.getContext();
@@ -82,7 +82,7 @@ llvm::Function& calling(llvm::Module& module, llvm::Function& index, const char*
     given[k] = wanted->isIntegerTy() ? build.CreateZExtOrTrunc(given[k], wanted)
                                      : build.CreateFPCast(given[k], wanted);
   }
-  // A caller in C gets a narrow result as the function's own words say: int16_t with its sign.
+  // A narrow result is extended as the function declares: int16_t with its sign.
   const bool with_sign = index.hasRetAttribute(llvm::Attribute::SExt);
   llvm::CallInst* call = build.CreateCall(&index, given);
   call->setCallingConv(index.getCallingConv());
@@ -150,7 +150,7 @@ llvm::Function& index_function(llvm::Module& module, const std::string& name) {
     }
   if (found.empty()) {
     std::string names;
-    // Headers may bring hundreds: those that would do come alone, where there are some.
+    // Headers may have hundreds of functions: those of the right form are listed alone, if there are any.
     std::vector<std::string> all;
     for (const llvm::Function& f : module)
       if (!f.isDeclaration() && place_of_level(f) >= 0) all.push_back(full_name(f));
@@ -184,13 +184,13 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
     g.removeFnAttr(llvm::Attribute::NoInline);
     g.removeFnAttr(llvm::Attribute::OptimizeNone);
     g.addFnAttr(llvm::Attribute::AlwaysInline);
-    // At -O1 clang asks that no loop be unrolled.
+    // At -O1 clang forbids unrolling in each loop's metadata.
     for (llvm::BasicBlock& block : g)
       if (llvm::Instruction* end = block.getTerminator())
         end->setMetadata(llvm::LLVMContext::MD_loop, nullptr);
   }
-  // Passes take undefined behaviour for what never happens: it is put out of their reach first.  Variables become values in
-  // any case, and loops are unrolled where there are some.
+  // Passes assume that undefined behaviour never happens, so guard() hides it first. Then variables become
+  // values, and loops are unrolled if there are any.
   run_passes(module, "globaldce");
   guard(module);
   run_passes(module, "always-inline,globaldce");
@@ -200,7 +200,7 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
     run_passes(module, passes);
     llvm::Function& alone = *module.getFunction(asked);
     make_certain_plain(alone);
-    // Ways that the level closes.
+    // Folds branches that the level decides.
     for (llvm::BasicBlock& block : alone) llvm::ConstantFoldTerminator(&block);
     llvm::removeUnreachableBlocks(alone);
     llvm::SmallVector<std::pair<const llvm::BasicBlock*, const llvm::BasicBlock*>, 4> loops;

@@ -1,4 +1,4 @@
-// LLVM's bitcode: found functions, and the one that is asked for, alone, at one level, without calls and loops.
+// LLVM bitcode: its functions, and one function alone at one level, without calls and loops.
 #pragma once
 
 #include <llvm/IR/LLVMContext.h>
@@ -12,16 +12,16 @@
 
 namespace mmverify::source {
 
-/// What the reader cannot do, in words for whoever asked.
+/// A file that the reader cannot use; what() is a message for the user.
 struct CannotRead : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// An instruction that has no operation here; what() begins with file and line.
+/// An instruction that no operation models; what() begins with file and line.
 struct NotKnown : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Mistakes on purpose, for the tests that must find them; the last ones are of SPIR-V.
+/// Deliberate mistakes, for the tests that must find them; the last ones are in the reading of SPIR-V.
 enum class Planted {
   none,
   swapped_edges,
@@ -36,21 +36,21 @@ enum class Planted {
   table_of_one
 };
 
-/// Bitcode or its text; of SPIR-V the function of that name alone.  Throws CannotRead, NotKnown.
+/// Reads bitcode or its text; of SPIR-V only the function `function`. Throws CannotRead, NotKnown.
 std::unique_ptr<llvm::Module> read_module(const std::string& file, const std::string& function,
                                           llvm::LLVMContext& context, Planted planted);
 
-/// The functions that the module has bodies of, as their source calls them.
+/// The functions with bodies, by their names in the source.
 std::vector<std::string> functions_of(const llvm::Module& module);
 
-/// The function of that name, which takes a level, u and v: a word and two floats, u before v, the level first or last.
-/// Throws CannotRead: there is none, several, or of another form.
+/// The function of that name. It takes a level, a word, and two floats, u before v; the level is first or
+/// last. Throws CannotRead if there is none, or several, or one of another form.
 llvm::Function& index_function(llvm::Module& module, const std::string& name);
 
-/// Leaves the one function mmverify_source_index(level, u, v) for others to call.
+/// Exports the function mmverify_source_index(level, u, v) alone.
 void export_index(llvm::Module& module, llvm::Function& index);
 
-/// Leaves one function of u and v, with the level a constant, its calls inlined, its loops unrolled.
+/// Returns a function of u and v with the level constant, its calls inlined and its loops unrolled.
 llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned level);
 
 /// The program of a function of two floats.  Throws NotKnown.

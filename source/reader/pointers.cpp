@@ -14,13 +14,14 @@
 namespace mmverify::source {
 namespace {
 
-/// An index beyond this leaves any variable, and none of a sum of such ones wraps around.
+/// An index beyond this leaves any variable, and sums of indices up to it do not overflow.
 constexpr std::uint64_t farthest = std::uint64_t{1} << 40;
 
 constexpr std::array members{&Place::offset, &Place::size,  &Place::in_whole,
                              &Place::whole,  &Place::wrong, &Place::base};
 
-/// What a pointer is one of by itself; null: it comes from another one.
+/// The kinds of pointers: `base`, a variable or table; `nowhere`, no variable; `same`, its operand; `other`,
+/// the rest.
 enum class Kind { base, nowhere, same, other };
 
 Kind kind_of(llvm::Value* pointer) {
@@ -92,7 +93,7 @@ Pointers::Pointers(llvm::Function& function)
     again = false;
     for (llvm::Instruction* at : all) {
       const Reach before = reaches_[at];
-      reaches_.erase(at);  // so that it is computed, of the others as they are
+      reaches_.erase(at);  // recomputed from the others as they are
       const Reach now = reach(at);
       again = again || !(now == before);
       reaches_[at] = now;
@@ -168,7 +169,7 @@ const Place& Pointers::place(llvm::Value* pointer) {
       return keep({zero, zero, zero, zero, no, build.getInt32(0)});
     case Kind::same: {
       Place at = place(llvm::cast<llvm::User>(pointer)->getOperand(0));
-      // A cast may lead from a first member to its struct, or to all bytes.
+      // A cast may turn a pointer to the first member into one to the struct, or to bytes.
       if (llvm::isa<llvm::BitCastOperator>(pointer)) at.offset = at.in_whole, at.size = at.whole;
       return keep(at);
     }

@@ -1,4 +1,4 @@
-// Follows pointers to their variables and tables, and how far into them.
+// Follows pointers to their variables and tables, with their offsets.
 #pragma once
 
 #include <llvm/IR/IRBuilder.h>
@@ -10,27 +10,27 @@
 
 namespace mmverify::source {
 
-/// All places that a pointer may have.  The null pointer, and one never set, lead to no variable.
+/// All places that a pointer may point to. The null pointer, and one never set, point to no variable.
 struct Reach {
   std::set<llvm::Value*> bases;  ///< calls of Guarded::variable, variables, tables
-  bool known = true;             ///< false: to others, too
-  bool reached = false;          ///< false: nothing comes there
-  std::int64_t first = 0;        ///< its offset in bytes is this,
-  std::uint64_t stride = 0;      ///< plus a multiple of that
+  bool known = true;             ///< false if it may point to other places, too
+  bool reached = false;          ///< false if no value reaches it
+  std::int64_t first = 0;        ///< the offset in bytes is `first`
+  std::uint64_t stride = 0;      ///< plus a multiple of `stride`
   friend bool operator==(const Reach&, const Reach&) = default;
 };
 
-/// Whether it is a pointer or has one.
+/// Whether the type is a pointer or contains one.
 bool holds_pointers(const llvm::Type* type);
 
-/// Whether so many bytes at one and at the other, of one variable, may be common.
+/// Whether bytes_of_a bytes at `a` and bytes_of_b bytes at `b`, in one variable, may overlap.
 bool overlap(const Reach& a, std::uint64_t bytes_of_a, const Reach& b, std::uint64_t bytes_of_b);
 
-/// A pointer's place as values, computed where the pointer is.
+/// A pointer's place as values, computed where the pointer is computed.
 struct Place {
   llvm::Value *offset, *size;     ///< in the part that it was made for: a row, a member, or the whole
   llvm::Value *in_whole, *whole;  ///< in the variable
-  llvm::Value* wrong;             ///< it was made of one outside of its part
+  llvm::Value* wrong;             ///< whether it was made from a pointer outside its part
   llvm::Value* base;              ///< number() of the variable
 };
 
@@ -42,7 +42,7 @@ class Pointers {
   /// Domain: reach() is known.
   const Place& place(llvm::Value* pointer);
   llvm::ConstantInt* number(llvm::Value* base);
-  /// Whether `bytes` bytes are not all in a part of `size` bytes.
+  /// Whether some of the `bytes` bytes at `offset` lie outside a part of `size` bytes.
   static llvm::Value* beyond(llvm::IRBuilder<>& build, llvm::Value* offset, llvm::Value* bytes,
                              llvm::Value* size);
 

@@ -1,5 +1,5 @@
-// LLVM's instructions as operations.  Branches become conditions: a block is reached where one of its edges is taken, a phi
-// is a choice by its edges.
+// Translates LLVM instructions to operations. Branches become conditions: a block is reached if one of its
+// edges is taken, and a phi becomes a choice by its edges.
 #include <llvm/ADT/PostOrderIterator.h>
 #include <llvm/Analysis/CFG.h>
 #include <llvm/IR/CFG.h>
@@ -24,7 +24,7 @@ namespace {
 
 using Number = std::uint32_t;
 
-/// Empty where it is not known.
+/// The file and line; empty if unknown.
 std::string place(const llvm::Instruction& at) {
   const llvm::DILocation* line = at.getDebugLoc();
   return line == nullptr || line->getLine() == 0 ? std::string() : place_of(at);
@@ -98,7 +98,7 @@ class Translation {
   Number word(std::uint64_t value, unsigned bits) { return add({Op::constant, {false, bits}, {}, {value}}); }
   Number yes_or_no(bool yes) { return word(yes ? 1 : 0, 1); }
   const Type& type_of(Number k) const { return program_.nodes[k].type; }
-  /// Without poison of b where a is 0.
+  /// a and b; poison of b does not count if a is 0.
   Number both(Number a, Number b) { return add({Op::select, {false, 1}, {a, b, yes_or_no(false)}}); }
 
   void forbid(const llvm::Instruction& at, Number condition, const std::string& what) {
@@ -129,13 +129,13 @@ class Translation {
     if (const auto* k = llvm::dyn_cast<llvm::ConstantInt>(v)) return word(k->getZExtValue(), type.bits);
     if (const auto* x = llvm::dyn_cast<llvm::ConstantFP>(v))
       return add({Op::constant, type, {}, {x->getValueAPF().bitcastToAPInt().getZExtValue()}});
-    // What undefined.hpp left of the source's is a call.  This a pass wrote, where every bit is set later or none matters: it
-    // may be anything, each time anew.
+    // Undefined values of the source are opaque calls by now (undefined.hpp). This one was written by a pass,
+    // which knows that every bit is set later or none matters: it is arbitrary at each use.
     if (llvm::isa<llvm::UndefValue>(v)) return add({Op::freeze, type, {add({Op::unset, type})}});
     not_known(at, "an operand of a kind that is not known");
   }
 
-  /// The condition of one edge: that its block is reached and goes there.
+  /// The condition that an edge is taken: its block is reached and branches there.
   Number edge(Block from, Block to) {
     const llvm::Instruction& end = *from->getTerminator();
     const Number here = reached_.at(from);
@@ -187,7 +187,7 @@ class Translation {
         if (!llvm::isa<llvm::GetElementPtrInst>(at) && !llvm::isa<llvm::BitCastInst>(at) &&
             (call == nullptr || guarded(*call) != Guarded::address))
           not_known(at, "a pointer");
-        continue;  // a load follows it
+        continue;  // the load follows it
       }
       const std::optional<Number> made = instruction(at);
       if (!made) continue;
@@ -249,7 +249,7 @@ class Translation {
     return add({op, {false, 1}, {a, b}});
   }
 
-  /// Elements of `bits` bits that follow each other in a constant; false: it has others.
+  /// Appends the elements of a constant, all of type `type`; false if some are of another type.
   bool elements(const llvm::Constant* of, Type type, std::vector<std::uint64_t>& into) const {
     if (const auto* k = llvm::dyn_cast<llvm::ConstantInt>(of)) {
       if (type.floating || k->getType()->getIntegerBitWidth() != type.bits) return false;
@@ -307,7 +307,7 @@ class Translation {
   Number moved(const llvm::Instruction& at, const llvm::GEPOperator& step, const llvm::DataLayout& layout,
                Number offset) {
     const auto plus = [&](Number bytes) { offset = add({Op::add, {false, 64}, {offset, bytes}}); };
-    const llvm::Type* inside = nullptr;  // what the step before came to
+    const llvm::Type* inside = nullptr;  // the type that the previous step reached
     for (auto part = llvm::gep_type_begin(step); part != llvm::gep_type_end(step); ++part) {
       if (llvm::StructType* record = part.getStructTypeOrNull()) {
         const auto field = llvm::cast<llvm::ConstantInt>(part.getOperand())->getZExtValue();
@@ -341,7 +341,7 @@ class Translation {
     return add({op, type_at(call, call.getArgOperand(2)->getType()), {a, b}, {}, flags});
   }
 
-  /// The intrinsic's, whose operands in the call begin with `first`.
+  /// The operation of an intrinsic whose operands in the call begin at `first`.
   std::optional<Number> intrinsic(const llvm::CallInst& call, llvm::Intrinsic::ID id, unsigned first) {
     const auto of = [&](unsigned k) { return value(call, call.getArgOperand(first + k)); };
     const auto make = [&](Op op, unsigned count) {
@@ -408,7 +408,7 @@ class Translation {
 
   Number division(const llvm::Instruction& at, Op op, Number a, Number b, bool is_signed, unsigned flags) {
     const unsigned bits = type_of(b).bits;
-    // A branch on it, as it were: it must not be poison either.
+    // The divisor must not be poison, as the condition of a branch must not.
     forbid(at, add({Op::poisoned, {false, 1}, {b}}), "division by a value that is undefined");
     forbid(at, add({Op::eq, {false, 1}, {b, word(0, bits)}}), "division by zero");
     if (is_signed) {
@@ -420,7 +420,8 @@ class Translation {
     return add({op, type_of(a), {a, b}, {}, flags});
   }
 
-  /// The instruction of that opcode and detail (undefined.hpp), which is `at` or stands in `at` as a call, its operands from `first` on.
+  /// The operation of the instruction with that opcode and detail (undefined.hpp). It is `at` itself, or the
+  /// call `at` stands for it; its operands begin at `first`.
   Number plain(const llvm::Instruction& at, unsigned opcode, unsigned detail, unsigned first) {
     using I = llvm::Instruction;
     const unsigned flags = opcode == I::ICmp || opcode == I::FCmp ? 0 : detail;

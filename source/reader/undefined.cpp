@@ -33,11 +33,12 @@ constexpr const char* outside = "mmverify.outside";
 constexpr const char* unreachable = "mmverify.unreachable";
 constexpr const char* assumption = "mmverify.assumption";
 
-/// Words, floats and vectors of them, of any width: what the translator does not know it says itself.
+/// Whether the type is words, floats or vectors of them, of any width. The translator reports those that it
+/// does not know.
 bool is_value(const llvm::Type* t) { return t->isIntOrIntVectorTy() || t->isFPOrFPVectorTy(); }
 
-/// Passes may drop it where nobody looks at its value, if it `only_gives` one; else they leave it where it is, and never make
-/// one of two.
+/// Calls a function that passes cannot look into. If it `only_gives` a value, they may drop the call when the
+/// value is unused; otherwise they leave it in its place and never merge two.
 llvm::CallInst* call_opaque(llvm::IRBuilder<>& build, const std::string& kind, llvm::Type* gives,
                             const std::vector<llvm::Value*>& given, bool only_gives) {
   std::vector<llvm::Type*> takes;
@@ -63,8 +64,8 @@ llvm::CallInst* call_opaque(llvm::IRBuilder<>& build, const std::string& kind, l
 }
 
 bool wraps(unsigned opcode) { return opcode == I::Add || opcode == I::Sub || opcode == I::Mul; }
-/// Puts a call in its place: of the opcode, of what else decides its meaning (flags, a predicate, an intrinsic's number), and
-/// of its operands.
+/// Replaces an operation by an opaque call: of its opcode, its detail (flags, a predicate, an intrinsic's
+/// number), and its operands.
 void hold(I& at) {
   unsigned detail = flags_of(at);
   if (const auto* compare = llvm::dyn_cast<llvm::CmpInst>(&at)) detail = compare->getPredicate();
@@ -77,14 +78,15 @@ void hold(I& at) {
     given.insert(given.end(), at.value_op_begin(), at.value_op_end());
   }
   given[1] = build.getInt32(detail);
-  // A division by zero is undefined by itself, whoever looks at its value.
+  // A division by zero is undefined even if its value is unused.
   const bool divided = divides(at.getOpcode());
   llvm::CallInst* held = call_opaque(build, operation, at.getType(), given, !divided);
   at.replaceAllUsesWith(held);
   at.eraseFromParent();
 }
 
-/// A variable that is read: C has no use for one that was never set, not even one that comes to nothing.
+/// Wraps a load of a variable: in C, reading one that was never set is undefined, even if its value does not
+/// matter.
 void hold_read(llvm::LoadInst& load) {
   llvm::IRBuilder<> build(load.getNextNode());
   build.SetCurrentDebugLocation(load.getDebugLoc());
@@ -105,7 +107,7 @@ void guard_overflow(I& at) {
 
 constexpr unsigned most_numbers = 1 << 16;
 
-/// Each number of a variable is what was never set, until it is set; what lies between them too.
+/// Fills a variable with values never set: each number, and the padding between them.
 void guard_leaves(llvm::IRBuilder<>& build, llvm::Value* address_of, llvm::Type* type, unsigned& room) {
   const llvm::DataLayout& layout = build.GetInsertBlock()->getModule()->getDataLayout();
   if (is_value(type) || type->isPointerTy()) {
@@ -136,7 +138,7 @@ void guard_leaves(llvm::IRBuilder<>& build, llvm::Value* address_of, llvm::Type*
         llvm::GetElementPtrInst::getTypeAtIndex(type, k), room);
 }
 
-/// The line that declares it, or none of its function.
+/// The line of the variable's declaration, or else of its function.
 llvm::DebugLoc declared_at(llvm::AllocaInst& variable) {
   for (const llvm::DbgVariableIntrinsic* declared : llvm::FindDbgAddrUses(&variable))
     return declared->getDebugLoc();
@@ -170,7 +172,7 @@ void guard_end(llvm::UnreachableInst& at) {
   at.eraseFromParent();
 }
 
-/// A call whose callee may take one of its pointers for apart from all others.
+/// Records the pointers of a call if its callee may assume that one of them is distinct from all others.
 void guard_restricted(llvm::CallInst& call) {
   llvm::IRBuilder<> build(&call);
   std::vector<llvm::Value*> pointers;
@@ -199,7 +201,7 @@ void guard_call(llvm::CallInst& call) {
     }
     case llvm::Intrinsic::lifetime_start:
     case llvm::Intrinsic::lifetime_end: {
-      // A loop's variable is not what it was the last time, and none is what it was after its end.
+      // A variable loses its value where its lifetime begins, as in each turn of a loop, and where it ends.
       auto* variable = llvm::dyn_cast<llvm::AllocaInst>(call.getArgOperand(1)->stripPointerCasts());
       if (variable != nullptr && !variable->isArrayAllocation())
         guard_variable_from(call.getNextNode(), *variable);
@@ -210,7 +212,7 @@ void guard_call(llvm::CallInst& call) {
   }
 }
 
-/// What is undefined from the start is as what was never set, and no pass looks into a table.
+/// Replaces constant operands: an undefined one by a value never set, an address in a table by an opaque one.
 void guard_operands(I& at) {
   auto* phi = llvm::dyn_cast<llvm::PHINode>(&at);
   for (unsigned k = 0; k < at.getNumOperands(); ++k) {
@@ -226,7 +228,7 @@ void guard_operands(I& at) {
   }
 }
 
-/// Whether it makes a value of values alone.
+/// Whether the instruction only computes a value from values.
 bool is_operation(const I& at) {
   if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at)) {
     const llvm::Intrinsic::ID id = call->getIntrinsicID();
@@ -241,7 +243,7 @@ bool is_operation(const I& at) {
   return known && is_value(at.getType()) && is_value(at.getOperand(0)->getType());
 }
 
-/// A branch on what is undefined.
+/// Guards a branch against an undefined condition.
 void guard_branch(I& at) {
   const auto* way = llvm::dyn_cast<llvm::BranchInst>(&at);
   llvm::Value* on = way == nullptr         ? llvm::cast<llvm::SwitchInst>(at).getCondition()
@@ -252,7 +254,7 @@ void guard_branch(I& at) {
     call_opaque(build, branch, build.getVoidTy(), {on}, false);
 }
 
-/// A bool's byte is 0 or 1.
+/// Guards the range of a loaded value: a bool's byte is 0 or 1.
 void guard_range(llvm::LoadInst& load, const llvm::MDNode& range) {
   llvm::IRBuilder<> build(load.getNextNode());
   build.SetCurrentDebugLocation(load.getDebugLoc());
@@ -282,7 +284,7 @@ void guard_instruction(I& at) {
     llvm::IRBuilder<> build(&at);
     refuse(build, Refusal::scopes);
   }
-  // aliasing.hpp looks at types once calls are inlined.
+  // apart.hpp checks types after calls are inlined.
   at.dropUnknownNonDebugMetadata({llvm::LLVMContext::MD_tbaa, llvm::LLVMContext::MD_tbaa_struct});
   if (llvm::isa<llvm::DbgInfoIntrinsic>(at)) return;
   if (!llvm::isa<llvm::IntrinsicInst>(at) || llvm::isa<llvm::MemTransferInst>(at) || is_operation(at))
@@ -306,7 +308,7 @@ void guard_instruction(I& at) {
   hold(at);
 }
 
-/// Modes of floats that are not IEEE 754's, by a function's own words.
+/// Throws NotKnown if the function's attributes select float modes other than IEEE 754's.
 void check_floats(const llvm::Function& f) {
   const auto said = [&](const char* name) { return f.getFnAttribute(name).getValueAsString(); };
   for (const char* mode : {"denormal-fp-math", "denormal-fp-math-f32"})
@@ -320,7 +322,8 @@ void check_floats(const llvm::Function& f) {
     throw NotKnown(place_of(f) + ": strictfp: another rounding may be set");
 }
 
-/// What a function's own words promise, and passes would take for given: it returns, pointers are apart and not null.
+/// Drops attributes from which passes would conclude: the function returns, pointers are distinct and not
+/// null.
 void drop_promises(llvm::Function& f) {
   for (const auto promise :
        {llvm::Attribute::MustProgress, llvm::Attribute::WillReturn, llvm::Attribute::ReadNone,

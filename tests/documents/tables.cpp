@@ -81,7 +81,7 @@ std::string modes() {
     micromap::StateCounts sum{};
     for (std::uint64_t k = 0; k < discs; ++k) {
       // Of ten samples in a row the fourth is a disc in four states.
-      const tree::Map map = micromap::sample_map(n, seed, 10 * k + 3);
+      const mmverify::proofs::micromap::Map map = mmverify::proofs::micromap::sample_map(n, seed, 10 * k + 3);
       const auto states =
           micromap::count_states(map.packed, micromap::Format::four_state, micromap::micro_triangles(n));
       for (std::size_t s = 0; s < sum.size(); ++s) sum[s] += states[s];

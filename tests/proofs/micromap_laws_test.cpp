@@ -92,7 +92,7 @@ TEST(MicromapLaws, MapsOfOneStateButForOneNodeAreWhatTheirTextsSay) {
     std::set<std::pair<tree::Format, tree::Bytes>> different;
     for (std::uint64_t k = 0; k < micromap::one_apart_count(n); ++k) {
       const micromap::OneApart apart = micromap::one_apart_number(n, k);
-      const tree::Map map = micromap::map_of(n, apart);
+      const micromap::Map map = micromap::map_of(n, apart);
       const auto states = slow::micromap::unpack(map.packed, map.format, slow::micromap::micro_triangles(n));
       EXPECT_TRUE(different.insert({map.format, map.packed}).second) << micromap::text_of(apart);
       EXPECT_EQ(micromap::code_of(apart), slow::tree::bytes(slow::tree::encode(states, n), map.format))

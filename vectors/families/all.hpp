@@ -1,4 +1,4 @@
-// Who makes each family; vectors/families.cpp is the table of them.
+// The functions that make the families; vectors/families.cpp is their table.
 #pragma once
 
 #include "vectors/table.hpp"
@@ -13,30 +13,31 @@ Family family();
 namespace corners {
 Family family();
 }
-/// States, substitutions, decisions.  Source: spec/micromap/, spec/traverse/decision.hpp.
+/// States, flags, and the decisions of traversal. Source: spec/micromap/, spec/traverse/decision.hpp.
 namespace traverse {
 Family family();
 }
-/// States in bytes.  Source: spec/micromap/micromap.hpp.
+/// States packed in bytes. Source: spec/micromap/micromap.hpp.
 namespace packing {
 Family family();
 /// Special indices.
 Family special_family();
 }  // namespace packing
 
-/// Arrays that are well or broken.  Source: spec/micromap/validate.hpp.
+/// Arrays of micromaps, valid and invalid. Source: spec/micromap/validate.hpp.
 namespace arrays {
 Family family();
 }
-/// Blocks of square maps.  Source: spec/vq/.
+/// Blocks of compressed square maps. Source: spec/vq/.
 namespace vq {
 Family family();
 }
-/// Succinct trees and graphs, their containers, and what is none.  Source: spec/tree/tree.hpp, spec/dag/.
+/// Succinct trees and graphs, their containers, and invalid containers. Source: spec/tree/tree.hpp,
+/// spec/dag/.
 namespace trees {
 Family family();
 }
-/// Maps of textures.  Source: spec/bake/state.hpp.
+/// Maps baked from textures. Source: spec/bake/state.hpp.
 namespace bake {
 Family family();
 }

@@ -1,4 +1,4 @@
-// What is handed to builds: arrays that are well and arrays that break a rule, with the codes of what is wrong.
+// Inputs of micromap builds: valid arrays, and arrays that break a rule, with the codes of the violations.
 #include <functional>
 #include <optional>
 #include <utility>
@@ -13,7 +13,7 @@ namespace {
 using namespace spec::micromap;
 using Counts = std::vector<UsageCount>;
 
-/// An array and a geometry, the owner of what an Input looks at.
+/// An array and a geometry; owns the memory that an Input points into.
 struct Build {
   Sets sets = all_sets;
   Limits limits = {};
@@ -78,10 +78,11 @@ struct Build {
   }
 };
 
-/// The code of the special index for opaque, in an encoding's width.
+/// The code of the special index for opaque, in the encoding's width.
 std::uint32_t opaque(Encoding e) { return special_code(State::O, e); }
 
-/// Three records, 4-state of levels 2 and 1 and 2-state of level 1; triangles on 0, 1, 2, opaque, and 0 again.
+/// A valid build of three records, 4-state of levels 2 and 1 and 2-state of level 1; the triangles use
+/// records 0, 1, 2, the special index for opaque, and 0 again.
 Build good(Sets sets) {
   Build b;
   b.sets = sets;
@@ -92,7 +93,7 @@ Build good(Sets sets) {
   return b;
 }
 
-/// The same in 4-state alone, for a lossy build.
+/// The same build in 4-state alone, for a lossy build.
 Build good_lossy() {
   Build b = good(KHR);
   b.lossy = true;
@@ -108,7 +109,7 @@ std::vector<std::uint32_t> triples(const std::optional<Counts>& counts) {
   return all;
 }
 
-/// None where it lets every number of 32 bits pass.
+/// The limit as a column's value; none if every 32-bit number is within it.
 Optional limit(std::uint64_t triangles) {
   return std::in_range<std::uint32_t>(triangles) ? Optional(static_cast<std::uint32_t>(triangles)) : none;
 }
@@ -195,11 +196,11 @@ void add_good(Builder& out) {
   });
 }
 
-/// How a rule is broken.
+/// One way to break a rule of a valid build.
 struct Breach {
   Rule rule;
   std::function<void(Build&)> change;
-  std::string more = {};  ///< where a rule is broken in several ways
+  std::string more = {};  ///< names the way if a rule is broken in several ways
 };
 
 std::vector<Breach> breaches() {

@@ -1,4 +1,5 @@
-// Attribute micromaps: where micro-vertices and micro-triangles lie in a map, and a point's weights between vertices.
+// Attribute micromaps: the places of micro-vertices and micro-triangles in a map, and a point's weights at
+// vertices.
 #include <set>
 #include <tuple>
 
@@ -16,7 +17,8 @@ using spec::Level;
 const Column why{"about", Kind::about, "why the vector is there"};
 constexpr Level last_whole = 3, highest = 16;
 
-/// Calls each(about, level, index) for the indices below count(level) that are asked.
+/// Calls each(about, level, index) for selected indices below count(level): all of small levels, some of
+/// large ones.
 template <class Count, class Each>
 void for_each_index(Count count, Each each) {
   for (Level n = 0; n <= last_whole; ++n)

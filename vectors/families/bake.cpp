@@ -1,4 +1,4 @@
-// Baking: a texture, texture coordinates, the exact states, and how far each is from being another.
+// Baking: a texture, texture coordinates, the exact states, and the distance of each from another state.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -15,30 +15,31 @@ namespace {
 using namespace spec::bake;
 using spec::Level;
 
-/// One bake.
+/// The inputs of one bake.
 struct Case {
   const char* about;
   Texture texture;
   std::array<float, 6> uv;  ///< u and v of the three vertices
   Level level;
-  std::uint32_t cutoff;  ///< binary32
+  std::uint32_t cutoff;  ///< the bits of a binary32 number
   bool blend = false;
 };
 
-/// What a micro-triangle is, and what keeps it from being something else.
+/// The exact states of one micro-triangle, and their distances from another state.
 struct Found {
   spec::micromap::State closed, open, above;
-  Rational gap;   ///< of alpha: how much it would have to change everywhere for another of T, O and unknown
-  Rational side;  ///< of alpha at the centroid: how far from where UT and UO part
+  Rational gap;   ///< least change of all alpha that gives another of T, O and unknown
+  Rational side;  ///< distance of alpha at the centroid from the line between UT and UO
 };
 
-/// A quotient of narrow numbers as one of any size.
+/// A fraction of narrow integers as one of integers of any size.
 template <class Q>
 Rational widened(const Q& q) {
   return Rational(Integer(q.numerator()), Integer(q.denominator()));
 }
 
-/// The lines that alpha is held against: opaque from one on, transparent up to another, UO from a third on.
+/// The bounds on alpha: opaque at opaque_from or above, transparent at transparent_to or below; unknown is UO
+/// from rather_opaque_from on.
 template <class Q>
 struct Lines {
   Q opaque_from, transparent_to, rather_opaque_from;
@@ -72,7 +73,7 @@ Found found_in(const Case& c, std::uint32_t index) {
   return found<Q>(c, Mask<Q>{cutoff}, MaskAbove<Q>{cutoff}, {cutoff, cutoff, cutoff}, index);
 }
 
-/// In narrow numbers, which are faster and never round, where they have room.
+/// Computes in 128-bit fractions, which are faster and exact, and in big ones if those overflow.
 Found found(const Case& c, std::uint32_t index) try {
   return found_in<spec::Rational128>(c, index);
 } catch (const std::overflow_error&) {

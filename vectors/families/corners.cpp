@@ -1,4 +1,4 @@
-// Micro-triangles and their corners: the way back from an index.
+// The corners of micro-triangles by their index: the inverse of the index function.
 #include <set>
 #include <string>
 

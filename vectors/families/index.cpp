@@ -1,8 +1,9 @@
 // Points and the index of each.
 //
-// Small levels whole: one point for each vertex, edge and interior of the grid, which decide every point there is
-// (docs/SOUNDNESS.md).  Then, up to level 16, what breaks index functions: binary32 numbers next to grid lines, parts that
-// add up to 1 by rounding alone, numbers on and one step beyond the hypotenuse, the smallest numbers there are.
+// Small levels are whole: one point for each vertex, edge and interior of the grid, which decide every other
+// point (docs/SOUNDNESS.md). Up to level 16 follow points that break index functions: binary32 numbers next
+// to grid lines, parts that add up to 1 only by rounding, numbers on the hypotenuse and one step beyond, the
+// smallest numbers.
 #include "spec/index/index.hpp"
 
 #include <algorithm>
@@ -22,16 +23,16 @@ using RationalPoint = spec::Point<Rational>;
 
 constexpr Level highest = 16, last_whole = 4;
 
-/// On what of the grid a point lies.
+/// The part of the grid that a point lies on.
 enum class On : std::uint32_t { interior, edge, vertex, outside };
 
-/// Of a number in micro-triangle edges: how far from the nearest whole one.
+/// The distance of x from the nearest integer.
 Rational from_whole(const Rational& x) {
   const Rational part = x - Rational(spec::whole(x));
   return std::min(part, Rational(1) - part);
 }
 
-/// The micro-triangles that a point touches, edges and corners included, in the order of their numbers.
+/// The indices of the micro-triangles that a point touches, edges and corners included, ascending.
 /// Domain: a point of the triangle.
 std::vector<std::uint32_t> touched(const RationalPoint& p, Level n) {
   const auto N = static_cast<std::int64_t>(spec::side(n));
@@ -75,7 +76,8 @@ class Points {
               inside ? touched(p, n) : std::vector<std::uint32_t>()});
   }
 
-  /// The point and its eight neighbours among pairs of binary32 numbers, up to a step beyond the hypotenuse.
+  /// The point and its eight neighbours among pairs of binary32 numbers, up to one step beyond the
+  /// hypotenuse.
   void add_around(const char* at, const char* beside, Level n, std::uint32_t u, std::uint32_t v) {
     add(at, n, u, v);
     const Rational most = Rational(1) + spec::scaled(1, -23);
@@ -91,7 +93,7 @@ class Points {
   std::set<std::tuple<Level, std::uint32_t, std::uint32_t>> seen_;
 };
 
-/// One point k/4N for each cell: vertices have i and j in whole quarters of four.
+/// One point for each cell of the grid: vertices, edges and interiors, in multiples of 1/4N.
 void add_whole_level(Points& points, Level n) {
   const std::uint32_t N = spec::side(n);
   const auto at = [&](const char* about, std::uint32_t a, std::uint32_t b) {
@@ -147,8 +149,9 @@ void add_edges(Points& points, Level n) {
     }
 }
 
-/// Fractions that add up to 1 - 2^-25 or more, and less than 1: their binary32 sum is 1.  The square's upper half is not
-/// theirs.  Source: law index.published_differs_where, docs/INDEX.md.
+/// Parts whose sum is at least 1 - 2^-25 and less than 1: the binary32 sum is 1. The square's upper half does
+/// not have them.
+/// Source: law index.published_differs_where, docs/INDEX.md.
 void add_rounded_sums(Points& points, Level n) {
   const auto scaled = [n](float x) { return bits_of(std::ldexp(x, -static_cast<int>(n))); };
   const float below_one = std::nextafter(1.0f, 0.0f), half_step = std::ldexp(1.0f, -25);

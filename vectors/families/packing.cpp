@@ -1,4 +1,4 @@
-// States in bytes, and the indices that stand for whole triangles.
+// States packed in bytes, and the special indices.
 #include <set>
 
 #include "spec/micromap/micromap.hpp"
@@ -17,7 +17,7 @@ Bytes codes(const States& states) {
   return all;
 }
 
-/// Maps of a level and a format, each with what it is there for.
+/// Calls each(about, states) for maps of a level and a format, each with the reason for it.
 template <class Each>
 void for_each_map(spec::Level n, Format f, Each each) {
   const std::uint64_t count = micro_triangles(n);
@@ -48,7 +48,7 @@ void add_maps(Builder& out) {
       });
 }
 
-/// Bytes whose bits after the last state are set: what is read must not change.
+/// Bytes with bits set after the last state: unpacking must ignore them.
 void add_padded(Builder& out) {
   const auto add = [&](spec::Level n, Format f, std::uint8_t bytes) {
     out.add({"bits after the last state are set", n, f == Format::two_state ? 1u : 2u, Bytes{bytes},

@@ -1,4 +1,4 @@
-// States, and what traversal makes of a candidate hit: every combination that is defined.
+// The decisions of traversal on a candidate hit: every combination of state and flags that is defined.
 #include "spec/micromap/level.hpp"
 #include "spec/micromap/lossy.hpp"
 #include "spec/traverse/decision.hpp"
@@ -17,8 +17,8 @@ std::vector<std::string> state_names() { return {"T", "O", "UT", "UO"}; }
 
 std::uint32_t word(bool bit, std::uint32_t value) { return bit ? value : 0; }
 
-/// The words in which drivers and shaders have a combination: the state in bits 0 and 1, then whether there is a
-/// micromap, then whether the geometry is opaque.
+/// The word by which drivers and shaders name a combination: the state in bits 0 and 1, bit 2 if there is a
+/// micromap, bit 3 if the geometry is opaque.
 std::uint32_t word_of(const Candidate& c) {
   return micromap::code(c.state) | word(c.held != Held::nothing, 4) | word(c.geometry_opaque, 8);
 }
@@ -55,7 +55,7 @@ std::vector<Ray> every_ray() {
   return all;
 }
 
-/// Why a combination is a vector of its own.
+/// The reason why a combination has a vector.
 const char* about(const Combination& c) {
   const bool culls = c.ray.cull_opaque || c.ray.cull_no_opaque;
   if (c.candidate.held == Held::nothing) return "no micromap: the geometry's flag counts";

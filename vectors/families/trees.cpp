@@ -1,4 +1,4 @@
-// Maps as succinct trees and as graphs, their containers, lookups in them, and containers that are to be refused.
+// Maps as succinct trees and as graphs, their containers, lookups in them, and invalid containers.
 #include <algorithm>
 
 #include "spec/dag/words.hpp"
@@ -34,7 +34,7 @@ void put_crc(Bytes& container) {
   for (unsigned k = 0; k < 4; ++k) container[crc_at + k] = static_cast<std::uint8_t>(crc >> 8 * k);
 }
 
-/// A container, flat or a tree as asked: docs/VECTORS.md, "trees".
+/// A container of flat states or of a tree: docs/VECTORS.md, "trees".
 Bytes container_of(Level n, Format f, bool tree, std::uint32_t internal, const Bytes& content) {
   Bytes all{'m',
             'm',
@@ -51,7 +51,7 @@ Bytes container_of(Level n, Format f, bool tree, std::uint32_t internal, const B
   return all;
 }
 
-/// The one container of a map: the tree where that takes fewer bytes.
+/// The canonical container of a map: the tree if it takes fewer bytes, else flat.
 Bytes container_of(Level n, Format f, const States& map) {
   const spec::tree::Succinct s = spec::tree::encode(map, n);
   const Bytes tree = spec::tree::bytes(s, f), flat = micromap::pack(map, f);
@@ -59,7 +59,7 @@ Bytes container_of(Level n, Format f, const States& map) {
   return container_of(n, f, true, static_cast<std::uint32_t>(s.tree.size() / 4), tree);
 }
 
-/// 4^n states by their number.
+/// A map whose state k is state_of(k), k < 4^n.
 template <class StateOf>
 States map_of(Level n, StateOf state_of) {
   States map;
@@ -67,7 +67,7 @@ States map_of(Level n, StateOf state_of) {
   return map;
 }
 
-/// Maps of a level and a format, each with what it is there for.
+/// Calls each(about, map) for maps of a level and a format, each with the reason for it.
 template <class Each>
 void for_each_map(Level n, Format f, Each each) {
   const std::uint32_t states = f == Format::two_state ? 2 : 4;
@@ -185,7 +185,7 @@ void add_broken(Builder& out) {
            container_of(1, Format::four_state, true, 3, spec::tree::bytes(deep, Format::four_state))});
 }
 
-/// Maps of a graph, in the order in which they are added.
+/// The maps of a graph, in the order of their addition.
 std::vector<std::pair<Level, States>> maps_of(Format f) {
   std::vector<std::pair<Level, States>> all;
   for (const Level n : {0u, 2u, 3u, 4u, 5u})

@@ -1,4 +1,4 @@
-// Blocks of square opacity maps, what they mean, and the parts that they are made of.
+// Blocks of square opacity maps, the states that they encode, and the parts of a block.
 #include <array>
 
 #include "spec/vq/block.hpp"
@@ -20,7 +20,7 @@ Bytes digits(const States& states) {
   return all;
 }
 
-/// Something else in each entry of the codebook, no two parts of it alike under any transform.
+/// Fills the codebook with different entries: no two parts are alike under any transform.
 void fill(Vq2& block) {
   for (std::uint8_t k = 0; k < 3; ++k) block.shared[k] = static_cast<std::uint8_t>(1 + 5 * k);
   for (std::uint8_t q = 0; q < 4; ++q)
@@ -121,7 +121,7 @@ void add_hits(Builder& out) {
   }
   Mixed mixed(side);
   for (unsigned k = 0; k < 8; ++k) {
-    // One after the other: the order of a call's arguments is the compiler's.
+    // Two statements: the order in which a call evaluates its arguments is unspecified.
     const auto v = dyadic(mixed.bits(23), 24);
     add("anywhere", dyadic(mixed.bits(23), 24), v);
   }

@@ -7,14 +7,14 @@ namespace {
 
 constexpr std::size_t form_version = 2, header_bytes = 128, entry_bytes = 64, name_bytes = 16,
                       version_bytes = 40;
-/// The most that Vulkan lets minStorageBufferOffsetAlignment be, so that each section can be bound by itself.
+/// The greatest minStorageBufferOffsetAlignment that Vulkan allows: each section can be bound by itself.
 constexpr std::size_t alignment = 256;
 
 void put(std::string& out, std::uint32_t word) {
   for (unsigned k = 0; k < 4; ++k) out += static_cast<char>(word >> 8 * k & 0xff);
 }
 
-/// The text and zeros, at least one of them.
+/// The text, padded with at least one zero.
 void put(std::string& out, std::string_view text, std::size_t bytes) {
   if (text.size() >= bytes) throw std::logic_error("vectors: too long a text: " + std::string(text));
   out.append(text).append(bytes - text.size(), '\0');
@@ -31,7 +31,7 @@ void put_hash(std::string& out, std::string_view hex) {
     out += static_cast<char>(digit(hex[k]) << 4 | digit(hex[k + 1]));
 }
 
-/// A run of records of one size.
+/// Consecutive records of one size.
 struct Section {
   std::string name;
   std::size_t record_bytes, records;

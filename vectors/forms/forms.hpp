@@ -1,4 +1,4 @@
-// The three forms that vectors come in, and the list of the files.  docs/VECTORS.md describes them.
+// The three forms of the vectors, and the list of the files. docs/VECTORS.md describes them.
 #pragma once
 
 #include <span>
@@ -11,11 +11,11 @@
 
 namespace mmverify::vectors {
 
-/// What made the vectors.
+/// The program and the specification that made the vectors.
 struct Provenance {
-  std::string version;    ///< of the program
+  std::string version;    ///< the program's
   std::string spec_hash;  ///< SHA-256 of the specification, 64 hexadecimal digits
-  /// SHA-256 of bytes as 64 hexadecimal digits; the caller's, as this library has none.
+  /// SHA-256 of bytes as 64 hexadecimal digits, given by the caller: this library has none.
   std::string (*sha256)(std::string_view bytes);
 };
 
@@ -24,19 +24,19 @@ inline constexpr const char* header_name = "mmverify_vectors.h";
 inline constexpr const char* binary_name = "mmverify_vectors.bin";
 inline constexpr const char* manifest_name = "MANIFEST.json";
 
-/// The bytes of a family in the order of the binary form: its tables, its data, its texts, 64 bytes each.
+/// The bytes of a family in the order of the binary form: its tables, its data, its texts of 64 bytes each.
 std::string payload(const Family& family);
 
 /// SHA-256 of payload(): equal in all forms.
 std::string digest(const Family& family, const Provenance& made_by);
 
-/// FAMILY.json: all that a family has, a vector a line.
+/// FAMILY.json: the whole family, a vector a line.
 std::string as_json(const Family& family, const Provenance& made_by);
 
-/// mmverify_vectors.h: constant arrays in C99, which C++ reads, too.
+/// mmverify_vectors.h: constant arrays in C99, valid C++ too.
 std::string as_header(std::span<const Family> families, const Provenance& made_by);
 
-/// mmverify_vectors.bin: a table of contents, then each table's records as they are, little-endian.
+/// mmverify_vectors.bin: a table of contents, then each table's records, little-endian.
 std::string as_binary(std::span<const Family> families, const Provenance& made_by);
 
 /// A file's name and its bytes.

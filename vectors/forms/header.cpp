@@ -15,7 +15,7 @@ std::string upper(std::string text) {
 
 std::string c_prefix(const Family& family) { return "mmverify_vectors_" + family.name; }
 
-/// Numbers between braces, as many a line as fit.
+/// Writes numbers between braces, as many a line as fit.
 class Numbers {
  public:
   explicit Numbers(std::string& out) : out_(out) {}

@@ -6,7 +6,7 @@
 namespace mmverify::vectors {
 namespace {
 
-/// Texts are this library's own: printable ASCII.
+/// The text in JSON quotes. Texts are the library's own: printable ASCII.
 std::string quoted(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -17,7 +17,7 @@ std::string quoted(std::string_view text) {
   return out += '"';
 }
 
-/// "[a, b]"
+/// A JSON list.
 template <class Items, class Write>
 std::string list(const Items& items, Write write) {
   std::string out = "[";

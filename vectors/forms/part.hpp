@@ -1,4 +1,4 @@
-// A record's value by its column, as the forms read it.
+// Access to a record's values by column, for all forms.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,17 @@
 
 namespace mmverify::vectors {
 
-/// The two words of a wide number or of a set.
+/// The 64-bit value of a wide number or a set.
 constexpr std::uint64_t wide_at(std::span<const std::uint32_t> words) {
   return words[0] | std::uint64_t{words[1]} << 32;
 }
 
-/// The part of the data that two words name.
+/// The part of the family's data that two words refer to.
 inline std::span<const std::uint8_t> part_at(const Family& family, std::span<const std::uint32_t> words) {
   return std::span(family.data).subspan(words[0], words[1]);
 }
 
-/// Calls each(column, its words) for a record.
+/// Calls each(column, its words) for each column of a record.
 template <class Each>
 void for_each_value(const Table& table, std::size_t record, Each each) {
   std::size_t at = 0;
@@ -29,7 +29,7 @@ void for_each_value(const Table& table, std::size_t record, Each each) {
   }
 }
 
-/// 8 hexadecimal digits.
+/// The word as 8 hexadecimal digits.
 inline std::string hex(std::uint32_t word) {
   std::string text;
   for (int shift = 28; shift >= 0; shift -= 4) text += "0123456789abcdef"[word >> shift & 15];

@@ -25,7 +25,8 @@ constexpr std::array<std::pair<Wrap, Wrap>, 8> family_wraps{{{Wrap::repeat, Wrap
                                                              {Wrap::mirrored_repeat, Wrap::repeat},
                                                              {Wrap::clamp_to_border, Wrap::mirror_once}}};
 
-// Inside; half of the square, on the grid; beyond all sides; clockwise and thin; far left above; a segment; a point.
+// Triangles inside the square; half of the square, on the grid; beyond all sides; clockwise and thin; far left above;
+// a segment; a point.
 constexpr std::array<UvTriangle, 7> family_triangles{{{0.125f, 0.25f, 0.875f, 0.375f, 0.5f, 0.8125f},
                                                       {0, 0, 1, 0, 0, 1},
                                                       {-0.75f, -0.5f, 1.5f, 0.25f, 0.375f, 1.75f},
@@ -138,7 +139,8 @@ BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
   p.wrap_v = static_cast<Wrap>(random.below(5));
   p.filter = random.below(4) == 0 ? Filter::nearest : Filter::bilinear;
   p.meaning = static_cast<Meaning>(k % 4);
-  // Most in 8 bits, which exact numbers of 127 bits bear; a quarter in nearly all of binary32's.
+  // Most coordinates have few bits, so that Rational128 holds all numbers on the way; a quarter have 22 fraction
+  // bits.
   const std::uint64_t grid = random.below(8);
   for (float& x : one.uv) {
     const double fine = static_cast<double>(random.between(-(1 << 22), 2 << 22)) / (1 << 22);
@@ -146,12 +148,13 @@ BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
                            : grid <= 4 ? std::nearbyint(fine * 64) / 64
                                        : std::nearbyint(fine * 8) / 8);
   }
-  if (random.below(8) == 0) {  // on a line
+  if (random.below(8) == 0) {  // all vertices on a line
     one.uv[4] = (one.uv[0] + one.uv[2]) / 2;
     one.uv[5] = (one.uv[1] + one.uv[3]) / 2;
   }
   if (random.below(16) == 0) std::copy_n(one.uv.begin(), 2, one.uv.begin() + 2);
-  // Some lie whole repeats away, where a mode that begins anew with each second one is in another.
+  // A quarter of the triangles is moved by whole repeats, which finds a wrap mode that starts anew at every second
+  // one.
   if (random.below(4) == 0)
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const auto repeats = static_cast<float>(random.between(-5, 5));
@@ -162,8 +165,8 @@ BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
 
 namespace {
 
-/// A texture of two texels side by side, and a triangle that has as much of one as of the other by its symmetry alone:
-/// its edges lean in ways that no float bears.
+/// A texture of two texels side by side, and a triangle that covers as much of one as of the other by symmetry alone:
+/// no float holds the places where its edges cross.
 template <class Channel>
 void balance(Random& random, BakeCaseOf<Channel>& one) {
   auto& p = one.picture;
@@ -199,7 +202,7 @@ BakeCase near_half_case(std::uint64_t seed, Level n, std::uint64_t k) {
     p.texels[0][c] = static_cast<std::uint8_t>(base + first);
     p.texels[1][c] = p.border[c] = static_cast<std::uint8_t>(base + !first);
   }
-  // Left of u = 0 is the second texel, or the border.  An apex at 0 would give each a half.
+  // The second texel, or the border, lies left of u = 0.  An apex at 0 would give each texel a half.
   const auto coarse = [&](std::int64_t from, std::int64_t to) {
     return static_cast<float>(random.between(from, to)) / 64;
   };
@@ -221,7 +224,7 @@ BakeCase long_row_case(std::uint64_t seed, Level n, std::uint64_t k) {
   p.width = row ? length : 1;
   p.height = row ? 1 : length;
   p.texels.resize(std::size_t{p.width} * p.height);
-  // Bright at its end: what is left out there shows.
+  // Texels get brighter along the row, so that a baker that leaves its end out is found.
   for (std::size_t t = 0; t < p.texels.size(); ++t)
     for (std::uint8_t& c : p.texels[t])
       c = static_cast<std::uint8_t>(t * 3 / p.texels.size() * 96 + random.below(64));
@@ -237,7 +240,7 @@ BakeCase beside_lines_case(std::uint64_t seed, Level n, std::uint64_t k) {
   BakeCase one = sample_case(seed, n, k);
   Picture& p = one.picture;
   p.filter = Filter::nearest;
-  // Sides that no float divides by.
+  // Sides by which no float division is exact.
   constexpr std::array<std::uint32_t, 5> sides{3, 5, 6, 7, 9};
   p.width = sides[random.below(sides.size())];
   p.height = sides[random.below(sides.size())];
@@ -266,7 +269,7 @@ BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uin
   p.wrap_v = narrow.picture.wrap_v;
   p.filter = narrow.picture.filter;
   p.meaning = narrow.picture.meaning == Meaning::srgb ? Meaning::linear : narrow.picture.meaning;
-  const bool ties = k % 8 == 0 || k % 8 == 5;  // of both linear codes
+  const bool ties = k % 8 == 0 || k % 8 == 5;  // ties, at the cases with linear codes
   const std::uint64_t kind = random.below(4), base = random.below(65534);
   const auto code = [&] {
     const std::uint64_t any = random.below(65536);
@@ -275,7 +278,7 @@ BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uin
                                       : kind == 1 ? 32760 + any % 16
                                                   : any);
   };
-  if (ties) {  // Halves, quarters and eighths of texels.
+  if (ties) {  // coordinates at halves, quarters and eighths of texels
     p.width = 1u << random.below(4);
     p.height = 1u << random.below(3);
     p.filter = Filter::bilinear;
@@ -291,7 +294,7 @@ BakeCaseOf<std::uint16_t> wide_sample_case(std::uint64_t seed, Level n, std::uin
 
 namespace {
 
-/// A finite number of a kind.
+/// A finite number; `kind` selects the distribution.
 float drawn_float(Random& random, std::uint64_t kind, std::uint32_t base) {
   const auto any = static_cast<std::uint32_t>(random.below(std::uint64_t{1} << 32));
   const std::uint32_t sign = any & 0x80000000, fraction = any & 0x7fffff;
@@ -304,7 +307,7 @@ float drawn_float(Random& random, std::uint64_t kind, std::uint32_t base) {
     case 1:
     case 9:
       return with_exponent(random.below(2) == 0 ? random.between(95, 105) : random.between(-105, -95));
-    case 2: {  // x and -x, and a little
+    case 2: {  // x, -x, and x 2^-40
       const float one = std::bit_cast<float>(base);
       const std::uint64_t which = random.below(5);
       return which == 0 ? one * 0x1p-40f : which < 3 ? one : -one;
@@ -337,17 +340,17 @@ BakeCaseOf<float> float_sample_case(std::uint64_t seed, Level n, std::uint64_t k
   p.wrap_v = narrow.picture.wrap_v;
   p.filter = narrow.picture.filter;
   const std::uint64_t kind = k % 10;
-  // Of a sign, and an exponent that a smaller one by 40 is not below the least of.
+  // A number of any sign whose exponent leaves room: base x 2^-40 is still normal.
   const auto base = static_cast<std::uint32_t>(random.below(2) << 31 | (60 + random.below(150)) << 23 |
                                                random.below(1u << 23));
-  if (kind == 2 || kind == 4 || kind == 9) {  // Halves, quarters and eighths of texels.
+  if (kind == 2 || kind == 4 || kind == 9) {  // coordinates at halves, quarters and eighths of texels
     p.width = 1u << random.below(3);
     p.height = 1u << random.below(3);
     p.filter = Filter::bilinear;
     for (float& x : one.uv) x = std::nearbyint(x * 16) / 16;
   }
   if (kind == 8) balance(random, one);
-  if (kind == 9) {  // The row of vertices in the middle beside texels' centres, by less than binary64 bears.
+  if (kind == 9) {  // the middle row of vertices lies beside texel centres, by less than binary64 holds
     p.width = 4;
     p.wrap_u = Wrap::repeat;
     one.uv[0] = -0x1p-60f;
@@ -357,7 +360,7 @@ BakeCaseOf<float> float_sample_case(std::uint64_t seed, Level n, std::uint64_t k
   for (auto& t : p.texels)
     for (float& c : t) c = drawn_float(random, kind, base);
   for (float& c : p.border) c = drawn_float(random, kind, base);
-  if (kind == 9)  // A large one on their one side alone.
+  if (kind == 9)  // large texels in column 0 only
     for (std::size_t t = 0; t < p.texels.size(); ++t)
       for (float& c : p.texels[t])
         c = std::ldexp(c, t % 4 == 0 ? std::max(0, 100 - std::ilogb(c)) : std::min(0, -100 - std::ilogb(c)));
@@ -380,7 +383,7 @@ template <class Channel>
 BakeCaseOf<Channel> read_bake_case_of(const std::string& text) {
   constexpr std::size_t texel = 4 * digits<Channel>;
   static const std::string settings_form = fmt::format("([a-z,+-]+),([0-9a-f]{{{}}})", texel);
-  // Texels apart: they are more characters than a matcher goes through.
+  // The texels are split off first: they have more characters than a regular expression can match.
   const std::vector<std::string> parts = split(text, ':');
   const bool four = parts.size() == 4;
   const Groups size = groups_of(parts[0], "([1-9][0-9]{0,2})x([1-9][0-9]{0,2})"),

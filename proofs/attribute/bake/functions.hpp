@@ -1,4 +1,4 @@
-// What a subject of topic attribute may have of baking from textures.
+// The functions of a subject of topic attribute for baking from textures.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ constexpr Channel channel_of_bits(std::uint32_t bits) {
     return static_cast<Channel>(bits);
 }
 
-/// What codes mean, and so what is averaged; alpha is linear.
+/// The meaning of a picture's codes, which decides the average that is taken.  Alpha is linear in all of them.
 enum class Meaning : std::uint8_t { linear, srgb, normal, normal_and_length };
 
 /// Texel (x, y) at x + width y.
@@ -57,7 +57,7 @@ struct PictureOf {
 };
 using Picture = PictureOf<std::uint8_t>;
 
-/// u, v of a base triangle's vertices: any three points.
+/// The u, v of a base triangle's vertices: any three points.
 using UvTriangle = std::array<float, 6>;
 
 /// A texture and the triangle that is baked from it.
@@ -70,16 +70,17 @@ using BakeCase = BakeCaseOf<std::uint8_t>;
 
 enum class MapForm : std::uint8_t { faces, vertices };
 
-/// The largest error and the mean square of a channel's error, as numbers from 0 to 1, or bounds on them.
+/// The largest error and the mean square of a channel's error, as numbers from 0 to 1, or upper bounds of them.
 struct ChannelError {
   Rational largest, square;
 };
 
-/// What a plan is made of: which triangles keep their error at which level, with which edges decimated.
+/// The input of a plan: the mesh, its highest level, and which triangle keeps its error bound at which level with
+/// which edges decimated.
 struct PlanCase {
   std::vector<Neighbours> neighbours;
   Level highest = 0;
-  std::vector<bool> special;  ///< one value shows it
+  std::vector<bool> special;  ///< the triangle has a single value and needs no map
   std::function<bool(std::size_t triangle, Level, std::uint8_t decimated)> keeps;
 };
 
@@ -89,7 +90,7 @@ struct PlannedTriangle {
   bool kept = true;
 };
 
-/// What a baker supports, and by how many codes it may be off.
+/// The settings that a baker supports, and its tolerance in codes.
 struct BakingSupport {
   Level max_level = 12;
   Set meanings = {}, filters = {}, wraps = {};
@@ -97,7 +98,7 @@ struct BakingSupport {
   std::uint32_t tolerance = 0;
 };
 
-/// A map of a case; an empty one where it is declined.
+/// A baker: the map of a case, or an empty map if it declines the case.
 template <class Channel>
 using MapBakerOf = std::function<std::vector<RgbaOf<Channel>>(const BakeCaseOf<Channel>&, Level)>;
 
@@ -110,15 +111,15 @@ struct Bakers {
   const MapBakerOf<Channel>& of(MapForm form) const { return form == MapForm::faces ? faces : vertices; }
 };
 
-/// What a subject has of baking: of 8 bits a channel; `wide`, of 16; `floats`, of binary32.
+/// The baking functions of a subject: 8 bits a channel, in `wide` 16, in `floats` binary32.
 struct Baking {
   BakingSupport support = {};
   MapBakerOf<std::uint8_t> vertices = {}, faces = {};
   Bakers<std::uint16_t> wide = {};
   Bakers<float> floats = {};
-  /// The mean of a channel over face `index`, exactly.
+  /// The exact mean of a channel over face `index`.
   std::function<Rational(const BakeCase&, Level, std::size_t channel, std::uint32_t index)> face_mean = {};
-  /// Of the texture sampled bilinearly against a map; bounds that are above it by `slack` at most.
+  /// The error of a map against the texture sampled bilinearly, or bounds at most `slack` above it.
   std::function<std::array<ChannelError, 4>(const BakeCase&, Level, MapForm, const std::vector<Rgba>&)>
       error = {};
   double slack = 0;

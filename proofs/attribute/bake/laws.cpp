@@ -1,4 +1,4 @@
-// Maps from textures: all of a family, and samples in binary32's numbers.
+// Laws of maps from textures: all cases of a family, and samples with binary32 coordinates.
 #include <array>
 #include <boost/integer/common_factor.hpp>
 #include <memory>
@@ -16,14 +16,15 @@ namespace {
 namespace slow = spec::attribute;
 using spec::Rational128;
 
-/// A case of the family by its numbers, or one that was read.
+/// A case of the family, known by its numbers, or one read from text.
 struct Case {
   BakeCase one;
   std::uint64_t spot = 0, texture = 0;
   bool of_family = false;
 };
 
-/// What one channel of all 81 textures bakes to at a spot, by texture and element, in linear light or in codes.
+/// The baked codes of one channel at a spot, for all 81 textures and every element, in linear light or as stored
+/// codes.
 class SpotCodes {
  public:
   const std::vector<std::uint8_t>& of(MapForm form, Level n, const BakeCase& one, bool srgb) {
@@ -37,7 +38,7 @@ class SpotCodes {
     const Filter filter = form == MapForm::faces ? Filter::nearest : one.picture.filter;
     const auto all =
         form == MapForm::faces ? face_shares<Rational128>(one, n) : vertex_shares<Rational128>(one, n);
-    // Of each of the four texels and the border, its weight in wholes of a common denominator.
+    // The weights of the four texels and the border, as whole multiples of a common fraction.
     constexpr std::size_t border = 4;
     const auto lone = channel_of<std::uint8_t>(one.picture, 0, filter);
     codes_[srgb].resize(family_textures * all.size());
@@ -74,7 +75,7 @@ class SpotCodes {
 
 std::vector<Rgba> truth(MapForm form, Level n, const Case& c) {
   if (!c.of_family) return form == MapForm::faces ? true_faces(c.one, n) : true_vertices(c.one, n);
-  constexpr std::size_t levels = 6, kinds = 3;  // faces; vertices, bilinear and nearest
+  constexpr std::size_t levels = 6, kinds = 3;  // faces, vertices bilinear, vertices nearest
   static const auto slots = std::make_unique<SpotCodes[]>(kinds * levels * family_spots());
   const std::size_t kind = form == MapForm::faces ? 0 : c.one.picture.filter == Filter::bilinear ? 1 : 2;
   SpotCodes& slot = slots[(kind * levels + n) * family_spots() + c.spot];
@@ -121,7 +122,7 @@ Cases<Case> family_of(MapForm form) {
 const auto srgb_as_codes = [](BakeCase& one) {
   if (one.picture.meaning == Meaning::srgb) one.picture.meaning = Meaning::linear;
 };
-/// By remainders that keep the sign, and the size taken: texel -1 is texel 1, as with mirrored repeats of that size.
+/// Texel -1 becomes texel 1, as with mirrored repeats: the remainder keeps its sign, and the mutant drops it.
 const auto negative_mirrored = [](BakeCase& one) {
   if (one.uv[0] < 0 && one.picture.wrap_u == Wrap::repeat) one.picture.wrap_u = Wrap::mirrored_repeat;
 };
@@ -207,7 +208,7 @@ Finding sampled(const AttributeSubject& s, Level n, const BakeCase& one) {
                 [&](MapForm form) -> const MapBaker& { return map_baker(baking, form); });
 }
 
-/// A direction's codes as the plain mean of the stored ones.
+/// Averages a direction's stored codes without renormalising.
 std::function<void(Functions&)> not_renormalised() {
   return [](Functions& f) {
     f.baking.faces = [real = f.baking.faces](const BakeCase& one, Level n) {
@@ -224,9 +225,9 @@ Law floats_law() {
     return std::uint64_t{run.tier == Tier::fast ? (n < 5 ? 64u : 24u) : 8'000u};
   };
   cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) {
-    // The one face of level 0; one of several would have to be cut off as finely.
+    // Only level 0 has such a case: at a finer level every face would have to be cut as finely.
     if (n == 0 && k % 8 == 6) return near_half_case(seed, n, k);
-    // Each of their parts is looked at.
+    // At levels 0 and 1 all elements are judged.
     if (n <= 1 && k % 16 == 3) return long_row_case(seed, n, k);
     return n <= 7 && k % 8 == 4 ? beside_lines_case(seed, n, k) : sample_case(seed, n, k);
   };

@@ -77,7 +77,7 @@ std::function<void(Functions&)> bakes_another(MapForm form, std::function<void(B
 
 namespace {
 
-/// The mean, or value, of a channel of colours.
+/// The mean of a colour channel over shares.
 Rational128 colour(const BakeCase& one, std::size_t c, Filter filter,
                    const slow::Shares<Rational128>& shares) {
   if (one.picture.meaning == Meaning::srgb && c < 3)
@@ -85,7 +85,7 @@ Rational128 colour(const BakeCase& one, std::size_t c, Filter filter,
   return slow::mean(channel_of<std::uint8_t>(one.picture, c, filter), shares);
 }
 
-/// A baker of other shares than the true ones.
+/// A baker that averages with the shares that `shares_of` gives.
 template <class SharesOf>
 MapBaker with_shares(Filter filter, SharesOf shares_of) {
   return [=](const BakeCase& one, Level n) {
@@ -96,7 +96,7 @@ MapBaker with_shares(Filter filter, SharesOf shares_of) {
   };
 }
 
-/// Of each face, from its corners in texels.
+/// Computes shares of every face from its corners in texels.
 template <class OfFace>
 auto each_face(OfFace of_face) {
   return [=](const BakeCase& one, Level n) {
@@ -115,7 +115,7 @@ slow::Shares<Rational128> even(const std::vector<slow::Place<Rational128>>& at) 
   return shares;
 }
 
-/// As if faces were shares; of the true ones where they are, so that the mean of faces is what they say.
+/// A mutant that bakes faces, and their means, with the shares that `of_face` gives; map and mean agree.
 std::function<void(Functions&)> of_faces(
     const std::function<slow::Shares<Rational128>(const slow::Polygon<Rational128>&)>& of_face) {
   return [=](Functions& f) {
@@ -196,7 +196,7 @@ std::function<void(Functions&)> averages_corners() {
 std::function<void(Functions&)> spreads_evenly() {
   return of_faces([](const slow::Polygon<Rational128>& corners) {
     if (spec::bake::has_area(corners)) return slow::shares_on(corners, Filter::nearest);
-    // The ends of the segment, the one in the middle left out; cut as an image of its own that is as wide everywhere.
+    // The ends of the segment, without its middle vertex; it is cut into pieces of equal weight.
     auto ends = corners;
     std::sort(ends.begin(), ends.end(),
               [](const auto& p, const auto& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });

@@ -1,4 +1,4 @@
-// What the laws of baking share: entry points, a map held against the true one, and mutants.
+// Common parts of the laws of baking: entry points, the comparison of a map with the true one, and mutants.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@ inline constexpr char cam_5[] = "Color and Attribute Micromaps, 5.1";
 inline constexpr Entry bakes_vertices{"vertices", [](const Functions& f) { return bool(f.baking.vertices); }};
 inline constexpr Entry bakes_faces{"faces", [](const Functions& f) { return bool(f.baking.faces); }};
 
-/// "micro-vertex i=1,j=2" of W-minor order, or "face 3" of the curve.
+/// The name of an element, "micro-vertex i=1,j=2" in W-minor order or "face 3" on the curve.
 std::string name_of(MapForm form, std::uint32_t k);
 
-/// How far from the true codes a subject's may be: none of the channels further than its tolerance.
+/// The distance of a subject's codes from the true ones: none, within the tolerance in every channel, or more.
 enum class Match : std::uint8_t { same, within, wrong };
 template <class Channel>
 Match match(const RgbaOf<Channel>& expected, const RgbaOf<Channel>& got, std::uint32_t tolerance) {
@@ -34,7 +34,7 @@ Match match(const RgbaOf<Channel>& expected, const RgbaOf<Channel>& got, std::ui
   return off == 0 ? Match::same : off <= tolerance ? Match::within : Match::wrong;
 }
 
-/// A value of a map as a number for a digest.
+/// A map's value as a number for a digest.
 template <class Channel>
 std::uint64_t digest_of(const RgbaOf<Channel>& value) {
   if constexpr (sizeof(Channel) == 1) return std::bit_cast<std::uint32_t>(value);
@@ -43,11 +43,11 @@ std::uint64_t digest_of(const RgbaOf<Channel>& value) {
   return digest;
 }
 
-/// A subject's map beside the true one; an empty one is declined.
+/// Compares a subject's map with the true one; an empty map counts as declined.
 Finding compared(MapForm form, const std::vector<Rgba>& expected, const std::vector<Rgba>& got,
                  std::uint32_t tolerance);
 
-/// The law with cases inside what its subjects support, which its domain says; up to their highest level.
+/// The law on cases that its subjects support, which its domain names, up to their highest level.
 Law within_support(Law law);
 
 using MapBaker = MapBakerOf<std::uint8_t>;
@@ -56,10 +56,10 @@ inline const MapBaker& map_baker(const Baking& f, MapForm form) {
   return form == MapForm::faces ? f.faces : f.vertices;
 }
 
-/// Some elements of a map, other ones for another case: the first, the last and up to six between.
+/// Up to eight elements of a map to judge: the first, the last, and up to six between, which depend on `salt`.
 std::vector<std::uint32_t> judged_at(std::uint64_t count, std::uint64_t salt);
 
-/// Those of both maps of a case beside the true ones.  `baker(form)`: the subject's.
+/// Compares both maps of a case with the true ones at the elements judged_at().  `baker(form)`: the subject's baker.
 template <class Channel, class Baker>
 Finding judged(const BakeCaseOf<Channel>& one, Level n, std::uint32_t tolerance, Baker baker) {
   Finding found;
@@ -81,19 +81,20 @@ Finding judged(const BakeCaseOf<Channel>& one, Level n, std::uint32_t tolerance,
   return found;
 }
 
-/// Of a mutant: bakes another case, where `meant`.
+/// A mutant that bakes another case, changed by `change`.
 std::function<void(Functions&)> bakes_another(MapForm form, std::function<void(BakeCase&)> change);
-/// Rounds what lies in the middle between two codes down.
+/// A mutant that rounds down a value in the middle between two codes.
 std::function<void(Functions&)> rounds_half_down(MapForm form);
-/// Rounds the mean of level 0's face up where 10^-9 of a code more would be: an epsilon for what binary64 rounds.
+/// A mutant that rounds the mean of level 0's face up if 10^-9 of a code more would round up: an epsilon against the
+/// rounding of binary64.
 std::function<void(Functions&)> rounds_near_halves_up();
-/// Averages the texels whose centres lie in the micro-triangle, or takes the one under its centroid.
+/// A mutant that averages the texels whose centres lie in the micro-triangle, or takes the texel under its centroid.
 std::function<void(Functions&)> averages_centres();
-/// Takes positions in binary32, as p0 + (p1 - p0) u + (p2 - p0) v.
+/// A mutant that computes positions in binary32, as p0 + (p1 - p0) u + (p2 - p0) v.
 std::function<void(Functions&)> places_in_floats();
-/// Gives every part of a segment the same weight, where the triangle is one.
+/// A mutant that weighs all parts of a segment equally if the triangle is a segment.
 std::function<void(Functions&)> spreads_evenly();
-/// Takes the mean of the sampler's values at the three corners.
+/// A mutant that takes the mean of the sampler's values at the three corners.
 std::function<void(Functions&)> averages_corners();
 
 std::vector<Law> bake_map_laws();

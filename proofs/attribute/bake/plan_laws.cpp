@@ -1,4 +1,4 @@
-// Which level each triangle of a mesh gets.
+// Laws of plans: the level of each triangle of a mesh.
 #include <array>
 
 #include "proofs/attribute/bake/parts.hpp"
@@ -14,21 +14,21 @@ constexpr Entry plans{"plan", [](const Functions& f) { return bool(f.baking.plan
 
 using Mesh = std::vector<Neighbours>;
 
-/// Triangle t beside t - 1 and t + 1.
+/// An open strip: triangle t is beside t - 1 and t + 1.
 Mesh strip(std::int32_t count) {
   Mesh mesh;
   for (std::int32_t t = 0; t < count; ++t) mesh.push_back({t - 1, t + 1 < count ? t + 1 : -1, -1});
   return mesh;
 }
-/// The same, closed: triangles about a vertex.
+/// A closed strip: triangles about a vertex.
 Mesh fan(std::int32_t count) {
   Mesh mesh;
   for (std::int32_t t = 0; t < count; ++t) mesh.push_back({(t + count - 1) % count, (t + 1) % count, -1});
   return mesh;
 }
-/// Faces of a tetrahedron, each beside the others.
+/// The faces of a tetrahedron, each beside the others.
 Mesh tetrahedron() { return {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}; }
-/// Faces of an octahedron, numbered by the signs of their coordinates: neighbours differ in one.
+/// The faces of an octahedron, numbered by the signs of their coordinates: neighbours differ in one sign.
 Mesh octahedron() {
   Mesh mesh;
   for (std::int32_t t = 0; t < 8; ++t) mesh.push_back({t ^ 1, t ^ 2, t ^ 4});
@@ -49,14 +49,14 @@ const std::vector<NamedMesh>& meshes() {
 // Graded
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Of each triangle the level that it wants, or 9: one value shows it.
+/// The wanted level of each triangle; no_map, if the triangle has a single value.
 struct GradedCase {
   std::size_t mesh = 0;
   std::vector<Level> wanted;
 };
 constexpr Level no_map = 9;
 
-/// Wanted levels are 0..n, or none at all.
+/// The number of assignments: each triangle wants a level of 0..n or no map.
 std::uint64_t assignments(Level n, std::size_t mesh) {
   std::uint64_t count = 1;
   for (std::size_t t = 0; t < meshes()[mesh].mesh.size(); ++t) count *= n + 2;
@@ -73,7 +73,7 @@ Finding is_graded(const AttributeSubject& s, Level n, const GradedCase& g) {
   PlanCase one;
   one.neighbours = meshes()[g.mesh].mesh;
   one.highest = n;
-  Mesh apart = one.neighbours;  // without those that have no map
+  Mesh apart = one.neighbours;  // the mesh without triangles that have no map
   std::vector<Level> wanted = g.wanted;
   for (std::size_t t = 0; t < wanted.size(); ++t) {
     one.special.push_back(wanted[t] == no_map);
@@ -103,7 +103,7 @@ Finding is_graded(const AttributeSubject& s, Level n, const GradedCase& g) {
   return {digest};
 }
 
-/// The plan of a subject, changed afterwards.
+/// A mutant that changes the subject's plan afterwards.
 std::function<void(Functions&)> replanned(
     std::function<void(const PlanCase&, std::vector<PlannedTriangle>&)> change) {
   return [=](Functions& f) {
@@ -118,7 +118,7 @@ std::function<void(Functions&)> replanned(
 Law graded_law() {
   Cases<GradedCase> cases;
   cases.count = [](Level n, const Run& run) {
-    // A level of 3 reaches two triangles on: what a small mesh shows needs no large one.
+    // A level of 3 reaches two triangles further, which the small meshes show as well.
     const std::size_t few = run.tier == Tier::fast && n > 2 ? 2 : meshes().size();
     std::uint64_t count = 0;
     for (std::size_t m = 0; m < few; ++m) count += assignments(n, m);
@@ -223,8 +223,8 @@ Law graded_law() {
 // The error is kept
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Whether a triangle keeps its error, drawn for every triangle, level and set of edges.  Of tables with odd numbers
-/// some want level 4, of the others none does.
+/// Random answers to whether a triangle keeps its error, by triangle, level and decimated edges.  Some triangles want
+/// level 4 in tables with odd numbers, none in the others.
 struct ErrorTable {
   std::size_t mesh = 0;
   std::uint64_t seed = 0, number = 0;

@@ -19,7 +19,7 @@ static_assert(MMVERIFY_NORMAL_AND_LENGTH == static_cast<int>(Meaning::normal_and
               MMVERIFY_MIRROR_CLAMP_TO_EDGE == static_cast<int>(Wrap::mirror_once) &&
               MMVERIFY_NEAREST == static_cast<int>(Filter::nearest));
 
-/// The case as the header has it and, behind it, its texels: those end where the blob does.
+/// The case in the C header's form, with its texels behind it up to the end of the blob.
 std::vector<std::uint8_t> blob_of(const BakeCase& one, Level n) {
   const Picture& p = one.picture;
   mmverify_attribute_case_t what{};
@@ -56,7 +56,7 @@ std::function<std::vector<Rgba>(const BakeCase&, Level)> baker(const LibraryPtr&
   };
 }
 
-/// What the header's numbers say, zeros that all is supported.
+/// The support that the header's numbers describe; a zero means that all is supported.
 BakingSupport supported(const mmverify_attribute_support_t& says) {
   const auto set = [](std::uint32_t bits) { return bits == 0 ? Set() : Set(bits); };
   BakingSupport s;

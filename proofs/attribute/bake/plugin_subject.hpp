@@ -1,4 +1,4 @@
-// A shared library's baker of attribute maps.
+// The baker of attribute maps of a shared library.
 #pragma once
 
 #include "dock/library.hpp"
@@ -6,7 +6,7 @@
 
 namespace mmverify::proofs::attribute {
 
-/// What the library has of it, each call in the dock.
+/// The library's baking functions; each call runs in the dock.
 Baking baking_of(const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::attribute

@@ -59,8 +59,8 @@ Rational specified_mean(const BakeCase& one, Level n, std::size_t c, std::uint32
                                              : mean(channel_of<std::uint8_t>(p, c, p.filter));
 }
 
-/// By the specification's distances, and by trying: every triangle has the least level that is graded, and is raised
-/// where its error is not kept.
+/// A plan by the specification's distances and by trial: each triangle has the least graded level, and wants one
+/// level more if it does not keep its error.
 std::vector<PlannedTriangle> specified_plan(const PlanCase& one) {
   const std::size_t count = one.neighbours.size();
   std::vector<Neighbours> around = one.neighbours;
@@ -92,7 +92,7 @@ std::vector<PlannedTriangle> specified_plan(const PlanCase& one) {
   }
 }
 
-/// A picture as the library takes it.
+/// A picture in the library's form.
 template <class Channel>
 struct Taken {
   fast::RgbaViewOf<Channel> view;

@@ -1,5 +1,5 @@
-// What a baker of attributes says that it supports: cases are drawn inside it.  mmverify_attribute_support in the C
-// header.
+// The support that a baker of attributes declares; cases are drawn inside it.  In the C header:
+// mmverify_attribute_support.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@ namespace mmverify::proofs::attribute {
 /// Whether fitted() leaves the case as it is.
 bool covers(const BakingSupport& support, const BakeCase& one);
 
-/// The case with each setting that is not supported exchanged for one that is; which of several, its coordinates say.
+/// The case with each unsupported setting replaced by a supported one, chosen by the case's coordinates.
 BakeCase fitted(const BakingSupport& support, BakeCase one);
 
-/// The same by a subject's support.
+/// The case fitted to a subject's support.
 inline BakeCase fitted_case(const AttributeSubject& s, const BakeCase& one) {
   return fitted(s.functions.baking.support, one);
 }
 
-/// "linear and srgb; clamp; within 1 code": what is not as it is of one that says nothing; empty: nothing.
+/// The restrictions as text, "linear and srgb; clamp; within 1 code"; empty if there are none.
 std::string text_of(const BakingSupport& support);
 
 }  // namespace mmverify::proofs::attribute

@@ -1,4 +1,4 @@
-// Maps from textures of more than 8 bits a channel.
+// Laws of maps from textures with more than 8 bits a channel.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using spec::Rational;
 namespace slow = spec::attribute;
 
-/// Cases of a channel: their draw, text and check; so few of the fast tier.
+/// Cases of a channel: their draw, text and check.  `few`: their number in the fast tier.
 template <class Channel>
 Cases<BakeCaseOf<Channel>> cases_of(BakeCaseOf<Channel> (*draw)(std::uint64_t, Level, std::uint64_t),
                                     Bakers<Channel> Baking::*bakers, std::uint64_t few) {
@@ -30,7 +30,7 @@ Cases<BakeCaseOf<Channel>> cases_of(BakeCaseOf<Channel> (*draw)(std::uint64_t, L
   return cases;
 }
 
-/// Changes what a mutant bakes, and what comes of it: change(form, level, case, real baker).
+/// A mutant that changes the cases or the maps of a baker: change(form, level, case, real baker).
 template <class Channel, class Change>
 std::function<void(Functions&)> baking(Bakers<Channel> Baking::*bakers, Change change) {
   return [=](Functions& f) {
@@ -51,7 +51,7 @@ std::function<void(Functions&)> baking_another(Bakers<Channel> Baking::*bakers, 
   });
 }
 
-/// The exact number of a channel at an element.  Texel: the specification's.
+/// The exact value of a channel at an element.  Texel: the specification's type.
 template <class Texel, class Channel>
 Rational value_at(MapForm form, const BakeCaseOf<Channel>& one, Level n, std::uint32_t k, std::size_t c) {
   const auto uv = base_triangle<Rational>(one.uv);
@@ -80,7 +80,7 @@ void each_code(Picture16& p, Change change) {
   for (std::uint16_t& code : p.border) change(code);
 }
 
-/// Linear codes that lie in the middle, one less.
+/// Lowers linear codes by one if the exact value lies in the middle between two codes.
 std::function<void(Functions&)> rounds_16_half_down() {
   return baking(&Baking::wide, [](MapForm form, Level n, const BakeCaseOf<std::uint16_t>& one,
                                   const MapBakerOf<std::uint16_t>& real) {
@@ -177,7 +177,7 @@ std::function<void(Functions&)> changing_floats(Change change) {
                 });
 }
 
-/// Ties go to the number that is further from 0.
+/// Rounds ties to the number that is further from 0.
 std::function<void(Functions&)> rounds_ties_away() {
   return baking(&Baking::floats, [](MapForm form, Level n, const BakeCaseOf<float>& one,
                                     const MapBakerOf<float>& real) {
@@ -194,7 +194,7 @@ std::function<void(Functions&)> rounds_ties_away() {
   });
 }
 
-/// What sums in binary64 lose: texels below 2^-53 of the greatest.
+/// Sets texels below 2^-53 of the greatest to 0, which sums in binary64 lose.
 void without_small_ones(PictureFloat& p) {
   float most = 0;
   for (const auto& texel : p.texels)

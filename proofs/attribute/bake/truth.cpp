@@ -10,7 +10,7 @@ namespace {
 
 namespace slow = spec::attribute;
 
-/// Of numbers of any size: codes from shares.
+/// The codes of a map from the shares of its elements, in numbers of any size.
 template <class Q>
 std::vector<Rgba> from_shares(const BakeCase& one, Filter filter,
                               const std::vector<slow::Shares<Q>>& shares) {

@@ -1,4 +1,4 @@
-// What the specification makes of a case of baking.
+// The true maps of a case, by the specification of baking.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace mmverify::proofs::attribute {
 
 constexpr bool is_normal(Meaning m) { return m == Meaning::normal || m == Meaning::normal_and_length; }
 
-/// A channel as the specification has it, and one channel as its texture.
+/// A channel as the specification's texel, and one channel of a picture as its texture.
 template <class Texel, class Channel>
 Texel stored(Channel c) {
   if constexpr (std::is_same_v<Channel, float>)
@@ -44,7 +44,7 @@ spec::attribute::BaseTriangle<Q> base_triangle(const UvTriangle& uv) {
   return {vertex(0), vertex(1), vertex(2)};
 }
 
-/// Of channels that are codes.
+/// The true value of integer channels: codes by the picture's meaning.
 template <class Channel, class Value>
 RgbaOf<Channel> true_integer_codes(const PictureOf<Channel>& p, Filter filter, Value value) {
   using spec::attribute::Rounded, spec::attribute::Srgb8;
@@ -75,7 +75,7 @@ RgbaOf<Channel> true_integer_codes(const PictureOf<Channel>& p, Filter filter, V
   return codes;
 }
 
-/// The codes, or floats, of numbers that `value(texture of a channel)` gives, rounded as the specification says.
+/// The true codes, or floats: the numbers that `value(texture of a channel)` gives, rounded by the specification.
 template <class Channel, class Value>
 RgbaOf<Channel> true_codes(const PictureOf<Channel>& p, Filter filter, Value value) {
   using spec::attribute::Binary32, spec::attribute::Rounded;
@@ -89,7 +89,7 @@ RgbaOf<Channel> true_codes(const PictureOf<Channel>& p, Filter filter, Value val
     return true_integer_codes(p, filter, value);
   }
 }
-/// The codes of one element of a map: a micro-vertex in W-minor order, or a face on the curve.
+/// The true codes of one element of a map: a micro-vertex in W-minor order, or a face on the curve.
 template <class Q, class Channel>
 RgbaOf<Channel> true_at(MapForm form, const BakeCaseOf<Channel>& one, Level n, std::uint32_t k) {
   namespace slow = spec::attribute;
@@ -105,24 +105,24 @@ RgbaOf<Channel> true_at(MapForm form, const BakeCaseOf<Channel>& one, Level n, s
   return true_codes(one.picture, filter, [&](const auto& texture) { return slow::mean(texture, shares); });
 }
 
-/// The shares that a case's texels have in each micro-vertex (W-minor order), or face (on the curve).
+/// The texels' shares in each micro-vertex (W-minor order) or face (on the curve) of a case.
 template <class Q>
 std::vector<spec::attribute::Shares<Q>> vertex_shares(const BakeCase& one, Level n);
 template <class Q>
 std::vector<spec::attribute::Shares<Q>> face_shares(const BakeCase& one, Level n);
 
-/// f.operator()<Q>() in 127 bits where they hold all numbers on the way, else in as many as it takes.
+/// f.operator()<Q>() with Rational128 if it holds all numbers on the way, else with Rational.
 template <class F>
 auto in_few_bits(F f) {
   return in_first_of<spec::Rational128, Rational>(f);
 }
-/// true_at, in as many bits as it takes.
+/// true_at() with as many bits as it needs.
 template <class Channel>
 RgbaOf<Channel> exact_at(MapForm form, const BakeCaseOf<Channel>& one, Level n, std::uint32_t k) {
   if constexpr (std::is_same_v<Channel, float>) return true_at<Rational>(form, one, n, k);
   return in_few_bits([&]<class Q>() { return true_at<Q>(form, one, n, k); });
 }
-/// How many elements a map has.
+/// The number of elements of a map.
 inline std::uint64_t map_size(MapForm form, Level n) {
   return form == MapForm::faces ? spec::attribute::face_count(n) : spec::attribute::vertex_count(n);
 }
@@ -131,14 +131,14 @@ inline Rational wide(const spec::Rational128& q) {
   return Rational(spec::Integer(q.numerator()), spec::Integer(q.denominator()));
 }
 
-/// The map of a case.
+/// The true map of a case.
 std::vector<Rgba> true_vertices(const BakeCase& one, Level n);
 std::vector<Rgba> true_faces(const BakeCase& one, Level n);
-/// The same of other channels, element by element.
+/// The true map of other channel types, element by element.
 template <class Channel>
 std::vector<RgbaOf<Channel>> true_map(MapForm form, const BakeCaseOf<Channel>& one, Level n);
 
-/// A channel's number in a picture's meaning: linear light, or code / 255 as it is stored.
+/// The number that a channel's code means: linear light, or code / 255 as it is stored.
 template <class Q>
 Q number_of(const Picture& p, std::size_t channel, std::uint8_t code) {
   if (p.meaning == Meaning::srgb && channel < 3)

@@ -1,4 +1,4 @@
-// What a subject of topic attribute may have of edge decimation.
+// The functions of a subject of topic attribute for edge decimation.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ namespace mmverify::proofs::attribute {
 using spec::attribute::Corners;
 using spec::attribute::EdgeFlags;
 using spec::attribute::Vertex;
-/// Coordinates k / (4N) of any level, as they are.
+/// A point with coordinates k / (4N) of any level.
 using DyadicPoint = spec::Point<spec::Fixed64>;
 
-/// Vertices, and the weights of their values; on dyadic points these are numbers of binary64.
+/// Vertices and the weights of their values; at dyadic points the weights are exact in binary64.
 struct WeightedVertices {
   Corners corners;
   std::array<double, 3> weights;
@@ -31,9 +31,9 @@ struct Decimation {
   /// The two vertices whose mean each value is.
   std::function<void(Level n, EdgeFlags flags, std::span<const Vertex>, std::span<std::array<Vertex, 2>>)>
       averaged = {};
-  /// That mean in a code.
+  /// The mean of the two values as a code.
   std::function<std::uint8_t(std::uint8_t, std::uint8_t)> mean = {};
-  // What is interpolated at a point, once vertices have snapped.
+  // The live micro-triangle at a point once vertices have snapped, with the weights there.
   std::function<WeightedVertices(Level n, EdgeFlags flags, const DyadicPoint&)> place = {};
   std::function<WeightedVertices(Level n, EdgeFlags flags, float u, float v)> place_f32 = {};
 };

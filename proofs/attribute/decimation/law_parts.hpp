@@ -1,4 +1,4 @@
-// What the laws of edge decimation have in common.
+// Common parts of the laws of edge decimation.
 #pragma once
 
 #include "proofs/attribute/law_groups.hpp"
@@ -11,11 +11,11 @@ extern const Entry snapped_entry, averaged_entry, place_entry;
 /// Reads "flags=5".  Throws BadCase.
 EdgeFlags flags_of_text(const std::string& text);
 
-/// Values at points, and on edges beside a neighbour.
+/// Laws of values at points, and on edges beside a neighbour.
 std::vector<Law> decimated_value_laws();
-/// Single vertices of high levels.
+/// The law of single vertices at high levels.
 Law decimation_sample_law();
-/// Two levels of difference.
+/// The law of neighbours two levels apart.
 Law two_levels_law();
 
 }  // namespace mmverify::proofs::attribute

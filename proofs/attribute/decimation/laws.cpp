@@ -1,4 +1,4 @@
-// Edges beside a neighbour of one level less: what the micro-triangles are once vertices have snapped.
+// Laws of edges beside a neighbour of one level less: the micro-triangles after vertices have snapped.
 #include "proofs/attribute/decimation/law_parts.hpp"
 #include "proofs/attribute/decimation/mesh.hpp"
 
@@ -11,7 +11,7 @@ using spec::side;
 // Mutants
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Another rule: where x goes, or x.
+/// A wrong rule for snapping: the new place of x, given the right one.
 using Rule = std::function<Vertex(Level n, EdgeFlags flags, const Vertex& x, const Vertex& right)>;
 
 std::function<void(Functions&)> snapping_by(Rule rule) {
@@ -24,7 +24,7 @@ std::function<void(Functions&)> snapping_by(Rule rule) {
   };
 }
 
-/// An odd vertex of a flagged edge goes to `to` steps from the edge's first end.
+/// A rule that moves an odd vertex of a flagged edge to `to` steps from the edge's first end.
 Rule along_edges(std::function<std::uint32_t(Level n, std::uint32_t edge, std::uint32_t at)> to) {
   return [to](Level n, EdgeFlags flags, const Vertex& x, const Vertex& right) {
     const auto place = spec::attribute::decimated_at(x, n, flags);
@@ -34,7 +34,7 @@ Rule along_edges(std::function<std::uint32_t(Level n, std::uint32_t edge, std::u
 
 const Rule towards_the_middle =
     along_edges([](Level n, std::uint32_t, std::uint32_t at) { return at < side(n) / 2 ? at + 1 : at - 1; });
-/// To w on the edges w-u and v-w, to u on u-v: i or j is one less.
+/// A rule that moves to w on the edges w-u and v-w, and to u on u-v: i or j is one less.
 const Rule indices_down =
     along_edges([](Level, std::uint32_t edge, std::uint32_t at) { return edge == 2 ? at + 1 : at - 1; });
 const Rule too_far = along_edges([](Level n, std::uint32_t, std::uint32_t at) {
@@ -60,7 +60,7 @@ Mutant wrong_rule(const char* name, Levels levels, const Rule& rule, const char*
 // The laws
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// A case is one of the 8 sets of flags.
+/// A law whose cases are the 8 sets of flags.
 Law on_edge_flags(Law law, std::function<Finding(const AttributeSubject&, Level, EdgeFlags)> check) {
   Cases<EdgeFlags> cases;
   cases.count = [](Level, const Run&) -> std::uint64_t { return spec::attribute::edge_flag_sets; };
@@ -162,14 +162,14 @@ Law decimation_counts_law() {
       of_mesh<Asked::at_edges>(counted));
 }
 
-/// What is lost, in quarters of a micro-triangle.  From level 2 on p flags have p N/2 degenerate ones, and beside these
-/// p N/2 of which a half is lost, but for what p edges have in common: the corners between two of them (p = 2: 1, p = 3:
-/// 3).  Level 1 is its own.
+/// The expected lost area, in quarters of a micro-triangle.  From level 2 on, p flags make p N/2 micro-triangles
+/// degenerate, and beside these p N/2 lose half.  The corners between two flagged edges count once only (p = 2: 1
+/// corner, p = 3: 3).  Level 1 is a case of its own.
 std::uint64_t expected_lost_quarters(Level n, EdgeFlags flags) {
   const std::uint64_t odd = odd_vertices(n, flags), N = side(n), p = odd / std::max<std::uint64_t>(N / 2, 1);
   constexpr std::array<std::uint64_t, 4> at_corners{0, 0, 1, 3};
   if (n == 0 || p == 0) return 0;
-  // Level 1: p corners' micro-triangles, and of the middle one 1/2, 1/2, nothing.
+  // Level 1: the p corners' micro-triangles are lost, and of the middle one 1/2, 1/2 or nothing.
   if (n == 1) return p == 3 ? 12 : 4 * p + 2;
   return 4 * odd + 2 * odd - 4 * at_corners[p];
 }

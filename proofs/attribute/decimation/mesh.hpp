@@ -1,4 +1,4 @@
-// What is left of a level's micro-triangles once vertices have snapped: the few that changed, exactly.
+// The micro-triangles of a level that change once vertices have snapped, exactly.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace mmverify::proofs::attribute {
 
-/// A vertex and where its value is read from.
+/// A vertex and the vertex that its value is read from.
 struct Move {
   Vertex from, to;
 };
@@ -21,7 +21,7 @@ struct Changed {
   Corners before, after;
 };
 
-/// Which vertices are asked for: all of a level, or those at most one step from a base edge, beside which all stay.
+/// The vertices that a subject is asked for: all of a level, or those at most one step from a base edge.
 enum class Asked { all, at_edges };
 
 /// Asks a subject for the vertices of a level, and finds the micro-triangles that changed.
@@ -30,7 +30,7 @@ class DecimatedMesh {
   /// Throws nothing of its own; what is wrong with the answers is complaint().
   DecimatedMesh(const AttributeSubject& subject, Level n, EdgeFlags flags, Asked asked);
 
-  /// What is wrong whatever else holds: a vertex moved that is no odd one of a flagged edge, or left the triangle.
+  /// A failure that ends every check: a vertex moved that is no odd one of a flagged edge, or left the triangle.
   const std::optional<Words>& complaint() const { return complaint_; }
   const std::vector<Move>& moves() const { return moves_; }
   const std::vector<Changed>& changed() const { return changed_; }
@@ -39,7 +39,7 @@ class DecimatedMesh {
   Level level() const { return n_; }
   EdgeFlags flags() const { return flags_; }
   Vertex after(const Vertex& x) const;
-  /// Whether a corner of it moved.
+  /// Whether a corner of the micro-triangle moved.
   bool has_changed(const MicroTriangle& t) const;
 
  private:
@@ -58,20 +58,21 @@ constexpr std::uint64_t number(const Vertex& x) {
   return spec::attribute::w_minor_index<std::uint64_t>(x.i, x.j);
 }
 
-/// p N/2 for p flags, and 0 at level 0: odd vertices of flagged edges.
+/// The number of odd vertices on flagged edges: p N/2 for p flags, and 0 at level 0.
 constexpr std::uint64_t odd_vertices(Level n, EdgeFlags flags) {
   const std::uint64_t p = (flags & 1) + (flags >> 1 & 1) + (flags >> 2 & 1);
   return n == 0 ? 0 : p * (spec::side(n) / 2);
 }
 
-/// What does not hold of it: edges of micro-triangles that meet in no opposite one, base edges that are no polyline of
-/// level n-1 where flagged and n where not; areas; counts.  The finding's answer is the mesh's digest.
+/// Checks of a mesh; the finding's answer is the mesh's digest.  watertight(): micro-triangle edges meet their
+/// opposites, and base edges are polylines of level n-1 if flagged and of level n if not.  areas_kept(): areas.
+/// counted(): numbers of degenerate micro-triangles and unused vertices.
 Finding watertight(const DecimatedMesh& mesh);
 Finding areas_kept(const DecimatedMesh& mesh);
 Finding counted(const DecimatedMesh& mesh);
 
-/// Of the points of the triangle how many lie, if only the table of vertices is adjusted, in a micro-triangle that is
-/// degenerate now or does not hold them any more; as an area in units of a micro-triangle, times 4.
+/// The area of the points that are lost if only the table of vertices is adjusted, as 4 times the number of
+/// micro-triangles.  A point is lost if its micro-triangle is now degenerate or no longer holds it.
 std::uint64_t lost_quarters(const DecimatedMesh& mesh);
 
 }  // namespace mmverify::proofs::attribute

@@ -1,4 +1,4 @@
-// Where single vertices go, at levels whose edges are too long to be looked at whole in the fast tier.
+// The places of single snapped vertices, at levels whose edges are too long for the fast tier.
 #include <array>
 #include <vector>
 
@@ -11,13 +11,13 @@ namespace {
 
 constexpr std::uint64_t stream = 0x646563;
 
-/// A vertex and the flags that it is asked with.
+/// A vertex and the flags of its case.
 struct FlaggedVertex {
   EdgeFlags flags = 0;
   Vertex at{};
 };
 
-/// Most on an edge, near its ends and its middle; some a step from one, some anywhere.
+/// A vertex mostly on an edge, near its ends and its middle; some a step from an edge, some anywhere.
 FlaggedVertex flagged_vertex(Level n, std::uint64_t k, std::uint64_t seed) {
   Random random(seed, stream + n, k);
   const std::uint32_t N = spec::side(n);
@@ -64,7 +64,7 @@ Finding goes_where_it_may(const AttributeSubject& s, Level n, const FlaggedVerte
   return wrong(fmt::format("{} or {}", text_of_vertex(before), text_of_vertex(after)), text_of_vertex(got));
 }
 
-/// A vertex of the levels above 12 goes elsewhere, where `moves` says so.
+/// A mutant that snaps vertices at levels above 12 as `moves` says.
 Mutant wrong_above_12(const char* name, Vertex (*moves)(Level n, const Vertex& asked, const Vertex& right)) {
   return mutant(name, "attribute-spec", {13, 16}, [moves](Functions& f) {
     f.decimation.snapped = [moves, real = f.decimation.snapped](

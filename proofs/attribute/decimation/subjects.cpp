@@ -63,7 +63,7 @@ Decimation library_decimation() {
     }
   };
   f.mean = [](std::uint8_t x, std::uint8_t y) {
-    // In one of the four codes, beside others that differ.
+    // The mean of one code in a word whose other three codes have other means.
     const std::uint32_t word =
         fast::mean_rgba8(0xff0001u | std::uint32_t{x} << 24, 0x01ff00u | std::uint32_t{y} << 24);
     return static_cast<std::uint8_t>(word >> 24);

@@ -1,4 +1,4 @@
-// Two levels of difference: why neighbours may differ by one alone, with a picture.
+// Law of neighbours two levels apart, which shows with a picture why one level is the most.
 #include <cmath>
 
 #include "proofs/attribute/decimation/law_parts.hpp"
@@ -27,8 +27,8 @@ Finding cracks(const AttributeSubject& s, Level n, const SharedEdge& e) {
   return found;
 }
 
-/// Both maps, the common edge between them; what is read at the place of the case is 1 at the finer map's vertex beside
-/// it that level n-2 has not, 0 elsewhere, and moves the finer map's edge away.
+/// A picture of both maps and their common edge.  The value is 1 at the finer map's vertex that level n-2 lacks,
+/// nearest to the place of the case, and 0 elsewhere; there the edges part.
 std::string drawn(Level n, const SharedEdge& e) {
   const double width = 760, left = 90, size = 580, middle = 380, slope = std::sqrt(3.0) / 2;
   const std::string title = fmt::format("An edge of level {} beside one of level {}", n, n - 2);
@@ -45,14 +45,14 @@ std::string drawn(Level n, const SharedEdge& e) {
           lifted, side(n)),
       15);
   const auto value = [&](double x) { return std::max(0.0, 1 - std::abs(x - lifted) / 2); };
-  // Less than the height of a row, so that nothing seems turned over.
+  // The lift is less than a row's height, so that nothing seems turned over.
   const double lift = 0.6 * size * slope / (2 * N);
   const auto on_edge = [&](double x, double high) { return Pixel{left + size * x / N, middle - high}; };
-  // What is between: the crack.
+  // The crack between the two edges.
   canvas.polygon({on_edge(lifted - 2, 0), on_edge(lifted, lift), on_edge(lifted + 2, 0)}, vermilion, "none",
                  0, 0.35);
 
-  // Above the edge the finer map: its micro-triangles as decimated, the edge along x.
+  // The finer map lies above the edge: its micro-triangles as decimated, the edge along x.
   const EdgeFlags flags = 1;
   const auto above = [&](const Vertex& x) {
     const double along = x.i + x.j / 2.0, high = x.j == 0 ? lift * value(x.i) : 0;
@@ -66,7 +66,7 @@ std::string drawn(Level n, const SharedEdge& e) {
         if (spec::attribute::doubled_area(c) == 0) continue;
         canvas.polygon({above(c[0]), above(c[1]), above(c[2])}, "none", blue, 1.5);
       }
-  // Below it the neighbour.
+  // The neighbour lies below it.
   const std::uint32_t M = side(n - 2);
   const auto below = [&](const Vertex& x) {
     return Pixel{left + size * (x.i + x.j / 2.0) / M, middle + size * slope * x.j / M * 0.5};

@@ -24,12 +24,12 @@ constexpr char definitions[] = R"(
   (ite (or (= d 0) (= d 2)) (not (bit_u d mid above)) mid))
 )";
 
-/// The triangle that is looked into: turned if a middle child was entered an odd number of times (mid), and whether
-/// children 0 and 2 have changed places (above: the XOR of the formula's t so far).
+/// The triangle that the curve is in.  mid: turned, since a middle child was entered an odd number of times.  above:
+/// children 0 and 2 have changed places (the XOR of the formula's t so far).
 struct Frame {
   Term mid, above;
 };
-/// iu, iv and iw, their low bits that are still to come.
+/// The low bits of iu, iv and iw that are still to come.
 struct Words {
   Counted iu, iv, iw;
 };
@@ -37,7 +37,7 @@ struct Words {
 /// Writes `held`, `bit_u`, `bit_v`, `bit_w` into a script.
 void define_curve(Script& script) { script.raw(definitions); }
 
-/// The words are those of a micro-triangle of the frame, which stands upright, or does not.
+/// The words are those of a micro-triangle inside the frame, upright or not.
 Term held(const Counted& M, const Term& mid, const Term& upright, const Words& w) {
   return apply("held", {M.term, mid, upright, w.iu.term, w.iv.term, w.iw.term}, boolean);
 }
@@ -76,7 +76,7 @@ CurveDigit curve_digit(Script& script, const Term& bu, const Term& bv, const Ter
   return {named(script, "digit", one_if(b0) + 2 * one_if(b1)), script.define("t", t)};
 }
 
-/// What is left of the words below m.
+/// The words less m, if they are not below m.
 Words rest_of(Script& script, const Words& w, const Counted& m) {
   const auto rest = [&](const char* name, const Counted& word) {
     return named(script, name, Counted(choose(at_most(m, word), (word - m).term, word.term)));
@@ -189,7 +189,7 @@ namespace {
 /// Corner 0, 1, 2 of the frame whose words begin at (a, b), M to a side.
 VertexOf<Counted> frame_corner(Script& script, const std::string& name, int corner, const Counted& a,
                                const Counted& b, const Counted& M, const Frame& frame) {
-  // Not turned: (a, b), (a+M, b), (a, b+M).  Turned: (a, b+M), (a+M, b+M), (a+M, b).  `above` changes the first two.
+  // Not turned: (a, b), (a+M, b), (a, b+M).  Turned: (a, b+M), (a+M, b+M), (a+M, b).  `above` swaps the first two.
   const auto at = [&](int k) {
     const auto pick = [&](const Counted& plain, const Counted& turned) {
       return Counted(choose(frame.mid, turned.term, plain.term));

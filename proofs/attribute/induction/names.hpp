@@ -1,4 +1,4 @@
-// Whole numbers that are names, and what the lemmas suppose of r(r+1)/2 and r^2.
+// Integers of a statement that stand under a name, and the premises of lemmas on r(r+1)/2 and r^2.
 #pragma once
 
 #include <functional>
@@ -24,8 +24,8 @@ using proofs::induction::Script;
 using proofs::induction::Statement;
 using proofs::induction::Term;
 
-/// An integer without bounds, of which triangular(r) is (T r) and square(r) is (S r), functions of which a statement
-/// knows what it supposes and no more.  So all but products by N stays linear.
+/// An unbounded integer.  triangular(r) is (T r) and square(r) is (S r), functions of which a statement knows its
+/// premises only.  So everything but products by N stays linear.
 class Counted {
  public:
   Counted(long long k) : term(proofs::induction::whole_number(k)) {}
@@ -78,7 +78,7 @@ inline Counted named(Script& script, const std::string& name, const Counted& for
   return Counted(script.define(name, formula.term));
 }
 
-/// What a program leaves under a name, every way that its branches can go.
+/// Defines a name as the result of a program, over every path that its branches can take.
 template <class Program, class Project>
 Counted outcome(Script& script, const std::string& name, Program program, Project project) {
   const auto paths = proofs::induction::every_path(program);
@@ -86,18 +86,18 @@ Counted outcome(Script& script, const std::string& name, Program program, Projec
       name, proofs::induction::as_formula(paths, [&](const auto& found) { return project(found).term; })));
 }
 
-/// What a lemma supposes, having been written into a script, and what it claims under that.
+/// The claims of a lemma, under the premises that it has written into a script.
 struct Lemma {
   std::vector<Term> claims;
-  Term occasion;  ///< on which a witness must come: a case that is no border case
+  Term occasion;  ///< the premise of a witness: a case that is no border case
 };
 
-/// Two statements: no case denies the claims; some case fulfils what is supposed.
+/// Adds two statements: no case denies the claims; some case fulfils the premises.
 void add(std::vector<Statement>& all, const std::string& name, const std::string& says,
          const std::function<Lemma(Script&)>& write);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// T(r) = r(r+1)/2: what triangular_step and triangular_ordered prove, supposed of single numbers
+// T(r) = r(r+1)/2: the facts that triangular_step and triangular_ordered prove, as premises on single numbers
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// Declares T, T(0) = 0.

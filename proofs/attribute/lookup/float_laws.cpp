@@ -27,7 +27,7 @@ bool inside(const FloatCase& p) {
   });
 }
 
-/// Hard floats of topic index; those an ulp beyond the hypotenuse go to its middle, where a tie is.
+/// Hard floats of topic index; a pair an ulp beyond the hypotenuse becomes its middle, where a tie is.
 FloatCase float_case(Level n, std::uint64_t k, std::uint64_t seed) {
   const points::FloatPair hard = points::hard_floats(n, seed, k);
   const FloatCase p{hard.u, hard.v};
@@ -53,7 +53,8 @@ Cases<FloatCase> on_floats(std::uint64_t fast, std::uint64_t long_run) {
   return cases;
 }
 
-/// A point as one of a batch, anywhere in it: what takes eight or sixteen points at a time has another way for few.
+/// A point at some place of a batch of other points: an implementation that takes eight or sixteen points at a time
+/// has another path for few.
 class Among {
  public:
   explicit Among(const FloatCase& p)
@@ -69,7 +70,7 @@ class Among {
     v_[at_] = p.v;
   }
   FloatPoints points() const { return {u_, v_}; }
-  /// What `ask(points, answers)` says of the point.
+  /// The answer of `ask(points, answers)` for the point.
   template <class Answer, class Ask>
   Answer answer(Ask ask) const {
     std::array<Answer, size> all{};
@@ -240,13 +241,13 @@ Law weights_law() {
 // attribute.interpolates_rgba8
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The value of vertex (i, j) in the map that the law looks up: neighbours are far apart in every channel.
+/// The value of a vertex in the map of the law; neighbours differ much in every channel.
 std::uint32_t colour(const Vertex& at) {
   Random random(0, at.i, at.j);
   return static_cast<std::uint32_t>(random.next());
 }
 
-/// That map in an order.
+/// The map of colour() in an order.
 const std::vector<std::uint32_t>& colour_map(VertexOrder order, Level n) {
   static std::mutex mutex;
   static std::map<std::pair<VertexOrder, Level>, std::vector<std::uint32_t>> made;
@@ -269,7 +270,7 @@ Law rgba8_law() {
       const auto of = [&](std::size_t c) { return colour(corners[c]) >> (8 * channel) & 0xff; };
       exact[channel] = spec::attribute::interpolated(w, {of(0), of(1), of(2)});
     }
-    // Half a code, and 2^-13 for what the weights and the sum are off.
+    // Half a code, and 2^-13 for the errors of weights and sum.
     const spec::Rational most(spec::Integer(4097), spec::Integer(8192));
     Finding finding;
     for (const VertexOrder order : vertex_orders) {

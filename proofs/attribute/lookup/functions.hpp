@@ -1,5 +1,5 @@
-// What a subject of topic attribute may have of lookups: a point's micro-triangle, triplet and weights, and values
-// between vertices.
+// The functions of a subject of topic attribute for lookups: a point's micro-triangle, triplet and weights, and
+// values between vertices.
 #pragma once
 
 #include <array>
@@ -27,9 +27,9 @@ using FixedWeights = spec::attribute::Weights<Fixed64>;
 using FloatWeights = spec::attribute::Weights<float>;
 using RationalWeights = spec::attribute::Weights<spec::Rational>;
 
-/// Points of the grid k / (4N), which binary32 holds as well.
+/// Points of the grid k / (4N), exact in binary32 as well.
 using Points = std::span<const GridPoint>;
-/// Points of binary32 numbers, u and v apart.
+/// Points of binary32 numbers, u and v in arrays of their own.
 struct FloatPoints {
   std::span<const float> u, v;
 };
@@ -38,9 +38,9 @@ struct FloatPoints {
 struct Lookup {
   std::function<void(VertexOrder, Level n, Points, std::span<Triplet>)> triplet = {};
   std::function<void(Level n, Points, std::span<FixedWeights>)> weights = {};
-  /// The micro-triangle that holds a point, by either rule for ties.
+  /// The micro-triangle that holds a point, by either tie rule.
   std::function<void(Ties, Level n, Points, std::span<MicroTriangle>)> holder = {};
-  /// Weights of any point on any micro-triangle, exactly.
+  /// The exact weights of any point on any micro-triangle.
   std::function<RationalWeights(Remap, Level n, const MicroTriangle&, const RationalPoint&)> remap = {};
 
   std::function<void(VertexOrder, Level n, FloatPoints, std::span<Triplet>)> triplet_of_floats = {};

@@ -1,4 +1,4 @@
-// Points on the cells of a level's grid as cases, and what a lookup says of one.
+// Points on the cells of a level's grid as cases, and the lookup of such a point.
 #pragma once
 
 #include <string>
@@ -15,14 +15,14 @@ struct GridCase {
   Kind kind;
 };
 
-/// (4N+1)(4N+2)/2, all of them: each vertex of the level, three points on each open edge, and three that are on
-/// no line inside each open micro-triangle.  A micro-triangle is constant on a cell and weights are affine there,
-/// so these points decide every rational one.
+/// The number of points, (4N+1)(4N+2)/2: each vertex of the level, three points on each open edge, and three points
+/// off every line inside each open micro-triangle.  A micro-triangle is constant on a cell and weights are affine
+/// there, so these points decide all rational points.
 constexpr std::uint64_t grid_count(Level n) { return vertex_count(n + 2); }
 
-/// As the vertices of level n+2 are numbered: column by column.
+/// The points in the order of the vertices of level n+2: column by column.
 void fill(Level n, std::uint64_t first, std::span<GridCase> out);
-/// "u=3/8,v=1/4".  BadCase where a text is no point of the grid.
+/// A point as text, "u=3/8,v=1/4".  read() throws BadCase if a text is no point of the grid.
 std::string text_of(const GridCase& of);
 void read(Level n, const std::string& text, GridCase& of);
 inline Kind kind_of(const GridCase& of, Kind) { return of.kind; }
@@ -57,7 +57,7 @@ std::vector<Looked> looked_up(const AttributeSubject& s, VertexOrder order, Leve
                               std::span<const GridPoint> at);
 std::string text_of(const Looked& found);
 
-/// What a value there is made of: the vertices with a weight, and the weights, in the order of their indices.
+/// The parts of an interpolated value: the vertices with a weight, and the weights, in the order of their indices.
 class Blend {
  public:
   void add(std::uint64_t vertex, const Fixed64& weight);
@@ -68,10 +68,10 @@ class Blend {
   std::size_t size_ = 0;
 };
 Blend blend_of(const Looked& found);
-/// The same of a micro-triangle that holds the point, by the pattern.
+/// The blend on a micro-triangle that holds the point, by the pattern.
 Blend blend_on(const MicroTriangle& t, VertexOrder order, Level n, const GridPoint& at);
 
-/// The closed micro-triangles that hold a point, up to six: all around it are tried.
+/// The closed micro-triangles that hold a point, up to six, found by trying all around it.
 std::vector<MicroTriangle> all_holders(Level n, const GridPoint& at);
 
 }  // namespace mmverify::proofs::attribute

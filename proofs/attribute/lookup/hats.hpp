@@ -1,4 +1,4 @@
-// What a value interpolated at a point is made of: vertices and the weights of their values.
+// Weighted vertices of an interpolated value, sorted so that two can be compared.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace mmverify::proofs::attribute {
 
-/// Weights by the number of their place, a vertex or a position on an edge; none is 0.
+/// Weights by place: the number of a vertex or a position on an edge.  No weight is 0.
 using Hats = std::vector<std::pair<std::uint64_t, double>>;
 
-/// Adds up the weights of one place, leaves out those that are 0 and sorts by place.
+/// Adds up the weights of each place, drops zeros and sorts by place.
 inline Hats tidy(Hats hats) {
   std::sort(hats.begin(), hats.end());
   Hats sums;
@@ -37,7 +37,7 @@ inline Hats hats_of(const WeightedVertices& w) {
   return tidy(std::move(hats));
 }
 
-/// Whether the weights are the same within a bound, those that are not there 0.
+/// Whether all weights agree within a bound; a missing weight counts as 0.
 inline bool same(const Hats& a, const Hats& b, double within) {
   Hats difference = a;
   for (const auto& [place, weight] : b) difference.emplace_back(place, -weight);
@@ -46,9 +46,9 @@ inline bool same(const Hats& a, const Hats& b, double within) {
   return true;
 }
 
-/// "1/2 of i=0,j=1 + ...", weights in decimal.
+/// The hats as text, "1/2 of i=0,j=1 + ...", weights in decimal.
 std::string text_of(const Hats& hats);
-/// "0.5 of 2 + ...": places on an edge.
+/// The hats by places on an edge as text, "0.5 of 2 + ...".
 std::string text_of_places(const Hats& hats);
 
 /// The number of binary64 nearest to a fixed-point number.
@@ -57,9 +57,9 @@ double as_number(const spec::Fixed<Word, F>& q) {
   return std::ldexp(static_cast<double>(q.raw()), -static_cast<int>(F));
 }
 
-/// The hats of each live micro-triangle that holds the point once vertices have snapped, found by trying all that lie
-/// near.  A vertex moves by one step along its edge (level 1: a triangle of two steps), so that one that holds the point
-/// has its square at most two squares from the point's.
+/// The hats of each live micro-triangle that holds the point once vertices have snapped.  A vertex moves one step
+/// along its edge (level 1: a triangle of two steps), so the square of such a micro-triangle is at most two squares
+/// away from the point's.
 template <class Q>
 std::vector<Hats> all_that_hold(const spec::Point<Q>& p, Level n, EdgeFlags flags) {
   std::vector<Hats> found;

@@ -16,10 +16,10 @@ std::vector<GridPoint> grid_points(std::span<const GridCase> points) {
   return at;
 }
 
-/// Whether a law holds of a lookup at a point.
+/// Whether a law holds for a lookup at a point.
 using OnLooked = bool (*)(VertexOrder, Level, const GridCase&, const Looked&);
 
-/// A law of what a lookup finds, in the three orders.
+/// A law on lookups, in the three orders.
 Batches<GridCase> on_lookups(const char* expected, OnLooked holds) {
   Batches<GridCase> cases;
   cases.settings = settings_of(vertex_orders);
@@ -40,7 +40,7 @@ Batches<GridCase> on_lookups(const char* expected, OnLooked holds) {
   return cases;
 }
 
-/// The micro-triangle of a triplet, if it is one.
+/// The micro-triangle of a triplet, if its vertices are the corners of one.
 std::optional<MicroTriangle> triangle_of_indices(VertexOrder order, Level n, const Triplet& x) {
   for (const std::uint32_t k : x)
     if (k >= vertex_count(n)) return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<MicroTriangle> triangle_of_indices(VertexOrder order, Level n, con
   return t;
 }
 
-// Wrong lookups: what one says of weights and of triplets, changed.
+// Wrong lookups: changed weights and changed triplets.
 
 template <class Change>
 auto on_weights(Change change) {
@@ -257,7 +257,7 @@ Law face_ties_law() {
     const auto found = both(s, n, grid_points(points));
     for (std::size_t k = 0; k < points.size(); ++k) {
       const MicroTriangle &a = found[0][k], &b = found[1][k];
-      // Where they differ they are neighbours across the line.
+      // Two different micro-triangles must be neighbours across the line.
       const bool beside = b.iu + 1 == a.iu;
       out[k] = {a.iu + 3 * std::uint64_t{b.iu} + 5 * std::uint64_t{a.iv} + (a.upper ? 1 : 0),
                 rules_differ(n, points[k].at) ? beside : a == b};

@@ -1,4 +1,4 @@
-// What the paper says of lookups and is not so.
+// Laws that refute the paper's claims on lookups.
 #include <cmath>
 
 #include "proofs/attribute/law_groups.hpp"
@@ -17,14 +17,14 @@ struct Witness {
   float u, v;
 };
 
-/// Below level 14 a point of no special kind; at level 14 the centre of the first micro-triangle, column by column, whose
-/// determinant is 0 in binary32: the lower one of square (3493, 9613).
+/// The point below level 14 has no special place.  At level 14 it is the centre of the first micro-triangle, column
+/// by column, whose determinant is 0 in binary32: the lower one of square (3493, 9613).
 Witness cramer_witness(Level n) {
   if (n < 14) return {0.1f, 0.2f};
   return {3493.25f / 16384, 9613.25f / 16384};
 }
 
-/// 2^24 times the greatest error of a weight; infinite where a weight is no number.
+/// 2^24 times the greatest error of a weight; infinite if a weight is no number.
 double cramer_error(const AttributeSubject& s, Level n, const Witness& p) {
   const RationalPoint at{points::rational(p.u), points::rational(p.v)};
   const RationalWeights exact =
@@ -187,7 +187,8 @@ Law not_closest_law() {
        .long_run = {0, 6},
        .fast_seconds = 0.2,
        .domain = [](const Subject&, Level) { return std::string("the centroids of the 4^n faces"); },
-       // Face 0 of level 1 is the w-corner's: its nearest are (0,0), (1,0) and (2,0), W-minor's 0, 1 and 3.
+       // The nearest vertices of face 0 of level 1, at the w-corner, are (0,0), (1,0) and (2,0), W-minor's 0, 1 and
+       // 3.
        .mutants = {mutant("the nearest three at the w-corner of level 1", "attribute-spec", {1, 1},
                           on_triplet_of(1, 0, {0, 1, 3})),
                    mutant("the v-corner's three are others", "attribute-spec", {2, 2},

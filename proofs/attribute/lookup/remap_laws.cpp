@@ -1,4 +1,4 @@
-// The three ways of remapping, exactly; remapping in steps; and why a lookup is not made of steps.
+// Laws of the three exact remaps, of remapping in steps, and of lookups that cannot be made of steps.
 #include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/lookup/grid_cases.hpp"
 
@@ -14,7 +14,7 @@ using spec::attribute::within;
 // attribute.remaps_agree
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The pattern's weights, and those of another way, on the micro-triangle that holds the point or one that does not.
+/// The weights by the pattern and by another remap, on the micro-triangle that holds the point or on another one.
 struct TwoRemaps {
   RationalWeights pattern, other;
 };
@@ -23,7 +23,7 @@ const std::vector<std::string> remap_settings{"two", "cramer", "two-outside", "c
 
 TwoRemaps two_remaps(const AttributeSubject& s, Level n, std::size_t setting, const GridPoint& at) {
   MicroTriangle t = vulkan_triangle(at, n);
-  // Outside: the last upper one of its row, or the triangle's w-corner.
+  // The settings with a micro-triangle outside take the last upper one of its row, or the triangle's w-corner.
   if (setting >= 2)
     t = t.iu + t.iv == 0 || n == 0 ? MicroTriangle{0, 0, false} : MicroTriangle{t.iu + t.iv - 1, 0, true};
   const RationalPoint p = points::rational(at);
@@ -102,14 +102,14 @@ Law remaps_agree_law() {
 // attribute.remap_composes
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Step a of the splits: 1, half, all but 1.
+/// The level a of the first step: 1, half of n, or n - 1.
 Level split_of(std::size_t setting, Level n) {
   if (n == 0) return 0;
   return setting == 0 ? 1 : setting == 1 ? n / 2 : n - 1;
 }
 
-/// What a subject gives in two steps: a point's micro-triangle and weights at level a, and that point within it at
-/// level b, its vertices as those of level a+b.
+/// A lookup in two steps: the point's micro-triangle and weights at level a, then the point within it at level b. The
+/// triplet has vertices of level a+b.
 Looked in_two_steps(const AttributeSubject& s, Level a, Level b, const GridPoint& at) {
   const auto order = VertexOrder::u_major;
   const auto corners = [&](Level n, const Looked& found) {
@@ -187,8 +187,8 @@ Law remap_composes_law() {
 // attribute.tie_recursion_false
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Where the steps go wrong, of level 2 on: ties inside the middle triangle of level 1, which is turned, so that they
-/// go the other way; and those vertices of its edge u+v = 1/2 that are no corners.
+/// Points at which the steps go wrong, from level 2 on.  These are ties inside the middle triangle of level 1, which
+/// is turned so that ties go the other way, and the vertices of its edge u+v = 1/2 that are no corners.
 bool turned_tie(const GridCase& point) {
   const Fixed64 half = Fixed64::dyadic(1, 1), &u = point.at.u, &v = point.at.v;
   const bool left = u < half && v < half;
@@ -196,7 +196,7 @@ bool turned_tie(const GridCase& point) {
          ((point.kind != Kind::interior && half < u + v) || (point.kind == Kind::vertex && u + v == half));
 }
 
-/// The micro-triangle that the steps 1 and n-1 end at.
+/// The micro-triangle found in two steps, of level 1 and level n-1.
 MicroTriangle by_recursion(const AttributeSubject& s, Level n, const GridPoint& at) {
   MicroTriangle outer{}, inner{};
   s.functions.lookup.holder(Ties::vulkan, 1, {&at, 1}, {&outer, 1});

@@ -1,4 +1,4 @@
-// The level of detail that a ray cone asks for.
+// Laws of the level of detail for a ray cone.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -31,7 +31,7 @@ float float_of(const std::string& text, const std::string& all) {
   try {
     x = std::stof(text, &end);
   } catch (const std::out_of_range&) {
-    // A subnormal is no error.
+    // A subnormal is no error, unlike in std::stof.
     x = std::strtof(text.c_str(), nullptr);
     end = text.size();
   } catch (const std::invalid_argument&) {
@@ -47,8 +47,8 @@ Areas areas_of_text(const std::string& text) {
   return {float_of((*g)[1], text), float_of((*g)[2], text)};
 }
 
-/// Triangles a few ulps from 4^m times the cone, for m below 0 and beyond the last level, too; any two; and what lies at
-/// the ends: 0, subnormals, the largest.
+/// Hard pairs of areas: triangles a few ulps from 4^m times the cone, also for m below 0 and beyond the last level;
+/// any two areas; and the ends: 0, subnormals, the largest.
 Areas hard_areas(Level n, std::uint64_t k, std::uint64_t seed) {
   Random random(seed, 21 + n, k);
   constexpr std::array<float, 8> ends{0.0f,      0x1p-149f, 0x1.8p-148f, 0x1.fffffcp-127f,
@@ -71,7 +71,7 @@ Areas hard_areas(Level n, std::uint64_t k, std::uint64_t seed) {
   return {cone, triangle};
 }
 
-/// The greatest m in 0..n with 4^m A_c <= A_t, or 0: the products of a binary32 number and 4^m are numbers of binary64.
+/// The greatest m in 0..n with 4^m A_c <= A_t, or 0.  The product of a binary32 number and 4^m is exact in binary64.
 Level exact_level(Level n, const Areas& a) {
   const auto cone = static_cast<double>(a.cone), triangle = static_cast<double>(a.triangle);
   for (Level m = n; m > 0; --m)
@@ -126,7 +126,7 @@ Law lod_level_law() {
   cases.read = [](Level, const std::string& at) { return areas_of_text(at); };
   cases.check = [](const AttributeSubject& s, Level n, const Areas& a) {
     const Level expected = exact_level(n, a), got = level_of(s, n, a);
-    // Both areas 0: every level does.
+    // Every level is right if both areas are 0.
     if (got != expected) return wrong(fmt::format("level {}", expected), fmt::format("level {}", got));
     Finding found;
     found.answer = got;
@@ -267,7 +267,7 @@ Law lod_blend_law() {
 // The paper
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Areas in whole numbers, as small as they get: one cone, all triangles up to a number.
+/// The bound of areas in small whole numbers: one cone, all triangles up to it.
 constexpr std::uint32_t whole_areas = 130;
 
 Law lod_words_law() {
@@ -331,8 +331,9 @@ struct TwoAreas {
   std::uint32_t a, b;
 };
 
-/// What both read in the middle of the edge, where their maps of level n have 1, and 0 at both of its ends: from level 1
-/// on 1, at level 0 the mean of the ends.
+/// The law that values jump at an edge whose triangles have other areas.  Both triangles' maps of level n have 1 in
+/// the middle of the edge and 0 at its ends.  The middle reads 1 from level 1 on, and the mean of the ends at level
+/// 0.
 Law lod_jumps_law() {
   Cases<TwoAreas> cases;
   cases.count = [](Level n, const Run&) -> std::uint64_t { return std::uint64_t{2 * n + 3} * (2 * n + 3); };
@@ -356,7 +357,7 @@ Law lod_jumps_law() {
       return lod.level == n ? at_level(n)
                             : (1 - lod.blend) * at_level(lod.level) + lod.blend * at_level(lod.level + 1);
     };
-    // l = power/2, and from level 1 on both read 1.
+    // l = power/2, and from level 1 on both triangles read 1.
     const auto expected = [&](std::uint32_t power) { return n == 0 ? 0.0 : std::min(power / 2.0, 1.0); };
     if (middle(t.a) != expected(t.a) || middle(t.b) != expected(t.b))
       return wrong(fmt::format("{} and {}", expected(t.a), expected(t.b)),

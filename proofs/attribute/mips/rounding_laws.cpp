@@ -1,4 +1,4 @@
-// Roundings of means, and what chains of them are off by.
+// Laws of rounded means, and of the error of chains.
 #include <array>
 #include <vector>
 
@@ -11,26 +11,26 @@ namespace {
 
 using spec::attribute::face_count;
 
-/// Two children of the first channel; with them go all pairs of some codes.
+/// Two children of the first channel; each case combines them with pairs of other codes.
 struct TwoCodes {
   Rounding rounding;
   std::uint32_t a, b;
 };
 
-/// The pair of a channel: each has all pairs, in an order of its own.
+/// The pair of a channel; over all cases each channel has all pairs, in an order of its own.
 std::uint32_t pair_of(const TwoCodes& two, unsigned which) {
   const std::uint32_t pair = two.a << 8 | two.b;
   return which == 0 ? pair : shuffled(pair, 16, which);
 }
 
-/// The other two.
+/// The other two children.
 struct TwoMore {
   std::uint32_t c, d;
 };
 
-/// Pairs (c, d): word k has pair number k in its first code, the next in its second, and so on, so that each is met in each
-/// of the four.  A second round takes the next but one, for carries from code to code.  Three words
-/// more begin anew, for what is left of whole eights.
+/// Checks the means of a pair with all pairs (c, d).  Word k has pair k in its first code, the next pair in its
+/// second, and so on, so that each pair occurs in each of the four codes.  A second round takes every other pair
+/// instead, for carries from code to code.  Three more words begin anew, for the remainder after multiples of eight.
 Finding all_with(const AttributeSubject& s, const TwoCodes& two, std::span<const TwoMore> pairs,
                  std::size_t rounds) {
   const std::size_t count = pairs.size(), words = rounds * count + 3;
@@ -76,7 +76,7 @@ Law mip_rounding_law(const char* id, bool all) {
     return TwoCodes{rounding_of((*g)[1], at), static_cast<std::uint32_t>(number_of((*g)[2], at, 255)),
                     static_cast<std::uint32_t>(number_of((*g)[3], at, 255))};
   };
-  // Sums of every remainder, and the ends.
+  // Pairs with sums of every remainder, and the extremes.
   std::vector<TwoMore> pairs{{0, 0}, {0, 1}, {1, 1}, {3, 0}, {127, 128}, {3, 128}, {254, 255}, {255, 255}};
   if (all) {
     pairs.resize(65536);
@@ -127,12 +127,12 @@ Law mip_rounding_law(const char* id, bool all) {
   return on_cases(std::move(law), needing({face_mip_entry}), std::move(cases));
 }
 
-/// A rounding's drift: the sum of 4 mip - sum over the quadruples of codes 0..7, 4096 of them, whose sums are spread evenly
-/// over all remainders of 8; adding 8 to a code moves sum and mip alike.
+/// A rounding's drift: the sum of 4 mip - sum over the 4096 quadruples of codes 0..7.  Their sums are spread evenly
+/// over all remainders of 8, and adding 8 to a code changes sum and mip alike.
 Finding drifts(const AttributeSubject& s, Rounding r) {
   constexpr std::array<std::int64_t, 4> eighths{1, 0, -3, 4};  // of a code
   std::vector<std::uint32_t> children(4096), parents(1024);
-  // Shuffled, so that a word's four codes are of quadruples that have nothing to do with each other.
+  // The order is shuffled, so that a word's four codes belong to unrelated quadruples.
   const auto code = [](std::size_t q, unsigned child) {
     return shuffled(static_cast<std::uint32_t>(q), 12, 0) >> 3 * child & 7;
   };
@@ -202,14 +202,14 @@ Law mip_drift_law() {
 // Chains
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// A chain of one rounding from a random base, or, number 0, from the base that each step rounds the worst.
+/// A chain of one rounding from a random base; number 0 has the base that every step rounds worst.
 struct ChainCase {
   Rounding rounding;
   std::uint64_t number;
   std::uint64_t seed;
 };
 
-/// Four children whose mean rounds to x, as far off as it can be.
+/// Four children whose mean rounds to x with the greatest error.
 Codes worst_children(Rounding r, std::uint32_t x) {
   switch (r) {
     case Rounding::half_up:
@@ -228,7 +228,7 @@ std::vector<std::uint32_t> base_of(Level n, const ChainCase& c) {
   std::vector<std::uint32_t> base(static_cast<std::size_t>(face_count(n)));
   if (c.number != 0) {
     Random random(c.seed, n, c.number);
-    // Near each other, near a border, or anything.
+    // Codes near each other, near a border, or any.
     const std::uint32_t range = c.number % 3 == 0   ? 0xffffffffu
                                 : c.number % 3 == 1 ? 0x03030303u
                                                     : 0x01010101u;
@@ -249,7 +249,7 @@ std::vector<std::uint32_t> base_of(Level n, const ChainCase& c) {
   return base;
 }
 
-/// 4 times what a chain made level by level may be off by for each level, upwards and downwards, and whether number 0 is.
+/// 4 times the greatest error per level, upwards and downwards, of a chain made level by level.
 struct ErrorBound {
   std::int64_t up, down;
 };
@@ -276,7 +276,7 @@ Finding chain_holds(const AttributeSubject& s, Level n, const ChainCase& c) {
     for (Level m = 0; m < n; ++m) {
       const auto under = static_cast<std::int64_t>(face_count(n - m));
       const auto [up, down] = quarters_a_level(c.rounding);
-      // In units of 1/(4 under) of a code.
+      // The errors count in units of 1/(4 under) of a code.
       const std::int64_t levels = of == ChainOf::level_above ? n - m : 1;
       std::int64_t above = up * levels * under, below = down * levels * under;
       if (of == ChainOf::exact_sums && c.rounding == Rounding::truncate) below = 4 * under - 1;

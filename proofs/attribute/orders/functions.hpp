@@ -1,4 +1,4 @@
-// What a subject of topic attribute may have of orders: index <-> place, of vertices and of faces.
+// The functions of a subject of topic attribute for orders: index <-> place, of vertices and of faces.
 #pragma once
 
 #include <array>
@@ -16,11 +16,10 @@ using spec::attribute::MicroTriangle;
 using spec::attribute::Vertex;
 using spec::attribute::VertexOrder;
 
-/// Indices of three vertices, as subjects give them: they fit 32 bits up to level 16.
+/// The indices of three vertices, as subjects give them; they fit 32 bits up to level 16.
 using Triplet = std::array<std::uint32_t, 3>;
 
-/// Batches: answer k is that of element k, and as many are asked for as there are elements.  Domain: level n in 0..16,
-/// elements of that level.
+/// Batches: answer k is that of element k, one answer an element.  Domain: level n in 0..16, elements of that level.
 struct Orders {
   std::function<void(VertexOrder, Level n, std::span<const Vertex>, std::span<std::uint32_t> index)>
       vertex_index = {};
@@ -30,19 +29,19 @@ struct Orders {
       face_index = {};
   std::function<void(FaceOrder, Level n, std::span<const std::uint32_t> index, std::span<MicroTriangle>)>
       face_at = {};
-  /// Index to index, from one order to another.
+  /// An index of one order to the index in another.
   std::function<void(VertexOrder from, VertexOrder to, Level n, std::span<const std::uint32_t> index,
                      std::span<std::uint32_t>)>
       convert_vertices = {};
   std::function<void(FaceOrder from, FaceOrder to, Level n, std::span<const std::uint32_t> index,
                      std::span<std::uint32_t>)>
       convert_faces = {};
-  /// The vertices of faces, both by index: the base, and one step along u and along v from there (an upper one's are
-  /// backwards).
+  /// The vertices of faces, both by index: the base, then one step along u and one along v (backwards for upper
+  /// faces).
   std::function<void(FaceOrder, VertexOrder, Level n, std::span<const std::uint32_t> face,
                      std::span<Triplet>)>
       triplet = {};
-  /// And back.
+  /// The face of a triplet.
   std::function<void(FaceOrder, VertexOrder, Level n, std::span<const Triplet>,
                      std::span<std::uint32_t> face)>
       face_of = {};

@@ -1,4 +1,4 @@
-// Where vertices and faces lie in a map: each has a place, the place is the walk's, and there is a way back.
+// Laws of the places of vertices and faces in a map: each has its own, it is the walk's, and it can be inverted.
 #include <atomic>
 #include <vector>
 
@@ -17,12 +17,12 @@ const std::vector<std::string> all_subjects{"attribute-spec", "attribute", "attr
 // attribute.order_bijective
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// One bit an index of each of three orders.
+/// One bit for each index of the three orders.
 class Seen {
  public:
   explicit Seen(std::uint64_t count)
       : count_(count), words_(static_cast<std::size_t>((3 * count + 63) / 64)) {}
-  /// Marks the index; says whether it is new, and one of the level.
+  /// Marks the index; returns whether it is new and belongs to the level.
   bool mark(std::size_t order, std::uint64_t index) {
     if (index >= count_) return false;
     const std::uint64_t place = order * count_ + index, bit = std::uint64_t{1} << (place % 64);
@@ -34,7 +34,7 @@ class Seen {
   std::vector<std::atomic<std::uint64_t>> words_;
 };
 
-/// The first vertex before another that has the same index, if any.
+/// The first vertex before another with the same index, if any.
 std::optional<Vertex> earlier_owner(const AttributeSubject& s, Level n, VertexOrder order,
                                     std::uint32_t index, const Vertex& before) {
   std::vector<Vertex> at(elements_per_chunk);
@@ -58,7 +58,7 @@ Words not_its_own(const AttributeSubject& s, Level n, VertexOrder order, const V
   return words(owner ? fmt::format("{}, which {} has", index, text_of(*owner)) : fmt::format("{}", index));
 }
 
-/// Calls report(order, number, vertex) where an index of [begin, end) was seen before or is none of the level.
+/// Calls report(order, number, vertex) for each index of [begin, end) that was seen before or lies outside the level.
 template <class Report>
 void each_repeat(const AttributeSubject& s, Level n, Chunk chunk, Seen& seen, Tally& tally, Report report) {
   const std::uint64_t count = vertex_count(n);
@@ -76,7 +76,7 @@ void each_repeat(const AttributeSubject& s, Level n, Chunk chunk, Seen& seen, Ta
 }
 
 Tally bijective(const AttributeSubject& s, Level n, const Run& run) {
-  // How many indices come a second time does not depend on the threads; which vertex comes second does.
+  // The number of repeated indices does not depend on the threads; the vertex that repeats one does.
   const std::uint64_t count = vertex_count(n);
   Seen seen(count);
   Tally tally = sweep(run, 3 * count, 16 * elements_per_chunk, [&](Chunk chunk, Tally& part) {
@@ -166,7 +166,7 @@ Law inverse_law() {
                        std::vector<std::uint32_t>& index) {
     index = indices_of(s, vertex_orders[order], n, at);
     std::vector<Vertex> found(at.size());
-    // Beyond its domain the way back may do anything.
+    // An index beyond the level is outside the inverse's domain.
     std::vector<std::uint32_t> asked = index;
     for (std::uint32_t& x : asked) x = std::min(x, static_cast<std::uint32_t>(vertex_count(n) - 1));
     s.functions.orders.vertex_at(vertex_orders[order], n, asked, found);
@@ -246,7 +246,7 @@ Law walk_law() {
     return Words{fmt::format("{}", vertex_walks(n)->index(vertex_orders[order], at)),
                  fmt::format("{}", indices_of(s, vertex_orders[order], n, {&at, 1})[0])};
   };
-  // Bird's formula with something else in it, on the vertices that a level adds.
+  // Bird's formula with a wrong part, on the vertices that a level adds.
   const auto wrong_bird = [](auto index_of) {
     return on_vertex_index(VertexOrder::bird, [index_of](Level n, const Vertex& v, std::uint32_t x) {
       return new_at(n, v) ? static_cast<std::uint32_t>(index_of(n, v)) : x;
@@ -303,7 +303,8 @@ Law walk_law() {
 // attribute.face_orders
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Of a point inside the face: the index algorithms' answers; of U-major the strips before it, counted by area.
+/// The index of a face, from a point inside it: by the index algorithms, and for U-major from the area of the strips
+/// before it.
 std::uint32_t face_index_of_point(FaceOrder order, Level n, const MicroTriangle& t) {
   const points::GridPoint inside = points::representative(points::MicroTriangle{t.iu, t.iv, t.upper}, n);
   switch (order) {
@@ -314,7 +315,7 @@ std::uint32_t face_index_of_point(FaceOrder order, Level n, const MicroTriangle&
     case FaceOrder::u_major:
       break;
   }
-  // The faces beyond column iu are those of a triangle with N-iu on a side.
+  // The faces from column iu on form a triangle with N-iu on a side.
   const std::uint64_t left = spec::side(n) - t.iu;
   return static_cast<std::uint32_t>(face_count(n) - left * left) + 2 * t.iv + (t.upper ? 1 : 0);
 }

@@ -1,4 +1,4 @@
-// What figure 4 prints of orders, in the words and roots that shaders have.
+// Laws of the orders that figure 4 prints, in the words and roots of shaders.
 #include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/orders/parts.hpp"
 
@@ -14,7 +14,7 @@ struct OnLastDiagonals {
   Vertex at;
 };
 
-/// i+j = N-1 in the first N of a half, i+j = N in the rest; the first half is W-minor's.
+/// Vertices with i+j = N-1 in the first N cases of a half, i+j = N in the rest.  The first half is W-minor's.
 OnLastDiagonals on_last_diagonals(Level n, std::uint64_t k) {
   const std::uint32_t N = spec::side(n), t = static_cast<std::uint32_t>(k % (2 * std::uint64_t{N} + 1));
   const std::uint32_t sum = t < N ? N - 1 : N, j = t < N ? t : t - N;
@@ -39,8 +39,8 @@ Law products_law() {
   cases.check = [](const AttributeSubject& s, Level n, const OnLastDiagonals& c) {
     const std::uint32_t got = indices_of(s, c.order, n, {&c.at, 1})[0];
     const std::uint64_t right = spec::attribute::vertex_index(c.order, c.at, n);
-    // r(r+1) passes 2^32 where r = 2^16.  i(N+2) does so from i = 65,535 on, which a difference undoes; i(i+1), which is
-    // halved afterwards, at i = 2^16.
+    // r(r+1) passes 2^32 at r = 2^16.  i(N+2) does so from i = 65,535 on, but the difference undoes it.  i(i+1),
+    // which is halved afterwards, does so at i = 2^16.
     const std::uint32_t limit = 1u << 16;
     const bool wraps = c.order == VertexOrder::w_minor ? c.at.i + c.at.j == limit : c.at.i == limit;
     if ((got == right) != wraps) return Finding{got};
@@ -92,14 +92,14 @@ std::uint32_t to_index(std::uint32_t row, std::uint32_t column) {
   return static_cast<std::uint32_t>(std::uint64_t{row} * (row + 1) / 2 + column);
 }
 
-/// Figure 4's triplet of a face in a row at a column, beyond the row's end too.
+/// Figure 4's triplet of a face in a row at a column, which may lie beyond the row's end.
 Triplet printed(std::uint32_t row, std::uint32_t col) {
   const std::uint32_t c = col / 2;
   if (col % 2 == 0) return {to_index(row, c), to_index(row + 1, c), to_index(row + 1, c + 1)};
   return {to_index(row, c), to_index(row + 1, c + 1), to_index(row, c + 1)};
 }
 
-/// Of a face in rows, the triplet that is wanted.
+/// The expected triplet of a face in rows.
 using Wanted = Triplet (*)(Level, const MicroTriangle&, std::uint32_t index);
 
 Batches<MicroTriangle> triplets_of_rows(Wanted wanted) {
@@ -129,7 +129,7 @@ Batches<MicroTriangle> triplets_of_rows(Wanted wanted) {
   return cases;
 }
 
-/// A change of the triplets of rows.
+/// A mutant that changes the triplets of rows.
 template <class Change>
 auto on_rows(Change change) {
   return [change](Functions& f) {
@@ -210,7 +210,7 @@ Law short_root_law() {
         const std::uint32_t row = t.iu + t.iv + (t.upper ? 1 : 0);
         const bool first = index == row * row && row != 0;
         Triplet wanted = first ? printed(row - 1, 2 * row - 1) : printed(row, index - row * row);
-        if (first) wanted[2] = to_index(row, 0);  // the alias, said once more
+        if (first) wanted[2] = to_index(row, 0);  // the same index as to_index(row - 1, row)
         return wanted;
       }));
 }

@@ -1,4 +1,4 @@
-// What the laws of orders share: settings, entry points, wrong orders.
+// Common parts of the laws of orders: settings, entry points, wrong orders.
 #pragma once
 
 #include <string>
@@ -35,7 +35,7 @@ std::vector<std::string> settings_of(const std::array<Order, 3>& orders) {
   return {name_of(orders[0]), name_of(orders[1]), name_of(orders[2])};
 }
 
-/// "from>to" for the nine pairs.
+/// A pair of orders, named "from>to", of the nine pairs.
 template <class A, class B>
 struct Pair {
   A from;
@@ -69,8 +69,7 @@ inline std::vector<std::uint32_t> indices_of(const AttributeSubject& s, FaceOrde
   return index;
 }
 
-/// A change of a subject: what it says of an element's index in one order.
-/// `change(n, element, index)` gives the new index.
+/// A mutant that changes an element's index in one order: `change(n, element, index)` gives the new index.
 template <class Change>
 auto on_vertex_index(VertexOrder of, Change change) {
   return [of, change](Functions& f) {
@@ -101,7 +100,7 @@ inline std::string faces_in_orders(const Subject&, Level) { return "the 4^n face
 
 inline std::string text_of(const Triplet& x) { return fmt::format("{} {} {}", x[0], x[1], x[2]); }
 
-/// Bird's vertices that level n adds.
+/// Whether a vertex in Bird's order is new at level n.
 inline bool new_at(Level n, const Vertex& at) { return n != 0 && (at.i % 2 != 0 || at.j % 2 != 0); }
 
 }  // namespace mmverify::proofs::attribute

@@ -13,7 +13,7 @@ namespace {
 using spec::attribute::vertex_count;
 using spec::attribute::vertex_orders;
 
-/// A number in [0, last]: an end, beside a power of two, or any.
+/// A number in [0, last]: near an end, near a power of two, or any.
 std::uint32_t number(Random& random, std::uint32_t last) {
   const auto any = [&] { return static_cast<std::uint32_t>(random.below(std::uint64_t{last} + 1)); };
   switch (random.below(4)) {
@@ -30,7 +30,7 @@ std::uint32_t number(Random& random, std::uint32_t last) {
   }
 }
 
-/// The vertex that is `a` along one side from a corner and `b` along the other.
+/// The vertex `a` steps along one side from a corner and `b` along the other.
 Vertex from_corner(std::uint64_t corner, std::uint32_t N, std::uint32_t a, std::uint32_t b) {
   return corner == 0 ? Vertex{a, b} : corner == 1 ? Vertex{N - a - b, a} : Vertex{b, N - a - b};
 }
@@ -64,7 +64,7 @@ Vertex drawn_vertex(Level n, std::uint64_t k, std::uint64_t seed) {
       return from_corner(random.below(3), N, off, along);
     }
     case 3: {
-      // Of row r = i + j, or of column i.
+      // A vertex near an end of row r = i + j, or of column i.
       const std::uint32_t r = number(random, N), at = number(random, 3) % (r + 1),
                           j = random.below(2) == 0 ? at : r - at;
       if (random.below(2) == 0) return {r - j, j};

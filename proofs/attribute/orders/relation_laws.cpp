@@ -1,4 +1,4 @@
-// How orders are related: to the next level, to each other, and to faces.
+// Relations of orders: to the next level, to each other, and to faces.
 #include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/orders/parts.hpp"
 
@@ -7,12 +7,12 @@ namespace {
 
 const std::vector<std::string> related_subjects{"attribute-spec", "attribute", "attribute-single"};
 
-/// Two answers to compare, as numbers; and what is said where they are not what the law wants.
+/// Two lists of answers to compare, as numbers.
 struct Compared {
   std::vector<std::uint32_t> left, right;
 };
 
-/// A law on vertices about two lists of indices of each setting; `holds` judges a pair, `wanted` words it.
+/// A law on two lists of vertex indices in each setting; `holds` judges a pair, `wanted` words the expectation.
 struct TwoIndices {
   std::function<Compared(const AttributeSubject&, Level, std::size_t setting, std::span<const Vertex>)> both;
   std::function<bool(Level, std::size_t setting, const Vertex&, std::uint32_t left, std::uint32_t right)>
@@ -44,7 +44,7 @@ std::vector<Vertex> scaled(std::span<const Vertex> at, Level by) {
   return found;
 }
 
-/// Defined at level n+1, too.
+/// The law also needs level n+1.
 std::function<std::optional<std::string>(const Subject&, Level)> one_level_more(
     const std::function<std::optional<std::string>(const Subject&, Level)>& unfit) {
   return [unfit](const Subject& s, Level n) -> std::optional<std::string> {
@@ -56,7 +56,7 @@ std::function<std::optional<std::string>(const Subject&, Level)> one_level_more(
 }
 
 Law nested_law() {
-  // Settings 0 to 2: the same vertex a level on.  Setting 3: the same numbers i and j a level on.
+  // Settings 0 to 2 take the same vertex at the next level.  Setting 3 takes the same numbers i and j there.
   auto settings = settings_of(vertex_orders);
   settings.emplace_back("w-minor-rows");
   TwoIndices two;
@@ -109,7 +109,7 @@ Law nested_law() {
 }
 
 constexpr Level last_level = 16;
-/// How many levels on: one more than the setting's number, to level 16 at most.
+/// The number of levels ahead: one more than the setting's number, up to level 16.
 Level levels_on(std::size_t setting, Level n) {
   return std::min(static_cast<Level>(setting) + 1, last_level - n);
 }
@@ -208,7 +208,7 @@ Law reversed_law() {
       needing({entry::vertex_index}), on_two({"u-major"}, two));
 }
 
-/// What an element's index in one order becomes in another, beside its own index there.
+/// A law that an element's index, converted from one order to another, is its own index there.
 template <class Element, class Convert>
 Batches<Element> conversions(const auto& of, std::function<std::uint64_t(Level)> count, Kind kind,
                              Convert convert) {
@@ -235,7 +235,7 @@ Batches<Element> conversions(const auto& of, std::function<std::uint64_t(Level)>
   return cases;
 }
 
-/// A converter that is wrong: change(from, to, n, index, converted).
+/// A mutant of a converter: change(from, to, n, index, converted).
 template <auto convert, class Change>
 auto on_conversion(Change change) {
   return [change](Functions& f) {

@@ -1,4 +1,4 @@
-// Orders on samples of the levels that the sweeps of the fast tier do not reach.
+// Laws of orders on samples of the levels that are too high for the sweeps of the fast tier.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ const std::vector<std::string> sampled_subjects{"attribute-spec", "attribute", "
 
 std::uint64_t how_many(Level, const Run& run) { return run.tier == Tier::fast ? 1'024 : 262'144; }
 
-/// The specification's index, in words of 64 bits: `attribute.w_minor_all_levels` and its like prove those.
+/// The specification's index, in words of 64 bits; `attribute.w_minor_all_levels` and similar laws prove those.
 template <class Order, class Element>
 std::uint32_t specified(Order order, const Element& at, Level n) {
   if constexpr (std::is_same_v<Element, Vertex>)
@@ -22,11 +22,11 @@ std::uint32_t specified(Order order, const Element& at, Level n) {
     return static_cast<std::uint32_t>(spec::attribute::face_index(order, at, n));
 }
 
-/// What a subject says of each element of a batch, as numbers, beside what is right.
+/// A subject's answers for each element of a batch, as numbers, beside the right ones.
 class Found {
  public:
   explicit Found(std::size_t elements) : of_each_(elements) {}
-  /// `what` of element k should be right(k), and is got(k).
+  /// Adds the numbers `what` of each element k: right(k) is expected, got(k) is the subject's.
   template <class Right, class Got>
   void add(std::string what, Right right, Got got) {
     what_.push_back(std::move(what));
@@ -40,7 +40,7 @@ class Found {
     for (const std::uint64_t x : of_each_[k].got) answer = answer * 5 + x;
     return {answer, of_each_[k].got == of_each_[k].expected};
   }
-  /// The first thing that is wrong of element k, which has one.
+  /// The words of the first wrong number of element k.  Domain: element k has one.
   Words words(std::size_t k) const {
     const auto& [expected, got] = of_each_[k];
     const auto at = static_cast<std::size_t>(
@@ -56,7 +56,7 @@ class Found {
   std::vector<Numbers> of_each_;
 };
 
-/// The law's cases: `found` asks a batch.
+/// The cases of a law; `found` asks a batch.
 template <class Element>
 Batches<Element> drawn_cases(
     std::vector<std::string> settings, Kind kind, Element (*draw)(Level, std::uint64_t, std::uint64_t),
@@ -80,7 +80,7 @@ Batches<Element> drawn_cases(
   return cases;
 }
 
-/// A change at levels above 12.
+/// A mutant that changes an order's indices at levels above 12.
 template <class Change>
 auto above_12(VertexOrder of, Change change) {
   return on_vertex_index(of, [change](Level n, const Vertex& v, std::uint32_t x) {

@@ -1,4 +1,4 @@
-// Maps that the laws of packed maps are asked about: a shape, and a pattern that fills it.
+// Maps for the laws of packed maps: a shape, and a pattern that fills it.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace mmverify::proofs::attribute {
 
-/// How maps are filled: smooth and flat ones pack well, noise and extremes not at all, and one value that differs shows
-/// each place.
+/// The pattern of a map's codes.  Smooth and flat maps pack well, noise and extremes not at all; a lone value that
+/// differs shows its place.
 enum class Filling : std::uint32_t { flat, ramp, waves, noise, extremes, lone };
 inline constexpr std::array fillings{Filling::flat,  Filling::ramp,     Filling::waves,
                                      Filling::noise, Filling::extremes, Filling::lone};
@@ -19,27 +19,27 @@ struct PackCase {
   std::uint64_t seed = 0, number = 0;
 };
 
-/// Case k of a level: faces and vertices by turns, each filling, up to 4 channels, 3 maps or 17 of levels up to 2.
-/// `lossy`: with errors, one of them 127 now and then; else all 0.
+/// Case k of a level: faces and vertices by turns, each filling, up to 4 channels, 3 maps, or 17 of levels up to 2.
+/// `lossy`: the errors are not all 0, and now and then one is 127.
 PackCase pack_case(Level n, std::uint64_t k, std::uint64_t seed, bool lossy);
 
 /// The maps' codes.
 Bytes codes_of(const PackCase& one);
 
-/// "faces:channels=3,maps=1,error=0/2/0/0,waves,seed=1,number=7", and back; throws BadCase.
+/// A case as text, "faces:channels=3,maps=1,error=0/2/0/0,waves,seed=1,number=7".  pack_case_of() throws BadCase.
 std::string text_of(const PackCase& one);
 PackCase pack_case_of(Level n, const std::string& text);
 
-/// Where the first of two sequences differs, in words; both are not equal.
+/// The finding for the first difference of two sequences.  Domain: they differ.
 Finding differ_at(ByteView expected, ByteView got, const char* what);
 
-/// Cases of a law whose checks are such.
+/// The cases of a law with that check.
 Cases<PackCase> pack_cases(bool lossy,
                            std::function<Finding(const AttributeSubject&, Level, const PackCase&)> check);
 
 extern const Entry pack_entry, unpack_entry, reader_entry;
 
-/// A subject that packs, unpacks otherwise: given the real function's.
+/// A mutant whose packer, or unpacker, `by` makes from the real one.
 using Packer = std::function<Bytes(const PackedShape&, ByteView)>;
 using Unpacker = std::function<std::optional<Bytes>(const PackedShape&, ByteView)>;
 std::function<void(Functions&)> packing(

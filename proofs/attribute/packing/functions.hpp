@@ -1,4 +1,4 @@
-// What a subject of topic attribute may have of packed maps.
+// The functions of a subject of topic attribute for packed maps.
 #pragma once
 
 #include <array>
@@ -18,16 +18,16 @@ using spec::attribute::PackedShape;
 using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
 
-/// One value of packed maps, a code a channel and 0 beyond: of a map, a level up to the shape's, an index.
+/// Reads one value of packed maps, by map, level up to the shape's, and index: one code a channel, 0 beyond.
 using ValueReader =
     std::function<std::array<std::uint8_t, 4>(std::uint32_t map, Level level, std::uint32_t index)>;
 
 struct Compression {
   /// Codes to bytes.
   std::function<Bytes(const PackedShape&, ByteView codes)> pack = {};
-  /// Bytes to codes; nothing where they are refused.
+  /// Bytes to codes; nothing if the bytes are refused.
   std::function<std::optional<Bytes>(const PackedShape&, ByteView bytes)> unpack = {};
-  /// Single values of bytes that unpack takes, which outlive the reader.
+  /// A reader of single values; the bytes outlive it.  Domain: unpack takes the bytes.
   std::function<ValueReader(const PackedShape&, ByteView bytes)> reader = {};
 };
 

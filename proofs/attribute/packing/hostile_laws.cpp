@@ -1,4 +1,4 @@
-// Bytes that are no packed maps, and bytes that are other ones.
+// Laws of bytes that are no packed maps, or other packed maps.
 #include <algorithm>
 
 #include "proofs/attribute/law_groups.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 namespace slow = spec::attribute;
 
-/// What is done to bytes of pack().
+/// A kind of damage to packed bytes.
 enum class Harm : std::uint32_t { bit, byte, cut, longer, unused_bits, start, width, wider };
 constexpr std::array<const char*, 8> harm_names{"bit",         "byte",  "cut",   "longer",
                                                 "unused-bits", "start", "width", "wider"};
@@ -21,7 +21,7 @@ struct HarmedCase {
   Harm harm = Harm::bit;
 };
 
-/// Where the parts begin.
+/// The offsets of the parts of packed bytes.
 struct PartsAt {
   std::size_t starts, widths, bits;
 };
@@ -33,7 +33,7 @@ PartsAt parts_of(const PackedShape& shape) {
   return {starts, widths, widths + (blocks * shape.channels + 1) / 2};
 }
 
-/// The last block's last channel one bit wider than it needs to be, all else in its place.
+/// Makes the last block's last channel one bit wider than needed, and keeps all else.
 void widen_last(const PackedShape& shape, Bytes& bytes) {
   const auto lengths = slow::block_lengths(shape.at, shape.level);
   if (lengths.empty()) return;
@@ -83,7 +83,7 @@ Bytes harmed(const HarmedCase& one) {
       bytes.back() = static_cast<std::uint8_t>(bytes.back() | 128);
       break;
     case Harm::start:
-      // The last one, which is that of the ninth block or a later one where there are so many.
+      // Flips a bit of the last start, which belongs to the ninth block or a later one if there are so many.
       flip(parts.widths > parts.starts ? parts.widths - 4 : in(0, bytes.size()));
       break;
     case Harm::width:
@@ -110,7 +110,7 @@ Finding takes_no_other(const AttributeSubject& s, Level, const HarmedCase& one) 
   return {hash_of(*got)};
 }
 
-/// A subject that mends bytes before it reads them.
+/// A mutant that mends bytes that it would refuse, and reads them again.
 std::function<void(Functions&)> mending(std::function<void(const PackedShape&, Bytes&)> mend) {
   return unpacking([mend](const Unpacker& real, const PackedShape& shape, ByteView bytes) {
     if (auto codes = real(shape, bytes)) return codes;
@@ -177,7 +177,8 @@ Law canonical_law() {
                               if (auto codes = real(shape, bytes)) return codes;
                               const PartsAt parts = parts_of(shape);
                               if (shape.level < 4 || parts.widths != parts.starts + 8) return std::nullopt;
-                              // The one of 32 low words' bits that is right, if any.
+                              // Flips each bit of the second start's low byte in turn, and takes the first result
+                              // that is accepted.
                               for (unsigned bit = 0; bit < 8; ++bit) {
                                 Bytes other(bytes.begin(), bytes.end());
                                 if (other.size() < parts.widths) return std::nullopt;

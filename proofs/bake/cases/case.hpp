@@ -1,4 +1,4 @@
-// What a baker is asked: a texture, how it is sampled, what counts as opaque, and a base triangle on it.
+// A case of a baker: a texture, its sampling, the alpha mode, and a base triangle on it.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace mmverify::proofs::bake {
 using spec::bake::Filter;
 using spec::bake::Wrap;
 
-/// How a texel is stored; its alpha is byte / 255, word / 65535 or the number itself.
+/// The stored form of a texel; its alpha is byte / 255, word / 65535 or the number itself.
 enum class Texel : std::uint8_t { unorm8, unorm16, float32 };
 
 struct Cutoff {
@@ -22,16 +22,15 @@ struct Cutoff {
   friend bool operator==(const Cutoff&, const Cutoff&) = default;
 };
 
-/// By what rules a state is right: by default those of sdk/mmverify_subject.h, and others where a subject declares
-/// them.
+/// The rules by which a state is right: by default those of sdk/mmverify_subject.h, or those that a subject declares.
 struct Rules {
-  bool above = false;  ///< MASK: opaque where alpha is above the cutoff; else where it is at least that
+  bool above = false;  ///< MASK: alpha must be above the cutoff to be opaque; else at least the cutoff
   spec::bake::Contact contact = spec::bake::Contact::closed;
-  float slack = 0;  ///< alpha as near as this to the cutoff may count as above or below it
+  float slack = 0;  ///< alpha this near to the cutoff may count as above or below it
   friend bool operator==(const Rules&, const Rules&) = default;
 };
 
-/// Where a state is judged: at the cutoff, or at that less the slack, or plus it.
+/// The cutoff that a state is judged at: the cutoff less the slack, the cutoff, or the cutoff plus the slack.
 enum class Threshold : std::uint8_t { lower, exact, upper };
 
 /// Texels by their bits, mip after mip, rows from the top; mip k is max(1, width >> k) x max(1, height >> k).
@@ -42,27 +41,26 @@ struct Case {
   Filter filter = Filter::bilinear;
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   std::uint32_t border = 0;
-  float factor = 1, vertex_factor = 1;  ///< alpha is what is sampled, times both
-  bool blend = false;                   ///< else MASK, with the cutoff
+  float factor = 1, vertex_factor = 1;  ///< alpha is the sampled value times both
+  bool blend = false;                   ///< the alpha mode is BLEND; else MASK, with the cutoff
   Cutoff cutoff = {};
   float margin = 0;           ///< in texels
   std::array<float, 6> uv{};  ///< of the three vertices
   Rules rules = {};
   std::string drawn =
-      {};  ///< the draw that all texels are those of (domains/strata.hpp, lone_texel.hpp); empty: of none
+      {};  ///< the name of the draw that made all texels (domains/strata.hpp, lone_texel.hpp); else empty
   friend bool operator==(const Case&, const Case&) = default;
 };
 
-/// Texels of all mips together.
+/// The number of texels of all mips together.
 std::uint64_t texels_of(std::uint32_t width, std::uint32_t height, std::uint32_t mips);
 
-/// "texels=u8:2x2:00ff80ff,wrap=repeat:clamp,cutoff=1/2,uv=0x0p+0:...", one word of a shell.  What is as it
-/// is by default (one mip, bilinear, MASK, factors 1, no margin) is left out.
-/// More than 1024 texels that were drawn are said by their draw: "texels=u8:4096x3:drawn-1-5-77",
-/// "texels=u8:256x256:lone-ff-0-17-200".
+/// A case as one word of a shell, "texels=u8:2x2:00ff80ff,wrap=repeat:clamp,cutoff=1/2,uv=0x0p+0:...".  Defaults (one
+/// mip, bilinear, MASK, factors 1, no margin) are left out.  The draw stands for more than 1024 drawn texels:
+/// "texels=u8:4096x3:drawn-1-5-77", "texels=u8:256x256:lone-ff-0-17-200".
 std::string text_of(const Case& one);
-/// Throws BadCase, also for what no baker can be asked: a side of 0 or above 16384, a number that is not
-/// finite, a cutoff over 0, a factor or margin below 0.
+/// The case of a text.  Throws BadCase, also for a side of 0 or above 16384, a number that is not finite, a cutoff
+/// over 0, or a factor or margin below 0: no baker takes such a case.
 Case case_from(const std::string& text);
 
 }  // namespace mmverify::proofs::bake

@@ -19,7 +19,8 @@ constexpr std::uint64_t lone_stream = 0x6c6f6e65;
 struct Sides {
   std::uint32_t width, height;
 };
-/// 2^16 texels in several shapes, around it, and up to 2^20; 13, so that all shapes meet all four kinds of texture.
+/// Shapes of 2^16 texels, around it, and up to 2^20.  Their number, 13, is odd, so that all shapes meet all four
+/// kinds of texture.
 constexpr std::array<Sides, 13> shapes{{{256, 256},
                                         {512, 128},
                                         {257, 255},
@@ -34,18 +35,18 @@ constexpr std::array<Sides, 13> shapes{{{256, 256},
                                         {16, 4096},
                                         {1024, 1024}}};
 
-/// One case, of level 3: more texels than binary32 counts.
+/// The shape of one case, of level 3: more texels than binary32 counts.
 constexpr Sides above_2_to_24{8192, 2049};
 constexpr Level level_of_largest = 3;
 
-/// Alpha 1.
+/// The bits of alpha 1.
 std::uint32_t full(Texel texel) {
   return texel == Texel::unorm8 ? 0xff : texel == Texel::unorm16 ? 0xffff : 0x3f800000;
 }
 
-/// Bakers go through a texture in blocks of so many columns, and through what is left after the last whole one.
+/// The width of a block of columns in which bakers process a texture; the last columns may fill no block.
 constexpr std::uint32_t block = 16;
-/// A column, or row, moved there, where there is one.
+/// A column or row moved into the incomplete last block, if there is one.
 std::uint32_t after_the_last_block(std::uint32_t i, std::uint32_t side) {
   const std::uint32_t rest = side % block;
   return rest == 0 ? i : side - 1 - i % rest;
@@ -64,8 +65,8 @@ Coordinates somewhere(Random& random) {
   }
 }
 
-/// Columns, or rows, whose numbers need more than 32 bits before they are clamped: sides of 4096 texels and more, and
-/// half a million repeats or more.
+/// Moves a triangle to columns, or rows, whose numbers need more than 32 bits before they are clamped: sides of 4096
+/// texels and more, and half a million repeats or more.
 constexpr std::uint32_t long_side = 4096;
 void move_far_away(Case& one, std::size_t axis, Random& random) {
   (axis == 0 ? one.wrap_u : one.wrap_v) = Wrap::clamp_to_edge;
@@ -120,7 +121,7 @@ Case case_with_lone_texel(const Support& support, Level n, std::uint64_t k, std:
     std::swap(one.uv[3], one.uv[5]);
   }
 
-  // The last texel is the one that is met there.
+  // Far away, clamping leads to the last texel.
   const bool far = std::max(one.width, one.height) >= long_side && !is_largest && random.below(2) != 0;
   const std::size_t far_axis = one.width > one.height ? 0 : 1;
   if (far) move_far_away(one, far_axis, random);
@@ -135,14 +136,14 @@ Case case_with_lone_texel(const Support& support, Level n, std::uint64_t k, std:
       texel.i = after_the_last_block(texel.i, one.width);
       texel.j = after_the_last_block(texel.j, one.height);
     }
-    // In the half of the texture that the first triangle is.
+    // Moves the texel into the half of the texture that the first triangle covers.
     if (std::uint64_t{texel.i} * one.height + std::uint64_t{texel.j} * one.width >=
         std::uint64_t{one.width} * one.height) {
       texel.i = one.width - 1 - texel.i;
       texel.j = one.height - 1 - texel.j;
     }
     if (is_largest)
-      texel.i |= 1, texel.j = one.height - 1;  // the texel's number is odd: binary32 does not have it
+      texel.i |= 1, texel.j = one.height - 1;  // the texel's number is odd, which binary32 cannot hold
     if (far) (far_axis == 0 ? texel.i : texel.j) = (far_axis == 0 ? one.width : one.height) - 1;
     one.border = texel.all;
     put(one, texel);

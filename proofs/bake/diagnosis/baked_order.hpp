@@ -1,4 +1,4 @@
-// The order in which a baker's maps have their micro-triangles.
+// The order of the micro-triangles in a baker's maps.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace mmverify::proofs::bake {
 
-/// What it is called if it is another known one; empty where it is the curve's, or none that is known.  One map for each
-/// micro-triangle of level n is baked, of a texture that is transparent but for a dot inside it.
-/// Domain: n in 1..4.  Throws SubjectBroken.
+/// The name of the order if it is a known one other than the curve's, else empty.  It bakes one map for each
+/// micro-triangle of level n, from a texture that is transparent except for a dot inside that micro-triangle. Domain:
+/// n in 1..4.  Throws SubjectBroken.
 std::string order_of(const BakeSubject& subject, Level n);
 
 }  // namespace mmverify::proofs::bake

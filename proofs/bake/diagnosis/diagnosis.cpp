@@ -23,7 +23,7 @@ namespace {
 using spec::micromap::force2;
 using spec::micromap::unknown;
 
-/// What was wrong of one case.
+/// Whether any judged state of a case is wrong, and whether one is wrong on an area.
 struct Wrong {
   bool any = false, on_an_area = false;
 };
@@ -32,7 +32,7 @@ struct Counts {
   std::uint64_t cases = 0, wrong = 0;
 };
 
-/// Cases by the value of one property, in the order in which the values came.
+/// Cases counted by the value of one property, in the order in which the values occur.
 struct ByValue {
   const char* of;
   std::vector<std::pair<std::string, Counts>> values;
@@ -58,7 +58,7 @@ bool is_wrong(const BakeSubject& s, Fault fault, State got, State lower, State u
   return got == (s.functions.support.unknown == UnknownSide::opaque ? State::UT : State::UO);
 }
 
-/// Which known mistakes the wrong maps are those of.
+/// Known mistakes, scored by the number of wrong maps that they reproduce.
 class Guesses {
  public:
   explicit Guesses(Fault fault) : loose_(fault == Fault::conservative) {}
@@ -75,7 +75,7 @@ class Guesses {
       right_of_[k] += baked && std::equal(got.begin(), got.end(), baked->states.begin(), alike) ? 1 : 0;
     }
   }
-  /// The mistake that explains most of the cases, nine of ten at least.
+  /// The mistake that explains the most cases, if it explains nine of ten.
   std::optional<std::string> line() const {
     const auto best = std::max_element(right_of_.begin(), right_of_.end());
     if (cases_ == 0 || *best * 10 < cases_ * 9) return std::nullopt;
@@ -85,13 +85,13 @@ class Guesses {
 
  private:
   static constexpr std::uint64_t most = 128;
-  const bool loose_;  ///< what is wrong is an O or a T: of the others more may be unknown than has to be
+  const bool loose_;  ///< only an O or a T can be wrong; any other state may be unknown
   BakeSubjectPtr right_ = built_in("bake");
   std::uint64_t cases_ = 0;
   std::vector<std::uint64_t> right_of_ = std::vector<std::uint64_t>(known_mistakes().size());
 };
 
-/// None where the subject declined the case.
+/// The faults of a case; nothing if the subject declined it.
 std::optional<Wrong> judged(const BakeSubject& s, Fault fault, const Case& one, Level n, Guesses& guesses) {
   const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
   if (!baked) return std::nullopt;
@@ -108,9 +108,9 @@ std::optional<Wrong> judged(const BakeSubject& s, Fault fault, const Case& one, 
   return wrong;
 }
 
-/// "filter: nearest (98 of 130) wrong; bilinear all right", where some values are right throughout and some are not.
+/// "filter: nearest (98 of 130) wrong; bilinear all right", if some values are always right and others are not.
 std::optional<std::string> in_words(const ByValue& by) {
-  constexpr std::uint64_t few = 8;  // cases that say nothing
+  constexpr std::uint64_t few = 8;  // fewer cases than this show nothing
   std::vector<std::string> wrong, right;
   for (const auto& [value, counts] : by.values) {
     if (counts.cases < few) continue;
@@ -125,7 +125,7 @@ std::optional<std::string> in_words(const ByValue& by) {
 }
 
 std::vector<std::string> found(const BakeSubject& s, Fault fault) {
-  // Low levels have few states that are known, and so show little.
+  // Low levels have few known states, and so show little.
   constexpr std::uint64_t samples = 240, rows = 96;
   constexpr Level last = 5;
   std::vector<ByValue> by;
@@ -147,7 +147,7 @@ std::vector<std::string> found(const BakeSubject& s, Fault fault) {
     }
   };
   for (std::uint64_t k = 0; k < samples; ++k) {
-    // Each of the eight kinds of samples at each level.
+    // Each of the eight kinds of samples occurs at each level.
     const Level n = static_cast<Level>(k / 8 % (last + 1));
     take(sample(1, k), n, k);
     take(featured_sample(1, k), n, k);
@@ -178,7 +178,7 @@ std::vector<std::string> found(const BakeSubject& s, Fault fault) {
 }  // namespace
 
 std::vector<std::string> diagnose(const BakeSubject& s, Fault fault) {
-  // The laws of one fault ask one after the other.
+  // The laws of one fault call this one after the other.
   static std::mutex lock;
   static std::map<std::tuple<std::string, std::string, Fault>, std::vector<std::string>> known;
   const std::lock_guard hold(lock);

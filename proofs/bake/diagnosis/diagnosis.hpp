@@ -1,4 +1,4 @@
-// What a baker that was refuted does wrong, and what it does right.
+// Diagnosis of a refuted baker: the properties of cases that it gets wrong, and of those that it gets right.
 #pragma once
 
 #include <string>
@@ -8,13 +8,12 @@
 
 namespace mmverify::proofs::bake {
 
-/// Which states a law is about.
+/// The kind of wrong states that a law is about.
 enum class Fault : std::uint8_t { conservative, tight, side };
 
-/// Lines such as "alpha filtered nearest: 98 of 130 cases wrong; all 120 bilinear ones right": of some hundred cases
-/// within what the subject declares, by each of their properties; ties apart from states that are wrong on an area;
-/// and the order of the micro-triangles, if it is another known one.
-/// Throws SubjectBroken.
+/// Lines such as "alpha filtered nearest: 98 of 130 cases wrong; all 120 bilinear ones right".  They sort some
+/// hundred supported cases by each of their properties, and tell ties from states that are wrong on an area.  A last
+/// line names the order of the micro-triangles if it is another known one.  Throws SubjectBroken.
 std::vector<std::string> diagnose(const BakeSubject& subject, Fault fault);
 
 }  // namespace mmverify::proofs::bake

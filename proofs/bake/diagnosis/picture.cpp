@@ -19,8 +19,8 @@ using points::nearest;
 using Polygon = bake::Polygon<Rational>;
 
 constexpr double left = 40, top = 96, size = 600;
-constexpr int samples = 120;     // along a side, of what is opaque
-constexpr int most_texels = 12;  // along a side, with their numbers
+constexpr int samples = 120;     // opaque places drawn along a side
+constexpr int most_texels = 12;  // the most texels along a side that are drawn with their numbers
 
 const char* full_name(State s) {
   constexpr const char* names[] = {"transparent (T)", "opaque (O)", "unknown-transparent (UT)",
@@ -28,12 +28,12 @@ const char* full_name(State s) {
   return names[static_cast<std::size_t>(s)];
 }
 
-/// A square of the texture, from texels to pixels.
+/// A square of the texture, which maps texels to pixels.
 struct View {
   Place origin;
   Rational span;
 
-  /// Subtracted before it is rounded: far away from texel 0, too.
+  /// The origin is subtracted before rounding, so that places far from texel 0 stay exact.
   Pixel operator()(const Place& p) const {
     return {left + size * nearest((p.x - origin.x) / span), top + size * nearest((p.y - origin.y) / span)};
   }
@@ -44,7 +44,8 @@ struct View {
   }
 };
 
-/// The polygon with some room around it, texels where it is not too small beside them.
+/// A view of the polygon with some room around it.  A small polygon is shown with up to 2.5 texels, but at most with
+/// 8 times its size.
 View around(const Polygon& polygon) {
   const auto [left_most, right_most] = std::minmax_element(
       polygon.begin(), polygon.end(), [](const Place& p, const Place& q) { return p.x < q.x; });
@@ -68,7 +69,7 @@ std::string stored_text(const bake::TextureOf<Stored>& t, std::int64_t i, std::i
     return fmt::format("{}", stored);
 }
 
-/// What is opaque, a row of little squares at a time.
+/// The opaque part, drawn row by row in small squares.
 template <class Texture>
 void draw_opaque(Canvas& canvas, const View& view, const Texture& t, const Case& one) {
   const auto opaque = [&](int column, int row) {
@@ -95,7 +96,7 @@ void draw_opaque(Canvas& canvas, const View& view, const Texture& t, const Case&
   }
 }
 
-/// Lines between texels, and each texel's number at its centre, where those can be read.
+/// Lines between texels, and each texel's number at its centre, if few enough texels are in view.
 template <class Texture>
 void draw_texels(Canvas& canvas, const View& view, const Texture& t) {
   if (view.span > most_texels) return;
@@ -120,7 +121,7 @@ void draw_texels(Canvas& canvas, const View& view, const Texture& t) {
     }
 }
 
-/// Over what shapes drew beyond the square.
+/// White margins over shapes that reach beyond the square.
 void mask_margins(Canvas& canvas, double width, double height) {
   const auto cover = [&](double x0, double y0, double x1, double y1) {
     canvas.polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, "#ffffff", "none", 0);
@@ -138,7 +139,7 @@ std::string where_in(const Extreme& e) {
   return e.mip == 0 ? at : fmt::format("{} of mip {}", at, e.mip);
 }
 
-/// In texels of mip 0, which is drawn.
+/// The place in texels of mip 0, which the picture shows.
 Place in_first(const Case& one, const Extreme& e) {
   const auto scale = [&](std::uint32_t size) {
     return bake::fraction<Rational>(size, std::max(1u, size >> e.mip));

@@ -9,11 +9,12 @@ namespace {
 
 int any_sign(Random& random) { return random.below(2) != 0 ? 1 : -1; }
 
-/// Draws the texture; returns the axis that stripes follow each other on.  On it every second texture repeats.
+/// Draws a striped texture; returns the axis across the stripes.  On it every second texture repeats.
 std::size_t draw_stripes(Random& random, Case& one) {
   const std::size_t axis = random.below(2);
   std::uint32_t& size = axis == 0 ? one.width : one.height;
-  // Even: stripes go on where they repeat.  Of some sides binary32's reciprocal is too small by a bit: 82, 94, 110, 122.
+  // The size is even, so that stripes continue across a repeat.  For the sides 82, 94, 110 and 122 binary32's
+  // reciprocal is too small by a bit.
   size = static_cast<std::uint32_t>(2 + 2 * random.below(random.below(2) != 0 ? 3 : 64));
   if (random.below(2) != 0) (axis == 0 ? one.wrap_u : one.wrap_v) = Wrap::repeat;
   one.cutoff = {1, 2};
@@ -23,15 +24,15 @@ std::size_t draw_stripes(Random& random, Case& one) {
   return axis;
 }
 
-/// A line between stripes, in texels, up to two repeats away; one in two where the texture begins again.
+/// A line between stripes, in texels, up to two repeats away; half of the draws take the texture's edge.
 std::int64_t any_line(Random& random, std::uint32_t size) {
   const auto away = 2 * static_cast<std::int64_t>(size);
   return random.below(2) == 0 ? size * random.between(-1, 2) * static_cast<std::int64_t>(random.below(2))
                               : random.between(-away, away);
 }
 
-/// On the axis, the first corner at `first`, the others up to `extent` texels from `behind`, away from the line;
-/// on the other axis all anywhere.
+/// Places the first corner at `first` on the axis, and the others up to `extent` texels from `behind`, away from the
+/// line.  On the other axis all corners lie anywhere.
 void place(Random& random, Case& one, std::size_t axis, float first, double behind, double extent) {
   const std::uint32_t size = axis == 0 ? one.width : one.height;
   for (std::size_t k = 0; k < 6; ++k)
@@ -74,7 +75,7 @@ void cross_the_cutoff_within_an_edge(Random& random, Case& one) {
   const bool crest = random.below(2) != 0;
   const std::uint32_t ends = crest ? low : low + 2 * half, others = crest ? low + 2 * half : low;
   one.alpha = {ends, others, others, ends};
-  // Half way between the centres of the first and the last texel alpha is that of `middle`.
+  // Alpha is that of `middle` half way between the centres of the first and the last texel.
   const std::uint32_t steps = 1u << random.between(3, 20), middle = low + half;
   one.cutoff = {crest ? middle * steps - 1 : middle * steps + 1, 255 * steps};
   const double length = std::ldexp(1.0, -static_cast<int>(random.below(6))),

@@ -16,10 +16,10 @@ namespace mmverify::proofs::bake {
 namespace {
 
 namespace bake = spec::bake;
-// The triangles are given in few bits.
+// The coordinates of the triangles have few bits.
 using Q = Rational64;
 
-/// What some point of a part is not, and whether it is rather opaque where it has but one.
+/// Marks of a part: some point of it is not opaque, some point is not transparent, its one point is rather opaque.
 using Marks = std::uint8_t;
 constexpr Marks not_opaque = 1, not_transparent = 2, rather_opaque = 4, known = 8;
 constexpr Marks mixed_cells = not_opaque | not_transparent;
@@ -30,12 +30,12 @@ std::uint64_t power(std::uint64_t base, std::uint32_t exponent) {
   return result;
 }
 
-/// What one cell shows of a polygon, or one texel where filtering is nearest: for each values of its texels
-/// the marks that alpha leaves.
+/// The part of a polygon in one cell, or in one texel with nearest filtering, and its marks for each combination of
+/// texel values.
 struct Part {
   std::int64_t i, j;
-  bake::Polygon<Q> local;  ///< in the cell's coordinates; empty where filtering is nearest
-  mutable std::vector<std::atomic<Marks>> marks;  ///< by threshold and values
+  bake::Polygon<Q> local;                         ///< in the cell's coordinates; empty with nearest filtering
+  mutable std::vector<std::atomic<Marks>> marks;  ///< by threshold and texel values
 
   Part(std::int64_t column, std::int64_t row, bake::Polygon<Q> polygon, std::size_t kinds)
       : i(column), j(row), local(std::move(polygon)), marks(3 * kinds) {}
@@ -43,16 +43,16 @@ struct Part {
 
 struct Micro {
   std::vector<Part> parts;
-  std::vector<Part> centroid;  ///< one: a point
+  std::vector<Part> centroid;  ///< the part at the centroid, exactly one
 };
 using Micros = std::vector<Micro>;
 
 }  // namespace
 
-/// The truth of a level, a byte a state, kept for the laws that ask after the first, and for their mutants.
+/// The true states of a level, a byte each, kept for later laws and their mutants.
 struct Enumerated::Kept {
   static constexpr Level levels = 4;
-  static constexpr std::uint64_t most = 100'000;  ///< cases: some 5 MB a family
+  static constexpr std::uint64_t most = 100'000;  ///< the most cases that are kept: some 5 MB a family
   struct OfLevel {
     std::vector<std::uint8_t> states;
     std::vector<std::atomic<bool>> known;
@@ -60,7 +60,7 @@ struct Enumerated::Kept {
   std::array<std::once_flag, levels> once;
   std::array<OfLevel, levels> of_level;
 
-  /// Null where the truth is not kept.
+  /// The kept states of a level; null if there are too many.
   OfLevel* of(Level n, std::uint64_t cases) {
     if (n >= levels || cases > most) return nullptr;
     std::call_once(once[n], [&] {
@@ -111,7 +111,7 @@ struct Enumerated::Geometry {
     return slot.micros;
   }
 
-  /// Domain: values of the cell's texels, in the order (0,0), (1,0), (0,1), (1,1); of nearest filtering one.
+  /// Domain: values of the cell's texels in the order (0,0), (1,0), (0,1), (1,1); one value with nearest filtering.
   static Marks marks(const Family& f, const Part& part, const std::array<std::uint8_t, 4>& values,
                      Threshold threshold) {
     const std::size_t base = f.alphabet.size();
@@ -131,7 +131,7 @@ struct Enumerated::Geometry {
       return f.filter == Filter::nearest ? bake::Range<Q>(bake::texel<Q>(mips.front(), 0, 0))
                                          : bake::range(bake::Cell<Q>(mips.front(), 0, 0), part.local);
     });
-    // Of a part without an area the closed micro-triangle is one, too.
+    // A part with an area may leave out its boundary with open contact; a part without an area is closed.
     const bool varies =
         f.rules.contact == bake::Contact::open && range.least < range.greatest && bake::has_area(part.local);
     found = with_mode<Q>(f.blend, f.cutoff, f.rules, threshold, [&](const auto& mode) {
@@ -309,8 +309,8 @@ std::vector<std::pair<Wrap, Wrap>> every_pair() {
   return pairs;
 }
 
-/// Half of the texture; across texel lines; turned over and beyond every edge; far below 0; on a line; in a
-/// point, a texel's centre.
+/// Triangles over half of the texture; across texel lines; turned over and beyond every edge; far below 0; on a line;
+/// in a point, a texel's centre.
 std::vector<Triangle> on_two() {
   return {{0, 0, 1, 0, 0, 1},
           {0.125f, 0.1875f, 1, 0.25f, 0.375f, 0.875f},
@@ -319,7 +319,7 @@ std::vector<Triangle> on_two() {
           {0, 0.25f, 0.5f, 0.5f, 1, 0.75f},
           {0.25f, 0.25f, 0.25f, 0.25f, 0.25f, 0.25f}};
 }
-/// The same kinds, and a sliver.
+/// Triangles of the same kinds on three texels, and a sliver.
 std::vector<Triangle> on_three() {
   return {{0, 0, 1, 0, 0, 1},
           {0.125f, 0.125f, 0.9375f, 0.25f, 0.25f, 0.875f},
@@ -353,7 +353,7 @@ const Families& blend_families() {
 
 const Families& grid_families() {
   static const Families families = [] {
-    // Beyond the first texel mirrored once, a centre, the texture's edge.
+    // Coordinates beyond the first texel mirrored once, at a centre, and on the texture's edge.
     constexpr float along[] = {-0.8125f, 0.25f, 1};
     Family f{2, {0, 128, 255}, met_by_texels, Filter::bilinear, false, every_pair(), {}};
     const auto point = [&](std::uint32_t k) { return std::pair{along[k % 3], along[k / 3]}; };

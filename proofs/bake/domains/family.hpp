@@ -1,5 +1,5 @@
-// Families of cases that are enumerated whole: every texture of a few texels over a few values of alpha,
-// under every addressing and some triangles, with the truth about each.
+// Families of cases that are enumerated completely: every texture of a few texels over a few values of alpha, under
+// every addressing and some triangles, with the true states of each case.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@ namespace mmverify::proofs::bake {
 using spec::micromap::State;
 using Triangle = std::array<float, 6>;
 
-/// How a texture is addressed, and by which of a family's triangles it is asked about.
+/// The addressing of a texture, and the number of the family's triangle.
 struct Spot {
   Wrap u, v;
   std::size_t triangle;
 };
 
-/// All textures of side x side texels over an alphabet of bytes, the first of which is the border's too.
-/// Domain: at most 4 values.
+/// All textures of side x side texels over an alphabet of bytes, the first of which is also the border's. Domain: at
+/// most 4 values.
 struct Family {
   std::uint32_t side;
   std::vector<std::uint8_t> alphabet;
@@ -33,17 +33,17 @@ struct Family {
   std::vector<std::pair<Wrap, Wrap>> wraps;
   std::vector<Triangle> triangles;
   Rules rules = {};
-  Texel texel = Texel::unorm8;  ///< that the bytes are stored as
+  Texel texel = Texel::unorm8;  ///< the form that the bytes are stored in
   std::uint32_t block =
-      0;  ///< only the first so many columns and rows vary, the rest repeat the last; 0: all
+      0;  ///< so many first columns and rows vary, and the rest repeat the last of these; 0: all vary
   std::vector<Spot> spots = {};  ///< empty: each pair of addressing modes with each triangle
 
-  /// Those, triangle by triangle.
+  /// The spots of the family, triangle by triangle.
   std::vector<Spot> all_spots() const;
   std::uint32_t varied() const { return block == 0 ? side : block; }
 };
 
-/// Cases by number: spot by spot, texture by texture.
+/// Cases by number: spot by spot, and at each spot texture by texture.
 class Enumerated {
  public:
   explicit Enumerated(Family family);
@@ -52,12 +52,11 @@ class Enumerated {
 
   std::uint64_t count() const;
   Case at(std::uint64_t k) const;
-  /// The specification's state of every micro-triangle.  What a texture's cells do to one is worked out once
-  /// for each four values at their corners (spec::bake::range), and looked up for the textures that have
-  /// them.
+  /// The specification's state of every micro-triangle.  The effect of a cell on a micro-triangle is computed once
+  /// for each four values at its corners (spec::bake::range), and looked up for all textures with these values.
   std::vector<State> truth(Level n, std::uint64_t k, Threshold threshold = Threshold::exact) const;
   const Family& family() const { return family_; }
-  /// "all 81 2x2 textures over 0, 128, 255, ..."
+  /// The domain as text, "all 81 2x2 textures over 0, 128, 255, ..."
   std::string domain() const;
 
  private:
@@ -65,7 +64,7 @@ class Enumerated {
   struct Kept;
   std::vector<State> found(Level n, std::uint64_t k, Threshold threshold) const;
   std::vector<std::uint8_t> values(
-      std::uint64_t texture) const;  ///< of its texels, by places in the alphabet
+      std::uint64_t texture) const;  ///< of its texels, as places in the alphabet
 
   Family family_;
   std::vector<Spot> spots_;
@@ -74,7 +73,7 @@ class Enumerated {
   std::array<std::unique_ptr<Kept>, 3> kept_;  ///< by threshold
 };
 
-/// Several, one after the other.
+/// Several families, one after the other.
 class Families {
  public:
   explicit Families(std::vector<Family> families);
@@ -90,11 +89,11 @@ class Families {
   std::vector<Enumerated> all_;
 };
 
-/// Those of the fast tier: bilinear and MASK; nearest and MASK; bilinear and nearest, BLEND.
+/// The families of the fast tier: bilinear and MASK; nearest and MASK; bilinear and nearest, BLEND.
 const Families& bilinear_families();
 const Families& nearest_families();
 const Families& blend_families();
-/// Of the long tier: every triangle on nine points.
+/// The families of the long tier: every triangle on nine points.
 const Families& grid_families();
 
 }  // namespace mmverify::proofs::bake

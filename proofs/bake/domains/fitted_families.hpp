@@ -1,4 +1,4 @@
-// The families' cases within what a subject declares.
+// The families' cases, changed so that a subject supports them.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace mmverify::proofs::bake {
 
-/// Those families with as many cases, all of them supported: in the place of addressing modes that are not, each
-/// triangle comes turned over, mirrored and with its vertices in other orders.  Made once.
-/// Domain: families that last as long as the program; their filter and their alpha mode are supported.
+/// The families with as many cases, all of them supported.  An unsupported addressing mode is replaced by each
+/// triangle turned over, mirrored and with its vertices in other orders.  Made once. Domain: families that last as
+/// long as the program; their filter and their alpha mode are supported.
 const Families& fitted(const Families& families, const Support& support);
 
 }  // namespace mmverify::proofs::bake

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::uint64_t stream = 0x62616b65;
 
-/// Of each 104 samples: eight kinds in turn; then one a hair beside lines, and after it the same texture with other
-/// texels below its first row, which is not what a baker may still know of it; then one corner over a line, and edges
-/// that alpha crosses the cutoff within.
+/// The counts of each 104 samples.  First come eight kinds in turn.  Then pairs: a sample a hair beside lines, and
+/// the same texture with other texels below its first row, which finds a baker that reuses the first.  Then samples
+/// with one corner over a line, and edges within which alpha crosses the cutoff.
 constexpr std::uint64_t hostile_samples = 64, paired_samples = 16, edge_samples = 24;
 
 std::uint64_t in_turn(std::uint64_t k) { return k % (hostile_samples + paired_samples + edge_samples); }
@@ -56,7 +56,7 @@ void place_anywhere(Random& random, Case& one) {
   for (float& x : one.uv) x = dyadic(random, 2, static_cast<int>(2 + random.below(7)));
 }
 
-/// Two corners apart, the third 10^-6 of that beside them.
+/// Places two corners apart, and the third 10^-6 of their distance beside them.
 void place_sliver(Random& random, Case& one) {
   const float u = dyadic(random, 1, 6), v = dyadic(random, 1, 6), along_u = dyadic(random, 2, 5),
               along_v = dyadic(random, 2, 5), t = static_cast<float>(random.below(5)) / 4;
@@ -71,7 +71,7 @@ void place_sliver(Random& random, Case& one) {
 void place_beside_lines(Random& random, Case& one) {
   for (std::size_t k = 0; k < 6; ++k) {
     const std::uint32_t size = k % 2 == 0 ? one.width : one.height;
-    // Lines of texels and of their centres.
+    // Lines between texels, or through their centres.
     const float line = static_cast<float>(random.between(-2, 4 * size)) / static_cast<float>(2 * size);
     const std::uint64_t step = random.below(3);
     one.uv[k] = step == 0   ? line
@@ -80,11 +80,11 @@ void place_beside_lines(Random& random, Case& one) {
   }
 }
 
-/// Micro-vertices 2^-9 to 2^-20 of a texel beside lines: those of texels and of their centres; and of stripes a texel wide
-/// the lines where bilinear alpha is the cutoff, anywhere between two centres.  Whoever rounds coordinates to coarser
-/// steps puts some of them on a line, or beyond it.
+/// Places micro-vertices 2^-9 to 2^-20 of a texel beside a line.  Lines lie between texels, through their centres,
+/// or, with stripes a texel wide, where bilinear alpha is the cutoff, anywhere between two centres.  Rounding to
+/// coarser steps puts some of these vertices on a line, or beyond it.
 void place_a_hair_beside_lines(Random& random, Case& one) {
-  std::array<std::optional<double>, 2> line;  // where alpha is the cutoff, in texels, once in two
+  std::array<std::optional<double>, 2> line;  // the line of the cutoff in texels, in half of the draws
   const std::size_t kind = random.below(3);
   if (kind < 2) {
     const auto less = static_cast<std::uint32_t>(random.below(64)),
@@ -111,7 +111,8 @@ void place_far(Random& random, Case& one) {
   place_anywhere(random, one);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const float away = random.below(2) != 0 ? 1e6f : -1e6f;
-    for (std::size_t k = axis; k < 6; k += 2) one.uv[k] += away;  // rounded to sixteenths, and so exact
+    for (std::size_t k = axis; k < 6; k += 2)
+      one.uv[k] += away;  // exact, since coordinates were rounded to sixteenths
   }
 }
 
@@ -192,10 +193,10 @@ Case featured_sample(std::uint64_t seed, std::uint64_t k) {
   constexpr float factors[] = {1, 1, 0.5f, 1.25f, 0.3f, 0}, margins[] = {0, 0, 0.00390625f, 0.25f, 1.5f};
   one.factor = factors[random.below(6)];
   one.vertex_factor = factors[random.below(4)];
-  if (one.blend &&
-      random.below(2) != 0)  // BLEND's own cutoffs are 0 and 1: texels at them, and a step beside
+  if (one.blend && random.below(2) != 0)  // BLEND's cutoffs are 0 and 1: texels at them, and a step beside
     for (std::uint32_t& byte : one.alpha) byte = (byte & 1) != 0 ? 254 + (byte >> 1 & 1) : byte >> 1 & 1;
-  if (is_edge_sample(k)) one.factor = one.vertex_factor = 1;  // or no line between stripes were the cutoff's
+  if (is_edge_sample(k))
+    one.factor = one.vertex_factor = 1;  // else no line between stripes would be the cutoff's
   if (!is_edge_sample(k)) one.margin = margins[random.below(5)];
   one.mips = !is_edge_sample(k) && random.below(4) == 0 ? 2 : 1;
   for (std::uint64_t texels = texels_of(one.width, one.height, one.mips); one.alpha.size() < texels;)

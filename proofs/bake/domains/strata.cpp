@@ -15,13 +15,13 @@ namespace mmverify::proofs::bake {
 namespace {
 
 constexpr std::uint64_t strata_stream = 0x73747261;
-constexpr Level large_level = 7;  ///< from there on a map has 16,384 states or more
+constexpr Level large_level = 7;  ///< maps have 16,384 states or more from here on
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The design
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The pairs of values that rows have.
+/// The pairs of values that rows of the design contain.
 class Pairs {
  public:
   bool& operator()(std::size_t d, std::size_t a, std::size_t e, std::size_t b) {
@@ -41,7 +41,7 @@ std::vector<Row> designed() {
   for (std::size_t r = 0; r < count * count; ++r) {
     Random random(1, strata_stream, r);
     Row row{};
-    // 22 rows that follow each other have all widths and all heights.
+    // Any 22 consecutive rows have all widths and all heights.
     row[width_of] = static_cast<std::uint8_t>(r % count);
     row[height_of] = static_cast<std::uint8_t>((7 * (r % count) + r / count) % count);
     std::vector<std::size_t> set{width_of, height_of}, rest;
@@ -76,7 +76,7 @@ std::uint64_t scattered(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
   return x ^ x >> 29;
 }
 
-/// The numbers that texels may have: on one side of the cutoff, and on the other.
+/// The values of texels below the cutoff, and of those at or above it.
 struct Palette {
   std::vector<std::uint32_t> below, above;
 
@@ -109,9 +109,10 @@ Palette palette_of_kind(std::uint8_t kind, Texel texel, Level n, std::uint32_t a
     }
     case 4:  // one number throughout
       return random.below(2) != 0 ? Palette{{at}, {at}} : Palette{{under}, {under}};
-    default:  // far outside, and next to nothing
+    default:  // extremes, and numbers next to 0
       if (texel != Texel::float32) return {{none, stepped(texel, none, 1)}, {all, stepped(texel, all, -1)}};
-      // Large maps are not to be undecidable in binary64 everywhere: whole numbers take a baker minutes.
+      // Large maps avoid values that binary64 cannot decide everywhere: a baker needs minutes for them in whole
+      // numbers.
       if (n >= large_level)
         return {{bits(-0.25f), bits(-0x1p-149f), bits(-0.0f)}, {bits(1.5f), bits(0x1.000002p+0f)}};
       return {{bits(-0.25f), bits(-0x1p-149f), bits(0x1p-149f), bits(-0.0f), bits(-1e9f), under},
@@ -119,7 +120,7 @@ Palette palette_of_kind(std::uint8_t kind, Texel texel, Level n, std::uint32_t a
   }
 }
 
-/// Fills a mip: whether a texel is of the high side, by its place; `target` is the texel to look at.
+/// Fills a mip; `high` decides by a texel's place whether it is at or above the cutoff.
 template <class High>
 void fill(std::vector<std::uint32_t>& alpha, std::uint32_t width, std::uint32_t height,
           const Palette& palette, std::uint64_t salt, High high) {
@@ -133,8 +134,8 @@ void fill(std::vector<std::uint32_t>& alpha, std::uint32_t width, std::uint32_t 
 struct Spread {
   std::uint8_t pattern;
   std::uint64_t salt;
-  std::uint32_t i, j;  ///< the texel to look at
-  bool odd;            ///< its side, where it is alone on it
+  std::uint32_t i, j;  ///< the target texel
+  bool odd;            ///< the side of the target texel in the patterns where it stands alone
 };
 
 void fill_by(std::vector<std::uint32_t>& alpha, std::uint32_t width, std::uint32_t height,
@@ -173,18 +174,18 @@ void fill_by(std::vector<std::uint32_t>& alpha, std::uint32_t width, std::uint32
 // The triangle
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Lengths are counted in so many functions of a texel: all sums of them are exact.
+/// The unit of lengths: so many functions make a texel, and all sums of them are exact.
 constexpr std::int64_t functions = 4096;
 
 struct Offset {
   std::int64_t x, y;
 };
 
-/// Where along one axis the target lies, in functions of texels.
+/// The target's place along one axis, in functions of texels.
 std::int64_t target_along(std::uint8_t place, bool second, std::int64_t size, Random& random) {
   const std::int64_t somewhere = random.between(0, size * 2) * functions / 2,
                      last = (2 * size - random.between(0, 4)) * functions / 2;
-  // Lines between texels whose numbers fill words and rows of them.
+  // Lines between texels at whose numbers words or rows of words end.
   const auto at_word = [&] {
     const std::int64_t word = std::int64_t{32} << random.below(4);
     return size <= word
@@ -198,15 +199,15 @@ std::int64_t target_along(std::uint8_t place, bool second, std::int64_t size, Ra
       return second ? somewhere : last;
     case 2:
       return second ? last : somewhere;
-    case 3:  // about the first corner
+    case 3:  // near the first corner
       return random.between(-3, 3) * functions / 2;
     case 4:
       return somewhere;
-    case 5:  // beyond the last
+    case 5:  // beyond the last texel
       return last + random.between(0, size) * functions;
-    case 6:  // below the first
+    case 6:  // below the first texel
       return -random.between(0, 2 * size) * functions;
-    case 7:  // repeats away
+    case 7:  // move_away() adds the repeats
       return somewhere;
     default:
       return at_word();
@@ -217,11 +218,11 @@ float coordinate(std::int64_t in_parts, std::uint32_t size) {
   return static_cast<float>(static_cast<double>(in_parts) / (static_cast<double>(functions) * size));
 }
 
-/// How long the span's value makes a micro-triangle, in functions of a texel of the mip that decides.
+/// The length of a micro-triangle for each value of the span, in functions of a texel of the deciding mip.
 constexpr std::array<std::int64_t, 5> spans{functions / 16, functions / 2, functions, 5 * functions / 2,
                                             8 * functions};
 
-/// Cells that one micro-triangle may meet, so that the specification can follow.
+/// The greatest length of a micro-triangle, which limits its cells, so that the specification is fast enough.
 std::int64_t most_along(Level n) {
   constexpr std::array<std::int64_t, 4> texels{40, 20, 8, 5};
   return (n < texels.size() ? texels[n] : 3) * functions;
@@ -236,7 +237,7 @@ void place_triangle(Case& one, const Row& row, Level n, Offset target, std::uint
   const std::uint8_t shape = row[shape_of] == 5 && n >= large_level ? std::uint8_t{4} : row[shape_of];
   switch (shape) {
     case 1:  // turned by some angle
-    case 2:  // and with its vertices the other way round
+    case 2:  // the same with swapped vertices
     case 7:
       e.y = random.between(-long_side / 2, long_side / 2);
       f.x = random.between(-long_side / 2, long_side / 2);
@@ -269,7 +270,7 @@ void place_triangle(Case& one, const Row& row, Level n, Offset target, std::uint
       break;
   }
   if (shape != 5 && (e.x | e.y) == 0) e.x = 1;
-  // Some micro-triangle's corner lies on the target.
+  // The corner of some micro-triangle lies on the target.
   const std::int64_t i = random.between(0, side), j = random.between(0, side - i);
   const Offset p{target.x - i * e.x - j * f.x, target.y - i * e.y - j * f.y};
   const std::array<Offset, 3> vertices{
@@ -290,7 +291,7 @@ void place_triangle(Case& one, const Row& row, Level n, Offset target, std::uint
       if (std::fabs(x) < 0x1p-60f && random.below(2) != 0) x = random.below(2) != 0 ? 0x1p-149f : -0.0f;
 }
 
-/// Repeats away: as far as a triangle of this size is still the same one.
+/// Moves a triangle repeats away, as far as its coordinates still hold its shape.
 void move_away(Case& one, Random& random) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     float least = std::numeric_limits<float>::max(), most = -least;
@@ -327,7 +328,7 @@ void set_sides(Case& one, const Row& row, std::uint64_t number, Random& random) 
   one.mips = std::min(counts[row[mips_of]], chain(one.width, one.height));
 }
 
-/// The mip that decides, of those that there are; 0 where all do.
+/// The deciding mip of those that exist; 0 if all decide.
 std::uint32_t deciding(const Case& one, const Row& row) {
   const std::uint8_t kind = row[deciding_mip];
   const std::uint32_t last = one.mips - 1;
@@ -366,7 +367,7 @@ Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
     row[cutoff_of] = 0;
     row[palette_of] %= 3;
   }
-  // Large maps again: widths of whole numbers grow with such factors.
+  // Large maps also avoid such factors, with which whole numbers get wider.
   if (n >= large_level && row[factor_of] == 6) row[factor_of] = 4;
   Random random(seed, strata_stream + 1 + n, number);
   Case one;

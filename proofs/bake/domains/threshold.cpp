@@ -16,7 +16,7 @@ using spec::Integer;
 using spec::Rational;
 using spec::bake::Binary32;
 
-/// Any significand, in [2^e, 2^(e+1)).
+/// A number in [2^e, 2^(e+1)) with any significand.
 float any_of(Random& random, int e) {
   return std::ldexp(static_cast<float>((1u << 23) + random.below(1u << 23)), e - 23);
 }
@@ -35,7 +35,7 @@ Rational exact_texel(Texel texel, std::uint32_t stored) {
   return spec::bake::number<Rational>(Binary32{stored});
 }
 
-/// Every finite binary64 is one of these.
+/// The exact value of a finite binary64 number.
 Rational exact(double x) {
   int e = 0;
   const auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &e), 53));
@@ -48,18 +48,18 @@ std::optional<Cutoff> as_cutoff(const Rational& q) {
   return Cutoff{static_cast<std::uint32_t>(q.numerator()), static_cast<std::uint32_t>(q.denominator())};
 }
 
-/// The quotient of the smallest numerator and denominator strictly between two.  Domain: 0 <= a < b.
+/// The quotient with the smallest numerator and denominator strictly between two.  Domain: 0 <= a < b.
 Rational simplest_between(const Rational& a, const Rational& b) {
   const Integer down = a.numerator() / a.denominator();
   if (Rational(down + 1) < b) return Rational(down + 1);
-  // Both within [down, down + 1].
+  // Both numbers lie within [down, down + 1].
   const Rational low = a - down, high = b - down;
   if (low == 0)
     return Rational(down) + Rational(Integer(1), Integer(high.denominator() / high.numerator() + 1));
   return Rational(down) + 1 / simplest_between(1 / high, 1 / low);
 }
 
-/// What a baker that multiplies in rounded numbers gets.
+/// The alpha of a baker that multiplies in rounded numbers, in one of three orders.
 template <class Float>
 Float rounded(const Case& one, std::uint32_t stored, Random& random) {
   const auto full = static_cast<Float>(one.texel == Texel::unorm8 ? 255 : 65535);
@@ -76,7 +76,7 @@ Float rounded(const Case& one, std::uint32_t stored, Random& random) {
   }
 }
 
-/// The texel whose alpha is nearest to some number.
+/// The texel whose alpha is nearest to a number.
 std::uint32_t texel_near(const Case& one, double alpha) {
   const double product = double{one.factor} * one.vertex_factor, x = product > 0 ? alpha / product : 1;
   switch (one.texel) {
@@ -90,7 +90,7 @@ std::uint32_t texel_near(const Case& one, double alpha) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(x, 0.0, 2.5)));
 }
 
-/// The quotient over that denominator next to alpha, at or below it.
+/// The greatest quotient with that denominator at or below alpha.
 std::optional<Cutoff> over(std::uint32_t denominator, const Rational& alpha) {
   const Integer numerator = alpha.numerator() * denominator / alpha.denominator();
   if (numerator > std::numeric_limits<std::uint32_t>::max()) return std::nullopt;
@@ -171,7 +171,7 @@ std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
       return fixed(random.below(2) != 0 ? Cutoff{3, 2} : Cutoff{256, 255});
     case 9:
       if (random.below(2) != 0) return fixed(random.below(2) != 0 ? Cutoff{1, 3} : Cutoff{2, 3});
-      break;  // else a hair beside a texel's value
+      break;  // else a cutoff a hair beside a texel's value
     case 10: {
       one.blend = true;
       return texel_near(one, random.below(3) == 0 ? 0 : 1);
@@ -182,7 +182,7 @@ std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
   const std::uint32_t t = texel();
   const Rational value = exact_texel(one.texel, t),
                  alpha = value * exact(one.factor) * exact(one.vertex_factor);
-  // A texel's value, at least; of binary32 at most 2^-31 below.
+  // The cutoff falls back to a texel's value; of binary32 to one at most 2^-31 below.
   std::optional<Cutoff> cutoff;
   switch (kind) {
     case 2:

@@ -1,4 +1,4 @@
-// Large textures, of which samples tell what no state may be: no specification has to visit all their texels.
+// Laws of large textures: points refute states, since the specification cannot visit all texels.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,9 +15,10 @@ namespace mmverify::proofs::bake {
 namespace {
 
 constexpr std::uint32_t least_side = 256;
-/// Of alpha and of texels: more than rounding to binary64 takes away here.
+/// A bound of the rounding errors in binary64, for alpha and for texels.
 constexpr double rounding = 1e-6;
-/// Above it, and where no micro-triangle has the one texel, one of 61 is judged.
+/// The highest level at which all micro-triangles are always judged.  Above it one of 61 is judged, unless one is
+/// known to hold the lone texel.
 constexpr Level all_judged = 9;
 
 /// A point, in texels.
@@ -25,12 +26,12 @@ struct TexelPlace {
   double x, y;
 };
 
-/// Thirds of steps of 1/2^n along the triangle's two edges.
+/// A place in thirds of steps of 1/2^n along the triangle's two edges.
 struct Steps {
   std::uint32_t u = 0, v = 0;
   friend bool operator==(const Steps&, const Steps&) = default;
 };
-/// A micro-triangle's three corners, and last its centroid.
+/// A micro-triangle's three corners, and its centroid last.
 std::array<Steps, 4> points_of(std::uint32_t index, Level n) {
   std::array<Steps, 4> points{};
   std::size_t k = 0;
@@ -60,7 +61,7 @@ class LonePlane {
     return {origin_.x + b * e_.x + c * f_.x, origin_.y + b * e_.y + c * f_.y};
   }
 
-  /// None where a step less than rounding away is another.
+  /// Alpha at a point; nothing if a step within rounding would give another value.
   std::optional<double> alpha(const TexelPlace& p) const {
     const auto x = weight(p.x, one_.width, one_.wrap_u, texel_.i),
                y = weight(p.y, one_.height, one_.wrap_v, texel_.j);
@@ -68,7 +69,7 @@ class LonePlane {
     return all_ + (lone_ - all_) * *x * *y;
   }
 
-  /// Whether a micro-triangle with this alpha somewhere in it is known to be something else.
+  /// Whether a state contradicts this alpha somewhere in its micro-triangle.
   bool denies(State got, double alpha) const {
     const double cutoff = static_cast<double>(one_.cutoff.numerator) / one_.cutoff.denominator,
                  leeway = double{one_.rules.slack} + rounding;
@@ -76,7 +77,7 @@ class LonePlane {
     return got == State::T && alpha > (one_.blend ? 0 : cutoff) + leeway;
   }
 
-  /// The centroid of the micro-triangle that the lone texel's centre lies in, well off its edges; none: of none.
+  /// The centroid of the micro-triangle that holds the lone texel's centre well inside; nothing if none does.
   std::optional<Steps> lone_steps() const {
     if (texel_.i >= one_.width || texel_.j >= one_.height) return std::nullopt;
     const TexelPlace centre = lone_centre();
@@ -99,7 +100,7 @@ class LonePlane {
     const TexelPlace p = vertex(k);
     return {p.x - origin_.x, p.y - origin_.y};
   }
-  /// How much of a sample at x is that column's, or row's.
+  /// The weight of the lone texel's column, or row, in a sample at x.
   std::optional<double> weight(double x, std::uint32_t size, Wrap wrap, std::uint32_t texel) const {
     const bool bilinear = one_.filter == Filter::bilinear;
     const double from = bilinear ? x - 0.5 : x, first = std::floor(from), second = from - first;
@@ -153,7 +154,7 @@ Finding contradicts_no_sample(const BakeSubject& s, const Case& one, Level n) {
 }
 
 std::uint64_t cases_at(Level n, Tier tier) {
-  constexpr std::uint64_t shapes = 13, all = shapes + 1;  // the last takes seconds
+  constexpr std::uint64_t shapes = 13, all = shapes + 1;  // the last shape takes seconds
   if (tier == Tier::fast) return n == 3 ? all : n <= 6 ? shapes : n <= 9 ? 2 : 1;
   return shapes * (n <= 6 ? 100 : n <= 9 ? 10 : 1);
 }

@@ -20,15 +20,16 @@ using spec::micromap::as_unknown;
 using spec::micromap::force2;
 using spec::micromap::unknown;
 
-/// Whether one micro-triangle cannot be both.  Anything may be unknown, so that O beside T alone is wrong; where unknown
-/// ones go by the centroid, also what force-2-state tells apart; and of who promises to be tight every difference.
+/// Whether one micro-triangle cannot have both states.  Any state may be unknown, so only O against T contradicts.
+/// If unknown states go by the centroid, the two must agree under force-2-state.  A subject that promises to be tight
+/// must give the same state.
 bool contradict(const BakeSubject& s, State a, State b) {
   if (s.functions.tight) return a != b;
   if (s.functions.centroid) return force2(a) != force2(b);
   return a != b && !unknown(a) && !unknown(b);
 }
 
-/// The first micro-triangle whose state is another, if there is one.
+/// The first micro-triangle whose states contradict each other, if any.
 std::optional<Finding> differ(const BakeSubject& s, const char* of, const std::vector<State>& expected,
                               const std::vector<State>& got) {
   for (std::size_t k = 0; k < expected.size(); ++k)
@@ -59,7 +60,7 @@ Finding keeps_shifts(const BakeSubject& s, const Case& one, Level n) {
   for (const auto& [x, y] : {std::pair{u, 0.0f}, {0.0f, -v}, {-3 * u, 5 * v}, {40 * u, -70 * v}}) {
     const Case other = shifted(one, x, y);
     if (!same_coordinates(shifted(other, -x, -y), one)) continue;        // rounded, and so another triangle
-    if (fitted(s.functions.support, other, 0).uv != other.uv) continue;  // outside what it declares
+    if (fitted(s.functions.support, other, 0).uv != other.uv) continue;  // outside the subject's support
     if (const auto wrong =
             differ(s, fmt::format("shifted by {:g}, {:g}:", x, y).c_str(), map, map_of(s, other, n)))
       return *wrong;
@@ -76,7 +77,7 @@ namespace {
 using Order = std::array<std::size_t, 3>;
 constexpr std::array<Order, 5> orders{{{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
-/// Three times the weights of a micro-triangle's centroid, over 3N: of the first, second and third vertex.
+/// Three times the weights of a micro-triangle's centroid, over 3N, for the first, second and third vertex.
 using Weights = std::array<std::uint32_t, 3>;
 Weights weights_of(std::uint32_t index, Level n) {
   Weights w{3 * spec::side(n), 0, 0};
@@ -88,7 +89,7 @@ Weights weights_of(std::uint32_t index, Level n) {
   return w;
 }
 
-/// Which micro-triangle of the triangle itself each one of the triangle with its vertices in that order is.
+/// The micro-triangle of the original triangle for each one of the triangle with its vertices in `order`.
 std::vector<std::uint32_t> places(const Order& order, Level n) {
   std::map<Weights, std::uint32_t> by_weights;
   const std::uint32_t count = std::uint32_t{1} << 2 * n;
@@ -163,7 +164,7 @@ Finding keeps_levels(const BakeSubject& s, const Case& one, Level n) {
 }
 
 Finding keeps_cutoffs(const BakeSubject& s, const Case& one, Level n) {
-  // As bytes over 255, so that alpha meets them; and the case's own, which alpha meets in another way.
+  // Cutoffs over 255, which alpha meets exactly, and the case's own.
   std::vector<Cutoff> rising{{0, 1}, {1, 255}, {1, 2}, {128, 255}, {1, 1}, {256, 255}, one.cutoff};
   std::sort(rising.begin(), rising.end(), [](const Cutoff& a, const Cutoff& b) {
     return std::uint64_t{a.numerator} * b.denominator < std::uint64_t{b.numerator} * a.denominator;
@@ -211,7 +212,7 @@ namespace {
 // Mips
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// One mip as a texture of its own.
+/// One mip as a texture.
 Case mip_of(const Case& one, std::uint32_t mip) {
   Case other = one;
   other.width = std::max(1u, one.width >> mip);

@@ -1,4 +1,5 @@
-// Laws of states: O and T are true of all of their micro-triangle, an unknown is one, and on the right side.
+// Laws of states: O and T are true of all of their micro-triangle, unknown states are necessary, and lie on the right
+// side.
 #include "proofs/bake/mutants/states.hpp"
 
 #include <array>
@@ -24,8 +25,8 @@ using spec::micromap::unknown;
 constexpr char source[] =
     "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake/state.hpp";
 
-/// Whether a state is wrong by a law, given the true ones of a cutoff less the slack and of that plus it: without a
-/// slack the same one twice.
+/// Whether a law denies a state, given the true states at the cutoff less the slack and at the cutoff plus the slack.
+/// Both are the same without a slack.
 using Denies = bool (*)(State got, State lower, State upper);
 
 bool not_conservative(State got, State lower, State upper) {
@@ -43,20 +44,20 @@ bool differs(State got, State lower, State upper) {
 bool leans_transparent(State got, State, State) { return got == State::UT; }
 bool leans_opaque(State got, State, State) { return got == State::UO; }
 
-/// The law's own, or what a subject says of its unknowns in the place of the centroid.
+/// The law's check, or, for a subject that declares the side of its unknown states, a check of that side.
 Denies denied_of(const BakeSubject& s, Denies denies) {
   if (denies != wrong_side || s.functions.centroid) return denies;
   return s.functions.support.unknown == UnknownSide::opaque ? leans_transparent : leans_opaque;
 }
 
-/// The true state that a state is held against.
+/// The true state to compare a state with.
 State against(State got, State lower, State upper) {
   if (got == State::O) return lower;
   if (got == State::T) return upper;
   return upper == State::O ? State::O : lower;
 }
 
-/// The states with those that the law does not deny made right.
+/// The offender with the simplest map: states that the law does not deny are replaced by right ones.
 std::optional<Offender> offender(const Case& one, Level n, std::vector<State> got,
                                  const std::vector<std::uint32_t>& at, const Truth& truth, Denies denies) {
   std::vector<State> right(at.size());
@@ -73,7 +74,8 @@ std::optional<Offender> offender(const Case& one, Level n, std::vector<State> go
 
 std::string place_text(const Place& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
 
-/// What an O or T that is wrong amounts to: an edge, or which part of the area and by how much.
+/// The extent of a wrong O or T as words: a tie, or by how much alpha misses the cutoff and on which share of the
+/// area.
 std::string amount(const Case& one, Level n, const Offender& o, const Extreme& e) {
   if (is_tie(one, n, o.index, o.said)) return ", a tie: wrong on an area of 0 alone";
   std::string text;
@@ -98,7 +100,7 @@ Words in_words(const Case& one, Level n, const Offender& o) {
           name_of(o.said)};
 }
 
-/// Whether all that is wrong are ties.
+/// Whether all wrong states are ties.
 bool ties_alone(const Case& one, Level n, const std::vector<State>& got, const std::vector<std::uint32_t>& at,
                 const Truth& truth) {
   for (std::size_t k = 0; k < at.size(); ++k)
@@ -107,24 +109,24 @@ bool ties_alone(const Case& one, Level n, const std::vector<State>& got, const s
   return true;
 }
 
-/// What a law ranges over: a family, all of it, or samples.
+/// The domain of a law: a family, complete, or samples.
 struct Domain {
   const Families& (*families)() = nullptr;
   Case (*drawn)(std::uint64_t seed, Level n, std::uint64_t k) = nullptr;
-  const char* (*says)() = nullptr;                       ///< of samples
-  std::uint64_t (*count)(Level n, Tier tier) = nullptr;  ///< of samples
+  const char* (*says)() = nullptr;                       ///< the text of samples
+  std::uint64_t (*count)(Level n, Tier tier) = nullptr;  ///< the number of samples
   Levels fast = {0, 3}, long_run = {0, 3};
 
   bool whole() const { return families != nullptr; }
   const Families& families_of(const Support& support) const { return fitted(families(), support); }
-  /// The micro-triangles that a case is judged at: of a family all.
+  /// The micro-triangles at which a case is judged; of a family all.
   std::vector<std::uint32_t> at(const Case& one, Level n) const {
     if (!whole()) return judged_at(one, n);
     std::vector<std::uint32_t> all(std::size_t{1} << 2 * n);
     std::iota(all.begin(), all.end(), 0u);
     return all;
   }
-  /// Their states.
+  /// The true states at these micro-triangles.
   Truth truth(const Support& support, const Case& one, Level n,
               const std::optional<std::uint64_t>& number) const {
     if (!whole()) return true_states(one, n);
@@ -136,7 +138,7 @@ struct Domain {
   }
 };
 
-/// Each level has samples of its own, whose kinds are those of the first.
+/// The number of a level's sample.  Each level has samples of its own; their kinds follow those of the first level.
 std::uint64_t sample_of(Level n, std::uint64_t k) { return 104 * 200 * std::uint64_t{n} + k; }
 std::uint64_t as_many(Level, Tier tier) { return tier == Tier::fast ? 104 : 20'000; }
 std::uint64_t strata_count(Level n, Tier tier) {
@@ -211,13 +213,13 @@ Draw drawn_by(Denies denies, const Domain& domain) {
   };
 }
 
-/// Whether it says which unknown a state is.
+/// Whether a subject defines the side of its unknown states.
 bool says_the_side(const BakeSubject& s) {
   return s.functions.centroid || s.functions.support.unknown == UnknownSide::opaque ||
          s.functions.support.unknown == UnknownSide::transparent;
 }
 
-/// Why a law does not fit what a subject declares.
+/// The reason why a law does not fit what a subject declares.
 Lacks lacking(Denies denies, const Domain& domain) {
   const Family* first = domain.whole() ? &domain.families().all().front().family() : nullptr;
   const bool both = domain.whole() && domain.families().all().back().family().filter != first->filter;

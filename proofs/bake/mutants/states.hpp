@@ -1,5 +1,4 @@
-// Bakers that are broken on purpose: a state changed where the case is the one that is meant, or the case
-// mistaken for another.
+// Deliberately wrong bakers: a state changed in one particular case, or the case mistaken for another.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +20,7 @@ inline void mirror_once_as_clamp(Case& one) {
   for (Wrap* const wrap : {&one.wrap_u, &one.wrap_v})
     if (*wrap == Wrap::mirror_once) *wrap = Wrap::clamp_to_edge;
 }
-/// The cutoff, and a hair.
+/// Raises the cutoff by a hair.
 inline void above_the_cutoff(Case& one) {
   one.cutoff = {one.cutoff.numerator * 10'000 + 1, one.cutoff.denominator * 10'000};
 }
@@ -30,12 +29,12 @@ inline Mistake in_steps_of(int bits) {
     for (float& x : one.uv) x = std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits);
   };
 }
-/// Half the size, towards the first vertex.
+/// Shrinks the triangle to half its size, towards the first vertex.
 inline void shrunk(Case& one) {
   for (std::size_t k = 2; k < 6; ++k) one.uv[k] = (one.uv[k] + one.uv[k % 2]) / 2;
 }
 
-/// By a hair: a place on a line of texels falls to the texel before it.
+/// Moves the triangle by a hair, so that a place on a line of texels falls to the texel before it.
 inline void high_sides(Case& one) {
   for (float& x : one.uv) x -= 0x1p-18f;
 }
@@ -81,7 +80,7 @@ inline void rounded_product(Case& one) {
   one.vertex_factor = 1;
 }
 inline void rounded_cutoff(Case& one) {
-  // A binary32 number in [2^-8, 2) over 2^31 is whole.
+  // The product of 2^31 and a binary32 number in [2^-8, 2) is whole.
   const float x = static_cast<float>(one.cutoff.numerator) / static_cast<float>(one.cutoff.denominator);
   if (x >= 0x1p-8f && x < 2) one.cutoff = {static_cast<std::uint32_t>(std::ldexp(double{x}, 31)), 1u << 31};
 }
@@ -93,8 +92,8 @@ inline void byte_border(Case& one) {
   if (one.texel == Texel::unorm16) one.border &= 255;
 }
 
-/// The remainder of a texel's number by a product with the reciprocal in binary32.  Where that is too small a multiple of
-/// the side leaves the side, which is no texel, and the last one is taken.
+/// Moves a triangle as if a texel's number were reduced by a product with the reciprocal in binary32.  If the
+/// reciprocal is too small, a multiple of the side keeps the side as its remainder, and the last texel is taken.
 inline void remainder_by_reciprocal(Case& one) {
   for (const std::size_t axis : {0u, 1u}) {
     if ((axis == 0 ? one.wrap_u : one.wrap_v) != Wrap::repeat) continue;
@@ -105,7 +104,7 @@ inline void remainder_by_reciprocal(Case& one) {
     for (std::size_t k = axis; k < 6; k += 2) one.uv[k] -= 1 / side;
   }
 }
-/// The same of sides that are one less than a power of two and above 1000.
+/// Narrows textures whose sides are one less than a power of two and above 1000.
 inline void narrow_when_nearly_a_power(Case& one) {
   for (const std::size_t axis : {0u, 1u}) {
     const std::uint32_t size = axis == 0 ? one.width : one.height;
@@ -119,7 +118,7 @@ inline void mirrors_by_centres(Case& one) {
     for (std::size_t k = 0; k < 6; k += 2) one.uv[k] -= std::floor(one.uv[k]) / static_cast<float>(one.width);
 }
 
-/// The map of another case in the place of this one's.
+/// A mutant that bakes another case.
 inline Mutant asked_for_another(const char* name, Levels levels, const Mistake& mistake) {
   return mutant(name, "bake", levels, [&](Functions& functions) {
     functions.bake = [mistake, real = functions.bake](Case one, Level n, Format format) {
@@ -129,7 +128,7 @@ inline Mutant asked_for_another(const char* name, Levels levels, const Mistake& 
   });
 }
 
-/// What becomes of a state, given that of the other case's map.
+/// A mutant whose states `becomes` makes from the right ones and those of another case's map.
 inline Mutant beside_another(const char* name, Levels levels, const Mistake& mistake,
                              State (*becomes)(State is, State other)) {
   return mutant(name, "bake", levels, [&](Functions& functions) {
@@ -160,7 +159,7 @@ inline Mutant side_of_another(const char* name, Levels levels, const Mistake& mi
 // One state of one map
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Changes the last state of the kind that is meant.
+/// Changes the last state that `meant` accepts.
 template <class Meant, class Becomes>
 void change_last(std::vector<State>& states, Meant meant, Becomes becomes) {
   const auto last = std::find_if(states.rbegin(), states.rend(), meant);
@@ -169,7 +168,7 @@ void change_last(std::vector<State>& states, Meant meant, Becomes becomes) {
 
 using Texels = std::vector<std::uint32_t>;
 
-// A mutant that `claims` says O or T of what is unknown; one that `forgets` says unknown of what is O or T.
+// A mutant that `claims` calls unknown states O or T; one that `forgets` calls O or T unknown.
 
 inline Spoil claims_one(const Texels& texels, Wrap u, Wrap v, float first) {
   return [=](const Case& one, Level, std::vector<State>& states) {
@@ -224,7 +223,7 @@ inline void forgets_wide(const Case& one, Level n, std::vector<State>& states) {
   for (State& s : states) s = spec::micromap::as_unknown(s);
 }
 
-/// Of textures with so many rows, at a micro-triangle that samples are judged at.
+/// Mutants on textures with `rows` rows, at a micro-triangle that samples are judged at.
 inline Spoil claims_of_rows(std::uint32_t rows) {
   return [=](const Case& one, Level n, std::vector<State>& states) {
     if (one.height != rows) return;

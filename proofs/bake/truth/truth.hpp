@@ -1,4 +1,4 @@
-// What the specification says of a case: the state of each micro-triangle, and a point that shows it.
+// The true states of a case by the specification, and a point that shows each.
 #pragma once
 
 #include <optional>
@@ -15,25 +15,24 @@ using Place = spec::bake::Place<Rational>;
 /// The state of micro-triangle `index` by spec/bake/state.hpp.
 State true_state(const Case& one, Level n, std::uint32_t index);
 
-/// The true states of some micro-triangles, twice where the case has a slack: with the cutoff less that, and with
-/// the cutoff and that.  Without a slack the two are the same.
+/// The true states of some micro-triangles, with the cutoff less the slack and with the cutoff plus the slack.  Both
+/// are the same without a slack.
 struct Truth {
   std::vector<State> lower, upper;
 };
 
-/// The micro-triangles that a sample of level n is judged at: all up to level 3, above 96 of them.  Of
-/// textures of more than 7 texels a side 24 and fewer (8 at least) where margins and mips make each one
-/// long work, or all that there are.  Among them the three corners of the triangle, some spread evenly, and
-/// some, other ones for another case, that hold points drawn from the texture and a texel around it, as far
-/// as the triangle has such.
+/// The micro-triangles at which a sample of level n is judged: all up to level 3, 99 of them above.  A texture with a
+/// side above 7 texels has 24, or fewer (8 at least) if margins and mips make each slow.  Among them are the
+/// triangle's three corners, some spread evenly, and some that hold points drawn from the texture and a texel around
+/// it, as far as the triangle has such; these depend on the case.
 std::vector<std::uint32_t> judged_at(const Case& one, Level n);
 
-/// Those states, remembered for the next law that asks.
+/// The true states at judged_at(), remembered for later laws.
 Truth true_states(const Case& one, Level n);
-/// The states there, not remembered.
+/// The true states at the given micro-triangles, not remembered.
 Truth true_states(const Case& one, Level n, const std::vector<std::uint32_t>& at);
 
-/// Where alpha is least or greatest on a closed micro-triangle, and what it is there.
+/// A place with the least or the greatest alpha on a closed micro-triangle, and that alpha.
 struct Extreme {
   Place at;  ///< in texels of its mip
   Rational alpha;
@@ -42,7 +41,7 @@ struct Extreme {
 struct Extremes {
   Extreme least, greatest;
 };
-/// Over the micro-triangle dilated by the margin, in all mips.
+/// The extremes over the micro-triangle dilated by the margin, in all mips.
 Extremes extremes(const Case& one, Level n, std::uint32_t index);
 
 /// The corners of a micro-triangle, in texels of mip 0.

@@ -1,6 +1,6 @@
-// The lemmas of dag.all_levels: each is one step of an induction over subtrees, for a part of one state or for one that is
-// stored and whose children fulfil it, and is written by running the specification's own templates on names.  No level
-// occurs, but for how many children there are: 64 below a tile, 16 or 4 below a node.
+// The lemmas of dag.all_levels.  Each is one step of an induction over subtrees, for a part of one state or for a
+// stored part whose children fulfil it, and comes from running the specification's own templates on names.  No level
+// occurs, only the number of children: 64 below a tile, 16 or 4 below a node.
 #pragma once
 
 #include <array>
@@ -11,31 +11,31 @@
 
 namespace mmverify::proofs::dag::induction {
 
-/// What a lemma supposes, having been written into a script, and what it claims under that.
+/// The claims of a lemma, under the premises that it has written into a script.
 struct Lemma {
-  Term occasion;  ///< the premise of its claims, on which a witness must come
+  Term occasion;  ///< the premise of its claims, for which a witness must exist
   std::vector<Term> claims;
 };
 using Writer = std::function<Lemma(Script&)>;
 
-/// Two statements: no case denies the claims; some case fulfils what is supposed.
+/// Adds two statements: no case denies the claims; some case fulfils the premises.
 void add(std::vector<Statement>& all, const std::string& name, const std::string& says, const Writer& write);
 
 inline constexpr std::array<unsigned, 3> counts{4, 16, 64};
 
 /// Parts P0 .. P(count-1).
 std::vector<Term> declare_parts(Script& script, unsigned count, char letter = 'P');
-/// first(p) is one of so many digits.
+/// The first digit of the path is below `count`.
 Term has_digit(const Term& path, unsigned count);
-/// Not all of them are of one state, the same.
+/// Not all children are parts of one and the same state.
 Term not_of_one_state(const std::vector<Term>& children);
 
-/// Those that speak of no template.
+/// The lemmas without a template of the specification.
 void add_same_in_children(std::vector<Statement>& all, unsigned count);
 void add_canonical(std::vector<Statement>& all, unsigned count);
 void add_appended(std::vector<Statement>& all);
 
-/// What spec::dag::parent makes of these children: `stored` where it stores them.
+/// The part that spec::dag::parent makes of these children; `stored` is the part that stores them.
 template <class Rules>
 Term parent_of(const std::vector<Term>& children, const Term& stored) {
   using namespace proofs::induction;
@@ -163,7 +163,7 @@ void add_bound(std::vector<Statement>& all) {
       });
 }
 
-/// All of them, under the rules of building and looking up.
+/// All statements, for the rules of building and looking up.
 template <class Rules>
 std::vector<Statement> all_levels_statements() {
   std::vector<Statement> all;

@@ -1,4 +1,4 @@
-// What the statements of dag.all_levels speak of: parts of a graph, what they mean, and names that the specification's
+// Terms for the statements of dag.all_levels: parts of a graph, their meaning, and names that the specification's
 // templates take.
 #pragma once
 
@@ -22,7 +22,7 @@ using proofs::induction::Term;
 
 inline const std::string part_sort = "Part", state_sort = "State", path_sort = "Path", map_sort = "Map";
 
-/// Writes the definitions of parts and what they mean into a script.
+/// Writes the definitions of parts and their meaning into a script.
 void define_parts(Script& script);
 
 Term implies(const Term& premise, const Term& conclusion);
@@ -34,7 +34,7 @@ Term child(const Term& part, const Term& digit);
 Term means(const Term& part, const Term& path);
 Term meant(const Term& part, const Term& path);
 
-/// A part that the templates take.
+/// A part as the templates take it.
 struct Name {
   Term term;
   bool mixed() const { return proofs::induction::decided(is_stored(term)); }
@@ -43,7 +43,7 @@ struct Name {
   }
 };
 
-/// What is stored, as lookup_turn asks.
+/// The stored children, as lookup_turn reads them.
 struct Store {
   Name child(const Name& at, const Integer& digit) const { return {induction::child(at.term, digit.term)}; }
 };

@@ -1,4 +1,4 @@
-// What binary32 numbers stand for, exactly: words of 184 bits that count units of 2^-149, the least of them.
+// Exact values of binary32 numbers: words of 184 bits that count units of 2^-149, the least positive number.
 #pragma once
 
 #include "proofs/induction/statement.hpp"
@@ -9,7 +9,7 @@ namespace mmverify::proofs::index::binary32 {
 using proofs::induction::Term;
 
 /// A number in [0, 2^31) that is a multiple of 2^-149; sums and differences in that range are exact.
-/// 2^31 units of 1 are 2^180 units of 2^-149; the bits above tell a number below 0.
+/// 2^31 units of 1 are 2^180 units of 2^-149; the bits above show a negative number.
 class Exact {
  public:
   static constexpr unsigned fraction_bits = 149, bits = 184;
@@ -38,7 +38,7 @@ inline Term is_less(const Exact& a, const Exact& b) {
   return proofs::induction::apply("bvslt", {a.term, b.term}, proofs::induction::boolean);
 }
 
-/// The same as a Coordinate of the specification's templates, whose whole part is a word of so many bits.
+/// An exact number as a Coordinate of the specification's templates, with whole parts of `word_bits` bits.
 template <unsigned word_bits>
 class ExactIn : public Exact {
  public:
@@ -65,14 +65,14 @@ class ExactIn : public Exact {
   }
 };
 
-/// Defines what the bits of a binary32 number without a sign, finite, stand for, in three functions:
+/// Defines the value of a finite binary32 number without a sign from its bits, by three functions:
 ///   significand   with its leading 1, which a subnormal number has not
 ///   exponent      of the last bit, above -149
 ///   exact         significand 2^(exponent + n), in units of 2^-149: x 2^n
 /// Source: IEEE 754-2019, 3.4.
 void define_binary32(proofs::induction::Script& script);
 
-/// x 2^n in units of 2^-149, of x's bits and a byte n.
+/// x 2^n in units of 2^-149, from x's bits and a byte n.
 Term exact_times(const Term& x_bits, const Term& n);
 /// x in units of 2^-149.
 Term exactly(const Term& x_bits);

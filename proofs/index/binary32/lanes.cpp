@@ -1,4 +1,5 @@
-// impl's code for vectors, on an hn whose functions write formulas: each lane by itself, as Highway's functions act.
+// impl's code for vectors, with Highway functions that write formulas: each lane by itself, as Highway's functions
+// act.
 #include <cstdint>
 
 #include "proofs/index/binary32/steps.hpp"
@@ -37,7 +38,8 @@ FloatLane rounded(const char* head, const FloatLane& a, const FloatLane& b) {
 }
 Term asked(const char* head, const Term& a, const Term& b) { return apply(head, {a, b}, boolean); }
 
-/// Of two zeros, or beside a NaN, processors differ in which of the two they give: a Boolean of its own.
+/// The number of choices between two zeros, or beside a NaN.  Processors differ in the operand that they give, so
+/// each choice has a Boolean of its own.
 thread_local int ties = 0;
 Term either(const Term& a, const Term& b) {
   return choose(Term("tie_" + std::to_string(ties++), boolean), a, b);

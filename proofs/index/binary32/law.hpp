@@ -1,4 +1,4 @@
-// index.floats, index.row_floats and index.published_differs_where: what is proved of every pair of binary32 numbers.
+// Laws index.floats, index.row_floats and index.published_differs_where, proved for every pair of binary32 numbers.
 #pragma once
 
 #include "proofs/index/subject.hpp"
@@ -6,19 +6,19 @@
 
 namespace mmverify::proofs::index::binary32 {
 
-/// The statements as they ship.
+/// The statements as shipped.
 std::vector<proofs::induction::Statement> shipped();
 std::vector<proofs::induction::Statement> shipped_published();
 std::vector<proofs::induction::Statement> shipped_rows();
 
-/// impl's index is that of the exact reference.
+/// The law that impl's index is that of the exact reference.
 Law law();
-/// And its index in row order that of figure 4.
+/// The law that impl's index in row order is that of figure 4.
 Law row_law();
-/// Where the published code's index is not exact.
+/// The law of the pairs on which the published code's index is not exact.
 Law published_law();
 
-/// For the first: codes with one step wrong, each in an arithmetic that looks right.
+/// Mutants of law(): codes with one wrong step, each plausible in some arithmetic.
 std::vector<Mutant> mutants();
 
 }  // namespace mmverify::proofs::index::binary32

@@ -10,16 +10,18 @@ using proofs::induction::Statement;
 
 /// The statements of a code's first steps, each for every input: `scale`, `parts`, `carry`, `flush`.
 std::vector<Statement> first_statements_about(const Steps& steps);
-/// And those of the others up to the index on the curve: `square`, `curve`.
+/// The statements of a code's other steps, up to the index on the curve: `square`, `curve`.
 std::vector<Statement> statements_about(const Steps& steps);
 
-/// The side as a float, the reference's whole parts, and for each hypothesis an input that fulfils it.
+/// The statements that all codes share: the side as a float, the reference's whole parts, and for each hypothesis an
+/// input that fulfils it.
 std::vector<Statement> common_statements();
 
-/// Of these, the side as a float, and an input for the hypotheses of the first steps.
+/// The common statements of the first steps: the side as a float, and an input for their hypotheses.
 std::vector<Statement> first_common_statements();
 
-/// All that index.floats rests on where one value goes by `scalar` and vectors by `lanes`; 64-bit words included.
+/// All statements of index.floats for a code that runs single values by `scalar` and vectors by `lanes`, 64-bit words
+/// included.
 std::vector<Statement> statements_of(const Steps& scalar, const Steps& lanes);
 
 }  // namespace mmverify::proofs::index::binary32

@@ -30,7 +30,7 @@ struct LesserFromOne : Implemented {
   }
 };
 
-/// What x + 1 has no room for is gone after - 1.
+/// A bias by 1 and back, which loses the bits for which x + 1 has no room.
 struct BiasedByOne : Implemented {
   template <class F>
   static F scaled(const F& x, const F& N) {
@@ -38,7 +38,7 @@ struct BiasedByOne : Implemented {
   }
 };
 
-/// A bias against whole numbers that come out a hair too low.
+/// A bias upwards, against whole numbers that come out a hair too low.
 struct BiasedUp : Implemented {
   template <class Signed, class F>
   static impl::index::detail::Cut<Signed, F> cut(const F& y) {
@@ -47,7 +47,7 @@ struct BiasedUp : Implemented {
   }
 };
 
-/// Deaf to what is smaller than an ulp of 1.
+/// A scale that flushes numbers below an ulp of 1 to 0.
 struct DeafToSmall : Implemented {
   template <class F>
   static F scaled(const F& x, const F& N) {
@@ -56,7 +56,7 @@ struct DeafToSmall : Implemented {
   }
 };
 
-/// A code's steps one after the other.  Domain: n in 0..16.
+/// The index by a code's steps, one after the other.  Domain: n in 0..16.
 template <class Code>
 std::uint32_t index_by(float u, float v, Level n) {
   using Whole = std::int32_t;

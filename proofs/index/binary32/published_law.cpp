@@ -13,8 +13,8 @@
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/picture.hpp"
+#include "proofs/index/points.hpp"
 #include "proofs/induction/discharge.hpp"
-#include "proofs/points/hard_floats.hpp"
 
 namespace mmverify::proofs::index::binary32 {
 namespace {

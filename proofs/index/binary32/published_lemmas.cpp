@@ -10,10 +10,10 @@ using Word32 = Word<32>;
 using Square = spec::index::Quantised<Word32>;
 
 Term constant(std::uint64_t k) { return Word32(k).term; }
-/// The bits without the sign: of x's size.
+/// The bits of |x|.
 Term size_of(const Term& bits) { return (Word32(bits) & Word32(0x7fffffff)).term; }
 
-/// In [-0, 1), by bits.
+/// The condition, on its bits, that a number lies in [-0, 1).
 Term in_rest(const Term& bits) {
   return both({apply("bvult", {size_of(bits), constant(0x3f800000)}, boolean),
                induction::at_most(bits, constant(0x80000000))});
@@ -55,7 +55,7 @@ Statement published_scale_lemma() {
       {induction::at_most(size_of(got), side_bits), equal(exactly(size_of(got)), exact_times(limited, n))});
 }
 
-/// grid_square and curve of given whole parts.
+/// The index by grid_square and curve, for given whole parts.
 Term index_of(const Term& iu, const Term& iv, bool upper, const Term& N, const Term& low) {
   const auto paths =
       every_path([&] { return spec::index::grid_square<Word32>(Word32(iu), Word32(iv), upper, Word32(N)); });

@@ -14,7 +14,8 @@ using proofs::induction::Binary32;
 using proofs::induction::Script;
 using proofs::induction::Statement;
 
-/// Binary32 as a number of the specification's templates: what spec::Number is of float.
+/// A binary32 number as a number of the specification's templates, with the operations that spec::Number has for
+/// float.
 class Rounded {
  public:
   explicit Rounded(std::uint32_t k) : number(static_cast<float>(k)) {}
@@ -38,8 +39,8 @@ class Rounded {
   }
 };
 
-/// The same, but that a scaled coordinate is a pair of names, its whole part and what is left: the text that takes
-/// them apart has a lemma of its own.
+/// A Rounded number whose scaled coordinates are pairs of names, a whole part and the rest.  The text that splits
+/// coordinates has a lemma of its own.
 class Parted {
  public:
   using Whole = proofs::induction::Word<32>;
@@ -48,7 +49,7 @@ class Parted {
   explicit Parted(Whole k) : whole_(std::move(k)) {}
   Parted(Whole k, Rounded rest) : whole_(std::move(k)), rest_(std::move(rest)) {}
 
-  /// Of a coordinate its own whole part, which leaves the rest; or of two numbers.
+  /// The rest of a coordinate less its own whole part; or the difference of two numbers.
   friend Parted operator-(const Parted& a, const Parted& b) {
     if (!a.rest_) return Parted(a.value() - b.value());
     if (b.rest_ || !b.whole_ || !(b.whole_->term == a.whole_->term))
@@ -67,7 +68,7 @@ class Parted {
   std::optional<Rounded> rest_, value_;
 };
 
-/// The published code's grid square, so that a mutant can have it wrong.
+/// The published code's grid square, which a mutant can replace.
 struct Printed {
   template <class Word, class Q>
   static spec::index::Quantised<Word> square(const Q& un, const Q& vn, const Word& N) {
@@ -75,8 +76,8 @@ struct Printed {
   }
 };
 
-/// What holds of any text of the sort: clamping and scaling, whole parts and rests; and what the two halves of a
-/// square come to.
+/// The lemmas of the code outside the square: clamping and scaling, whole parts and rests, and the results of the
+/// square's two halves.
 std::vector<Statement> statements_of_published_numbers();
 
 /// N up to 2^16, whole parts up to N and the bits of rests in [-0, 1).
@@ -84,10 +85,10 @@ struct PublishedInput {
   proofs::induction::Term N, iu, iv, uf, vf;
 };
 PublishedInput declare_published_input(Script& script);
-/// Not uf+vf < 1 - 2^-25.
+/// The condition that uf+vf >= 1 - 2^-25.
 proofs::induction::Term reaches_published_one(const PublishedInput& in);
 
-/// The square that a code takes in binary32.
+/// The lemma of a code's square in binary32.
 template <class Code>
 Statement published_square_lemma() {
   using namespace proofs::induction;

@@ -1,4 +1,4 @@
-// The steps from two floats to an index, as formulas: what a code's templates leave when they run on names.
+// The steps from two floats to an index, as formulas: the result of a code's templates run on names.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace mmverify::proofs::index::binary32 {
 
 using proofs::induction::Term;
 
-/// A number's whole part, a word of 32 bits, and the rest, a binary32 number.
+/// A number's whole part, a word of 32 bits, and its rest, a binary32 number.
 struct CutTerms {
   Term whole, part;
 };
@@ -22,28 +22,28 @@ struct SquareTerms {
   Term iu, iv, row;
 };
 
-/// A row and how far along it by v and by u, words of 32 bits.
+/// A row, and the place in it by v and by u, words of 32 bits.
 struct RowTerms {
   Term row, col, dia;
 };
 
-/// One code's steps.  x, N, y, uf, vf are binary32 numbers; iu, iv and N of a square are words of 32 bits.
+/// The steps of one code.  x, N, y, uf, vf are binary32 numbers; iu, iv and N of a square are words of 32 bits.
 struct Steps {
-  std::string name;               ///< begins the names of its statements
-  std::vector<std::string> free;  ///< Booleans that its formulas leave open: any value will do
+  std::string name;               ///< the prefix of its statements' names
+  std::vector<std::string> free;  ///< Booleans that its formulas leave open, with any value
   std::function<Term(const Term& x, const Term& N)> scaled;
   std::function<CutTerms(const Term& y)> cut;
   std::function<Term(const Term& uf, const Term& vf)> reach_one;  ///< the word 1 or 0
   std::function<Term(const Term& uf)> is_more_than_none;          ///< the word 1 or 0
   std::function<SquareTerms(const Term& iu, const Term& iv, const Term& carry, const Term& N)> square;
   std::function<Term(const SquareTerms&)> curve;
-  /// In row order; carry and beyond are Booleans.
+  /// The place in row order; carry and beyond are Booleans.
   std::function<RowTerms(const Term& iu, const Term& iv, const Term& carry, const Term& beyond,
                          const Term& N)>
       row_place;
 };
 
-/// impl's steps for one value, so that a mutant can have one of them wrong.
+/// impl's steps for one value, which a mutant can replace one by one.
 struct Implemented {
   template <class F>
   static F scaled(const F& x, const F& N) {
@@ -125,9 +125,9 @@ Steps scalar_steps() {
           }};
 }
 
-/// The same of impl's code for vectors: what one lane computes.
+/// The steps of one lane of impl's code for vectors.
 Steps lane_steps();
-/// That code with uf+vf >= 1 asked of the rounded sum, for a mutant.
+/// The steps of a mutant of that code, which compares the rounded sum with 1.
 Steps lane_steps_of_plain_sums();
 
 }  // namespace mmverify::proofs::index::binary32

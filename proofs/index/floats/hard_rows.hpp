@@ -1,7 +1,7 @@
 // The binary32 inputs that break row order.
 #pragma once
 
-#include "proofs/points/hard_floats.hpp"
+#include "proofs/index/points.hpp"
 
 namespace mmverify::proofs::index {
 

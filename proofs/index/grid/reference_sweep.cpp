@@ -33,10 +33,10 @@ MMVERIFY_FOR_EACH_MACHINE void wide_row(Level n, Level grid, const Row& row, std
 
 }  // namespace
 
-MMVERIFY_FOR_EACH_MACHINE void reference_batch(Level n, std::span<const points::GridPoint> points,
+MMVERIFY_FOR_EACH_MACHINE void reference_batch(Level n, std::span<const GridPoint> points,
                                                std::span<std::uint32_t> out) {
   const std::size_t count = points.size();
-  const points::GridPoint* p = points.data();
+  const GridPoint* p = points.data();
   std::uint32_t* index = out.data();
   for (std::size_t t = 0; t < count; ++t) index[t] = spec::index::reference(p[t], n);
 }
@@ -56,7 +56,7 @@ MMVERIFY_FOR_EACH_MACHINE void reference_wide_row(Level n, const Row& row, std::
   const auto count = static_cast<std::int64_t>(row.count);
   std::uint64_t* index = out.data();
   for (std::int64_t t = 0; t < count; ++t)
-    index[t] = spec::index::reference_wide(points::GridPoint{Fixed64::from_raw(u + t * du), Fixed64::from_raw(v)}, n);
+    index[t] = spec::index::reference_wide(GridPoint{Fixed64::from_raw(u + t * du), Fixed64::from_raw(v)}, n);
 }
 
 }  // namespace mmverify::proofs::index

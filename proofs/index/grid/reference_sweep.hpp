@@ -3,13 +3,13 @@
 
 #include <span>
 
-#include "proofs/points/cells.hpp"
+#include "proofs/index/points.hpp"
 
 namespace mmverify::proofs::index {
 
 /// out[t] = spec::index::reference(points[t], n), the specification's own text.
 /// Domain: points of Fixed64; n in 0..16; out as long as points.
-void reference_batch(Level n, std::span<const points::GridPoint> points, std::span<std::uint32_t> out);
+void reference_batch(Level n, std::span<const GridPoint> points, std::span<std::uint32_t> out);
 
 /// The same on the representatives of rows of `grid`, one row after the other, in 32-bit words where these
 /// hold every sum (docs/SOUNDNESS.md, "No sum overflows").

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "proofs/points/cells.hpp"
+#include "proofs/index/points.hpp"
 
 namespace mmverify::proofs::index {
 

@@ -1,4 +1,4 @@
-// index.all_levels, index.wide_is_vulkan and index.impl_wide_is_wide.
+// The laws index.all_levels, index.wide_is_vulkan and index.impl_wide_is_wide.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using spec::index::Reading;
 
-/// The built-in subjects that a law has statements about.
+/// A built-in subject that a law has statements about.
 struct About {
   const char* subject;
   std::vector<Statement> (*statements)();
@@ -47,7 +47,8 @@ std::optional<std::vector<Statement>> statements_about(const Subjects& known, co
   return std::nullopt;
 }
 
-/// What the two laws have in common.
+/// A law whose judge discharges statements; `search`: the highest level whose cells are searched for a
+/// counterexample.
 Law settled(const Subjects& (*known)(), Level search, std::uint64_t statements) {
   return {.id = {},
           .topic = "index",
@@ -90,7 +91,7 @@ Law all_levels_law() {
 }
 
 Law wide_is_vulkan_law() {
-  constexpr Level search = 10;  // above the 8 levels that half of a prefix XOR is right on
+  constexpr Level search = 10;  // above the 8 levels at which half of a prefix XOR is right
   Law law = settled(wide_formulas, search, shipped_wide_is_vulkan().size());
   law.id = "index.wide_is_vulkan";
   law.says =

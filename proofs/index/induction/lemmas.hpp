@@ -11,7 +11,7 @@ namespace mmverify::proofs::index::induction {
 using proofs::induction::Answer;
 using proofs::induction::Statement;
 
-/// M itself: coordinates of the current triangle, times M.
+/// Coordinates of the current triangle, times M: the unit of the side is M itself.
 struct UnitSide {
   static Term times(std::uint32_t k) {
     using namespace proofs::induction;
@@ -25,14 +25,15 @@ using OnGrid = proofs::induction::Real<proofs::induction::UnitOne>;
 
 inline Term truth(bool b) { return {b ? "true" : "false", proofs::induction::boolean}; }
 
-/// On [0,1] the clamp changes nothing.
+/// The lemma that on [0,1] the clamp changes nothing.
 Statement clamp_lemma();
-/// The induction's base: where M = 1, no bit is to come.
+/// The induction's base: at M = 1, no bit is left.
 Statement base_lemma();
-/// Hypotheses that some case fulfils: of the opening, of the transition from each place, of the base in each.
+/// Statements that some case fulfils the hypotheses: of the opening, of the transition from each place, of the base
+/// in each.
 std::vector<Statement> witnesses();
 
-/// At places from n up, where `low` has no bit and iu and iv have none, the formula gives no bit.
+/// The lemma that at places from n up, at which `low`, iu and iv have no bit, the formula gives no bit.
 template <class Formula>
 Statement beyond_lemma() {
   using namespace proofs::induction;
@@ -50,7 +51,7 @@ Statement beyond_lemma() {
   return script.denying({no(b0), no(b1), no(t)});
 }
 
-/// The beginning of both algorithms is related, at every M >= 1.
+/// The lemma that the beginnings of both algorithms are related, at every M >= 1.
 template <class Formula>
 Statement opening_lemma() {
   using namespace proofs::induction;
@@ -84,7 +85,8 @@ Statement opening_lemma() {
   return script.denying({related(M, state), equal(index, whole_number(0))});
 }
 
-/// Out of one place, both algorithms give the same digit and are related again, on a triangle half as wide.
+/// The lemma that out of one place, both algorithms give the same digit and are related again, on a triangle half as
+/// wide.
 template <class Formula, spec::index::Reading reading>
 Statement transition_lemma(Place place) {
   using namespace proofs::induction;
@@ -149,7 +151,7 @@ Statement transition_lemma(Place place) {
   return script.denying({appended, related(m, {u, v, w, mid, top, iu, iv, iw, above})});
 }
 
-/// All of them: the theorem that the reading of Algorithm 4 is the formula at every level.
+/// All statements: the theorem that the reading of Algorithm 4 is the formula at every level.
 template <class Formula, spec::index::Reading reading>
 std::vector<Statement> all_levels_statements() {
   std::vector<Statement> all{clamp_lemma(), opening_lemma<Formula>(), beyond_lemma<Formula>()};

@@ -10,7 +10,7 @@
 namespace mmverify::proofs::index::induction {
 namespace {
 
-/// An altered formula, on points and with the statements in which it takes the right one's place.
+/// A subject with an altered formula, which answers by it and brings statements about it.
 template <class Formula>
 class Wrong : public IndexSubject, public Provable {
  public:
@@ -46,7 +46,7 @@ struct HypotenuseNotApart : Specified {
     const auto s = whole(un) + whole(vn);
     Quantised<Word> q = Specified::quantise<Word>(un, vn, N);
     const Q uf = un - Q(whole(un)), vf = vn - Q(whole(vn));
-    // What the formula leaves out where s = N-1, it does here as well.
+    // The formula does not lower iw if s = N-1; this one does.
     if (!(s < N - 1) && s < N && !(uf + vf < Q(1))) q.iw = q.iw - 1;
     return q;
   }
@@ -72,7 +72,7 @@ struct PrefixOfOneBit : Specified {
   template <class Word, class PrefixXor>
   static CurveBits<Word> bits(const Quantised<Word>& q, const Word& low, PrefixXor prefix_xor) {
     return spec::index::curve_bits(q, low, [&](const Word& t) {
-      prefix_xor(t);  // asked, as the statements take t from there, and not listened to
+      prefix_xor(t);  // called, as the statements take t from there, but without effect
       return t;
     });
   }

@@ -6,7 +6,7 @@ namespace mmverify::proofs::index {
 Corners corners_in(CornerOrder order, std::uint32_t index, Level n) {
   const Corners c = spec::index::corners(index, n);
   if (order != CornerOrder::base_u_v) return c;
-  // The base is the corner that shares j with one of the others and i with the other one.
+  // The base is the corner that shares j with one other corner and i with the other.
   const auto base = std::find_if(c.begin(), c.end(), [&](const auto& p) {
     return std::count_if(c.begin(), c.end(), [&](const auto& q) { return p.i == q.i || p.j == q.j; }) == 3;
   });
@@ -32,8 +32,7 @@ std::optional<MicroTriangle> triangle_of(const Corners& c, Level n) {
     far_i = std::max(far_i, vertex.i), far_j = std::max(far_j, vertex.j);
   }
   if (far_i != i + 1 || far_j != j + 1 || c[0] == c[1] || c[0] == c[2] || c[1] == c[2]) return std::nullopt;
-  // Of the square's four corners three are there: the missing one is (1,1) for an upright one, (0,0) for an
-  // inverted.
+  // Three of the square's four corners must be there: (1,1) is missing for an upright one, (0,0) for an inverted one.
   for (const auto& vertex : c) sum += (vertex.i - i) + (vertex.j - j);
   const bool upside_down = sum == 4;
   if (sum != 2 && !upside_down) return std::nullopt;

@@ -9,6 +9,8 @@
 
 namespace mmverify::proofs::index {
 
+using points::simplicity;
+
 /// Who answers, one number a point: on points of any kind, and where it can, on rows of a grid as they are.
 struct Answers {
   using OnPoints = std::function<void(Batch, std::span<std::uint32_t>)>;

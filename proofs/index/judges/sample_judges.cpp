@@ -11,7 +11,7 @@
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/judges/near.hpp"
 #include "proofs/index/options.hpp"
-#include "proofs/points/exact_float.hpp"
+#include "proofs/index/points.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::uint64_t floats_per_chunk = 1 << 14;
 constexpr std::uint64_t floats_per_batch = 1024;
 constexpr std::uint64_t rationals_per_chunk = 64;
 
-/// What kind of cell holds the point: how many grid lines pass through it.
+/// The kind of the cell that holds the point, by the number of grid lines through it.
 template <class Q>
 Kind kind_at(const spec::Point<Q>& p, Level n) {
   const Q u = times(side(n), p.u), v = times(side(n), p.v), zero(0), one(1);
@@ -34,8 +34,7 @@ Counterexample at_rational(const RationalPoint& p, Level n, std::uint32_t expect
           fmt::format("{}", got)};
 }
 
-/// A random point in a random open cell of the level, on no finer grid in general, and that cell's
-/// representative.
+/// A random point in a random open cell of the level, in general on no finer grid, and that cell's representative.
 struct InCell {
   RationalPoint anywhere, representative;
   Kind kind;
@@ -43,8 +42,8 @@ struct InCell {
 
 InCell random_in_cell(Level n, Random& random) {
   const std::uint64_t N = side(n), j = random.below(N), i = random.below(N - j);
-  // a/d and b/d with a, b > 0 and a+b < d: inside the upright half of the square. d is odd, so the point is
-  // not dyadic.
+  // The offsets a/d and b/d with a, b > 0 and a+b < d lie inside the upright half of the square.  d is odd, so the
+  // point is not dyadic.
   const std::int64_t d = 2 * random.between(1, 1 << 20) + 1, a = random.between(1, d - 2),
                      b = random.between(1, d - 1 - a);
   const auto point = [&](const Rational& du, const Rational& dv) {
@@ -72,8 +71,7 @@ InCell random_in_cell(Level n, Random& random) {
   }
 }
 
-/// A hard pair that lies on no grid line of the level: the sample's, or the first of further seeds' that
-/// does.
+/// A hard pair on no grid line of the level: the sample's, or the first one of further seeds.
 template <class Draw>
 auto inside_pair(Level n, std::uint64_t seed, std::uint64_t sample, Draw draw) {
   for (std::uint64_t further = 0;; ++further) {
@@ -85,14 +83,14 @@ auto inside_pair(Level n, std::uint64_t seed, std::uint64_t sample, Draw draw) {
   }
 }
 
-/// What is due on a pair.
+/// The right answer on a pair.
 struct Due {
   std::uint32_t index;
-  bool allowed = false;  ///< the dialect allows it, and exact arithmetic gives another
+  bool allowed = false;  ///< the dialect allows the answer, and exact arithmetic gives another
 };
 
-/// Compares answers on pairs of F that `draw` makes, received in that arithmetic, with those that are due:
-/// due(u, v, p, n, got) of the pair, the same in exact arithmetic, the level and the answer.
+/// Compares answers on pairs of F that `draw` makes, received in that arithmetic, with the right ones: due(u, v, p,
+/// n, got) of the pair, the same in exact arithmetic, the level and the answer.
 template <class F, class Draw, class Ask, class WhatIsDue>
 Tally judged_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw, Ask ask, WhatIsDue due,
                       Arithmetic arithmetic) {
@@ -130,7 +128,7 @@ Tally judged_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw,
       as_one_case(Kind::interior));
 }
 
-/// Against a specification in exact arithmetic.
+/// Judges pairs against a specification in exact arithmetic.
 template <class F, class Draw, class Ask, class Specified>
 Tally exact_on_pairs(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples, Draw draw,
                      Ask ask, Specified specified) {

@@ -1,4 +1,4 @@
-// The judges of all micro-triangles of a level together: each index once, neighbours in a row.
+// The judges of all micro-triangles of a level together: each index occurs once, and neighbours follow each other.
 #include <fmt/format.h>
 
 #include <atomic>
@@ -13,14 +13,14 @@
 namespace mmverify::proofs::index {
 namespace {
 
-// Strips are judged in groups of about this many micro-triangles.
+// The approximate number of micro-triangles in a group of strips that is judged together.
 constexpr std::uint64_t triangles_per_chunk = 1 << 16;
 
 std::uint64_t strips_per_chunk(Level n) {
   return std::max<std::uint64_t>(1, triangles_per_chunk / (2 * side(n)));
 }
 
-/// Micro-triangles are numbered along v = const strips, upright ones of a strip before its inverted ones.
+/// The number of a micro-triangle along v = const strips, a strip's upright ones before its inverted ones.
 std::uint64_t number_in(const MicroTriangle& m, Level n) {
   const std::uint64_t N = side(n), left = N - m.j;
   return N * N - left * left + (m.inverted ? left : 0) + m.i;
@@ -29,7 +29,7 @@ std::uint64_t number_in(const MicroTriangle& m, Level n) {
 MicroTriangle upright(std::uint32_t i, std::uint32_t j) { return {i, j, false}; }
 MicroTriangle inverted(std::uint32_t i, std::uint32_t j) { return {i, j, true}; }
 
-/// The indices that a subject gives the micro-triangles of strip j: [0] upright, [1] inverted.
+/// A subject's indices of the micro-triangles of strip j: [0] upright, [1] inverted.
 using Strip = std::array<std::vector<std::uint32_t>, 2>;
 
 Strip ask_strip(const IndexSubject& s, Level n, std::uint32_t j) {
@@ -59,11 +59,11 @@ Counterexample at_triangle(const MicroTriangle& m, Level n, std::string expected
   return at_point(representative(m, n), n, std::move(expected), std::move(got));
 }
 
-/// One bit an index: 4^n / 8 bytes, 512 MiB at level 16.
+/// One bit for each index: 4^n / 8 bytes, 512 MiB at level 16.
 class Seen {
  public:
   explicit Seen(Level n) : words_(static_cast<std::size_t>((triangle_count(n) + 63) / 64)) {}
-  /// Marks the index; says whether it was marked before.
+  /// Marks the index; returns whether it was marked before.
   bool mark(std::uint32_t index) {
     const std::uint64_t bit = std::uint64_t{1} << (index % 64);
     return (words_[index / 64].fetch_or(bit, std::memory_order_relaxed) & bit) != 0;
@@ -73,7 +73,7 @@ class Seen {
   std::vector<std::atomic<std::uint64_t>> words_;
 };
 
-/// Nothing where the subject breaks on one of it.
+/// The indices of strip j; nothing if the subject breaks on one of them.
 std::optional<Strip> answered_strip(const IndexSubject& s, Level n, std::uint32_t j) {
   try {
     return ask_strip(s, n, j);
@@ -82,14 +82,15 @@ std::optional<Strip> answered_strip(const IndexSubject& s, Level n, std::uint32_
   }
 }
 
-/// A strip on which the subject breaks: all of its micro-triangles, since the law compares them with one another.
+/// Declines a strip that the subject breaks on with all its micro-triangles, since the law compares them with one
+/// another.
 DeclineUnit as_a_strip(Level n) {
   return [n](std::uint64_t j, Tally& tally) {
     for (std::uint64_t t = 0; t < 2 * (side(n) - j) - 1; ++t) tally.decline(Kind::interior);
   };
 }
 
-/// The micro-triangle before `m` that has the same index, if any.
+/// The first micro-triangle before `m` with the same index, if any.
 std::optional<MicroTriangle> earlier_owner(const IndexSubject& s, Level n, const MicroTriangle& m,
                                            std::uint32_t index) {
   std::optional<MicroTriangle> owner;
@@ -113,12 +114,12 @@ std::string taken(const IndexSubject& s, Level n, const MicroTriangle& m, std::u
 }  // namespace
 
 Tally bijective(const IndexSubject& s, Level n, const Run& run) {
-  // First all at once: how many answers are out of range or come a second time does not depend on the order.
+  // First all together: the numbers of answers out of range and of repeated ones do not depend on the order.
   Seen seen(n);
   Tally tally = sweep(
       run, side(n), strips_per_chunk(n),
       [&](Chunk chunk, Tally& part) {
-        // All are asked before one is marked: where the subject breaks, the chunk is judged again, in parts.
+        // All strips are read before one is marked: if the subject breaks, the chunk is judged again, in parts.
         std::vector<Strip> strips;
         for (auto j = static_cast<std::uint32_t>(chunk.begin); j < chunk.end; ++j)
           strips.push_back(ask_strip(s, n, j));
@@ -134,7 +135,7 @@ Tally bijective(const IndexSubject& s, Level n, const Run& run) {
       as_a_strip(n));
   if (tally.found().empty() || interrupted()) return tally;
 
-  // Then in order, to name the first ones.
+  // Then in order, to find the first ones.
   Seen again(n);
   Tally named(run.errors);
   std::vector<std::pair<MicroTriangle, std::uint32_t>> repeats;
@@ -154,7 +155,7 @@ Tally bijective(const IndexSubject& s, Level n, const Run& run) {
 
 namespace {
 
-/// The micro-triangle whose inside holds the point; the subject receives that point in its own numbers later.
+/// The micro-triangle whose inside holds the point; the subject receives that point later in its own numbers.
 MicroTriangle triangle_at(Level n, const std::string& at) {
   const RationalPoint p = parse_point(at);
   if (kind_of(p, n) != Kind::interior)
@@ -169,8 +170,8 @@ std::uint32_t index_of(const IndexSubject& s, Level n, const MicroTriangle& m) {
   return s.functions.index_at(n, s.functions.receive_at(rational(representative(m, n))));
 }
 
-/// The digit that changes at the highest place, going from an index to the next, steps from 2 to 3: the two
-/// micro-triangles then meet in a vertex alone, (4^n-1)/3 times on the way.
+/// Whether the highest digit that changes from an index to the next goes from 2 to 3.  The two micro-triangles then
+/// meet only in a vertex, (4^n-1)/3 times in all.
 bool meets_in_a_vertex(std::uint32_t index) {
   while (index % 4 == 3) index /= 4;
   return index % 4 == 2;
@@ -179,7 +180,7 @@ bool meets_in_a_vertex(std::uint32_t index) {
 std::array<MicroTriangle, 3> across_edges(const MicroTriangle& m) {
   const auto [i, j, upside_down] = m;
   if (upside_down) return {upright(i, j), upright(i + 1, j), upright(i, j + 1)};
-  // i-1 and j-1 wrap where there is no neighbour; exists() sorts those out.
+  // i-1 and j-1 wrap if there is no neighbour; exists() then rejects it.
   return {inverted(i, j), inverted(i - 1, j), inverted(i, j - 1)};
 }
 
@@ -201,8 +202,8 @@ int shared_vertices(const MicroTriangle& a, const MicroTriangle& b) {
   return shared;
 }
 
-/// Whether a micro-triangle that carries `wanted` touches m across an edge or, `in_a_vertex`, in one vertex
-/// alone; `at(m)` gives an existing micro-triangle's index.
+/// Whether a micro-triangle with the index `wanted` touches m across an edge or, with `in_a_vertex`, only in a
+/// vertex; `at(m)` gives an existing micro-triangle's index.
 template <class At>
 bool touches(const MicroTriangle& m, std::uint32_t wanted, bool in_a_vertex, Level n, At at) {
   if (!in_a_vertex) {
@@ -219,7 +220,7 @@ bool touches(const MicroTriangle& m, std::uint32_t wanted, bool in_a_vertex, Lev
   return false;
 }
 
-/// What of the curve is missing at m, which carries `index`: the micro-triangle before it or the one after it.
+/// A gap of the curve at m, which has `index`: the micro-triangle before it or after it is not a neighbour.
 struct Gap {
   std::uint64_t wanted;
   bool in_a_vertex;

@@ -1,4 +1,4 @@
-// Which binary32 code is right: dialects beside exact arithmetic.
+// Dialects: the binary32 codes that may be right beside exact arithmetic.
 #include <cmath>
 
 #include "proofs/index/floats/published.hpp"
@@ -15,10 +15,10 @@ constexpr char code_sources[] =
     "EXT_mesh_opacity_micromap";
 
 std::uint64_t published_pairs(Level, const Run& run) { return run.tier == Tier::fast ? 200'000 : 20'000'000; }
-/// In the place of index.exact_on_floats, as many.
+/// The number of pairs, the same as that of index.exact_on_floats, which this law replaces.
 std::uint64_t either_pairs(Level, const Run& run) { return run.tier == Tier::fast ? 1'000'000 : 100'000'000; }
 
-/// Exact subjects promise more, and numbers of other formats are not the code's.
+/// Exact subjects promise more, and the code has no numbers of other formats.
 Unfit needing_binary32() {
   return [fits = needing({entry::index})](const Subject& subject, Level n) -> std::optional<std::string> {
     if (const auto why = fits(subject, n)) return why;
@@ -28,13 +28,13 @@ Unfit needing_binary32() {
   };
 }
 
-/// The reference in binary32, its answers on floats changed.
+/// A mutant of the reference in binary32 with changed answers on floats.
 Mutant code_that_errs(const char* name, Levels levels,
                       std::function<std::uint32_t(Level, float, float, std::uint32_t)> change) {
   return mutant(name, "reference-f32", levels, on_floats(std::move(change)));
 }
 
-/// What the code would say of other numbers.
+/// A mutant that gives the published code's answers on other numbers.
 Mutant code_on_others(const char* name, Levels levels, float (*other)(float)) {
   return code_that_errs(name, levels, [other](Level n, float u, float v, std::uint32_t) {
     return published(n, other(u), other(v));

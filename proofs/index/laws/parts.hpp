@@ -1,4 +1,4 @@
-// What the laws of topic index are put together from: closed forms, domains and methods in words, who fits.
+// Common parts of the laws of topic index: closed forms, domains and methods in words, conditions on subjects.
 #pragma once
 
 #include "proofs/index/judges/judges.hpp"
@@ -36,13 +36,13 @@ std::string exhaustively(const Subject& subject, Level n);
 std::string by_sample(const Subject& subject, Level n);
 std::string by_witness(const Subject& subject, Level n);
 
-/// Why a law does not apply to a subject at a level, if so.
+/// The reason why a law does not apply to a subject at a level, if any.
 using Unfit = std::function<std::optional<std::string>(const Subject&, Level)>;
 
-/// The subject has the entry points and is defined `above` levels further.
+/// The subject must have the entry points and be defined `above` levels further.
 Unfit needing(std::vector<Entry> entries, Level above = 0);
 
-/// The same, and it computes in exact arithmetic.
+/// The subject must also compute in exact arithmetic.
 Unfit needing_exact(std::vector<Entry> entries);
 
 }  // namespace mmverify::proofs::index

@@ -14,8 +14,7 @@
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/options.hpp"
 #include "proofs/index/picture.hpp"
-#include "proofs/points/exact_float.hpp"
-#include "proofs/points/hard_floats.hpp"
+#include "proofs/index/points.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -24,7 +24,7 @@ using induction::Solved;
 using induction::Statement;
 
 constexpr Level highest = 16;
-/// Hard pairs that are run before any prover is asked: most that is wrong is wrong on one of them.
+/// The number of hard pairs that run before any prover: most wrong functions are wrong on one of them.
 constexpr std::uint64_t pairs_run = 1 << 15;
 const SourceSubject& of_source(const Subject& s) { return dynamic_cast<const SourceSubject&>(s); }
 
@@ -40,7 +40,7 @@ std::uint32_t due(Level n, float u, float v) {
   return spec::index::reference(RationalPoint{rational(u), rational(v)}, n);
 }
 
-/// What a prover found against a statement.
+/// A prover's counterexample to a statement.
 struct Claimed {
   float u, v;
   std::uint32_t index;
@@ -72,7 +72,7 @@ Claimed claimed_by(const Solved& found, const Pair& pair, const Formula& formula
   return c;
 }
 
-/// The statements of one level, each asked once.
+/// The statements of one level, each settled once.
 class OfLevel {
  public:
   OfLevel(const SourceSubject& subject, Level n)
@@ -81,7 +81,7 @@ class OfLevel {
   std::uint64_t count() const { return pairs_.size(); }
 
   void judge(std::uint64_t k, Tally& tally) {
-    // One counterexample is enough; what is left is not asked, and not kept as done.
+    // One counterexample is enough; the remaining statements are neither tried nor kept as finished.
     if (refuted_) return tally.break_off();
     const Pair& pair = pairs_[k];
     const Formula formula = subject_.code.formulas(level_, pair.u, pair.v);
@@ -95,7 +95,7 @@ class OfLevel {
     tally.digest(k, hash_of(statement.text));
   }
 
-  /// Throws where something is neither proved nor refuted.
+  /// Throws NotProved if some statement is neither proved nor refuted and there is no counterexample.
   void settled(const Tally& tally) const {
     if (tally.mismatches() == 0 && !failed_.empty()) throw NotProved(failed_);
   }
@@ -115,7 +115,7 @@ class OfLevel {
   void refute(const Claimed& c, Tally& tally) {
     const std::uint32_t want = due(level_, c.u, c.v), got = asked(subject_, level_, c.u, c.v);
     const std::string at = pair_text(c.u, c.v);
-    // The compiled function has the last word; what is undefined may come out right by chance.
+    // The compiled function decides, but an undefined result may be right by chance.
     if (got == want && !c.undefined)
       return undecided(
           fmt::format(
@@ -210,7 +210,7 @@ Law law(std::string replayed_by) {
 
 namespace {
 
-/// Why the index of a pair is undefined, though it came out right; empty: it is not.
+/// The reason why the index of a pair is undefined, though it came out right; empty if it is defined.
 std::string undefined_at(const IndexSubject& any, Level n, float u, float v) {
   const auto* subject = dynamic_cast<const SourceSubject*>(&any);
   if (subject == nullptr || subject->code.not_known(n)) return {};
@@ -235,7 +235,7 @@ Replayed replay(const IndexSubject& subject, Level n, const std::string& at) {
     char* end = nullptr;
     const float x = std::strtof(text.c_str(), &end);
     if (*end == 0 && x >= 0 && x <= 1) return x;
-    // A sample's case has fractions.
+    // The text of a sample's case has fractions.
     const RationalPoint p = parse_point("u=" + text + ",v=0");
     const auto y = static_cast<float>(nearest(p.u));
     if (rational(y) != p.u) throw BadCase(fmt::format("{}: no binary32 number in [-0, 1]", text));

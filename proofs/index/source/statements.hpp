@@ -1,5 +1,5 @@
-// What is to be proved of a function of two floats that somebody wrote: one statement for each level and each pair of
-// ranges of exponents, about a formula of that function.
+// Statements about a function of two floats given as source: one for each level and each pair of ranges of exponents,
+// about a formula of that function.
 #pragma once
 
 #include <cstdint>
@@ -21,52 +21,54 @@ struct Range {
   friend bool operator==(const Range&, const Range&) = default;
 };
 
-/// Something that must not happen, and whether it does, as the name of a condition.
+/// A cause of undefined behaviour: the name of its condition, and words for it.
 struct Cause {
   std::string condition, what;
 };
 
-/// What a function gives on the numbers with the bits `u` and `v`, of two ranges.
+/// The result of a function on the numbers with the bits `u` and `v`, of two ranges.
 struct Formula {
   std::string declarations;  ///< commands of SMT-LIB 2
   std::vector<std::pair<std::string, std::string>>
-      definitions;        ///< names and formulas, each of names before it
+      definitions;        ///< names and formulas; each formula uses earlier names
   std::string index;      ///< a word of 32 bits
-  std::string undefined;  ///< a condition: there is no index, as the code leaves it undefined
+  std::string undefined;  ///< the condition that the code leaves the index undefined
   std::vector<Cause> causes;
 };
 using Formulas = std::function<Formula(Level, const Range& u, const Range& v)>;
 
-/// A statement's two ranges.
+/// The two ranges of a statement.
 struct Pair {
   Range u, v;
 };
 
-/// Two numbers, by their bits.
+/// Two numbers as bits.
 struct Bits {
   std::uint32_t u, v;
 };
 
-/// All pairs of ranges of a level that hold two numbers of the domain, those that index functions tend to be wrong on
-/// first, and before them those with one of these exponent fields.  The domain: u and v in [-0, 1], u + v <= 1 + 2^-23.  Together the ranges hold each of its numbers once: -0;
-/// all below 2^-(n+26), subnormal ones included; each other exponent by itself.
+/// All pairs of ranges of a level that hold two numbers of the domain: u and v in [-0, 1], u + v <= 1 + 2^-23.  Pairs
+/// with one of the exponent fields `fields` come first, then those on which index functions tend to be wrong.  The
+/// ranges contain each number of the domain once: -0; all below 2^-(n+26), subnormal ones included; each other
+/// exponent by itself.
 std::vector<Pair> pairs_of(Level n, const std::vector<unsigned>& fields = {});
 
-/// That many: (n+29)^2 - 45.  Domain: n <= 16.
+/// The number of these pairs: (n+29)^2 - 45.  Domain: n <= 16.
 std::uint64_t count_of_pairs(Level n);
 
-/// For every u and v of the pair's ranges and the domain: the index is that of the exact reference, and defined.
-/// spec::index::within_unit, quantise_scaled and curve, run on names.  `at`: for these two numbers alone.
+/// The statement that for every u and v of the pair's ranges and the domain the index is defined, and that of the
+/// exact reference: spec::index::within_unit, quantise_scaled and curve, run on names.  `at`: for these two numbers
+/// only.
 induction::Statement statement_of(Level n, const Pair& pair, const Formula& formula,
                                   const std::optional<Bits>& at = std::nullopt);
 
-/// Constants of a statement that a counterexample gives values: the function's index, a word of 32 bits; whether it is
-/// undefined, and each cause of that, words of one bit.
+/// Constants of a statement that a counterexample gives values: the function's index, a word of 32 bits; whether it
+/// is undefined, and each cause of that, words of one bit.
 inline constexpr const char* claimed_index = "code_index";
 inline constexpr const char* claimed_undefined = "code_undefined";
 std::string claimed_cause(std::size_t k);
 
-/// There are such u and v.
+/// The statement that such u and v exist.
 induction::Statement witness_of(Level n, const Pair& pair);
 
 }  // namespace mmverify::proofs::index::source

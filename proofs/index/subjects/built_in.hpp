@@ -1,4 +1,4 @@
-// Where the built-in subjects come from; built_in.cpp lists them.
+// Makers of the built-in subjects; built_in.cpp lists them.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@ namespace mmverify::proofs::index {
 IndexSubjectPtr impl_subject();
 std::vector<IndexSubjectPtr> row_subjects();
 
-/// Gives one answer to everything, an index or "(I,J) (I,J) (I,J)", three corners: what a program on a pipe said, judged
-/// and drawn again.  Throws BadCase.
+/// A subject that gives one answer to every question, an index or three corners "(I,J) (I,J) (I,J)".  It judges and
+/// draws again an answer of a program on a pipe.  Throws BadCase.
 IndexSubjectPtr given_answer(const std::string& answer);
 
 }  // namespace mmverify::proofs::index

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "proofs/index/in_rationals.hpp"
+#include "proofs/index/points.hpp"
 #include "proofs/index/subject.hpp"
-#include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::index {
 

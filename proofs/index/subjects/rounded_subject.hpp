@@ -1,4 +1,4 @@
-// A specification algorithm in rounded arithmetic, as a subject has it: the same text, another number type.
+// Subjects that run a specification algorithm in rounded arithmetic: the same text, another number type.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace mmverify::proofs::index {
 
-/// What a number type is called and how an exact value becomes one, rounded once to nearest.
+/// The name of a number type, and the conversion of an exact value, rounded once to nearest.
 template <class F>
 struct Rounding;
 
@@ -28,7 +28,7 @@ struct Rounding<impl::Binary16> {
   static impl::Binary16 from(double x) { return impl::Binary16(x); }
 };
 
-/// The grid coordinate as a double: exact, Fixed64 points of the triangle have at most 31 bits.
+/// The grid coordinate as a double: exact, since Fixed64 points of the triangle have at most 31 bits.
 inline double as_double(const Fixed64& q) {
   return std::ldexp(static_cast<double>(q.raw()), -static_cast<int>(Fixed64::fraction_bits));
 }

@@ -1,9 +1,9 @@
 // The row order of Color and Attribute Micromaps, figure 4, as subjects: exact, and with its roundings.
 #include <cmath>
 
+#include "proofs/index/points.hpp"
 #include "proofs/index/subjects/built_in.hpp"
 #include "proofs/index/subjects/rounded_subject.hpp"
-#include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -1,5 +1,5 @@
-// Hits that blend, along real rays: the payload is the one that the texture and the specification give, whoever blends and
-// in whatever order Embree meets the hits.
+// Laws of hits that blend along real rays.  The payload is that of the texture and the specification, in any order in
+// which Embree meets the hits.
 #include <algorithm>
 
 #include "proofs/engine/spoils.hpp"
@@ -14,14 +14,14 @@ using spec::traverse::Colour;
 
 std::uint64_t payload_cameras(const Run& run) { return run.tier == Tier::fast ? 5 : 250; }
 
-/// The three that need no order, pixel by pixel.
+/// The operation of a pixel, one of the three that need no order.
 Operation operation_of(const SeenBy& c) { return static_cast<Operation>((c.x + c.y + c.camera) % 3); }
 
 Colour payload_of(Operation o) {
   return o == Operation::min ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 0};
 }
 
-/// Hits for a subject, which counts distances: ranks of t, from 1.
+/// Hits for a subject, with ranks of t from 1 on as distances.
 std::vector<Hit> ranked(const std::vector<impl::traverse::Hit>& hits) {
   std::vector<float> distances;
   for (const auto& h : hits) distances.push_back(h.distance);
@@ -35,7 +35,8 @@ std::vector<Hit> ranked(const std::vector<impl::traverse::Hit>& hits) {
   return all;
 }
 
-/// Of a ray that asks the texture alone: what lies before the accepted hit, nearest first, by the specification.
+/// The expected payload of a ray that reads the texture: the specification blends the hits before the accepted one,
+/// nearest first.
 Colour expected_of(Operation o, std::vector<impl::traverse::Hit> hits) {
   std::stable_sort(hits.begin(), hits.end(),
                    [](const auto& a, const auto& b) { return a.distance < b.distance; });

@@ -24,7 +24,7 @@ class Numbers {
  public:
   explicit Numbers(std::uint64_t seed) : state_(seed) {}
   std::uint64_t next() { return state_ = render::mixed(state_); }
-  /// In [low, high).
+  /// A number in [low, high).
   float between(float low, float high) {
     return low + (high - low) * static_cast<float>(next() >> 40) * 0x1p-24f;
   }
@@ -33,7 +33,7 @@ class Numbers {
   std::uint64_t state_;
 };
 
-/// Corners in order around a card: somewhere, anyhow turned.
+/// The corners around a card, in order, at a random place and in a random direction.
 std::array<Point, 4> card(Numbers& numbers, float half) {
   const auto within = [&](float size) {
     return Point{numbers.between(-size, size), numbers.between(-size, size), numbers.between(-size, size)};
@@ -106,7 +106,7 @@ void SampleWorld::add_cards() {
   world_.geometries[3].planned = false;
   world_.geometries[3].colour = 3;
   for (std::uint32_t k = 0; k < 14; ++k) {
-    // Corners (0,0), (1,0), (1,1), (0,1) of a square map, whose y counts from the bottom: boxes of whole texels.
+    // Boxes of whole texels for square maps, whose y counts from the bottom, with corners (0,0), (1,0), (1,1), (0,1).
     const bool all_opaque = k == 3, all_transparent = k == 4;
     const impl::bake::Box box = all_opaque ? impl::bake::Box{13, 15, 3, 3}
                                 : all_transparent
@@ -141,7 +141,7 @@ void SampleWorld::add_cards() {
   Geometry& ground = world_.geometries[3];
   add(ground, {{{-4, -1.4f, -4}, {4, -1.4f, -4}, {4, -1.4f, 4}, {-4, -1.4f, 4}}}, {},
       {{{0, 1, 2}, {2, 3, 0}}});
-  // Among the cards, so that some lie behind what is opaque, and may be met before it.
+  // Opaque cards among the others, so that some cards lie behind them, and may be met first.
   for (int k = 0; k < 4; ++k) add(ground, card(numbers, 0.3f), {}, {{{0, 1, 2}, {2, 3, 0}}});
   world_.meshes = {{0, 1, 2}, {3}, {0, 2}};
   world_.instances.push_back({0});

@@ -1,5 +1,4 @@
-// A small world of our own for rays: cards of leaves, tiles, glass and wood around a point, above an opaque
-// ground.
+// A small generated world for rays: cards of leaves, tiles, glass and wood around a point, above an opaque ground.
 #pragma once
 
 #include <cstdint>
@@ -17,23 +16,23 @@ namespace mmverify::proofs::traverse {
 inline constexpr unsigned finest_sample_level = 5;
 
 /// Cards with a soft disc (bilinear, MASK; in pairs, so that they have square maps), with tiles of 16 bits (nearest,
-/// mirrored, a factor), with a gradient (bilinear, BLEND); some all opaque and some all transparent; triangles of a pair
-/// begin with each of their vertices; meshes placed as they are, and turned and mirrored.
+/// mirrored, a factor), and with a gradient (bilinear, BLEND).  Some cards are all opaque and some all transparent.
+/// The triangles of a pair begin with each of their vertices.  Meshes are placed unchanged, and turned and mirrored.
 class SampleWorld {
  public:
   SampleWorld();
 
-  /// What a method reads at a level; null: texture.  Domain: level up to finest_sample_level.
+  /// The opacity that a method reads at a level; null for the texture.  Domain: level up to finest_sample_level.
   const render::Opacity* opacity(render::Method method, unsigned level) const;
   const render::Micromaps& micromaps(unsigned level) const { return *maps_.at(level); }
-  /// Maps of faces of level 2, of four codes that a mixing function makes, for the cards.
+  /// The cards' maps of faces of level 2, of four codes that a mixing function makes.
   const render::ColourMaps& colours() const { return colours_; }
   const render::World& world() const { return world_; }
-  /// Built by the first who asks.  Errors: as of render::Tracer.
+  /// Built at the first call.  Errors: as of render::Tracer.
   const render::Tracer& tracer() const;
   const render::Box& box() const { return box_; }
 
-  /// One, made once.
+  /// The one world, made once.
   static const SampleWorld& get();
 
  private:

@@ -1,5 +1,5 @@
-// The lemmas of tree.all_levels: each is one step of an induction over trees, for a leaf or for a node whose
-// children fulfil it, and is written by running the specification's own turns on names.  No level occurs.
+// The lemmas of tree.all_levels.  Each is one step of an induction over trees, for a leaf or for a node whose
+// children fulfil it, and comes from running the specification's own turns on names.  No level occurs.
 #pragma once
 
 #include <functional>
@@ -12,28 +12,28 @@ namespace mmverify::proofs::tree::induction {
 using proofs::induction::Answer;
 using proofs::induction::Statement;
 
-/// What a lemma supposes, having been written into a script, and what it claims under that.
+/// The claims of a lemma, under the premises that it has written into a script.
 struct Lemma {
-  Term occasion;  ///< the premise of its claims, on which a witness must come
+  Term occasion;  ///< the premise of its claims, for which a witness must exist
   std::vector<Term> claims;
 };
 using Writer = std::function<Lemma(Script&)>;
 
-/// Two statements: no case denies the claims; some case fulfils what is supposed.
+/// Adds two statements: no case denies the claims; some case fulfils the premises.
 void add(std::vector<Statement>& all, const std::string& name, const std::string& says, const Writer& write);
 
 enum class Shape { leaf, node };
 inline constexpr Shape shapes[] = {Shape::leaf, Shape::node};
 const char* name(Shape shape);
 
-/// A tree of that shape and its children, under names: T of A0..A3, or of the state a.
+/// A tree of that shape and its children, under names: T with children A0..A3, or with the state a.
 struct Grown {
   Term tree;
   std::vector<Term> children;
 };
 Grown grow(Script& script, Shape shape, char letter = 'A', const char* tree = "T");
 
-/// The places t0, d0 .. t3, d3 where children stand, the first of them as given.
+/// The places t0, d0 .. t3, d3 of the children; the first is given.
 std::vector<std::pair<Term, Term>> places(Script& script, const std::vector<Term>& children, const Term& t,
                                           const Term& d);
 
@@ -47,24 +47,24 @@ Term reached(const Term& stack, const Term& t, const Term& d);
 Term settled(const Term& tree);
 Term settles(const Term& tree);
 
-/// Write definitions into a script, what they rest on included.
+/// Write definitions into a script, with all that they need.
 void define_passes(Script& script);
 void define_finds(Script& script);
 void define_written(Script& script);
 void define_settled(Script& script);
 
-/// One encoding parses in one way; sizes; maps that are the same are so in each quarter.
+/// Add statements: an encoding parses in one way; sizes; equal maps are equal in each quarter.
 void add_parse(std::vector<Statement>& all);
 void add_sizes(std::vector<Statement>& all);
 void add_quarters(std::vector<Statement>& all);
-/// Trees in which nothing is left to merge and that mean the same map are the same.
+/// Adds the statement that trees without siblings left to merge are the same if they mean the same map.
 void add_canonical(std::vector<Statement>& all);
 
 // ---------------------------------------------------------------------------------------------------------------------
 // bitscan
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The loop at (c, t, d) goes on from (child, bit, datum), or ends: `equation` says which.
+/// The turn of the loop at (c, t, d), which continues from (child, bit, datum) or ends: `equation` has both cases.
 struct ScanTurn {
   Term equation, child, bit, datum;
 };
@@ -239,7 +239,7 @@ void add_emit(std::vector<Statement>& all, Shape shape) {
 // Algorithm 1
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// What spec::tree::merged says of four children.
+/// The result of spec::tree::merged for four children.
 template <class Rules>
 struct Merged {
   explicit Merged(const std::vector<Term>& of) : children(of) {
@@ -289,7 +289,7 @@ void add_merge(std::vector<Statement>& all) {
       });
 }
 
-/// All of them, under the rules of the three algorithms.
+/// All statements, for the rules of the three algorithms.
 template <class Rules>
 std::vector<Statement> all_levels_statements() {
   std::vector<Statement> all;

@@ -1,5 +1,5 @@
-// What the statements of tree.all_levels speak of: trees, the two sequences, the map that a tree means; and
-// nodes, stacks and sequences that are names, on which the turns of Algorithms 1, 2 and 3 are run.
+// Terms for the statements of tree.all_levels: trees, the two sequences, the map that a tree means.  The turns of
+// Algorithms 1, 2 and 3 run on nodes, stacks and sequences that are names.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ inline const std::string tree_sort = "Tree", state_sort = "State", path_sort = "
                          cursor_sort = "Place";
 using Place = spec::tree::Cursor<Integer>;
 
-/// Write definitions into a script: of trees, first; of how many nodes they have; of the two sequences and
-/// where a tree stands in them (by their counts); of the map that a tree means; of what Algorithm 1 compares.
+/// Write definitions into a script: of trees, which come first; of their numbers of nodes; of the two sequences and a
+/// tree's place in them (by the counts); of the map that a tree means; of the comparisons of Algorithm 1.
 void define_trees(Script& script);
 void define_counts(Script& script);
 void define_sequences(Script& script);
@@ -47,14 +47,14 @@ Term value(const Term& tree);
 Term child(const Term& tree, std::size_t k);
 Term nodes(const Term& tree);
 Term leaves(const Term& tree);
-/// The encoding of the tree begins at bit t and value d.
+/// The condition that the encoding of the tree begins at bit t and value d.
 Term stands(const Term& tree, const Term& t, const Term& d);
 /// The state that the tree gives to the micro-triangles below a path of digits.
 Term state_at(const Term& tree, const Term& path);
-/// A path's first digit, and what is left of it.
+/// A path's first digit, and the rest of the path.
 Term first(const Term& path);
 Term rest(const Term& path);
-/// Where bitscan ends.
+/// The place where bitscan ends.
 Term bitscan_ends(const Term& child, const Term& t, const Term& d);
 Term place(const Term& t, const Term& d);
 Term stacked(const Term& tree, const Term& stack);
@@ -63,7 +63,7 @@ Term stacked(const Term& tree, const Term& stack);
 // Names that the specification's templates take
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Succinct-Tree.
+/// The specification's Succinct-Tree.
 struct Bits {
   Integer size() const;
   bool operator[](const Integer& t) const;
@@ -72,23 +72,23 @@ struct Bits {
 struct Sequences {
   Bits tree;
 };
-/// Found by the specification's tree-lookup in the place of its own, which would not end.
+/// Replaces the specification's bitscan in its tree-lookup, since a loop on names would not end.
 Place bitscan(const Bits& tree, const Integer& child, const Place& at);
 
-/// What Algorithm 1 has of a child: the state of a leaf or none, compared as a std::optional of it is.
+/// A child in Algorithm 1: the state of a leaf or none, compared like a std::optional of a state.
 class Child {
  public:
   Child() = default;
   explicit Child(Term tree) : tree_(std::move(tree)) {}
   explicit operator bool() const;
   friend bool operator==(const Child& a, const Child& b);
-  /// As a formula: whether there is a state.
+  /// The condition that there is a state.
   Term has_state() const { return tree_ ? is_leaf(*tree_) : truth(false); }
-  /// The leaf of that state; where there is none, the node with these children.
+  /// The leaf of that state; without one, the node with these children.
   Term tree(const std::vector<Term>& children) const;
 
  private:
-  std::optional<Term> tree_;  ///< none: no state
+  std::optional<Term> tree_;  ///< nothing: no state
 };
 
 /// A node on Algorithm 2's stack.
@@ -99,7 +99,7 @@ struct Node {
   Node child(std::size_t k) const { return {induction::child(tree, k)}; }
 };
 
-/// Algorithm 2's stack: one tree, and what is below it.
+/// Algorithm 2's stack: its top, and the trees below.
 class Stack {
  public:
   Stack(const Node& top, Term below) : above_{top}, below_(std::move(below)) {}
@@ -114,7 +114,7 @@ class Stack {
   Term below_;
 };
 
-/// What one turn of Algorithm 2 appends.
+/// The bits and states that one turn of Algorithm 2 appends.
 struct Appended {
   std::vector<bool> tree;
   std::vector<Term> data;

@@ -1,4 +1,5 @@
-// A module's functions as LLVM's, each declared when it is first called, and where their instructions stand in the source.
+// The functions of a module as LLVM functions, each declared at its first call, and the source lines of their
+// instructions.
 #pragma once
 
 #include <llvm/IR/DIBuilder.h>
@@ -15,7 +16,7 @@
 
 namespace mmverify::source {
 
-/// Where files and lines go.
+/// Writes files and lines as LLVM debug information.
 class Lines {
  public:
   Lines(llvm::Module& into, const SpirvModule& module, const std::string& file)
@@ -52,7 +53,7 @@ class Lines {
   llvm::DISubprogram* program_ = nullptr;
 };
 
-/// The functions of a module, each made when it is first called.
+/// The functions of a module, each declared at its first call.
 class Functions {
  public:
   Functions(const SpirvModule& module, const Types& types, llvm::Module& into)
@@ -64,7 +65,7 @@ class Functions {
     invalid("a call of no function");
   }
   std::size_t arguments(Id type) const { return types_.is_pointer(type) ? 1 : types_.scalars(type); }
-  /// A value of several numbers is returned by a last pointer.
+  /// Whether a function returns through a last pointer parameter: a value of several numbers does.
   bool by_pointer(Id returned) const { return !types_.is_void(returned) && types_.parts(returned) != 0; }
 
   llvm::Function& declared(Id id) {
@@ -91,7 +92,7 @@ class Functions {
     return *f;
   }
 
-  /// The next function that was called and has no body yet.
+  /// The next called function without a body.
   std::optional<Id> next() {
     if (wanted_.empty()) return std::nullopt;
     const Id id = wanted_.back();

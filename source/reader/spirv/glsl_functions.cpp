@@ -1,4 +1,4 @@
-// GLSL.std.450, the instructions of shading languages' own functions.
+// GLSL.std.450: the built-in functions of shading languages.
 #include "source/reader/module.hpp"
 #include "source/reader/spirv/values.hpp"
 
@@ -6,7 +6,8 @@ namespace mmverify::source {
 
 using I = llvm::Intrinsic::IndependentIntrinsics;
 
-/// `orders`: whether NaN has its place; else what comes of it is open, as is a range whose ends are in the wrong order.
+/// Clamps values. `orders`: NaN is ordered, so its result is defined; otherwise that is open. So is the
+/// result for a range with its ends in the wrong order.
 void Values::clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, llvm::Intrinsic::ID least,
                    bool orders) {
   Scalars all = checked(operand(i, 2), sort);
@@ -26,7 +27,7 @@ void Values::clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, ll
   set(i, std::move(all));
 }
 
-/// A bit's number; all bits set where there is none.
+/// The number of the lowest or highest set bit; all ones if there is none.
 void Values::first_bit(const Instruction& i, std::uint32_t which) {
   each(i, 2, Sort::words, [&](auto* a) {
     const auto top = a->getType()->getIntegerBitWidth() - 1;
@@ -35,7 +36,7 @@ void Values::first_bit(const Instruction& i, std::uint32_t which) {
                                  llvm::Constant::getAllOnesValue(a->getType()),
                                  of_two(I::cttz, a, build_.getFalse()));
     llvm::Value* of = which == spv::FindSMsb ? build_.CreateXor(a, build_.CreateAShr(a, whole(a, top))) : a;
-    // Of 0 there are top + 1 zeros: the difference is -1.
+    // 0 has top + 1 leading zeros: the difference is -1.
     return build_.CreateSub(whole(of, top), of_two(I::ctlz, of, build_.getFalse()));
   });
 }
@@ -63,7 +64,7 @@ void Values::extended(const Instruction& i) {
   switch (which) {
     case spv::FMin:
     case spv::FMax:
-      // Which of NaN and a number it is, is open.
+      // If an operand is NaN, SPIR-V leaves open which one is the result.
       return pairs(i, 2, Sort::floats, [&](auto* a, auto* b) {
         return unless(build_.CreateFCmpUNO(a, b), of_two(which == spv::FMin ? I::minnum : I::maxnum, a, b));
       });

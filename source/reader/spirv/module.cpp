@@ -19,7 +19,7 @@ std::uint32_t first_word(const std::string& bytes) {
   return word;
 }
 
-/// Whether it has a type and a result; a result alone; neither.
+/// The ids that an instruction begins with: a type and a result, a result alone, or neither.
 enum class Head { none, result, both };
 Head head_of(std::uint16_t opcode) {
   switch (opcode) {

@@ -1,4 +1,4 @@
-// A SPIR-V module as it is written: instructions by section, types, constants and names by their ids.
+// A SPIR-V module as written: functions, and types, constants and names by their ids.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace mmverify::source {
 
-/// The opcodes and extended instructions that the reader knows, by the numbers of the SPIR-V specification, 3.49 and of
-/// GLSL.std.450.
+/// The opcodes and extended instructions that the reader knows. The numbers are those of the SPIR-V
+/// specification, 3.49, and of GLSL.std.450.
 namespace spv {
 enum Opcode : std::uint16_t {
   Undef = 1,
@@ -166,9 +166,9 @@ enum Storage : std::uint32_t { Private = 6, FunctionStorage = 7 };
 
 struct Instruction {
   std::uint16_t opcode = 0;
-  std::uint32_t type = 0, result = 0;  ///< ids; 0: it has none
+  std::uint32_t type = 0, result = 0;  ///< ids; 0 if it has none
   std::vector<std::uint32_t> operands = {};
-  std::uint32_t file = 0, line = 0;  ///< the id of an OpString; 0: not known
+  std::uint32_t file = 0, line = 0;  ///< the id of an OpString; 0 if unknown
 };
 
 struct SpirvFunction {
@@ -181,19 +181,19 @@ struct SpirvModule {
   std::map<std::uint32_t, Instruction> globals;  ///< types, constants, variables outside of functions
   std::vector<SpirvFunction> functions;
   std::set<std::uint32_t> relaxed;            ///< ids with RelaxedPrecision
-  std::vector<std::string> foreign_promises;  ///< what makes floats other than IEEE 754's, rounded to nearest
+  std::vector<std::string> foreign_promises;  ///< messages on modes that change binary32 operations
 };
 
-/// Whether the bytes begin as SPIR-V does, in either order of bytes.
+/// Whether the bytes begin as SPIR-V does, in either byte order.
 bool is_spirv(const std::string& bytes);
 
-/// Throws CannotRead where an instruction is cut short or a string has no end.
+/// Throws CannotRead if an instruction is cut short or a string has no end.
 SpirvModule read_spirv_module(const std::string& bytes);
 
-/// The operands from `at` on as text, as SPIR-V packs it.
+/// The operands from `at` on as a string, which SPIR-V packs in words.
 std::string text_at(const std::vector<std::uint32_t>& operands, std::size_t at);
 
-/// "OpFDiv" of those that people write; "opcode 4711" of others.
+/// The name of an opcode, "OpFDiv"; "opcode 4711" for an uncommon one.
 std::string opcode_name(std::uint16_t opcode);
 
 }  // namespace mmverify::source

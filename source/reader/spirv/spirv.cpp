@@ -18,7 +18,7 @@
 namespace mmverify::source {
 namespace {
 
-/// "index" of glslang's "index(u1;f1;f1;".
+/// The name without glslang's parameters: "index" for "index(u1;f1;f1;".
 std::string plain_name(const std::string& name) { return name.substr(0, name.find('(')); }
 
 constexpr const char* relaxed = "RelaxedPrecision (mediump): a device may compute in 16 bits";
@@ -73,9 +73,9 @@ class Body {
   }
   Id pointee_of(Id pointer) const { return types_.pointee(values_.type_of(pointer)); }
 
-  /// Variables that one constant is stored to, whole, before they are read, and that are only read else: they are tables.
+  /// Finds tables: variables that get one whole constant before they are read, and are only read afterwards.
   void find_tables() {
-    std::map<Id, Id> roots;  // of a pointer: its variable
+    std::map<Id, Id> roots;  // a pointer's variable
     std::map<Id, std::vector<Id>> stored;
     std::map<Id, int> stored_in;  // the block, by number; the first one comes before all
     std::set<Id> others;
@@ -169,7 +169,7 @@ class Body {
       const auto* known = llvm::dyn_cast<llvm::ConstantInt>(step);
       if (types_.global(type).opcode == spv::TypeStruct && known == nullptr)
         invalid("a member by a number that is no constant");
-      // Structures want 32 bits.
+      // LLVM wants 32-bit indices of structures.
       if (known != nullptr) step = build_.getInt32(static_cast<std::uint32_t>(known->getZExtValue()));
       steps.push_back(step);
       type = types_.part(type, known != nullptr && known->getZExtValue() < types_.parts(type)
@@ -221,7 +221,7 @@ class Body {
       if (all.size() != phis.size()) invalid("a choice of values of different types");
       for (std::size_t s = 0; s < phis.size(); ++s) {
         if (all[s]->getType() != phis[s]->getType()) invalid("a choice of values of different types");
-        // One entry a block there, one an edge here.
+        // SPIR-V has one entry a block, LLVM one an edge.
         llvm::BasicBlock* from = block(i.operands[k + 1]);
         for (llvm::BasicBlock* to : llvm::successors(from))
           if (to == phis[s]->getParent()) phis[s]->addIncoming(all[s], from);
@@ -338,11 +338,11 @@ class Body {
   Values values_;
   llvm::IRBuilder<>& build_;
   std::map<Id, llvm::BasicBlock*> blocks_;
-  std::map<Id, Id> tables_;  ///< variables that are tables: the constant
+  std::map<Id, Id> tables_;  ///< the constants of variables that are tables
   std::vector<std::pair<const Instruction*, std::vector<llvm::PHINode*>>> phis_;
 };
 
-/// What is handed over by a pointer is handed over by value in a function of its own.
+/// Makes a function that takes the pointer parameters of `inner` by value.
 void by_value(llvm::Function& inner, const std::string& name) {
   std::vector<llvm::Type*> takes;
   for (const llvm::Argument& a : inner.args())
@@ -364,7 +364,7 @@ void by_value(llvm::Function& inner, const std::string& name) {
     build.CreateRet(answer);
 }
 
-/// Whether it takes a level, u and v, as index_function of bitcode has it.
+/// Whether the function takes a level, u and v, in the order of index_function for bitcode.
 bool takes_a_point(const SpirvFunction& f, const Types& types) {
   if (f.parameters.size() != 3) return false;
   const auto opcode = [&](std::size_t k) {
@@ -375,7 +375,7 @@ bool takes_a_point(const SpirvFunction& f, const Types& types) {
                                          (opcode(0) == spv::TypeFloat && opcode(2) == spv::TypeInt));
 }
 
-/// The function of that name; of several the one that takes a point.
+/// The function of that name; if there are several, the one that takes a point.
 Id index_function(const SpirvModule& from, const Types& types, const std::string& name) {
   std::vector<const SpirvFunction*> found, fit;
   std::string others;
@@ -398,7 +398,7 @@ Id index_function(const SpirvModule& from, const Types& types, const std::string
   return (fit.empty() ? found : fit).front()->head.result;
 }
 
-/// What would make the operations of binary32 others than they are here.
+/// Throws NotKnown if the module declares modes that change binary32 operations.
 void check_promises(const SpirvModule& module, const std::string& file) {
   for (const std::string& promise : module.foreign_promises) throw NotKnown(file + ": " + promise);
 }

@@ -1,4 +1,4 @@
-// Types and constants of a SPIR-V module, and what they are in LLVM.
+// Types and constants of a SPIR-V module, and their LLVM equivalents.
 #pragma once
 
 #include <llvm/IR/LLVMContext.h>
@@ -12,8 +12,8 @@
 namespace mmverify::source {
 
 using Id = std::uint32_t;
-/// A value's numbers: a vector's components, an array's elements and a structure's members one after another.  So nothing
-/// but numbers and pointers reaches LLVM.
+/// The numbers of a value: a vector's components, an array's elements or a structure's members, flattened.
+/// LLVM gets numbers and pointers only.
 using Scalars = std::vector<llvm::Value*>;
 
 inline void append(Scalars& to, const Scalars& more) { to.insert(to.end(), more.begin(), more.end()); }
@@ -21,12 +21,13 @@ inline void append(Scalars& to, const Scalars& more) { to.insert(to.end(), more.
 /// Throws CannotRead.
 [[noreturn]] void invalid(const std::string& why);
 
-/// All throw CannotRead where an id is not what it has to be, NotKnown where a type is not among those read here.
+/// The types of a module. All functions throw CannotRead if an id is not of the required kind, NotKnown if a
+/// type is not supported.
 class Types {
  public:
   Types(const SpirvModule& module, llvm::LLVMContext& context) : module_(module), context_(context) {}
 
-  /// What makes a type, a constant or a variable outside of functions.
+  /// The instruction that defines a type, a constant or a variable outside of functions.
   const Instruction& global(Id id) const;
   static std::uint32_t operand(const Instruction& i, std::size_t k);
 
@@ -34,20 +35,20 @@ class Types {
   bool is_pointer(Id type) const { return global(type).opcode == spv::TypePointer; }
   Id pointee(Id pointer) const;
 
-  /// How many parts a vector, an array or a structure has; 0: it is a scalar.
+  /// The number of parts of a vector, an array or a structure; 0 for a scalar.
   std::uint32_t parts(Id type) const;
   Id part(Id type, std::uint32_t k) const;
-  /// How many numbers a value has.
+  /// The number of numbers in a value.
   std::uint32_t scalars(Id type) const;
 
-  /// Vectors are arrays.
+  /// The LLVM type; a vector becomes an array.
   llvm::Type* llvm_type(Id type) const;
 
   bool is_constant(Id id) const;
   Scalars constant(Id id) const;
-  /// A value of nothing but zeros, or of what is undefined.
+  /// A value of zeros, or of undefined numbers.
   Scalars filled(Id type, bool undefined) const;
-  /// Constants of scalars, from `at` on, as one of the type.
+  /// The next constants of `all`, from `at` on, combined into one of the type.
   llvm::Constant* joined(Id type, const Scalars& all, std::size_t& at) const;
 
  private:

@@ -7,7 +7,7 @@ namespace mmverify::source {
 
 using I = llvm::Intrinsic::IndependentIntrinsics;
 
-/// What OpUndef leaves open is a value of its own at each use, before any builder or pass makes something of it.
+/// The value of an id. OpUndef gives a new opaque value at each use, so that no builder or pass can fold it.
 Scalars Values::value(Id id) {
   Scalars all = constant_or_value(id);
   for (llvm::Value*& v : all)
@@ -81,7 +81,7 @@ void Values::pairs(const Instruction& i, std::size_t at, Sort sort, const Binary
   set(i, std::move(a));
 }
 
-/// The amount may be of another width.
+/// Shifts; the amount may have another width.
 void Values::shifts(const Instruction& i, llvm::Instruction::BinaryOps how) {
   Scalars a = checked(operand(i, 0), Sort::words);
   const Scalars by = checked(operand(i, 1), Sort::words);
@@ -189,7 +189,7 @@ bool Values::conversion(const Instruction& i) {
   return true;
 }
 
-/// Where a part's numbers begin.
+/// The number of scalars before a part of a value; sets `type` to the part's type.
 std::size_t Values::place(Id& type, const Instruction& i, std::size_t from) const {
   std::size_t at = 0;
   for (std::size_t k = from; k < i.operands.size(); ++k) {
@@ -307,7 +307,7 @@ bool Values::of_bits(const Instruction& i) {
       return each(i, 0, Sort::words, [&](auto* a) { return of_one(I::ctpop, a); }), true;
     case spv::SRem:
     case spv::SMod:
-      // Vulkan leaves negative operands open; of others both are the same.
+      // Vulkan leaves negative operands open; for others, signed and unsigned remainders agree.
       pairs(i, 0, Sort::words, [&](auto* a, auto* b) {
         llvm::Value* negative = build_.CreateICmpSLT(build_.CreateOr(a, b), whole(a, 0));
         return unless(negative, build_.CreateSRem(a, b));
@@ -322,7 +322,7 @@ bool Values::of_bits(const Instruction& i) {
   }
 }
 
-/// Bits offset..offset+count-1, undefined beyond the word; none where the count is 0.
+/// Extracts or inserts bits offset..offset+count-1: undefined beyond the word, no bits if count is 0.
 void Values::field(const Instruction& i) {
   const bool inserts = i.opcode == spv::BitFieldInsert;
   const std::size_t at = inserts ? 2 : 1;
@@ -339,7 +339,7 @@ void Values::field(const Instruction& i) {
                         build_.CreateICmpUGT(offset, build_.CreateSub(whole(count, width), count)));
     llvm::Value *none = build_.CreateICmpEQ(count, whole(count, 0)),
                 *rest = build_.CreateSub(whole(count, width), count);
-    // A shift by the whole width is not looked at.
+    // A shift by the whole width is poison, so count 0 shifts by 0; its result is not selected.
     llvm::Value* safe = build_.CreateSelect(none, whole(rest, 0), rest);
     if (inserts) {
       llvm::Value* mask =

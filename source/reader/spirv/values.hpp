@@ -1,5 +1,5 @@
-// The values of one function, and the instructions that make new ones of them: arithmetic, comparisons, conversions, parts of
-// vectors and structures.
+// The values of one function, and the instructions that make new values: arithmetic, comparisons,
+// conversions, parts of vectors and structures.
 #pragma once
 
 #include <llvm/IR/IRBuilder.h>
@@ -19,9 +19,9 @@ class Values {
 
   llvm::IRBuilder<>& build() { return build_; }
 
-  /// Throws CannotRead: there is none; NotKnown: memory outside of functions.
+  /// Throws CannotRead: there is no such value; NotKnown: memory outside of functions.
   Scalars value(Id id);
-  Scalars constant_or_value(Id id) const;  ///< where an instruction is built elsewhere
+  Scalars constant_or_value(Id id) const;  ///< for an instruction that is built elsewhere
   Id type_of(Id id) const;
   llvm::Value* one(Id id);
   llvm::Value* word(Id id);
@@ -29,12 +29,12 @@ class Values {
   void set(const Instruction& i, Scalars all);
   void set(Id id, Id type, Scalars all);
 
-  /// Does what the instruction says, where it is one of these; false where it is not.
+  /// Each makes the instruction if it is of its group, and returns whether it is.
   bool arithmetic(const Instruction& i);
   bool conversion(const Instruction& i);
   bool composite(const Instruction& i);
   bool of_bits(const Instruction& i);
-  /// OpExtInst.
+  /// Makes an OpExtInst.
   void extended(const Instruction& i);
 
  private:
@@ -57,7 +57,7 @@ class Values {
   llvm::Value* of_two(llvm::Intrinsic::ID id, llvm::Value* a, llvm::Value* b) {
     return build_.CreateBinaryIntrinsic(id, a, b);
   }
-  /// x, but what may be anything where the condition holds.
+  /// x, or an undefined value if the condition holds.
   llvm::Value* unless(llvm::Value* condition, llvm::Value* x) {
     const auto* known = llvm::dyn_cast<llvm::ConstantInt>(condition);
     if (known != nullptr && known->isZero()) return x;
@@ -72,7 +72,7 @@ class Values {
   Planted planted_;
   llvm::IRBuilder<> build_;
   std::map<Id, Scalars> values_;
-  std::map<Id, Id> kinds_;  ///< their types
+  std::map<Id, Id> kinds_;  ///< the values' types
 };
 
 }  // namespace mmverify::source
