@@ -1,9 +1,8 @@
 // Opacity micromaps of alpha-tested and blended triangles: the exact state of every micro-triangle, for any
 // texture coordinates.
 //
-// A closed micro-triangle, dilated by the margin, is O if alpha is opaque on all of it in every mip level, T if alpha
-// is transparent on all of it in every mip level; else UO if alpha at its centroid in the first mip level is rather
-// opaque, else UT.
+// A closed micro-triangle, dilated by the margin, is O if alpha is opaque on all of it, T if alpha is transparent on
+// all of it, in every mip level; else UO if alpha at its centroid in the first mip level is rather opaque, UT if not.
 //   MASK    opaque alpha >= cutoff, transparent alpha < cutoff, rather opaque alpha >= cutoff
 //   BLEND   opaque alpha >= 1,      transparent alpha <= 0,     rather opaque alpha >= 1/2
 //   alpha = sampled texture x factors, sampled bilinearly or nearest

@@ -55,7 +55,7 @@ ExactBase::ExactBase(const TextureProperties& sides, const BaseTriangle& uv, std
   bits_ = std::max(4 * position + 2 * height_of + 12, fraction + 20 + 15 + 4);
 }
 
-/// The coordinates (texels (U0 N + i (U1 - U0) + j (U2 - U0))) / N, less 1/2 for cells, in units of 2^-(below_point +
+/// Coordinates (texels (U0 N + i (U1 - U0) + j (U2 - U0))) / N, less 1/2 for cells, in units of 2^-(below_point +
 /// level).
 template <class Int>
 std::array<Int, 3> ExactBase::along(const Axis& axis, std::uint32_t texels,
@@ -75,8 +75,7 @@ std::array<Int, 3> ExactBase::along(const Axis& axis, std::uint32_t texels,
 
 /// Finds the closings of lines along the axes, and of the base triangle's edges.  An edge is a/g, b/g times a vector of
 /// whole repeats, where a and b are its sides in units of 2^-32 and g divides both.  So after that many repeats, or
-/// twice as many if a mirror turns, alpha along the edge is as at its beginning.  Coordinates with finer fractions get
-/// no closing.
+/// twice as many if a mirror turns, alpha along the edge is as at its beginning.  Finer fractions get no closing.
 void ExactBase::take_closings() {
   const Extent across = sides_.across(), down = sides_.down();
   if (!across.ends()) closings_.push_back({across.period, 0});

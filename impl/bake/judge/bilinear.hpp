@@ -112,8 +112,7 @@ class Bilinear {
   }
 
   /// The codes of those of a node's four quarters, nodes of sixteen, that are wanted; bit c of wanted: quarter c.
-  /// False if they are not taken together: only one is wanted, they are too large, or vectors cannot judge them
-  /// (placed()).
+  /// False if they are not taken together: only one is wanted, they are too large, or placed() is false.
   bool sixty_four(const Triangle& p, bool turned, std::uint32_t index, std::uint32_t wanted,
                   BakeCounts& counts, std::array<std::uint32_t, 4>& codes) const {
     if constexpr (std::is_same_v<Texel, float>) return false;
@@ -137,8 +136,7 @@ class Bilinear {
   }
 
  private:
-  /// The marks of the edges between the four children of a node, each judged once at most: 0 p01 p02, 1 p01 p12, 2 p02
-  /// p12.
+  /// The marks of the edges between a node's four children, each judged once at most: 0 p01 p02, 1 p01 p12, 2 p02 p12.
   struct Quad {
     std::array<Marks, 3> edge{};
   };
@@ -188,8 +186,8 @@ class Bilinear {
     take_bounds(of, sides_.scale, std::min(sides_.clear_below, sides_.clear_opaque), delta);
   }
 
-  /// Writes the places of a node's texels and bits to `in`.  False if the node is too large, no picture contains it, or
-  /// lines bound nothing.
+  /// Writes to `in` the places of a node's texels and bits.  False if it is too large, or in no picture, or not
+  /// bounded.
   bool placed(const Triangle& p, const SixteenWindow& w, SixteenInput& in) const noexcept {
     if (w.size > sixteen_window || !lines_.usable) return false;
     const auto picture = sides_.in_one_picture(w.left, w.right, w.top, w.bottom);
@@ -211,8 +209,7 @@ class Bilinear {
     in.rows = static_cast<std::int32_t>(w.height);
     in.p0 = w.local(p[0]);
   }
-  /// Whether the edge p0 p1 of the node at `index` goes against that of the base triangle: each fourth child reverses
-  /// it (children()).
+  /// Whether the edge p0 p1 of the node at `index` goes against the base triangle's: each fourth child reverses it.
   static std::size_t reversed(std::uint32_t index) noexcept {
     // The parity of the even bits, folded, since not all target processors can count bits.
     std::uint32_t fourth = index & index >> 1 & 0x55555550;
@@ -352,8 +349,7 @@ class Bilinear {
   const ExactBase& exact_;
   Within inner_;
   Lines lines_;
-  /// The shapes by height: p0 at one end of the base triangle's edge p0 p1 or at the other, each not turned, then
-  /// turned.
+  /// The shapes by height: p0 at either end of the base triangle's edge p0 p1, each not turned, then turned.
   std::array<std::array<SixteenShape, 4>, max_bake_level + 1> shapes_;
   std::uint32_t largest_ = 0;  ///< the largest height with shapes; 0: none
   /// The size below which four nodes share a window.

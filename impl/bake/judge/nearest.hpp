@@ -6,8 +6,8 @@
 //            j - m - delta <= y <= j + 1 + m + delta, moved by at most m + delta along x.
 //   at least the texels that P' meets by delta: a point (x, y) of P' with i + 2 delta <= x <= i + 1 - 2 delta and
 //            j + 2 delta <= y <= j + 1 - 2 delta has a point of P within the texel (i, j).
-// A computed crossing lies within delta of its edge, at a y within delta of the level.  So the code takes 2 delta for
-// delta above, and 4 for 2.
+// A computed crossing lies within delta of its edge, at a y within delta of the level: hence 2 delta where the above
+// has delta, and 4 where it has 2.
 #pragma once
 
 #include <algorithm>

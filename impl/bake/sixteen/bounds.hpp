@@ -11,8 +11,7 @@
 
 namespace mmverify::impl::bake::detail {
 
-/// The texels about a node, ends included: those of the cells that its box meets, and one more all round for the errors
-/// of binary32.
+/// The texels about a node, ends included: those of the cells that its box meets, and one more all round for rounding.
 struct SixteenWindow {
   std::int64_t left, right, top, bottom, width, height, size;
 

@@ -1,5 +1,4 @@
-// The micro-triangles of a node of sixteen that meet no mixed cell, and the texels within the others
-// (impl/bake/sixteen/sixteen.cpp).
+// The marks of a node of sixteen from mixed cells, and from texels within (impl/bake/sixteen/sixteen.cpp).
 #include <algorithm>
 
 #include "impl/bake/sixteen/vectors-inl.hpp"
@@ -26,8 +25,7 @@ HWY_INLINE Int mixed_of(Int opaque_top, Int opaque_under, Int seen_top, Int seen
   return hn::AndNot(hn::And(all, next(all)), hn::Or(some, next(some)));
 }
 
-/// The window's bits: word s rows + row has 32 texels from column 8 s on, so that anything up to 24 columns wide lies
-/// in one word.
+/// The window's bits: word s rows + row has 32 texels from column 8 s on, so that one word has any 24 columns.
 struct Words {
   static constexpr std::size_t rows = sixteen_window + 16, most = sixteen_window / 8;
   using Rows = std::array<std::uint32_t, rows * most>;
@@ -197,14 +195,11 @@ HWY_INLINE Int in_word(Float x) {
 
 /// Marks of micro-triangles from cells: bit k for micro-triangle k.
 struct CellMarks {
-  std::uint32_t fit = 0;            ///< a word has all its cells; the others are not judged here
-  std::uint32_t meets_mixed = 0;    ///< may meet a mixed cell
-  std::uint32_t begins_opaque = 0;  ///< a cell that it may meet has an opaque first texel
-  std::uint32_t
-      have = 0,
-      have_not =
-          0;  ///< opaque or visible, and not opaque, centres between the lines, without rows beside a flat edge
-  std::uint32_t perhaps = 0, perhaps_not = 0;  ///< the same with rows beside a flat edge
+  std::uint32_t fit = 0;                       ///< a word has all its cells; the others are not judged here
+  std::uint32_t meets_mixed = 0;               ///< may meet a mixed cell
+  std::uint32_t begins_opaque = 0;             ///< a cell that it may meet has an opaque first texel
+  std::uint32_t have = 0, have_not = 0;        ///< centres within: visible; not opaque
+  std::uint32_t perhaps = 0, perhaps_not = 0;  ///< the same with the rows beside a flat edge
 };
 
 /// x shifted to begin at bit `to`; 0 if `to` is not in [0, 32).
@@ -272,8 +267,7 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     const Float a = line(0), b = line(1), c = line(2);
     return Span{hn::IfThenElse(ab_left, hn::Max(a, b), c), hn::IfThenElse(ab_left, c, hn::Min(a, b))};
   };
-  // An edge's line bounds nothing beyond its corners: there the box does.  Rows that meet a flat edge have centres on
-  // both sides of it.
+  // An edge's line bounds nothing beyond its corners: there the box does.  Rows at a flat edge have centres beyond it.
   const Float from_column = hn::Sub(hn::Add(x0, of([](const Micro&m) { return m.first_column; })), x),
               to_column = hn::Sub(hn::Add(x0, of([](const Micro&m) { return m.last_column; })), x);
   const Float from_row = hn::Add(y0, of([](const Micro&m) { return m.first_row; })),

@@ -115,8 +115,7 @@ class FewAlpha {
         ++count;
       }
   }
-  /// Converts the taken cells to floats and computes their limits.  The vector loads here come long after the single
-  /// stores.
+  /// Converts the taken cells to floats and computes their limits: long after the single stores, or loads would wait.
   HWY_INLINE void make_ready(const SixteenShape& shape) {
     for (std::size_t k = 0; k < FewCells::most; k += hn::Lanes(F())) {
       const auto put = [k](Float x, Table& to) HWY_ATTR { hn::StoreU(x, F(), to.data() + k); };
@@ -143,7 +142,7 @@ class FewAlpha {
   std::array<std::size_t, FewCells::most> word;
   SixteenLanes::Ints bit;
   HWY_ALIGN Table column, row, a, right, below, twist;
-  /// The limits of g at all corners beyond which a micro-triangle lacks the mark in the cell.
+  /// The limits of the cell's own alpha at all corners, beyond which a micro-triangle lacks the mark in the cell.
   HWY_ALIGN Table most_below, least_opaque;
 
  private:

@@ -53,7 +53,7 @@
 //            rest of T is in cells of one mark each: were some of them of the mark lacked, T would be two
 //            closed sets without a common point, but T is connected.  So if a corner lacks it, too, all of T
 //            does.  Cells that T only seems to meet may keep this from being found, and make nothing wrong.
-// single   A cell where g_C is not beyond is judged by itself.  T's part in it is bounded by pieces of T's edges and
+//   single   A cell where g_C is not beyond is judged alone.  T's part in it is bounded by pieces of T's edges and
 //            of the cell's own; one bilinear alpha is least and greatest there, and on the cell's own edges
 //            where their pieces end: at a centre, or on an edge of T.  If neither a piece of T's edges in
 //            that cell bears the mark, nor a centre within, T's part in it lacks it, as if g_C were beyond.
@@ -82,8 +82,8 @@ struct SixteenInput {
   std::int32_t pitch;
   std::int32_t columns, rows;  ///< texels in the window
   std::array<float, 2> p0;     ///< x, y
-  /// Words of a plane (impl/bake/texture/plane.hpp): row 0 of the strip that contains column 0, at `bit`.  With MASK
-  /// visible is opaque.
+  /// Words of a plane (impl/bake/texture/plane.hpp): row 0 of the strip of column 0, at `bit`.  visible is opaque with
+  /// MASK.
   const std::uint32_t *opaque, *visible;
   std::size_t strip;
   std::uint32_t bit;
@@ -94,9 +94,8 @@ struct SixteenMarks {
   std::uint32_t below = 0, opaque = 0;              ///< certain marks
   std::uint32_t lacks_below = 0, lacks_opaque = 0;  ///< no alpha of it bears the mark, certainly
   std::uint32_t by_texels = 0;                      ///< those of them that texels alone decided
-  std::uint32_t leans_to_opaque = 0,
-                leans = 0;   ///< the centroid of one with both marks leans to opaque; its lean is certain
-  std::uint32_t leaves = 0;  ///< number of micro-triangles decided, and not by texels
+  std::uint32_t leans_to_opaque = 0, leans = 0;     ///< the centroid leans to opaque; its lean is certain
+  std::uint32_t leaves = 0;                         ///< number of micro-triangles decided, and not by texels
 };
 
 /// Marks of sixteen nodes, which are the parts of a larger one as micro-triangles are: those that meet no mixed cell.

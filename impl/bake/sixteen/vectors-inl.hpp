@@ -1,5 +1,4 @@
-// The vectors, cells and places that a node of sixteen is computed with (impl/bake/sixteen/sixteen.cpp).  Compiled once
-// for each target.
+// Vectors, cells and places of a node of sixteen (impl/bake/sixteen/sixteen.cpp).  Compiled once for each target.
 #include <hwy/highway.h>
 
 #include "impl/bake/sixteen/lanes.hpp"

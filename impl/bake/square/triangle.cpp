@@ -77,8 +77,7 @@ class Halves {
     }
   }
 
-  /// Takes the turning point in the cell between the centres (x, y) and (x+1, y+1).  With X, Y from its least corner in
-  /// units of 1/D,
+  /// Takes the turning point in the cell between the centres (x, y) and (x+1, y+1), X, Y from its least corner in 1/D:
   ///   255 D^2 alpha = a D^2 + b D X + c D Y + e X Y,   (X, Y) = (X0, Y0) + t (2 width, 2 height)
   ///                 = m + l t + k t^2,   whose turning point is at t = -l/2k and has the value m - l^2/4k.
   /// |X0|, |Y0| < 2^16, as the cell meets the region, so k < 2^39, l < 2^42, m < 2^42: 4km, l^2 < 2^84, times a

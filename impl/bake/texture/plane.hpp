@@ -1,4 +1,4 @@
-// The texels with a property: for any rectangle, whether some texel has it and whether some has not.  Internal to
+// Texels with a property: for any rectangle, whether some texel has it, and whether some has not.  Internal to
 // impl/bake.
 //
 // Texels are bits, stored twice.  Tiles of 8x8 texels are a word each; rows of bits say which tiles have some such
@@ -73,8 +73,7 @@ class Plane {
   struct Found {
     bool some, some_not;
   };
-  /// The texels [left, right] x [top, bottom], ends included: whether some have it, some not.  Domain: all in the
-  /// texture.
+  /// Looks at the texels [left, right] x [top, bottom], ends included.  Domain: all of them are in the texture.
   Found in(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
     const auto l = static_cast<std::size_t>(left), r = static_cast<std::size_t>(right),
                t = static_cast<std::size_t>(top), b = static_cast<std::size_t>(bottom);

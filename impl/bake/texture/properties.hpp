@@ -1,5 +1,5 @@
-// The marks of a texture's texels: for any rectangle of wrapped texels, whether some are not opaque and whether some
-// are not transparent.  Internal to impl/bake.
+// A texture's marks: for any rectangle of wrapped texels, whether some are not opaque, and some not transparent.
+// Internal to impl/bake.
 #pragma once
 
 #include <algorithm>
@@ -49,8 +49,8 @@ class TextureProperties {
   int finest = 0, most = 0;
   /// Stored numbers are within `scale` of 0, and of each other.
   double scale = 0;
-  /// threshold: the number at which stored numbers begin to be opaque, rounded, or +-2 scale if it is beyond.
-  /// threshold - gap: the number up to which they are transparent.
+  /// Stored numbers are opaque from threshold on, rounded, or +-2 scale if it is beyond; transparent up to threshold -
+  /// gap.
   double threshold = 0, gap = 0;
   /// The least distances from there: of numbers that are not opaque, and of numbers that are not transparent.
   double clear_below = 0, clear_opaque = 0;

@@ -21,8 +21,8 @@ struct Bend {
 };
 
 /// Calls take(columns(j), j) for the rows [first, last] in their order until that returns false.  With a period, rows
-/// that say nothing new are left out: after a whole period of rows with the same columns, those up to the first row
-/// with others.
+/// that say nothing new are left out: after a period of rows with the same columns, those up to the first row with
+/// others.
 /// Time: the rows of a period and rows whose columns differ from the row before; a search of 40 steps for each run.
 /// Domain: between bends each of a row's two ends moves one way only.  period: in rows, or 0.
 template <class Of, class Take>

@@ -6,8 +6,7 @@
 
 namespace mmverify::impl::bake {
 
-/// The meaning of indices outside a texture.  Source: Vulkan, "Wrapping Operation"; mirror_once is its
-/// MIRROR_CLAMP_TO_EDGE.
+/// Source: Vulkan, "Wrapping Operation"; mirror_once is its MIRROR_CLAMP_TO_EDGE.
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge, clamp_to_border, mirror_once };
 
 namespace detail {
