@@ -19,7 +19,7 @@ struct Record {
 };
 inline constexpr std::uint64_t record_bytes = 8;
 
-/// The number of maps of a level and a format.  Source: VkMicromapUsageKHR.
+/// Source: VkMicromapUsageKHR.
 struct UsageCount {
   std::uint32_t count, level, format;
   friend constexpr bool operator==(const UsageCount&, const UsageCount&) = default;
