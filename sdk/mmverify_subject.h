@@ -300,9 +300,10 @@ typedef struct mmverify_subject {
    * corner from which the other two lie along u and along v; the steps are +1, in inverted ones -1. */
   void (*corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
-  /* The index and the corners in row order (Gruen et al.; Color and Attribute Micromaps, figure 4): a point on an edge belongs where
-   * that figure's rows, columns and diagonals put it, floor((1-w)N), floor(vN), floor((1-u)N) of exact numbers, w = 1-u-v,
-   * each N-1 at most and the column no greater than the row. Points are those of index_f32. Corners come in any order. */
+  /* The index and the corners in row order (Gruen et al.; Color and Attribute Micromaps, figure 4): a point on an edge
+   * belongs where that figure's rows, columns and diagonals put it, floor((1-w)N), floor(vN), floor((1-u)N) of exact
+   * numbers, w = 1-u-v, each N-1 at most and the column no greater than the row. Points are those of index_f32. Corners
+   * come in any order. */
   void (*row_index_f32)(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
   void (*row_corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
@@ -433,16 +434,17 @@ typedef struct mmverify_subject {
   void (*attribute_face_of)(uint32_t level, uint32_t vertex_order, uint32_t face_order, const uint32_t* first,
                             const uint32_t* second, const uint32_t* third, uint32_t* face, size_t count);
 
-  /* The vertices of the micro-triangle that contains (u[k], v[k]), ties as in index_f32, and the point's weights there, in the
-   * order of its vertices: with fu = uN - iu and fv = vN - iv, lower (1-fu-fv, fu, fv), upper (fu+fv-1, 1-fu, 1-fv), each
-   * within 2^-24 of the exact one and none below 0.  u, v >= 0, -0 is 0; u+v <= 1. */
+  /* The vertices of the micro-triangle that contains (u[k], v[k]), ties as in index_f32, and the point's weights there,
+   * in the order of its vertices: with fu = uN - iu and fv = vN - iv, lower (1-fu-fv, fu, fv), upper (fu+fv-1, 1-fu,
+   * 1-fv), each within 2^-24 of the exact one and none below 0.  u, v >= 0, -0 is 0; u+v <= 1. */
   void (*attribute_triplet_f32)(uint32_t level, uint32_t vertex_order, const float* u, const float* v,
                                 uint32_t* vertices, size_t count);
   void (*attribute_weights_f32)(uint32_t level, const float* u, const float* v, float* weights, size_t count);
 
   /* The vertex (i, j) that the value of (i[k], j[k]) is read from if the edges of `flags` (MMVERIFY_EDGE_W_U, ...) have a
    * neighbour of level n-1; at level 0 no edge has one: i0 j0 i1 j1 ...  An odd vertex of such an edge goes to an even
-   * neighbour on it, any other one stays, and the choice of the neighbour leaves no crack and turns no micro-triangle over. */
+   * neighbour on it, any other one stays, and the choice of the neighbour leaves no crack and turns no micro-triangle
+   * over. */
   void (*attribute_decimate)(uint32_t level, uint32_t flags, const uint32_t* i, const uint32_t* j,
                              uint32_t* place, size_t count);
 
@@ -455,7 +457,8 @@ typedef struct mmverify_subject {
    * order of the curve, and for each micro-vertex in W-minor order.  Nonzero if it is baked; 0 if the subject does not
    * support the case, and then the bytes of `map` do not count.
    *   - Faces: the mean of the texels under the micro-triangle, each by its share of the area.  Along a segment texels
-   *     weigh by how much of the micro-triangle maps to them, and a point has its own: the limits of triangles with an area.
+   *     weigh by how much of the micro-triangle maps to them, and a point has its own: the limits of triangles with an
+   *     area.
    *   - Vertices: the filter's value at the micro-vertex.
    *   - Means are of codes with MMVERIFY_LINEAR.  MMVERIFY_SRGB has R, G and B on the sRGB curve and averages light.
    *     MMVERIFY_NORMAL has directions 2 code / 255 - 1, whose mean is made one unit long again; MMVERIFY_NORMAL_AND_LENGTH
@@ -491,8 +494,8 @@ typedef struct mmverify_subject {
   void (*traverse_blend)(uint32_t operation, const uint32_t* payload, const uint32_t* value, uint32_t* out,
                          size_t count);
 
-  /* The payload that a ray ends with, as bytes R G B A.  The hits that blend are those nearer than the nearest accepted one,
-   * whether that is met before them or after; one at its very distance does not blend.  Each blends as often as it is
+  /* The payload that a ray ends with, as bytes R G B A.  The hits that blend are those nearer than the nearest accepted
+   * one, whether that is met before them or after; one at its very distance does not blend.  Each blends as often as it is
    * reported, MULTIPLY and OVER in the order in which the hits are met. */
   void (*traverse_blend_hits)(const mmverify_blend_case_t* what, uint8_t* payload);
 
@@ -508,8 +511,8 @@ typedef struct mmverify_subject {
    *     triangles' records, special indices left out; other APIs have none. In any order. */
   size_t (*array_build)(const mmverify_array_case_t* what, uint8_t* answer, size_t capacity);
 
-  /* The target of code[k] < 2^width in a geometry with base_triangle[k], over records[k] records: two numbers each, its kind
-   * and its value. MMVERIFY_TARGET_SPECIAL and the state; _NONE and 0: -5 in a cluster; _RECORD and its number, base added;
+  /* The target of code[k] < 2^width in a geometry with base_triangle[k], over records[k] records: two numbers each, its
+   * kind and its value. MMVERIFY_TARGET_SPECIAL and the state; _NONE and 0: -5 in a cluster; _RECORD and its number, base added;
    * _OUTSIDE and 0: no such record, and a signed code below the special ones. */
   void (*array_resolve)(uint32_t index_type, const uint32_t* code, const uint32_t* base_triangle,
                         const uint32_t* records, uint32_t* target, size_t count);
@@ -528,20 +531,20 @@ typedef struct mmverify_subject {
   /* The file of an array, of version 1 or 2, and the array of a file, as mmverify_array_parts; sizes as by tree_encode.
    * Version 2 holds every array; 0 if version 1 does not hold this one, and for bytes that are no file.
    *   - Any form of file will do if each array that is saved is loaded unchanged.  With the flag MMVERIFY_ARRAY_FILES files
-   *     are docs/ARRAYS.md's, byte by byte, and array_load refuses other bytes: cut short, one bit flipped, 0 bytes.  A file
-   *     whose indices or records make no array ("Files" there lists them) may be loaded as it is, or refused. */
+   *     are docs/ARRAYS.md's, byte by byte, and array_load refuses other bytes: cut short, one bit flipped, 0 bytes.  A
+   *     file whose indices or records make no array ("Files" there lists them) may be loaded as it is, or refused. */
   size_t (*array_save)(uint32_t version, const uint8_t* array, size_t array_size, uint8_t* file,
                        size_t capacity);
   size_t (*array_load)(const uint8_t* file, size_t file_size, uint8_t* array, size_t capacity);
 
-  /* The 4-state map at level most < level that replaces one of a level that a device does not support (KHR, lossy micromaps): T for
-   * a block of T alone, O for one of O, UT or UO for any other. */
+  /* The 4-state map at level most < level that replaces one of a level that a device does not support (KHR, lossy
+   * micromaps): T for a block of T alone, O for one of O, UT or UO for any other. */
   size_t (*array_emulate)(uint32_t level, uint32_t most, const uint8_t* map, uint8_t* emulated,
                           size_t capacity);
 
   /* The maps of a scene in one graph, or in whatever form a codec of many maps has.
-   *   - A scene is maps of one format, one after another: a byte with the level, 0 to 12, then the map, packed, its bits after
-   *     the last state zero.  Maps are numbered from 0 in that order.
+   *   - A scene is maps of one format, one after another: a byte with the level, 0 to 12, then the map, packed, its
+   *     bits after the last state zero.  Maps are numbered from 0 in that order.
    *   - Any form of code will do, as long as a scene has one.  With the flag MMVERIFY_DAG_CONTAINER the codes are the
    *     containers of docs/DAG.md.
    *   - dag_encode is required, and a way back: dag_decode or a lookup.
@@ -551,8 +554,9 @@ typedef struct mmverify_subject {
   size_t (*dag_encode)(uint32_t format, const uint8_t* scene, size_t scene_size, uint8_t* code,
                        size_t capacity);
 
-  /* The size of the scene of a code, and the scene, likewise; 0 if no scene has that code, which may be any bytes: cut short,
-   * 0 bytes, one bit flipped.  For codes of a subject's own form 0 or a scene is right, the same one at each call. */
+  /* The size of the scene of a code, and the scene, likewise; 0 if no scene has that code, which may be any bytes: cut
+   * short, 0 bytes, one bit flipped.  For codes of a subject's own form 0 or a scene is right, the same one at each
+   * call. */
   size_t (*dag_decode)(uint32_t format, const uint8_t* code, size_t code_size, uint8_t* scene,
                        size_t capacity);
 
@@ -568,7 +572,8 @@ typedef struct mmverify_subject {
 const mmverify_subject_t* mmverify_subject_v1(void);
 
 /* A library that can run in some places only may export this as well. It is called if mmverify_subject_v1 returned
- * null, and returns the reason why it cannot run here, "no Vulkan device" for example. Its laws are then not_applicable for that reason. */
+ * null, and returns the reason why it cannot run here, "no Vulkan device" for example. Its laws are then not_applicable
+ * for that reason. */
 const char* mmverify_subject_v1_not_here(void);
 
 #ifdef __cplusplus
