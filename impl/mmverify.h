@@ -1,8 +1,8 @@
 /* The library for C, and for all languages that call C.  Installed as <mmverify/mmverify.h>.
  *
- * Functions that can fail return 1 where they did what they say, and 0 where they did not: an argument outside
- * its domain, or no memory.  mmverify_error() then says why.  Nothing is written by a call that failed, and
- * nothing is thrown.  All may be called from several threads at once.
+ * Functions that can fail return 1 on success, and 0 on failure: an argument outside its domain, or no memory.
+ * mmverify_error() then gives the reason.  A failed call writes nothing, and nothing is thrown.  All functions may
+ * be called from several threads at once.
  *
  * Levels are 0..16 of indices, 0..12 of maps.  A map of level n and format b is 4^n states of b bits in the
  * order of the index, packed from the least significant bit of each byte on: ceil(4^n b / 8) bytes, the bits
@@ -21,10 +21,10 @@ extern "C" {
 /* Formats of maps, as Vulkan numbers them; also the bits of one state. */
 enum { MMVERIFY_FORMAT_2_STATE = 1, MMVERIFY_FORMAT_4_STATE = 2 };
 
-/* Why the last call of this thread that failed did so; "" before the first.  Valid until its next call. */
+/* The reason of this thread's last failed call; "" before the first.  Valid until its next call. */
 const char* mmverify_error(void);
 
-/* index[k]: the micro-triangle that holds the barycentrics (u[k], v[k]) of the second and third vertex.
+/* index[k]: the micro-triangle that contains the barycentrics (u[k], v[k]) of the second and third vertex.
  * Source: Vulkan, VK_EXT_opacity_micromap, "Reference Code"; exact for all finite floats in the triangle. */
 int mmverify_index(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
 
@@ -32,39 +32,39 @@ int mmverify_index(uint32_t level, const float* u, const float* v, uint32_t* ind
  * that the children 0, 2 and 3 touch. */
 int mmverify_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
-/* The same two in row order.  Source: Color and Attribute Micromaps, figure 4. */
+/* The two functions above in row order.  Source: Color and Attribute Micromaps, figure 4. */
 int mmverify_row_index(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
 int mmverify_row_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
-/* `count` states, a byte each, to ceil(count b / 8) bytes, and back. */
+/* Packs `count` states, a byte each, to ceil(count b / 8) bytes; and unpacks them. */
 int mmverify_pack(uint32_t format, const uint8_t* states, size_t count, uint8_t* map);
 int mmverify_unpack(uint32_t format, const uint8_t* map, size_t count, uint8_t* states);
 
-/* 4-state to 2-state: T and UT to T, O and UO to O; and 2-state as 4-state. */
+/* The 2-state map of a 4-state map: T and UT become T, O and UO become O; and a 2-state map as a 4-state map. */
 int mmverify_force2(uint32_t level, const uint8_t* four_state, uint8_t* two_state);
 int mmverify_widen(uint32_t level, const uint8_t* two_state, uint8_t* four_state);
 
-/* The map of level + 1, children as their parent; and of level - 1, a parent T or O where its children are,
- * otherwise unknown (docs/MICROMAP.md). */
+/* The map of level + 1, each child with its parent's state; and the map of level - 1, a parent T or O if all its
+ * children are, else unknown (docs/MICROMAP.md). */
 int mmverify_map_up(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* above);
 int mmverify_map_down(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* below);
 
-/* The code of a map: the tree's bits, then from the next whole byte on its leaves' states.  The size of the
- * code; it is written where `capacity` is no less.  0: failed.
+/* The code of a map: the tree's bits, then from the next whole byte on its leaves' states.  Returns the size of the
+ * code, or 0 on failure; the code is written if `capacity` is at least its size.
  * Source: Succinct Opacity Micromaps, Algorithms 1 and 2. */
 size_t mmverify_tree_encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code,
                             size_t capacity);
 
-/* A map in the form for lookups: its memory is its own.  Null: failed. */
+/* A map in the form for lookups, in memory of its own.  Null on failure. */
 typedef struct mmverify_tree mmverify_tree;
 mmverify_tree* mmverify_tree_new(uint32_t level, uint32_t format, const uint8_t* map);
 void mmverify_tree_free(mmverify_tree* tree);
-/* state[k]: that at index[k] < 4^level. */
+/* state[k]: the state at index[k] < 4^level. */
 int mmverify_tree_lookup(const mmverify_tree* tree, const uint32_t* index, uint8_t* state, size_t count);
 int mmverify_tree_decode(const mmverify_tree* tree, uint8_t* map);
 
 /* Square maps: a byte a region, T 0, C 1, O 2, region (x, y) at x + 16 y or x + 32 y, y from the bottom; blocks
- * of VQ2 have 32 bytes, of VQ4 64 (docs/VQ.md).  Every block is one; an encoder takes every map. */
+ * of VQ2 have 32 bytes, of VQ4 64 (docs/VQ.md).  All bytes are a block; an encoder takes every map. */
 int mmverify_vq2_decode(const uint8_t* block, uint8_t* map);
 int mmverify_vq4_decode(const uint8_t* block, uint8_t* map);
 int mmverify_vq2_region(const uint8_t* block, const uint32_t* x, const uint32_t* y, uint8_t* state,
@@ -74,7 +74,7 @@ int mmverify_vq4_region(const uint8_t* block, const uint32_t* x, const uint32_t*
 int mmverify_vq2_encode(const uint8_t* map, uint8_t* block);
 int mmverify_vq4_encode(const uint8_t* map, uint8_t* block);
 
-/* What is baked. */
+/* The texels, filters and wrap modes of a baker. */
 enum { MMVERIFY_TEXEL_UNORM8 = 1, MMVERIFY_TEXEL_UNORM16 = 2, MMVERIFY_TEXEL_FLOAT32 = 3 };
 enum { MMVERIFY_FILTER_BILINEAR = 0, MMVERIFY_FILTER_NEAREST = 1 };
 enum {
@@ -91,26 +91,26 @@ typedef struct mmverify_texture {
   uint32_t width, height;
 } mmverify_texture;
 
-/* How it is sampled, and what of it is opaque. */
+/* The sampling of a texture, and the rule by which alpha is opaque. */
 typedef struct mmverify_sampling {
   uint32_t texel;                  /* MMVERIFY_TEXEL_UNORM8, ... */
   uint32_t filter, wrap_u, wrap_v; /* Vulkan's; texel (i, j) has its centre at (i + 1/2, j + 1/2) */
-  float border;                    /* as it is stored, for MMVERIFY_WRAP_CLAMP_TO_BORDER */
-  float factor, vertex_factor;     /* alpha is what is sampled, times both; not below 0 */
-  uint32_t blend; /* 0: opaque where alpha >= the cutoff; else opaque at 1, transparent at 0 */
+  float border;                    /* stored number, for MMVERIFY_WRAP_CLAMP_TO_BORDER */
+  float factor, vertex_factor;     /* sampled alpha is multiplied by both; not below 0 */
+  uint32_t blend; /* 0: alpha >= the cutoff is opaque; else alpha >= 1 is opaque, alpha <= 0 transparent */
   uint32_t cutoff_numerator, cutoff_denominator;
   float margin; /* texels by which each micro-triangle is grown to either side along x and y */
 } mmverify_sampling;
 
 /* Mip levels in the order in which they are sampled, the largest first.  The texels must outlive the baker.
- * Null: failed. */
+ * Null on failure. */
 typedef struct mmverify_baker mmverify_baker;
 mmverify_baker* mmverify_baker_new(const mmverify_texture* mips, size_t count,
                                    const mmverify_sampling* sampling);
 void mmverify_baker_free(mmverify_baker* baker);
-/* The 4-state map of the triangle with these texture coordinates, u and v of three vertices: O where alpha is
- * opaque on all of a closed micro-triangle, T where it is transparent on all of it, in each mip; otherwise
- * unknown, UO or UT as its centroid is.  Exact. */
+/* The 4-state map of the triangle with these texture coordinates, u and v of three vertices: O if alpha is opaque
+ * on all of a closed micro-triangle in each mip, T if it is transparent on all of it in each mip; else unknown, UO or
+ * UT by alpha at the centroid.  Exact. */
 int mmverify_bake(const mmverify_baker* baker, const float* uv, uint32_t level, uint8_t* map);
 
 #ifdef __cplusplus

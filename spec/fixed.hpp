@@ -1,4 +1,4 @@
-// Exact fixed point: the rationals k / 2^F that a sweep visits, as plain integers.
+// Exact fixed point: the rationals k / 2^F that a sweep visits, as integers.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -6,17 +6,15 @@
 
 namespace mmverify::spec {
 
-// Not ISO C++, but both compilers of this project have it; __extension__ keeps -Wpedantic quiet about just
-// this line.
+// __int128 is not ISO C++, but both compilers of this project have it; __extension__ silences -Wpedantic for this line.
 __extension__ typedef __int128 Int128;
 
-/// 256 bits on the stack: overflow throws std::overflow_error.
+/// An integer of 256 bits on the stack; overflow throws std::overflow_error.
 using Int256 = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
     256, 256, boost::multiprecision::signed_magnitude, boost::multiprecision::checked, void>>;
 
-/// The number raw / 2^F.  Sums, differences and products with whole numbers are exact as long as |raw| stays
-/// below the word's limit; docs/SOUNDNESS.md ("No sum overflows") bounds every value the index algorithms
-/// form.
+/// The number raw / 2^F.  Sums, differences and products with integers are exact as long as |raw| stays below the
+/// word's limit; docs/SOUNDNESS.md ("No sum overflows") bounds every value that the index algorithms form.
 template <class Word, unsigned F>
 class Fixed {
  public:
@@ -26,7 +24,7 @@ class Fixed {
   constexpr Fixed() = default;
   constexpr explicit Fixed(std::uint32_t k) : raw_(Word(Word(k) << F)) {}
 
-  /// k / 2^bits.  Domain: bits <= F and |k| 2^(F-bits) within the word.
+  /// The number k / 2^bits.  Domain: bits <= F and |k| 2^(F-bits) within the word.
   static constexpr Fixed dyadic(Word k, unsigned bits) {
     return from_raw(Word(k * Word(Word(1) << (F - bits))));
   }
@@ -54,14 +52,13 @@ class Fixed {
   Word raw_ = 0;
 };
 
-/// Holds every point k/(4 2^g) of the grids up to level g = 28, and every binary16 number (they end at
-/// 2^-24).
+/// The type for every point k/(4 2^g) of the grids up to level g = 28, and every binary16 number (they end at 2^-24).
 using Fixed64 = Fixed<std::int64_t, 30>;
 
-/// Holds every binary32 number that is zero or at least 2^-76 in size (24 significant bits end at 2^-99).
+/// The type for every binary32 number that is zero or at least 2^-76 in size (24 significant bits end at 2^-99).
 using Fixed128 = Fixed<Int128, 100>;
 
-/// Holds every finite binary32 number of size at most 2 (subnormal ones end at 2^-149).
+/// The type for every finite binary32 number of size at most 2 (subnormal ones end at 2^-149).
 using Fixed256 = Fixed<Int256, 150>;
 
 }  // namespace mmverify::spec

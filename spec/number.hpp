@@ -1,4 +1,4 @@
-// What the specifications ask of a number: exact or rounded, one text serves both.
+// The number types that specifications run on: exact or rounded, one text serves both.
 #pragma once
 
 #include <concepts>
@@ -15,18 +15,18 @@ using Level = std::uint32_t;
 /// N = 2^n, the number of micro-triangles along a side.  Domain: n in 0..31.
 constexpr std::uint32_t side(Level n) { return std::uint32_t{1} << n; }
 
-/// floor(q) for 0 <= q < 2^32, where the conversion of the number type truncates by itself.
+/// floor(q) for 0 <= q < 2^32.  Domain: number types whose conversion truncates.
 template <class Q>
 requires std::is_arithmetic_v<Q>
 constexpr std::uint32_t whole(const Q& q) { return static_cast<std::uint32_t>(q); }
 
-/// k q, for a whole number k.  A rounded type rounds k and the product, each once.
+/// The product k q for an integer k.  A rounded type rounds k and the product, each once.
 template <class Q>
 constexpr Q times(std::uint32_t k, const Q& q) {
   return Q(k) * q;
 }
 
-/// What the recursion asks of a coordinate: order, + and -, whole numbers and multiplication by them.
+/// A coordinate of the recursion: it has order, + and -, integers and multiplication by them.
 template <class Q>
 concept Coordinate = std::copyable<Q> && requires(const Q a, const Q b, const std::uint32_t k) {
   {Q(k)};
@@ -37,9 +37,8 @@ concept Coordinate = std::copyable<Q> && requires(const Q a, const Q b, const st
   { a == b } -> std::convertible_to<bool>;
 };
 
-/// A number type that a specification can be run on: a coordinate with whole(q) = floor(q) for q >= 0. Exact
-/// types (Rational, Fixed) make the specification exact; a rounded type makes it an instance under test and
-/// never an oracle.
+/// A number type that a specification can be run on: a coordinate with whole(q) = floor(q) for q >= 0.  Exact types
+/// (Rational, Fixed) make the specification exact.  A rounded type makes it an instance under test and never an oracle.
 template <class Q>
 concept Number = Coordinate<Q> && requires(const Q a) {
   { whole(a) } -> std::convertible_to<std::uint32_t>;

@@ -10,11 +10,10 @@ namespace mmverify::spec {
 using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::rational<Integer>;
 
-/// The same within 127 bits, some forty times as fast: beyond them it throws std::overflow_error and never
-/// rounds.
+/// A rational within 127 bits, some forty times as fast: beyond them it throws std::overflow_error and never rounds.
 using Rational128 = boost::rational<boost::multiprecision::checked_int128_t>;
 
-/// m 2^e: every finite binary floating-point number is one.
+/// The number m 2^e, which every finite binary floating-point number is.
 inline Rational scaled(const Integer& m, int e) {
   return e >= 0 ? Rational(Integer(m << e)) : Rational(m, Integer(1) << -e);
 }

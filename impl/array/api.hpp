@@ -1,4 +1,4 @@
-// What each API asks of an array of micromaps, and what a triangle's index means.
+// Six APIs: the requirements of each on arrays of micromaps, and the target of a triangle's index.
 #pragma once
 
 #include <array>
@@ -18,22 +18,22 @@ using micromap::PackedMap;
 using micromap::State;
 using micromap::UsageCount;
 
-/// Who builds from the array.
+/// The API that builds from the array.
 enum class Api : std::uint8_t { EXT, KHR, DXR, OptiX, NVAPI, glTF };
 inline constexpr std::size_t api_count = 6;
 
-/// What an API asks of arrays: docs/ARRAYS.md, "What each API asks".
+/// The requirements of an API on arrays: docs/ARRAYS.md, "What each API asks".
 struct Requirements {
   const char* name;
-  bool counts_geometry;  ///< a build of a geometry takes the histogram of its references, too
+  bool counts_geometry;  ///< the build of a geometry takes the histogram of its references, too
   std::uint32_t data_alignment, records_alignment;
-  std::uint32_t stride_multiple;  ///< of the records' stride, which is 8 at least
-  bool bits_8;                    ///< indices of 8 bits, beside those of 16 and 32
+  std::uint32_t stride_multiple;  ///< divides the records' stride, which is 8 at least
+  bool bits_8;                    ///< 8-bit indices are allowed, beside 16 and 32 bits
   bool signed_indices;
-  bool clusters;  ///< it has clusters, in which -5 is no micromap for the triangle
+  bool clusters;  ///< the API has clusters, in which -5 means no micromap for the triangle
 };
 
-/// In the order of Api.  Source: docs/ARRAYS.md, "What each API asks".
+/// The requirements of every API, in the order of Api.  Source: docs/ARRAYS.md, "What each API asks".
 inline constexpr std::array<Requirements, api_count> requirements_of_all{{
     {"ext", true, 256, 256, 1, false, false, true},
     {"khr", false, 128, 128, 4, true, false, false},
@@ -46,22 +46,23 @@ constexpr const Requirements& requirements(Api api) noexcept {
   return requirements_of_all[static_cast<std::size_t>(api)];
 }
 
-/// Whether an API's indices may be stored so.
+/// Whether an API takes indices of this encoding.
 constexpr bool takes(Api api, Encoding e) noexcept {
   if (micromap::is_signed(e)) return requirements(api).signed_indices;
   return e != Encoding::u8 || requirements(api).bits_8;
 }
 
-/// What a code means to a geometry.
+/// The target of a code in a geometry: a special index, no micromap, a record, or a number that no record has.
 struct Target {
   enum class Kind : std::uint8_t { special, none, record, outside } kind;
-  State state = State::T;    ///< of a special one
-  std::uint64_t record = 0;  ///< of a record, or of the one outside
+  State state = State::T;    ///< the special index's state
+  std::uint64_t record = 0;  ///< the record's number; if outside, the number that no record has
   friend constexpr bool operator==(const Target&, const Target&) = default;
 };
 
-/// A special index; in a cluster -5, which is none; else the record index + base, outside unless it is less than
-/// `records`.  A signed code below those is outside at its own number.  Domain: code < 2^width.
+/// The target of a code: a special index's state; none for -5 in a cluster; else record code + base, outside unless it
+/// is less than `records`.  A negative code below the special ones is outside, with record = code.
+/// Domain: code < 2^width.
 constexpr Target target(std::uint32_t code, Encoding e, bool cluster, std::uint32_t base,
                         std::uint32_t records) noexcept {
   if (const auto state = micromap::special_state(code, e)) return {Target::Kind::special, *state};

@@ -27,7 +27,7 @@ void check(std::span<const PackedMap> maps) {
   }
 }
 
-/// The states that both maps' users may be given, of one word of each: of a pair of bits the upper says unknown.
+/// One word of a record joined with that of a map.  The upper bit of a pair is set for an unknown state.
 struct Join {
   std::uint64_t states;
   unsigned record_changes, map_changes;
@@ -51,13 +51,14 @@ Words words_of(const PackedMap& m) {
   return words;
 }
 
-/// A record while maps still join it.
+/// A record that maps may still join.
 struct Entry {
   Level level;
   Format format;
   Words words;
-  bool fixed;             ///< it was there before
-  std::uint64_t changes;  ///< of its triangle that differs most from what it was baked as
+  bool fixed;  ///< the record is one of those before this build
+  std::uint64_t
+      changes;  ///< micro-triangles that differ from the baked map, in the triangle with most of them
 };
 
 std::uint64_t hash_of(Level level, Format format, const Words& words) {
@@ -75,7 +76,7 @@ class Merger {
 
   void add_fixed(const PackedMap& m) { add(m.level, m.format, words_of(m), true); }
 
-  /// The record of a map.
+  /// The record of map m: an equal one, one that m joins, or a new one.
   std::size_t record_of(const PackedMap& m) {
     Words words = words_of(m);
     if (const auto equal = equal_to(m, words)) return *equal;
@@ -129,7 +130,7 @@ class Merger {
     std::uint64_t of_map = 0;
     for (std::size_t k = 0; k < words.size(); ++k) {
       const Join j = join(e.words[k], words[k]);
-      // Where the record was T or O all its triangles were.
+      // A record's state is T or O only if all its maps have it there, so each of them gets these changes.
       e.changes += j.record_changes;
       of_map += j.map_changes;
       e.words[k] = j.states;
@@ -140,8 +141,9 @@ class Merger {
   std::size_t base_;
   std::uint64_t bound_;
   std::vector<Entry> entries_;
-  std::unordered_multimap<std::uint64_t, std::size_t> known_;  ///< records from base on by what they hold
-  std::array<std::vector<std::size_t>, highest + 1> open_;     ///< that maps may join
+  std::unordered_multimap<std::uint64_t, std::size_t>
+      known_;  ///< numbers of records from base_ on, by hash_of()
+  std::array<std::vector<std::size_t>, highest + 1> open_;  ///< records that maps may join, by level
 };
 
 std::vector<UsageCount> as_counts(const Histogram& histogram) {

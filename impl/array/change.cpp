@@ -25,7 +25,7 @@ std::uint32_t code_at(const Part& part, std::size_t t) {
   return code;
 }
 
-/// f(part, triangle, code, target) for each triangle.
+/// Calls f(part, triangle, code, target) for each triangle.
 template <class F>
 void each_triangle(const Bundle& b, F f) {
   for (std::size_t p = 0; p < b.parts.size(); ++p) {
@@ -42,7 +42,7 @@ void each_triangle(const Bundle& b, F f) {
   }
 }
 
-/// The records in this order, their bytes one after the other with zero padding; place[r] is where record r went.
+/// The bundle with its records in this order, each with its own bytes and zero padding; record r becomes place[r].
 Bundle arranged(const Bundle& b, std::span<const std::uint32_t> order,
                 const std::vector<std::uint32_t>& place) {
   Bundle out;
@@ -56,7 +56,7 @@ Bundle arranged(const Bundle& b, std::span<const std::uint32_t> order,
     if (record.offset + size > b.array.data.size())
       throw std::invalid_argument("array: record " + std::to_string(r) + ": outside the data");
     const auto from = b.array.data.begin() + record.offset;
-    // Records that overlap need not fit once each has bytes of its own.
+    // The records may overlap in `b`, so their bytes may not fit once each has its own.
     if (out.array.data.size() > 0xffffffff) throw std::length_error("array: data beyond 2^32 bytes");
     out.array.records.push_back(
         {static_cast<std::uint32_t>(out.array.data.size()), record.level, record.format});

@@ -1,29 +1,31 @@
-// Arrays that are there, changed so that each triangle resolves as before: compact, reorder, concatenate, emulate; and
-// DGF's palettes.
+// Changes of arrays: compact, reorder and concatenate, after which each triangle resolves as before; emulate; and the
+// palettes of DGF.
 #pragma once
 
 #include "impl/array/api.hpp"
 
 namespace mmverify::impl::array {
 
-/// Without the records that nobody refers to and the bytes of no record; the rest in its order, bases 0.
+/// The bundle without unused records, and without bytes of no record; records keep their order, bases become 0.
 /// Domain: each plain index of a part names a record, each record's bytes are in the data; else
 /// std::invalid_argument.  An index that its encoding cannot hold: std::length_error.  Time: linear.
 Bundle compacted(const Bundle& bundle);
 
-/// All records: those in use first, in the order of first use, then the others in their order; bases 0.  As above.
+/// The bundle with its records in the order of their first use, then the unused ones in their order; bases become 0.
+/// Domain, errors, time: as compacted().
 Bundle reordered(const Bundle& bundle);
 
-/// One array behind another; the second's bases grow by the first's records.  Data or records beyond 2^32:
-/// std::length_error.  Domain: as above; a base that then passes 2^32 begins anew at 0.
+/// The second array behind the first; the second's bases grow by the number of the first's records.  Data or records
+/// beyond 2^32: std::length_error.  Domain: as compacted(); a base that then passes 2^32 begins anew at 0.
 Bundle concatenated(const Bundle& first, const Bundle& second);
 
-/// The 4-state map at level `most`, for a device that has none above: T for a block of T, O for a block of O, else
-/// unknown, by micromap::down().  Domain: level above most, up to 12; packed bytes of the level; else
+/// The 4-state map at level `most`, for a device that supports no level above: T for a block of T, O for a block of O,
+/// else unknown, by micromap::down().  Domain: level above most, up to 12; packed bytes of the level; else
 /// std::invalid_argument.  Source: the KHR slides, "Lossy Micromaps".
 Bytes emulated(std::span<const std::uint8_t> four_state, Level level, Level most);
 
-/// DGF: triangles in order, cut into the fewest blocks of at most `most` distinct codes; how many triangles each has.
+/// DGF: the triangles in order, cut into the fewest blocks of at most `most` distinct codes.  The result: each block's
+/// size.
 std::vector<std::uint64_t> blocks(std::span<const std::uint32_t> codes, std::size_t most = 7);
 
 }  // namespace mmverify::impl::array

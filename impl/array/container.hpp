@@ -1,4 +1,4 @@
-// Arrays as files.  The layout of both versions is docs/ARRAYS.md's, "Files".
+// Arrays as files.  Both layouts are in docs/ARRAYS.md, "Files".
 #pragma once
 
 #include "impl/array/api.hpp"
@@ -11,11 +11,11 @@ inline constexpr std::uint32_t newest_version = 2;
 /// as for a bundle whose counts do not fit 32 bits.
 Bytes written(const Bundle& bundle, std::uint32_t version = newest_version);
 
-/// The bundle of a file of either version.  What records and indices say is not judged: micromap::validate() does.
-/// Domain: everything; what is no such file, byte for byte, is std::invalid_argument, which says what and where.
+/// The bundle of a file of either version.  The values are not checked: micromap::validate() does.
+/// Domain: any bytes.  Bytes that written() cannot produce: std::invalid_argument, with the fault and its place.
 Bundle read(std::span<const std::uint8_t> file);
 
-/// Whether bytes begin as such a file does.
+/// Whether bytes begin with the name of such a file.
 bool is_container(std::span<const std::uint8_t> file) noexcept;
 
 }  // namespace mmverify::impl::array

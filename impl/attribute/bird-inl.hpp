@@ -34,10 +34,10 @@ HWY_INLINE HalfVec paired(WordVec a, WordVec b) {
 HWY_INLINE WordVec first_of(HalfVec x) { return hn::And(hn::BitCast(Words(), x), word(0xffff)); }
 HWY_INLINE WordVec second_of(HalfVec x) { return hn::ShiftRight<16>(hn::BitCast(Words(), x)); }
 
-/// bird_index: with s the lowest set bit of i, j and N/2, the division by 2^(s+1) is the upper half of the product with
-/// f = 2^(15-s), and bit s the highest bit of the lower half.
-/// Of the corners s is that of N/2, and i and j are even after it: then (x + b)/2, which counts the upright
-/// micro-triangles of level 1 before theirs, is 0, 1 and 2, the corner's own index.
+/// bird_index: let s be the lowest set bit of i, j and N/2, and f = 2^(15-s).  The division by 2^(s+1) is the upper
+/// half of the product with f, and bit s is the highest bit of the lower half.
+/// At the corners s is that of N/2, and i and j are even after the shift by s: (x + b)/2, the number of upright
+/// micro-triangles of level 1 before theirs, is then 0, 1 and 2, the corner's own index.
 class BirdHalves {
  public:
   static constexpr Level least_level = 1, last_level = 8;
@@ -47,13 +47,13 @@ class BirdHalves {
   HWY_INLINE HalfVec operator()(HalfVec i, HalfVec j) const {
     const auto f = factor(hn::Or(hn::Or(i, j), half(side_ >> 1)));
     const auto a = hn::MulHigh(i, f), b = hn::MulHigh(j, f), M = hn::MulHigh(half(side_), f);
-    // All ones or zero.
+    // Each is all ones or zero.
     const auto i_odd = spread_sign(hn::Mul(i, f)), j_odd = spread_sign(hn::Mul(j, f));
     const auto row = hn::Add(a, b), b0 = hn::Xor(a, row), t = hn::And(hn::Xor(a, b), b0);
     const auto b1 = hn::Or(hn::AndNot(b0, hn::Xor(xor_from_above(t), a)), t);
     const auto twice_before = hn::Add(hn::Or(spread(b0, spread_), spread(b1, doubled_)), b);
     const auto count = hn::ShiftRight<1>(hn::Mul(M, hn::Add(M, half(3))));  // V(m-1) - 1
-    const auto e = hn::Add(hn::Sub(j_odd, i_odd), half(2));                 // one more than e
+    const auto e = hn::Add(hn::Sub(j_odd, i_odd), half(2));                 // e + 1
     const auto rest = hn::Add(hn::Add(twice_before, count), e);
     return hn::Add(hn::ShiftRight<1>(twice_before), hn::And(rest, hn::Or(i_odd, j_odd)));
   }
@@ -66,7 +66,7 @@ class BirdHalves {
   static HWY_INLINE HalfVec looked_up(ByteVec table, HalfVec index) {
     return hn::BitCast(Halves(), hn::TableLookupBytes(table, hn::BitCast(Bytes(), index)));
   }
-  /// Of numbers below 2^8.
+  /// x ^ x >> 1 ^ x >> 2 ^ ...  Domain: lanes below 2^8.
   static HWY_INLINE HalfVec xor_from_above(HalfVec x) {
     x = hn::Xor(x, hn::ShiftRight<1>(x));
     x = hn::Xor(x, hn::ShiftRight<2>(x));
@@ -86,7 +86,7 @@ class BirdHalves {
 
   static HWY_INLINE ByteVec table(const std::uint8_t (&bytes)[16]) { return hn::LoadDup128(Bytes(), bytes); }
 
-  // By a nibble: 2^7 and 2^3 shifted down by its lowest bit; its bits at even places, and at odd ones.
+  // Tables by a nibble: 2^7 and 2^3 shifted down by its lowest bit; its bits at even places, and at odd ones.
   alignas(16) static constexpr std::uint8_t
       lowest_bytes[16] = {0, 128, 64, 128, 32, 128, 64, 128, 16, 128, 64, 128, 32, 128, 64, 128},
       lowest_above_bytes[16] = {0, 8, 4, 8, 2, 8, 4, 8, 1, 8, 4, 8, 2, 8, 4, 8},

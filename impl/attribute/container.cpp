@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::uint8_t, 4> file_magic{'m', 'm', 'a', 't'};
 constexpr std::uint8_t file_version = 1;
-/// Where each field of the header lies.
+/// The offset of each field of the header.
 enum At : std::size_t {
   at_version = 4,
   at_kind = 5,
@@ -37,7 +37,7 @@ enum At : std::size_t {
 
 std::string told(std::uint64_t x) { return std::to_string(x); }
 
-/// CRC-32C (Castagnoli): reflected polynomial 0x82f63b78, of all but its own four bytes.
+/// CRC-32C (Castagnoli), reflected polynomial 0x82f63b78, of all bytes but its own four.
 std::uint32_t file_checksum(std::span<const std::uint8_t> bytes) {
   static constexpr std::array<std::uint32_t, 256> table = [] {
     std::array<std::uint32_t, 256> all{};
@@ -73,10 +73,10 @@ PackedShape shape_of(const AttributeMaps& maps) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What goes together
+// Members that go together
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// What is wrong with the header's members, and where; nothing where all is well.
+/// A fault of the header's members, and its byte.
 struct Complaint {
   std::size_t byte;
   std::string found, would_do;

@@ -1,5 +1,5 @@
-// Attribute micromaps in a file: what their values mean and where they lie, said once and checked before anything is
-// used.  docs/ATTRIBUTE_FORMAT.md has the bytes.
+// Attribute micromaps in a file: the meaning of their values and their places, stated once and checked before use.
+// docs/ATTRIBUTE_FORMAT.md has the bytes.
 #pragma once
 
 #include <array>
@@ -16,20 +16,20 @@
 
 namespace mmverify::impl::attribute {
 
-/// Which micro-triangle a point on an edge belongs to.  Of values at vertices it does not matter.
+/// The micro-triangle that a point on an edge belongs to.  Values at vertices do not depend on it.
 enum class TieRule : std::uint8_t {
-  none,    ///< of vertices
+  none,    ///< for vertices
   vulkan,  ///< towards +u and +v, on a square's diagonal towards -u: VK_EXT_opacity_micromap's reference code
   figure_4,  ///< towards -u and +v, on a row's edge towards +(u+v): Color and Attribute Micromaps, figure 4
 };
 
-/// What a set flag does to an edge beside a neighbour of one level less (docs/ATTRIBUTE.md, Decimation).
+/// The rule for a flagged edge, beside a neighbour of one level less (docs/ATTRIBUTE.md, Decimation).
 enum class DecimationRule : std::uint8_t { none, snapping, means };
 
-/// How the values are stored.
+/// The form of the stored values.
 enum class Payload : std::uint8_t { plain, packed };
 
-/// A triangle has that map, under those flags.
+/// A triangle's map, and its edge flags.
 struct MapUse {
   std::uint32_t map = 0;
   std::uint8_t decimated = 0;  ///< bit 0 edge w-u, bit 1 edge u-v, bit 2 edge v-w
@@ -39,33 +39,33 @@ struct MapUse {
 /// Maps of one shape, and the triangles that have them.
 struct AttributeMaps {
   MapAt at = MapAt::faces;
-  FaceOrder face_order = FaceOrder::curve;           ///< of faces
-  VertexOrder vertex_order = VertexOrder::bird;      ///< of vertices
+  FaceOrder face_order = FaceOrder::curve;           ///< for faces
+  VertexOrder vertex_order = VertexOrder::bird;      ///< for vertices
   std::uint32_t level = 0;                           ///< 0..12
   std::uint8_t components = 15;                      ///< bit c: component c of RGBA is stored; not 0
-  Meaning meaning = Meaning::linear;                 ///< of all but linear ones RGB, with the length RGBA
-  TieRule tie = TieRule::vulkan;                     ///< of vertices none
-  DecimationRule decimation = DecimationRule::none;  ///< of faces and of level 0 none
-  /// Each map begins with the maps of its lower levels, the coarsest first: of faces on the curve, plain.  Vertices and
-  /// packed faces have their lower levels within.
+  Meaning meaning = Meaning::linear;                 ///< others than linear need RGB, normal_and_length RGBA
+  TieRule tie = TieRule::vulkan;                     ///< none for vertices
+  DecimationRule decimation = DecimationRule::none;  ///< none for faces and for level 0
+  /// Each map begins with the maps of its lower levels, the coarsest first: for plain faces on the curve only.
+  /// Vertices and packed faces contain their lower levels.
   bool mips = false;
   Payload payload = Payload::plain;
-  std::array<std::uint8_t, 4> error = {};  ///< of packed: as PackedShape
+  std::array<std::uint8_t, 4> error = {};  ///< for packed maps, as PackedShape; else 0
   std::uint32_t maps = 0;
-  std::vector<MapUse> triangles = {};  ///< none: triangle t has map t
-  /// Channel c, the c-th component that is stored, of value x of map m: [(m values_of_entry + x) channels + c].
+  std::vector<MapUse> triangles = {};  ///< empty: triangle t has map t
+  /// Channel c, the c-th stored component, of value x of map m is codes[(m values_of_entry + x) channels + c].
   std::vector<std::uint8_t> codes = {};
 
   friend bool operator==(const AttributeMaps&, const AttributeMaps&) = default;
 };
 
-/// How many components are stored.
+/// The number of stored components.
 std::uint32_t channels_of(const AttributeMaps& maps) noexcept;
 
-/// Values that a map stores, its lower levels where there are mips among them.
+/// The number of values that a map stores, with mips those of its lower levels, too.
 std::uint64_t values_of_entry(const AttributeMaps& maps) noexcept;
 
-/// Bytes that are no such file: "byte 5: stored at 2; 0 (faces) or 1 (vertices) would do".
+/// The error for bytes that are no such file: "byte 5: stored at 2; 0 (faces) or 1 (vertices) would do".
 class BadAttributeFile : public std::runtime_error {
  public:
   BadAttributeFile(std::uint64_t byte, const std::string& found, const std::string& would_do);
@@ -77,13 +77,15 @@ class BadAttributeFile : public std::runtime_error {
 
 inline constexpr std::size_t attribute_header = 44;
 
-/// The bytes of a file.  Of packed maps with errors the codes become those that read_attributes() gives back.
-/// Errors: std::invalid_argument where the members do not go together, with the reason that read_attributes() would give.
+/// The bytes of a file.  Packed maps with errors unpack to other codes: read_attributes() gives those.
+/// Errors: std::invalid_argument for members that do not go together, with the reason that read_attributes() would
+/// give.
 std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps);
 
-/// The maps of a file: write_attributes() of them gives back the very bytes.
-/// Domain: any bytes.  Memory: the codes, at most some 100 times the input, and only once all that the header announces is
-/// there.  Errors: BadAttributeFile for what write_attributes() does not write.
+/// The maps of a file, of which write_attributes() gives back the very bytes.
+/// Domain: any bytes.  Memory: the codes, at most some 100 times the input, taken only once all announced bytes are
+/// there.
+/// Errors: BadAttributeFile for bytes that write_attributes() does not write.
 AttributeMaps read_attributes(std::span<const std::uint8_t> bytes);
 
 }  // namespace mmverify::impl::attribute

@@ -3,7 +3,7 @@
 namespace mmverify::impl::attribute {
 namespace {
 
-/// A point by its grid square and its place there, exactly: x = iu + fu, y = iv + fv in squares of the level.
+/// A point's grid square and its place there, exactly: x = iu + fu, y = iv + fv in squares of the level.
 struct Located {
   std::uint32_t iu, iv;
   double fu, fv;
@@ -12,21 +12,21 @@ struct Located {
 
 Located locate(float u, float v, std::uint32_t N) noexcept {
   const float side = static_cast<float>(N);
-  // N scales by a power of two: exact.
+  // The product is exact: N is a power of two.
   const float un = index::detail::clamped(u) * side, vn = index::detail::clamped(v) * side;
   std::uint32_t iu = std::min(static_cast<std::uint32_t>(un), N - 1);
   const std::uint32_t iv = std::min(static_cast<std::uint32_t>(vn), N - 1);
   iu = std::min(iu, N - 1 - iv);
-  // 24 bits and up to 16 more of the square: exact in binary64.
+  // Exact in binary64: 24 bits and up to 16 more of the square.
   const double fu = static_cast<double>(un) - iu, fv = static_cast<double>(vn) - iv;
   // lesser >= 1 - greater stands for fu + fv >= 1, as in index::detail::reach_one.
   const bool upper = iu + iv + 1 < N && std::min(fu, fv) >= 1 - std::max(fu, fv);
   return {iu, iv, fu, fv, upper};
 }
 
-/// a + b + c to within an ulp or two, with the sign that the exact sum has.
-/// Domain: c whole and below 2^52, the sum of a and b too.  a + b is s + e exactly (Knuth's two-sum) with |e| <= ulp(s)/2.
-/// c is a multiple of ulp(s), so that s + c is 0 or at least ulp(s): e decides where it is 0, and nothing else.
+/// a + b + c to within an ulp or two, with the sign of the exact sum.
+/// Domain: c whole and below 2^52, the sum of a and b too.  a + b is s + e exactly (Knuth's two-sum) with |e| <=
+/// ulp(s)/2.  c is a multiple of ulp(s), so that s + c is 0, and e decides, or at least ulp(s).
 double signed_sum(double a, double b, double c) noexcept {
   const double s = a + b, of_b = s - a, e = (a - (s - of_b)) + (b - of_b);
   const double sum = s + c;
@@ -42,7 +42,7 @@ struct Shares {
   double least() const { return std::min({share[0], share[1], share[2]}); }
 };
 
-/// Twice the areas that the point makes with the sides of a triangle; the steps of sides are 2 at most, or the whole of
+/// Twice the areas that the point makes with the sides of a triangle.  A side has 2 steps at most, or is the whole of
 /// level 1.
 Shares shares_of(const std::array<Vertex, 3>& c, const Located& p) noexcept {
   const auto share = [&](Vertex a, Vertex b) {
@@ -71,13 +71,13 @@ VertexWeights decimated_lookup(float u, float v, Level level, EdgeFlags flags) n
   Shares best = shares_of(found, p);
   const auto fits = [](const Shares& s) { return s.area > 0 && s.least() >= 0; };
   if (!fits(best) && found != before) {
-    // It was held by a micro-triangle that shrank to a line or moved away: one around a corner that moved has it now.
+    // The point's micro-triangle shrank to a line or moved away.  One around a corner that moved holds it now.
     const auto consider = [&](std::uint32_t i, std::uint32_t j, bool upper) {
       if (i + j + (upper ? 1 : 0) >= N) return false;
       const std::array<Vertex, 3> c = moved(corners_of(MicroTriangle{i, j, upper}), n, flags);
       const Shares s = shares_of(c, p);
       if (s.area <= 0) return false;
-      // Outside the triangle none has it: the one next to it.
+      // No micro-triangle holds a point outside the triangle; the nearest one is taken.
       if (best.area <= 0 || s.least() > best.least()) found = c, best = s;
       return fits(s);
     };

@@ -1,11 +1,11 @@
 // Edge decimation of micro-vertex maps: exact for binary32 input, one at a time.
 //
-//   snapped             the vertex that a value is read from, where edges have a neighbour of level n-1
-//   averaged            the other meaning: the two vertices whose mean is the value
+//   snapped             the vertex that a value is read from, if edges have a neighbour of level n-1
+//   averaged            the other rule: the two vertices whose mean is the value
 //   mean_rgba8          that mean, in codes
 //   decimated_lookup    three vertices and their weights at a point, with the edges decimated
 //
-// They need IEEE arithmetic rounded to nearest, the default (no -ffast-math).
+// IEEE arithmetic must be rounded to nearest, the default (no -ffast-math).
 #pragma once
 
 #include <array>
@@ -17,11 +17,11 @@
 namespace mmverify::impl::attribute {
 
 /// A bit for each edge whose neighbour has level n-1: 1 edge w-u (v = 0), 2 edge u-v (w = 0), 4 edge v-w (u = 0); other
-/// bits say nothing.
+/// bits are ignored.
 using EdgeFlags = std::uint32_t;
 
 namespace detail {
-/// Whether the vertex lies on level n, and n has odd vertices on its edges.
+/// Whether the vertex is one of level n, and level n has odd vertices on its edges.
 constexpr bool may_move(Vertex x, std::uint32_t N) noexcept { return N > 1 && x.i <= N && x.j <= N - x.i; }
 }  // namespace detail
 
@@ -61,8 +61,8 @@ constexpr std::uint32_t mean_rgba8(std::uint32_t x, std::uint32_t y) noexcept {
   return (x | y) - ((x ^ y) >> 1 & 0x7f7f7f7f);  // x + y = 2 (x | y) - (x ^ y), byte by byte
 }
 
-/// Writes the means into a map of level n: the value of each odd vertex on a flagged edge becomes the mean of its even
-/// neighbours', where index_of(Vertex) is its place in `values`.  N/2 values an edge.
+/// Writes the means into a map of level n: each odd vertex on a flagged edge gets the mean of its even neighbours'
+/// values.  values[index_of(x)] is the value of vertex x.  N/2 values an edge.
 /// Domain: level in 0..16, more is 16; values has all that index_of may give.
 template <class IndexOf>
 void decimate_by_means(std::span<std::uint32_t> values, Level level, EdgeFlags flags, IndexOf index_of) {
@@ -80,9 +80,9 @@ struct VertexWeights {
   std::array<float, 3> weights;
 };
 
-/// Which values to interpolate at a point, and with which weights, once the flagged edges' odd vertices have snapped.
-/// The three vertices are those of a micro-triangle that holds the point, exactly, for the very floats u and v; each
-/// weight is within 2^-24 of the exact one.
+/// The vertices to interpolate between at a point, and their weights, once the flagged edges' odd vertices have
+/// snapped.  The three vertices are those of a micro-triangle that contains the point, exactly, for the very floats u
+/// and v; each weight is within 2^-24 of the exact one.
 /// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  A point outside the triangle
 /// gets the micro-triangle next to it, and a weight below 0.  level in 0..16, more is 16.
 /// Source: ours: docs/ATTRIBUTE.md, "Decimation"; spec::attribute::decimated_place.

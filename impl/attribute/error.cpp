@@ -15,12 +15,12 @@ using detail::Frame;
 using detail::Point;
 using Source = detail::Source<std::uint8_t>;
 
-/// A part of a micro-triangle: places in texels, with their (s, t).
+/// A corner of a part of a micro-triangle: its place in texels, and its (s, t).
 struct Corner {
   double x, y, s, t;
 };
 
-/// Convex, of nine corners at most: a triangle cut by four lines.
+/// A convex part of a micro-triangle, with nine corners at most: a triangle cut by four lines.
 struct Part {
   std::array<Corner, 12> at;
   std::size_t size = 0;
@@ -32,7 +32,7 @@ Corner between(const Corner& a, const Corner& b, double f) {
   return {a.x + f * (b.x - a.x), a.y + f * (b.y - a.y), a.s + f * (b.s - a.s), a.t + f * (b.t - a.t)};
 }
 
-/// What of a part has sign (coordinate - limit) >= 0.
+/// The part of `from` with sign (coordinate - limit) >= 0.
 template <class Coordinate>
 Part cut(const Part& from, Coordinate coordinate, double limit, double sign) {
   Part part;
@@ -45,7 +45,7 @@ Part cut(const Part& from, Coordinate coordinate, double limit, double sign) {
   return part;
 }
 
-/// Calls visit(k, part) for the strips [k, k + 1] + 1/2 of a part.
+/// Calls visit(k, strip) for the part's strips between k + 1/2 and k + 3/2.
 template <class Coordinate, class Visit>
 void each_strip(const Part& part, Coordinate coordinate, Visit visit) {
   double least = coordinate(part.at[0]), greatest = least;
@@ -61,10 +61,10 @@ void each_strip(const Part& part, Coordinate coordinate, Visit visit) {
   }
 }
 
-/// One channel's error on a part of a cell.
+/// The error of one channel on a part of a cell.
 class Difference {
  public:
-  /// Texture a + b x + c y + d x y from the cell's least corner, less shown0 + s shown_s + t shown_t.
+  /// Texture a + b x + c y + d x y from the cell's least corner, minus the map: shown[0..2] linear in (s, t).
   Difference(double column, double row, const std::array<double, 4>& texels,
              const std::array<double, 3>& shown)
       : column_(column),
@@ -164,8 +164,8 @@ MapError map_error(const RgbaView& texture, const AttributeSampling& sampling, c
               });
         });
   }
-  // Positions within 8 u E of the true ones, where the texture changes by 1 a texel along each axis at most, and what is
-  // cut off by as little; (s, t) and sums round by less than 2^-40 of numbers up to 1.
+  // Positions are within 8 u E of the true ones, and the texture changes by at most 1 a texel along each axis; the cuts
+  // move corners by as little.  (s, t) and sums round by less than 2^-40 of numbers up to 1.
   const double off = 64 * frame.position + 0x1p-30;
   for (std::size_t c = 0; c < 4; ++c) {
     error.largest[c] += off;

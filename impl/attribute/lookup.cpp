@@ -19,13 +19,13 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::attribute {
 namespace HWY_NAMESPACE {
 
-// Corners (i, j), (i1, j), (i, j2) of micro-triangles, and weights there.
+// The corners (i, j), (i1, j), (i, j2) of micro-triangles, and the weights there.
 struct LocatedVecs {
   WordVec i, j, i1, j2;
   FloatVec w0, w1, w2;
 };
 
-// The arguments for what is exact are the scalar one's.
+// The steps are those of the scalar locate(), and exact for the same reasons.
 HWY_INLINE LocatedVecs located(FloatVec u, FloatVec v, Level n) {
   const Floats d;
   const Ints di;
@@ -48,7 +48,7 @@ HWY_INLINE LocatedVecs located(FloatVec u, FloatVec v, Level n) {
           hn::IfThenElse(upper, a, fv)};
 }
 
-// Runs `run(u, v, to)` on whole vectors in place, `vectors` of them at a time; what is left over goes through buffers, as
+// Calls `run(u, v, to)` on the vectors of the spans, `vectors` of them at a time.  The rest goes through buffers, since
 // a vector must not touch memory beyond the spans.
 template <std::size_t vectors, std::size_t outs, class Out, class Run>
 HWY_INLINE void each_point(const float* u, const float* v, const std::array<Out*, outs>& out,
@@ -73,12 +73,12 @@ HWY_INLINE void each_point(const float* u, const float* v, const std::array<Out*
   for (std::size_t a = 0; a < outs; ++a) std::memcpy(out[a] + k, out_left[a], left * sizeof(Out));
 }
 
-// Indices of three corners.
+// The indices of three corners.
 struct TripletVecs {
   WordVec x0, x1, x2;
 };
 
-// Calls `use(k, located, triplet)` for the vectors at u[k] and v[k], which a kernel takes one or two at a time.
+// Calls `use(k, located, triplet)` for the vectors at u[k] and v[k]; EachAlone takes one at a time, TwoAtOnce two.
 template <class Index>
 struct EachAlone {
   static constexpr std::size_t vectors = 1;
@@ -122,7 +122,7 @@ void triplets_of(const float* u, const float* v, std::uint32_t* x0, std::uint32_
       });
 }
 
-// Calls `run` with the kernel for Bird order at this level, and how it takes vectors.
+// Calls `run` with the Bird kernel for this level, and with EachAlone or TwoAtOnce.
 template <class Run>
 HWY_INLINE void with_bird([[maybe_unused]] Level n, Run run) {
 #if HWY_TARGET != HWY_SCALAR
@@ -163,7 +163,7 @@ HWY_INLINE FloatVec channel(WordVec c) {
   return hn::ConvertTo(Floats(), as_ints(byte));
 }
 
-// In the order of mixed_rgba8: (w0 c0 + w1 c1) + (w2 c2 + 1/2), never fused.
+// The sum in the order of mixed_rgba8: (w0 c0 + w1 c1) + (w2 c2 + 1/2), never fused.
 template <int shift>
 HWY_INLINE WordVec mixed_channel(const LocatedVecs& p, WordVec c0, WordVec c1, WordVec c2) {
   const auto sum = hn::Add(hn::Add(hn::Mul(p.w0, channel<shift>(c0)), hn::Mul(p.w1, channel<shift>(c1))),
@@ -179,8 +179,7 @@ void interpolate(const std::uint32_t* map, const float* u, const float* v, std::
   each_point<Each::vectors, 1, std::uint32_t>(
       u, v, {out}, count, [&](const float* pu, const float* pv, const auto& to) HWY_ATTR {
         Each::run(index, pu, pv, n, [&](std::size_t k, const LocatedVecs& p, const TripletVecs& x) HWY_ATTR {
-          // Offsets are signed: V(16) values are beyond 2^31, but no vertex of a level below 16 is, and level 16 is
-          // looked up one by one.
+          // The offsets are signed: below level 16 every index is below 2^31, and level 16 is looked up one by one.
           const auto c0 = hn::GatherIndex(dw, map, as_ints(x.x0));
           const auto c1 = hn::GatherIndex(dw, map, as_ints(x.x1));
           const auto c2 = hn::GatherIndex(dw, map, as_ints(x.x2));

@@ -1,7 +1,7 @@
-// A hit's micro-triangle, the triplet of vertices around it, its weights there, and RGBA8 values between vertices.
+// A hit's micro-triangle, the indices of its three vertices, the hit's weights there, and RGBA8 values in between.
 //
 // Each comes once for a single point, inline, and once for spans, in SIMD chosen at run time; both give the same bits.
-// They need IEEE arithmetic rounded to nearest without contraction (-ffp-contract=off for the inline ones).
+// IEEE arithmetic must be rounded to nearest without contraction (-ffp-contract=off for the inline ones).
 #pragma once
 
 #include <array>
@@ -80,14 +80,14 @@ struct WeightSpans {
   std::span<float> w0, w1, w2;
 };
 
-/// The same for spans: triplets, and weights, of the points (u[k], v[k]).
+/// The triplets, and the weights, of the points (u[k], v[k]).
 /// Domain: any length, any alignment; all spans have one length, or std::invalid_argument is thrown and nothing is
 /// written.  No span of out may overlap another.
 void triplets(VertexOrder order, std::span<const float> u, std::span<const float> v, Level level,
               const TripletSpans& out);
 void weights(std::span<const float> u, std::span<const float> v, Level level, const WeightSpans& out);
 
-/// The same for spans: out[k] = interpolated_rgba8(order, map, u[k], v[k], level).
+/// The values of many points: out[k] = interpolated_rgba8(order, map, u[k], v[k], level).
 /// Domain: as above; map has V(level) values, or std::invalid_argument is thrown.
 void interpolated_rgba8(VertexOrder order, std::span<const std::uint32_t> map, std::span<const float> u,
                         std::span<const float> v, Level level, std::span<std::uint32_t> out);

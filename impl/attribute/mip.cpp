@@ -1,4 +1,4 @@
-// Means of four codes, compiled once for each SIMD target and chosen at run time; chains; levels of detail.
+// Means of four codes, compiled once for each SIMD target and chosen at run time; chains of levels; levels of detail.
 #include "impl/attribute/mip.hpp"
 
 #include <array>
@@ -24,12 +24,12 @@ using WordVec = hn::Vec<Words>;
 
 WordVec both(std::uint32_t in_each_half) { return hn::Set(Words(), in_each_half | in_each_half << 16); }
 
-/// A quarter of each sum of four codes; a word has two sums, 16 bits each.
+/// A quarter of each sum of four codes, half up.  A word has two sums, 16 bits each.
 struct HalfUp {
   WordVec operator()(WordVec sums) const { return hn::ShiftRight<2>(hn::Add(sums, both(2))); }
 };
 struct HalfToEven {
-  /// 4q + 2 is the half between q and q + 1: only where q is odd one more than 1 carries it up.
+  /// The sum 4q + 2 is the half between q and q + 1: one more than 1 is added only if q is odd, and carries it up.
   WordVec operator()(WordVec sums) const {
     const auto odd = hn::And(hn::ShiftRight<2>(sums), both(1));
     return hn::ShiftRight<2>(hn::Add(hn::Add(sums, both(1)), odd));
@@ -39,7 +39,7 @@ struct Truncate {
   WordVec operator()(WordVec sums) const { return hn::ShiftRight<2>(sums); }
 };
 
-/// The four children of each lane's parent.  Sums of even and of odd bytes are taken apart, so that none overflows.
+/// The mean of each lane's four children.  Even and odd bytes are summed apart, so that none overflows.
 template <class Quarter>
 struct MeanOfSum {
   WordVec operator()(WordVec a, WordVec b, WordVec c, WordVec d) const {
@@ -110,12 +110,12 @@ HWY_EXPORT(run_face_mip);
 
 bool known(Rounding rounding) { return rounding <= Rounding::halves_up; }
 
-/// The sums of the codes under a micro-triangle, of each of the four.
+/// The sums of each of the four codes under a micro-triangle.
 using Sums = std::array<std::uint32_t, 4>;
-/// 255 * 4^12 is below 2^32.
+/// The last level at which sums fit 32 bits: 255 * 4^12 < 2^32.
 constexpr Level highest_of_sums = 12;
 
-/// sum / 2^shift as a code.  Domain: shift in 1..31.
+/// sum / 2^shift as a code, rounded.  Domain: shift in 1..31.
 std::uint32_t rounded(std::uint32_t sum, unsigned shift, Rounding rounding) {
   const std::uint32_t down = sum >> shift, half = std::uint32_t{1} << (shift - 1),
                       left = sum & (2 * half - 1);
@@ -123,7 +123,7 @@ std::uint32_t rounded(std::uint32_t sum, unsigned shift, Rounding rounding) {
   return rounding == Rounding::half_to_even && left == half ? down + down % 2 : down + 1;
 }
 
-/// The sums of four words' codes.
+/// The sums of four words' codes, code by code.
 Sums sums_of(const std::uint32_t* four) {
   Sums sum{};
   for (std::size_t child = 0; child < 4; ++child)
@@ -152,8 +152,8 @@ void chain_of_sums(Level level, std::span<const std::uint32_t> base, Rounding ro
   }
 }
 
-/// 1/2 log2(r) for r in [1, 4), within 2^-29: log2 r = 2/ln 2 (s + s^3/3 + s^5/5 + ...), s = (r-1)/(r+1), with r brought
-/// to [1/sqrt 2, sqrt 2], where |s| < 0.172 and what is left out is below 2^-28.
+/// 1/2 log2(r) for r in [1, 4), within 2^-29: log2 r = 2/ln 2 (s + s^3/3 + s^5/5 + ...), s = (r-1)/(r+1), with r
+/// brought to [1/sqrt 2, sqrt 2].  There |s| < 0.172, and the terms left out are below 2^-28.
 double half_log2(double r) {
   double whole = 0;
   if (r >= 2) whole = 1, r /= 2;
@@ -195,7 +195,7 @@ Lod lod(float cone, float triangle, Level level) noexcept {
   const Level n = std::min(level, max_level), m = lod_level(cone, triangle, n);
   const double c = detail::area(cone), t = detail::area(triangle);
   if (m == n || !(c < t)) return {m, 0};
-  // c is above 0 here, or m were n.  The powers of two are exact; the quotient rounds once.
+  // Here c > 0, or m would be n.  The powers of two are exact; the quotient rounds once.
   const double r = t / (c * static_cast<double>(std::uint64_t{1} << (2 * m)));
   return {m, std::min(static_cast<float>(half_log2(r)), 0x1.fffffep-1f)};
 }

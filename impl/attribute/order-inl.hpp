@@ -33,7 +33,7 @@ HWY_INLINE WordVec word(std::uint32_t x) { return hn::Set(Words(), x); }
 HWY_INLINE IntVec as_ints(WordVec x) { return hn::BitCast(Ints(), x); }
 HWY_INLINE WordVec as_words(IntVec x) { return hn::BitCast(Words(), x); }
 HWY_INLINE hn::Mask<Words> is_zero(WordVec x) { return hn::Eq(x, hn::Zero(Words())); }
-/// Of words whose difference fits 31 bits and a sign.
+/// a < b, lane by lane.  Domain: a - b fits 31 bits and a sign.
 HWY_INLINE hn::Mask<Words> below(WordVec a, WordVec b) {
   return hn::RebindMask(Words(), hn::Lt(as_ints(hn::Sub(a, b)), hn::Zero(Ints())));
 }
@@ -44,8 +44,8 @@ HWY_INLINE WordVec triangular(WordVec r) {
   return hn::Mul(hn::ShiftRight<1>(hn::Add(r, one)), hn::Or(r, one));
 }
 
-/// detail::triangular_root.  Root in binary32, put right in whole numbers: 2x and the root are off by 2^-23 of
-/// themselves at most, so the guess by less than 65537 2^-23 before it is cut, and by 1 after.
+/// detail::triangular_root.  The root is taken in binary32 and corrected in whole numbers: 2x and the root have a
+/// relative error of 2^-23 at most, so the guess is off by less than 65537 2^-23 before it is cut, and by 1 after.
 HWY_INLINE WordVec triangular_root(WordVec x) {
   const Floats d;
   const Ints di;
@@ -168,8 +168,8 @@ struct BirdVertex {
   HWY_INLINE VertexVecs operator()(WordVec index) const {
     const Floats d;
     const auto one = word(1), zero = hn::Zero(Words());
-    // d = floor(log2(2 index) / 2) from the exponent of index / 2, which may be rounded up; then one too many comes out
-    // like the one too many that the bound allows.
+    // d = floor(log2(2 index) / 2) from the exponent of index / 2.  Its conversion may round up to one too many, which
+    // is corrected below like the one too many that the bound allows.
     const auto half = hn::Max(as_ints(hn::ShiftRight<1>(index)), as_ints(one));
     const auto exponent =
         hn::Sub(hn::ShiftRight<23>(hn::BitCast(Words(), hn::ConvertTo(d, half))), word(127 - 2));
@@ -179,7 +179,7 @@ struct BirdVertex {
     const auto from = hn::Sub(index, triangular(hn::Add(S0, one)));
     auto k = third(from);
     const auto e = hn::Sub(from, hn::Add(k, hn::Add(k, k)));
-    // From a level above D the walk takes child 0 down to it.
+    // If level l is above D, the walk takes child 0 there.
     auto b0 = zero, b1 = zero, upside_down = zero;  // all ones or zero
     for (Level l = n == 0 ? 0 : n - 1; l-- > 0;) {
       const std::uint32_t S = std::uint32_t{1} << l;
@@ -196,7 +196,7 @@ struct BirdVertex {
     const FaceVecs t = curve_square(b0, b1);
     const auto not_w_v = hn::AndNot(hn::VecFromMask(Words(), is_zero(e)), one);
     const auto not_w_u = hn::Sub(one, hn::ShiftRight<1>(e));
-    // 2^(n-D-1) = N / (2 S0), 0 where the index is a corner's.
+    // 2^(n-D-1) = N / (2 S0); for a corner's index it is not used.
     const auto scale = power(hn::Sub(word(n == 0 ? 0 : n - 1), hn::Min(D, word(n == 0 ? 0 : n - 1))));
     const auto i = hn::Mul(hn::Add(hn::Add(t.iu, t.iu), not_w_v), scale);
     const auto j = hn::Mul(hn::Add(hn::Add(t.iv, t.iv), not_w_u), scale);

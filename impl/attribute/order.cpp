@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::attribute {
 namespace HWY_NAMESPACE {
 
-// Whole vectors in place; what is left over goes through buffers, as a vector must not touch memory beyond the spans.
-// `run(inputs, outputs)` takes a vector from each input and writes one to each output.
+// Calls `run(inputs, outputs)`, which reads a vector from each input and writes one to each output.  The rest goes
+// through buffers, since a vector must not touch memory beyond the spans.
 template <std::size_t ins, std::size_t outs, class Run>
 HWY_INLINE void each(const std::array<const std::uint32_t*, ins>& in,
                      const std::array<std::uint32_t*, outs>& out, std::size_t count, Run run) {
@@ -139,7 +139,7 @@ void run_face_at(FaceOrder order, const std::uint32_t* index, std::uint32_t* iu,
   }
 }
 
-// The three corners of micro-triangles: (i, j) + (0, 0), + (1, 0), + (0, 1), or with - from (i+1, j+1).
+// The corners of micro-triangles: (i, j), (i1, j), (i, j2), one step up from (iu, iv), or down from (iu+1, iv+1).
 void run_corners(const std::uint32_t* iu, const std::uint32_t* iv_, const std::uint32_t* upper,
                  std::uint32_t* i0, std::uint32_t* j0, std::uint32_t* i1, std::uint32_t* j2,
                  std::size_t count) {
@@ -176,11 +176,11 @@ void require_one_length(const char* message, std::size_t length, std::initialize
 
 Level within(Level level) { return std::min(level, max_level); }
 
-// What takes two steps goes through the first-level cache, so many elements at a time.
+// Length of a piece: two-step conversions keep their middle values in the first-level cache.
 constexpr std::size_t piece = 512;
 using Piece = std::array<std::uint32_t, piece>;
 
-/// Calls run(from, count) for pieces of a length.
+/// Calls run(from, count) for each piece of `length` elements.
 template <class Run>
 void in_pieces(std::size_t length, Run run) {
   for (std::size_t from = 0; from < length; from += piece) run(from, std::min(piece, length - from));
@@ -269,7 +269,7 @@ void faces_of(FaceOrder faces, VertexOrder vertices, std::span<const std::uint32
     (vertices, x0.data() + first, i0.data(), j0.data(), count, within(level));
     HWY_DYNAMIC_DISPATCH(run_vertex_at)
     (vertices, x1.data() + first, i1.data(), j1.data(), count, within(level));
-    // The second corner lies to the right of the first in lower ones, to the left in upper ones.
+    // The second corner of a lower micro-triangle lies to the right of the first, that of an upper one to the left.
     for (std::size_t k = 0; k < count; ++k) {
       upper[k] = i1[k] > i0[k] ? 0 : 1;
       i0[k] -= upper[k];

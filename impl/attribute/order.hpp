@@ -1,5 +1,5 @@
-// Where micro-vertices and micro-triangles lie in a map: index <-> place in three orders of each, from one order to
-// another, and a face's three vertices.
+// The places of micro-vertices and micro-triangles in a map: index <-> place in three orders of each, conversions
+// between orders, and a face's three vertices.
 //
 //   vertices   W-minor, U-major, Bird
 //   faces      the curve of the Vulkan specification, rows (Gruen et al.), U-major
@@ -53,14 +53,14 @@ inline std::uint32_t triangular_root(std::uint32_t x) noexcept {
   return static_cast<std::uint32_t>((std::sqrt(8.0 * x + 1.0) - 1.0) * 0.5);
 }
 
-/// Number on the curve of a micro-triangle by its square and its row = iu + iv + upper.
+/// The number on the curve of a micro-triangle, by its square and its row = iu + iv + upper.
 constexpr std::uint32_t curve_number(std::uint32_t iu, std::uint32_t iv, std::uint32_t row) noexcept {
   const std::uint32_t b0 = iu ^ row, t = (iu ^ iv) & b0;
   const std::uint32_t b1 = ((index::detail::xor_from_above(t) ^ iu) & ~b0) | t;
   return index::detail::interleaved(b0, b1);
 }
 
-/// The square of a number on the curve, and whether it is the upper half: index::corners without the corners.
+/// The square of a number on the curve, given as its digits' bits b0 and b1, and whether it is the upper half.
 constexpr MicroTriangle curve_square(std::uint32_t b0, std::uint32_t b1) noexcept {
   const std::uint32_t t = b0 & b1, f = index::detail::xor_from_above(t),
                       m = index::detail::xor_from_above(b0 & ~b1), inverted = m >> 1;
@@ -92,12 +92,12 @@ constexpr std::uint32_t u_major_index(std::uint32_t i, std::uint32_t j, Level le
 /// (i/2, j/2):
 ///   V(m-1) + 3 (x + floor(j/2)) / 2 + e,  e = 0 where i is even, 1 where i and j are odd, 2 where j is even
 /// Of the micro-triangles before x, (x + floor(j/2)) / 2 stand upright: the excess of upright ones over half is the sum
-/// of the digits' low bits b0 = iu XOR row, each under the sign of its node, row - iu in all, which is iv.
+/// of the digits' low bits b0 = iu XOR row, each with the sign of its node, which is row - iu = iv in all.
 /// Domain: a vertex of the level; level in 0..16, more is 16.
 /// Source: Color and Attribute Micromaps, 3.1 (Bird); the closed form is ours.
 constexpr std::uint32_t bird_index(std::uint32_t i, std::uint32_t j, Level level) noexcept {
   const std::uint32_t N = std::uint32_t{1} << std::min(level, max_level);
-  // Of the corners i | j is 0 or N; N, put in, makes the shift one that is defined.
+  // At the corner w, where i | j is 0, N keeps the shift below 32 bits.
   const int s = std::countr_zero(i | j | N);
   const std::uint32_t M = N >> s >> 1;  // 2^(m-1)
   if (M == 0) return (i != 0 ? 1u : 0u) + (j != 0 ? 2u : 0u);
@@ -129,8 +129,9 @@ inline Vertex u_major_vertex(std::uint32_t index, Level level) noexcept {
   return {N - r, r - c};
 }
 
-/// The vertex of an index in the hierarchical order: the first level m that has it, from the root of the index; then
-/// upright micro-triangle number k of level m-1 on the curve, digit by digit, its subtrees holding S^2 in pairs.
+/// The vertex of an index in the hierarchical order.  The root of the index gives the first level m that has the
+/// vertex.  Then upright micro-triangle number k of level m-1 is found on the curve, digit by digit; subtrees come in
+/// pairs of S^2.
 /// Domain: index in [0, V(level)); level in 0..16, more is 16.
 constexpr Vertex bird_vertex(std::uint32_t index, Level level) noexcept {
   const Level n = std::min(level, max_level);
@@ -165,7 +166,7 @@ inline Vertex vertex_at(VertexOrder order, std::uint32_t index, Level level) noe
                                          : bird_vertex(index, level);
 }
 
-/// Vertices of many, i and j apart.
+/// Many vertices, i and j apart.
 struct VertexSpans {
   std::span<std::uint32_t> i, j;
 };
@@ -177,7 +178,7 @@ void vertex_index(VertexOrder order, std::span<const std::uint32_t> i, std::span
                   Level level, std::span<std::uint32_t> out);
 void vertex_at(VertexOrder order, std::span<const std::uint32_t> index, Level level, const VertexSpans& out);
 
-/// Index to index: out[k] = vertex_index(to, vertex_at(from, index[k], level), level).  Domain: as above; out may be
+/// Converts indices: out[k] = vertex_index(to, vertex_at(from, index[k], level), level).  Domain: as above; out may be
 /// index itself.
 void convert(VertexOrder from, VertexOrder to, std::span<const std::uint32_t> index, Level level,
              std::span<std::uint32_t> out);
@@ -218,7 +219,7 @@ inline MicroTriangle face_at(FaceOrder order, std::uint32_t index, Level level) 
   return {(std::uint32_t{1} << n) - left, c >> 1, (c & 1) != 0};
 }
 
-/// Micro-triangles of many: `upper` is 0 or 1.
+/// Many micro-triangles; `upper` is 0 or 1.
 struct FaceSpans {
   std::span<std::uint32_t> iu, iv, upper;
 };
@@ -228,7 +229,7 @@ void face_index(FaceOrder order, std::span<const std::uint32_t> iu, std::span<co
                 std::span<const std::uint32_t> upper, Level level, std::span<std::uint32_t> out);
 void face_at(FaceOrder order, std::span<const std::uint32_t> index, Level level, const FaceSpans& out);
 
-/// Index to index; out may be index itself.
+/// Converts indices; out may be index itself.
 void convert(FaceOrder from, FaceOrder to, std::span<const std::uint32_t> index, Level level,
              std::span<std::uint32_t> out);
 
@@ -252,20 +253,20 @@ constexpr std::array<std::uint32_t, 3> triplet(VertexOrder order, const MicroTri
           vertex_index(order, c[2].i, c[2].j, level)};
 }
 
-/// The micro-triangle that a triplet belongs to, from its first two indices alone.  Domain: the triplet of one.
+/// The micro-triangle of a triplet, from its first two indices alone.  Domain: the triplet of a micro-triangle.
 inline MicroTriangle triangle_of(VertexOrder order, const std::array<std::uint32_t, 3>& index,
                                  Level level) noexcept {
   const Vertex a = vertex_at(order, index[0], level), b = vertex_at(order, index[1], level);
   return b.i > a.i ? MicroTriangle{a.i, a.j, false} : MicroTriangle{b.i, b.j - 1, true};
 }
 
-/// Triplets of many: corner c of face k is x<c>[k].
+/// Many triplets: corner c of face k is x<c>[k].
 struct TripletSpans {
   std::span<std::uint32_t> x0, x1, x2;
 };
 
-/// Vertices of faces, both by index: triplet(vertices, face_at(faces, face[k], level), level); and back, from the first
-/// two of each triplet.  Domain: as the spans of vertices.
+/// The vertices of faces, both by index: triplet(vertices, face_at(faces, face[k], level), level); and the faces, from
+/// the first two indices of each triplet.  Domain: as the spans of vertices.
 void triplets(FaceOrder faces, VertexOrder vertices, std::span<const std::uint32_t> face, Level level,
               const TripletSpans& out);
 void faces_of(FaceOrder faces, VertexOrder vertices, std::span<const std::uint32_t> x0,

@@ -21,11 +21,11 @@ class Planner {
   }
 
   std::vector<TrianglePlan> planned() {
-    // Highest first, so that each triangle is raised by its neighbours once.
+    // The highest level comes first (from the back), so that neighbours raise each triangle once.
     std::stable_sort(queue_.begin(), queue_.end(),
                      [&](std::size_t a, std::size_t b) { return plans_[a].level < plans_[b].level; });
     grade();
-    // What a raised level does to its neighbours' edges, and to itself, is judged until nothing moves.
+    // A raised level changes the decimated edges around it: all triangles are judged again until nothing moves.
     for (bool moved = true; moved;) {
       moved = false;
       for (std::size_t t = 0; t < plans_.size(); ++t) moved = judged(t) || moved;
@@ -65,7 +65,7 @@ class Planner {
     queue_.push_back(t);
   }
 
-  /// Raises what lies more than one below a neighbour.
+  /// Raises each triangle that lies more than one level below a neighbour.
   void grade() {
     while (!queue_.empty()) {
       const std::size_t t = queue_.back();
@@ -86,7 +86,7 @@ class Planner {
     return flags;
   }
 
-  /// Whether it raised something.
+  /// Judges t's map with its decimated edges; true if it raised a triangle.
   bool judged(std::size_t t) {
     TrianglePlan& p = plans_[t];
     if (p.special) return false;

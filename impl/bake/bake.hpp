@@ -1,4 +1,4 @@
-// What every baker works on: stored alpha, a cutoff, a rectangle of texels.
+// The input of every baker: stored alpha, a cutoff, a rectangle of texels.
 //
 // Axes are the texture's: x along a row, y down from the first row; texel (x, y) covers [x, x+1) x [y, y+1),
 // its centre is at +1/2.  Sampling is bilinear with clamp to edge.
@@ -12,7 +12,7 @@ namespace mmverify::impl::bake {
 
 /// A texture's alpha, not owned: texel (x, y) is texels[x + pitch y].
 /// Texel: std::uint8_t, alpha = byte / 255; std::uint16_t, alpha = word / 65535; float, alpha itself.
-/// Domain of all that is baked from it: width and height in 1..16384; floats are finite.
+/// Domain of every bake: width and height in 1..16384; floats are finite.
 template <class Texel>
 struct TexelView {
   const Texel* texels;
@@ -21,28 +21,28 @@ struct TexelView {
 };
 using AlphaView = TexelView<std::uint8_t>;
 
-/// alpha >= numerator / denominator is opaque.  Domain: denominator > 0; numerator <= denominator, or nothing
+/// A cutoff: alpha >= numerator / denominator is opaque.  Domain: denominator > 0.  If numerator > denominator, nothing
 /// is opaque.
 struct Cutoff {
   std::uint32_t numerator = 1, denominator = 2;
 };
 
-/// Texels [x, x + width) x [y, y + height), with the outer edges of its texels for its own.
+/// Texels [x, x + width) x [y, y + height); the box's edges are the outer edges of its texels.
 struct Box {
   std::uint32_t x, y, width, height;
   constexpr bool operator==(const Box&) const = default;
 };
 
-/// The smallest box that holds every texel with alpha >= cutoff; none where there is no such texel.
+/// The smallest box that contains every texel with alpha >= cutoff; none if there is no such texel.
 std::optional<Box> opaque_box(const AlphaView& texture, Cutoff cutoff);
 
-/// The box cut out, as a texture of its own: what is sampled beyond its edge is its edge, not the texels
-/// around. Domain: the box lies in the texture and is not empty.
+/// The box cut out, as a texture of its own: beyond its edge its edge texels are sampled, not the texels around it.
+/// Domain: the box lies in the texture and is not empty.
 constexpr AlphaView cropped(const AlphaView& texture, const Box& box) {
   return {texture.texels + box.x + box.y * texture.pitch, box.width, box.height, texture.pitch};
 }
 
-/// All of it.
+/// The box of all texels.
 constexpr Box whole(const AlphaView& texture) { return {0, 0, texture.width, texture.height}; }
 
 }  // namespace mmverify::impl::bake

@@ -1,4 +1,4 @@
-// One base triangle, from the whole down the curve.  Internal to impl/bake.
+// A walk of one base triangle, from the whole down the curve.  Internal to impl/bake.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace mmverify::impl::bake::detail {
 
-/// Children in the order and with the corners of impl/index/index.hpp.
-/// Judge: what texels bear about a triangle and about the sixteen nodes that one is cut into, and the states of
-/// single micro-triangles, of four, of sixteen and of four times sixteen.
+/// Bakes a map by cutting nodes until texels settle them.  Children have the order and the corners of
+/// impl/index/index.hpp.  Judge computes the marks of a triangle's texels, those of the sixteen nodes that a node is
+/// cut into, and the states of micro-triangles: one, four, sixteen, or four times sixteen at once.
 template <class Judge>
 class Descent {
  public:
@@ -24,7 +24,7 @@ class Descent {
   /// Level 0: one state, in the low bits of a byte.
   void single(const Triangle& p) { *map_ = static_cast<std::uint8_t>(judge_.single(p, false, 0, counts)); }
 
-  /// A node of 4^height micro-triangles, the first of them at `index`.  Domain: height > 0.
+  /// Bakes a node of 4^height micro-triangles, the first of them at `index`.  Domain: height > 0.
   void node(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index) {
     const Marks all = judge_.texels(p);
     if (all != both)
@@ -40,12 +40,12 @@ class Descent {
     std::memset(map_ + index / 4, all == opaque ? 0x55 : 0, std::size_t{1} << (2 * height - 2));
   }
 
-  /// Of a node of sixteen.
+  /// Stores the states of a node of sixteen.
   void store(std::uint32_t codes, std::uint32_t index) {
     for (std::uint32_t k = 0; k < 4; ++k) map_[index / 4 + k] = static_cast<std::uint8_t>(codes >> (8 * k));
   }
 
-  /// Of a node's quarters, nodes of sixteen, those that are wanted; false if they are not asked together.
+  /// Bakes those quarters of a node, nodes of sixteen, that are wanted; false if the judge does not take them together.
   bool together(const Triangle& p, bool turned, std::uint32_t index, std::uint32_t wanted) {
     std::array<std::uint32_t, 4> codes{};
     if (!judge_.sixty_four(p, turned, index, wanted, counts, codes)) return false;
@@ -54,7 +54,7 @@ class Descent {
     return true;
   }
 
-  /// A node that texels do not settle.
+  /// Bakes a node whose texels bear both marks.
   void cut(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index) {
     if (height == 2) return store(judge_.sixteen(p, turned, index, counts), index);
     if (height == 1) {
@@ -79,7 +79,7 @@ class Descent {
     }
   }
 
-  /// Those children of a node that are left.
+  /// Bakes those children of a node that are left.
   void quarter(const Triangle& p, bool turned, std::uint32_t height, std::uint32_t index,
                std::uint32_t left) {
     if (left == 0 || (height == 3 && together(p, turned, index, left))) return;

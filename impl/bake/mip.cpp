@@ -67,7 +67,7 @@ class Mip final : public MipBaker {
       p[k] = {double{uv[k].u} * width_ - Judge::offset, double{uv[k].v} * height_ - Judge::offset};
       size = std::max({size, std::fabs(p[k].x) + margin_, std::fabs(p[k].y) + margin_});
     }
-    // Half a unit in the last place for the offset, for each level's middle and for the margin.
+    // The rounding of the offset, of each level's middle and of the margin: half a unit in the last place each.
     const double delta = (level + 11) * 0x1p-52 * size;
     InnerBox inner = inner_box(p);
     for (double* const side : {&inner.left, &inner.right, &inner.top, &inner.bottom})

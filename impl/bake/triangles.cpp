@@ -8,9 +8,9 @@
 namespace mmverify::impl::bake {
 namespace {
 
-/// Into `first`, what holds whichever of the two levels is sampled: O if both are, T if both are; else
-/// unknown, as the first leans.  Its own state says how: a closed micro-triangle that is O, or T, is so at
-/// its centroid, so that its code's low bit is how the centroid leans, of known and unknown states alike.
+/// Merges another mip level's states into `first`: O if both are O, T if both are T; else unknown, leaning as the
+/// first.  The low bit of the first's code tells its lean, for known states too: a closed micro-triangle that is O, or
+/// T, is so at its centroid.
 void merge(std::span<std::uint8_t> first, std::span<const std::uint8_t> other) noexcept {
   for (std::size_t k = 0; k < first.size(); ++k) {
     const unsigned a = first[k], b = other[k], differ = (a ^ b) << 1;

@@ -1,4 +1,4 @@
-// Binary numbers taken apart, for whole-number arithmetic.  Internal to impl/bake.
+// Binary numbers taken apart, for whole-number arithmetic.  Internal to impl.
 #pragma once
 
 #include <bit>
@@ -7,20 +7,20 @@
 
 namespace mmverify::impl::bake::detail {
 
-/// m 2^e; m is odd, or both are 0.
+/// The number m 2^e; m is odd, or both are 0.
 struct Binary {
   std::int64_t m = 0;
   int e = 0;
 };
 
-/// Domain: any m and e whose product is small enough for its use.
+/// m 2^e with an odd m.  Domain: any m and e whose product is small enough for its use.
 inline Binary normal(std::int64_t m, int e) noexcept {
   if (m == 0) return {};
   const int zeros = std::countr_zero(static_cast<std::uint64_t>(m));
   return {m / (std::int64_t{1} << zeros), e + zeros};
 }
 
-/// Domain: finite x.
+/// x taken apart.  Domain: finite x.
 inline Binary binary(float x) noexcept {
   if (x == 0) return {};
   int e;
@@ -28,10 +28,10 @@ inline Binary binary(float x) noexcept {
   return normal(static_cast<std::int64_t>(std::ldexp(half, 24)), e - 24);  // 24 bits: exact
 }
 
-/// Rounded once.
+/// The number in binary64, rounded once.
 inline double rounded(const Binary& b) noexcept { return std::ldexp(static_cast<double>(b.m), b.e); }
 
-/// Bits of |x|.
+/// The number of bits of |x|.
 inline int bits(std::int64_t x) noexcept {
   return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(x < 0 ? -x : x)));
 }

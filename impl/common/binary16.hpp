@@ -9,7 +9,7 @@
 
 namespace mmverify::impl {
 
-/// A binary16 number, for running a text that is a template over the number type in half precision.
+/// A binary16 number, for running templates over the number type in half precision.
 ///   a op b = round(a op b) for + - *;  comparisons are IEEE's, NaN unordered
 /// Range: subnormals down to 2^-24 are kept, 65520 and above overflow to infinity; a NaN stays a NaN, quiet.
 /// Sums and products of two are exact in binary64 (all bits lie between 2^-48 and 2^32), so each result
@@ -41,7 +41,7 @@ class Binary16 {
       return sign != 0 ? -x : x;
     }
     const std::uint64_t wide = magnitude << widening;
-    // An infinity or NaN takes the wider format's last exponent instead of a rebased one.
+    // An infinity or NaN takes the last exponent of binary64 instead of a rebased one.
     return std::bit_cast<double>(sign | (magnitude < infinity ? wide + rebase : wide | 0x7ffull << 52));
   }
   constexpr explicit operator float() const { return static_cast<float>(static_cast<double>(*this)); }
@@ -70,8 +70,9 @@ class Binary16 {
   }
 
  private:
-  static constexpr unsigned widening = 52 - 10;  // significand bits that binary64 has more
-  static constexpr std::uint64_t rebase = std::uint64_t{1023 - 15} << 52;  // between the exponents' biases
+  static constexpr unsigned widening = 52 - 10;  // significand bits of binary64 beyond those of binary16
+  static constexpr std::uint64_t rebase = std::uint64_t{1023 - 15}
+                                          << 52;  // difference of the exponents' biases
   static constexpr std::uint32_t smallest_normal = 0x0400, infinity = 0x7c00, quiet_nan = 0x7e00;
 
   static constexpr std::uint16_t rounded(double x) {

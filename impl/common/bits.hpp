@@ -1,13 +1,13 @@
-// Bits of a word moved apart and together.  For impl's own use.
+// Bits of a word moved apart and together.  Internal to impl.
 #pragma once
 
 #include <cstdint>
 
 namespace mmverify::impl::detail {
 
-/// Bit i of the low half to bit 2i.  Domain: the high half is zero; bits, of the word, 32 or 64: two words of 32
-/// in one of 64 are moved at once.
-/// Word may be anything with shifts and `&`, `|`: a prover's, too.
+/// Moves bit i of the low half to bit 2i.  Domain: the high half is zero; bits, of the word, 32 or 64.  With 32, a word
+/// of 64 is two words that are moved at once.
+/// Word may be any type with shifts and `&`, `|`, a prover's too.
 template <int bits = 64, class Word>
 constexpr Word spread(Word x) noexcept {
   static_assert(bits == 32 || bits == 64);
@@ -18,7 +18,7 @@ constexpr Word spread(Word x) noexcept {
   return (x | x << 1) & Word(0x5555555555555555);
 }
 
-/// Bit 2i to bit i of the low half; odd bits are ignored.
+/// Moves bit 2i to bit i of the low half; odd bits are ignored.
 template <int bits = 64, class Word>
 constexpr Word gathered(Word x) noexcept {
   static_assert(bits == 32 || bits == 64);

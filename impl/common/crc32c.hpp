@@ -21,7 +21,7 @@ constexpr std::array<std::uint32_t, 256> crc32c_table = [] {
 
 }  // namespace detail
 
-/// That of the bytes after others, of which `before` is.
+/// The checksum of bytes that follow others, whose checksum is `before`.
 constexpr std::uint32_t crc32c(std::span<const std::uint8_t> bytes, std::uint32_t before = 0) noexcept {
   std::uint32_t crc = ~before;
   for (const std::uint8_t byte : bytes) crc = crc >> 8 ^ detail::crc32c_table[(crc ^ byte) & 255];

@@ -1,4 +1,4 @@
-// Whole numbers of a fixed width beyond 128 bits.  Internal to impl/bake.
+// Integers of a fixed width beyond 128 bits.  Internal to impl.
 #pragma once
 
 #include <array>
@@ -8,24 +8,24 @@
 
 namespace mmverify::impl::bake::detail {
 
-// Not ISO C++, but both compilers of this project have it.
+// __int128 is not ISO C++, but both compilers of this project have it.
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Unsigned128;
 
-/// Bits of a number that is not below 0.
+/// The number of bits of a.  Domain: a >= 0.
 constexpr int bit_width(Int128 a) noexcept {
   const auto high = static_cast<std::uint64_t>(a >> 64);
   return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
                    : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(a)));
 }
 
-/// Of a number that is not below 0, its first 64 bits, the highest of them set unless it is 0.
+/// The first 64 bits of a, the highest of them set unless a is 0.  Domain: a >= 0.
 constexpr std::uint64_t leading(Int128 a) noexcept {
   const int shift = 128 - bit_width(a);
   return shift == 128 ? 0 : static_cast<std::uint64_t>(static_cast<Unsigned128>(a) << shift >> 64);
 }
 
-/// Two's complement in 64 `limbs` bits; the caller sees to it that nothing overflows.
+/// An integer in two's complement of 64 `limbs` bits; the caller prevents overflow.
 template <std::size_t limbs>
 class Wide {
  public:
@@ -76,14 +76,14 @@ class Wide {
     return moved;
   }
 
-  /// Bits of a number that is not below 0.
+  /// The number of bits of a.  Domain: a >= 0.
   friend constexpr int bit_width(const Wide& a) noexcept {
     std::size_t k = limbs;
     while (k > 0 && a.limb_[k - 1] == 0) --k;
     return k == 0 ? 0 : static_cast<int>(64 * (k - 1)) + static_cast<int>(std::bit_width(a.limb_[k - 1]));
   }
 
-  /// Of a number that is not below 0, its first 64 bits, the highest of them set unless it is 0.
+  /// The first 64 bits of a, the highest of them set unless a is 0.  Domain: a >= 0.
   friend constexpr std::uint64_t leading(const Wide& a) noexcept {
     std::size_t k = limbs;
     while (k > 0 && a.limb_[k - 1] == 0) --k;

@@ -39,7 +39,7 @@ std::uint32_t Dag::part_of_tile(const std::uint64_t* words) {
 std::uint32_t Dag::intern_node(Level m, std::span<const std::uint32_t> words, bool wide) {
   Table& table = known_->nodes[m];
   const std::uint32_t hash = hash_of(words);
-  // What is wide is never the same words as what is narrow: else its numbers would fit 16 bits.
+  // Wide words never equal narrow ones: else the wide node's numbers would fit 16 bits.
   const std::uint32_t there = table.find(hash, [&](std::uint32_t reference) {
     const std::uint32_t at = reference / 2;
     return (reference % 2 == 1) == wide && nodes_.size() - at >= words.size() &&

@@ -26,7 +26,7 @@ Word word_at(std::span<const std::uint8_t> bytes, std::size_t at) {
   return word;
 }
 
-/// Domain: a header's bytes or more.
+/// The CRC of all bytes but its own four.  Domain: a header's bytes or more.
 std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
   return crc32c(bytes.subspan(container_header), crc32c(bytes.first(crc_at)));
 }
@@ -39,9 +39,9 @@ std::string hex(std::uint32_t x) {
   return text;
 }
 
-/// Where the arrays of a container lie.
+/// The places of a container's arrays.
 struct Sections {
-  std::uint64_t maps = 0, tiles = 0, flat = 0, nodes = 0;  ///< entries
+  std::uint64_t maps = 0, tiles = 0, flat = 0, nodes = 0;  ///< numbers of entries
   std::uint64_t tiles_at = 0, flat_at = 0, nodes_at = 0, end = 0;
 
   Sections(std::span<const std::uint8_t> header, std::uint64_t b)
@@ -57,8 +57,8 @@ struct Sections {
 
 }  // namespace
 
-/// Adds what a container holds to a graph, map by map: every new tile and node has to lie where adding the map
-/// would put it.
+/// Adds the maps of a container to a graph, one by one: every new tile and node must lie where adding the map would put
+/// it.
 class Replay {
  public:
   Replay(std::span<const std::uint8_t> bytes, Dag& dag)
@@ -123,7 +123,7 @@ class Replay {
       case 4:
         if (n <= tile_level) bad_record("a flat map of level " + number(n), "level 4 to 12", 1);
         flat(n, value);
-        return;  // with its record
+        return;  // its record is there already
       default:
         bad_record("kind " + number(kind), "0 to 4", 1);
     }
@@ -147,7 +147,7 @@ class Replay {
     flats_.push_back({value, n, grown_to()});
   }
 
-  /// A reference to a map that was laid flat before: what was added since could let it be nodes.
+  /// Takes a reference to a map laid flat before.  Tiles and nodes added since may mean that it should be nodes now.
   void again(Level n, std::uint64_t value) {
     const auto there = std::lower_bound(flats_.begin(), flats_.end(), value,
                                         [](const Flat& f, std::uint64_t v) { return f.value < v; });
@@ -165,7 +165,7 @@ class Replay {
     there->grown_to = grown_to();
   }
 
-  /// Tiles and nodes only grow.
+  /// A measure of all tiles and nodes, which only grows.
   std::uint64_t grown_to() const { return dag_.tiles_.size() + dag_.nodes_.size(); }
 
   // -----------------------------------------------------------------------------------------------------------------
@@ -174,7 +174,7 @@ class Replay {
 
   std::uint64_t tiles() const { return dag_.tiles_.size() / b_; }
 
-  /// A reference to tile t, where the tiles below `end` are there or met: it may be the next.
+  /// Checks a reference to tile t.  Tiles below `end` are there or met; t may be the next, and then raises `end`.
   void tile(std::uint64_t t, std::uint64_t& end, std::uint64_t referred_at) const {
     if (t < end) return;
     if (t > end || t >= in_.tiles)
@@ -203,7 +203,7 @@ class Replay {
     bad(byte_of(word), "the node at word " + number(word), found, would_do);
   }
 
-  /// What is known of a node that begins at a word: its level and whether it is wide; 0 where none does.
+  /// The mark in known_ of a node that begins at a word: its level and whether it is wide; 0 if none begins there.
   static std::uint8_t mark(Level m, std::uint32_t reference) {
     return static_cast<std::uint8_t>(2 * m + reference % 2);
   }
@@ -222,7 +222,7 @@ class Replay {
     return {words, size};
   }
 
-  /// A reference to a node of level m, there or met for the first time, in which case it is one to follow.
+  /// Checks a reference to a node of level m.  If it is met for the first time, it joins the nodes to follow.
   void refer(Level m, std::uint32_t reference, std::uint64_t referred_at) {
     const std::uint64_t at = reference / 2;
     if (at >= in_.nodes)
@@ -239,11 +239,11 @@ class Replay {
     for (auto& of_level : fresh_) of_level.clear();
     const std::uint64_t tiles_before = tiles(), nodes_before = dag_.nodes_.size();
     refer(n, reference, record_at_ + 4);
-    // From the root down, nodes in the order in which the curve first comes to them.
+    // From the root down, nodes come in the order in which the curve first meets them.
     std::uint64_t tiles_end = tiles();
     for (Level m = n; m > tile_level; m = child_level(m))
       for (std::size_t k = 0; k < fresh_[m].size(); ++k) follow(m, fresh_[m][k], tiles_end);
-    // And up again, as they were added.
+    // Upwards they come in the order in which they were added.
     while (tiles() < tiles_end) new_tile();
     for (Level m = tile_level + 1; m <= n; ++m)
       for (const std::uint32_t r : fresh_[m]) place(m, r);
@@ -275,7 +275,7 @@ class Replay {
     header(m, all, at);
   }
 
-  /// The bits that a header has beside the mask, and the padding.
+  /// Checks the bits of a header beside the mask, and the padding.
   void header(Level m, std::span<const std::uint32_t> words, std::uint64_t at) const {
     const std::uint32_t mask = mask_of(words[0]), all = (std::uint32_t{1} << children(m)) - 1,
                         states = all & ~mask, low = words[0] >> 16, high = b_ == 2 ? words[1] & 0xFFFF : 0;
@@ -303,9 +303,9 @@ class Replay {
   Sections in_;
   Dag& dag_;
   std::uint32_t b_;
-  std::vector<std::uint8_t> known_;  // by the word at which a node begins
+  std::vector<std::uint8_t> known_;  // marks, by the word at which a node begins
   std::array<std::vector<std::uint32_t>, max_level + 1> fresh_;
-  /// A map that was laid flat, and how many tiles and nodes there were when adding it last laid it so.
+  /// A map that was laid flat, and the graph's size when adding it last laid it so.
   struct Flat {
     std::uint64_t value;
     Level level;

@@ -1,4 +1,4 @@
-// A graph as a sequence of bytes that can be kept, sent and checked.
+// A graph as bytes that can be stored, sent and checked.
 //
 // 32 bytes, numbers little-endian, then what they announce and nothing more:
 //   0   "mmdg"
@@ -12,7 +12,7 @@
 //   24  zero, 32 bits
 //   28  CRC-32C of bytes 0..28 and of all that follows byte 32
 //   32  records, tiles, flat, nodes, as impl/dag/dag.hpp has them
-// Bytes are a container if adding the maps that they mean gives these very bytes: so maps have one container.
+// Bytes are a container if adding the maps that they mean gives these very bytes, so maps have one container.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ namespace mmverify::impl::dag {
 
 inline constexpr std::size_t container_header = 32;
 
-/// Bytes that are no container: "byte 40, record 1: level 13; 0 to 12 would do".
+/// The error for bytes that are no container: "byte 40, record 1: level 13; 0 to 12 would do".
 class BadContainer : public std::runtime_error {
  public:
   BadContainer(std::size_t byte, const std::string& where, const std::string& found,
@@ -42,10 +42,10 @@ class BadContainer : public std::runtime_error {
 
 std::vector<std::uint8_t> save(const Dag& dag);
 
-/// The graph of a container, to which maps can be added as to the one that was saved: save(load(bytes)) == bytes.
-/// Domain: any bytes; throws BadContainer for what save cannot have written.  Takes memory in proportion to the bytes,
-/// and time, as long as nobody has made hashes collide on purpose; but a record of a flat map that was there is
-/// as much work as adding the map, where tiles or nodes were added since.
+/// The graph of a container, to which maps can be added as to the saved one: save(load(bytes)) == bytes.
+/// Domain: any bytes; throws BadContainer for bytes that save() cannot have written.  Time and memory are proportional
+/// to the bytes unless somebody made hashes collide on purpose.  But a further record of a flat map takes as much time
+/// as adding the map, if tiles or nodes were added since.
 Dag load(std::span<const std::uint8_t> bytes);
 
 }  // namespace mmverify::impl::dag

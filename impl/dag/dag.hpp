@@ -1,14 +1,15 @@
-// The maps of a scene in one directed acyclic graph: what they have in common is stored once.  docs/DAG.md
+// The maps of a scene in one directed acyclic graph, in which common parts are stored once.  docs/DAG.md
 //
 // The form.  A graph has maps of one format, b bits a state, and four arrays to which maps are added at the end:
 //   tiles    the distinct subtrees of level 3 that are not of one state: 64 states, b words of 64 bits
-//   nodes    the distinct larger ones, in words of 32 bits.  A node of level m has 16 children of level m-2, or, at the top
-//            of a map of an even level, 4 of level m-1.  It begins with halfwords: a mask of the children that are mixed,
-//            and b planes with the states of the others.  Then there is a reference for each mixed child, in order: the
-//            number of a tile, in 16 bits where all of the node's are below 2^16 (a narrow node) and in 32 bits otherwise;
-//            or the place of a node, 2 a + 1 of a wide node and 2 a of a narrow one that begins at word a.
+//   nodes    the distinct larger ones, in words of 32 bits.  A node of level m has 16 children of level m-2, or, at the
+//            top of a map of an even level, 4 of level m-1.  It begins with halfwords: a mask of the children that are
+//            mixed, and b planes with the states of the others.  Then there is a reference for each mixed child, in
+//            order.  A reference to a tile is its number, in 16 bits if all of the node's are below 2^16 (a narrow
+//            node), else in 32 bits.  A reference to a node that begins at word a is 2 a + 1 if it is wide, 2 a if
+//            narrow.
 //   flat     maps that would take more as tiles and nodes, as they are
-//   records  8 bytes a map: level, kind, and where it is; up to level 2 and where all states are one, the states themselves
+//   records  8 bytes a map: level, kind, and place; up to level 2, or if all states are one, the states themselves
 #pragma once
 
 #include <cstdint>
@@ -20,22 +21,22 @@ namespace mmverify::impl::dag {
 
 using Level = std::uint32_t;
 
-/// Highest level that is supported.
+/// The highest supported level.
 inline constexpr Level max_level = 12;
 
-/// Bits of one state.
+/// The format of maps: the bits of one state.
 enum class Format : std::uint32_t { two_state = 1, four_state = 2 };
 
-/// How a map is held.  What `value` of its record is:
+/// The storage of a map, which decides the meaning of its record's `value`.
 enum class Kind : std::uint8_t {
   small = 0,    ///< level 0 to 2: the packed states
-  uniform = 1,  ///< the one state of all
+  uniform = 1,  ///< the one state of the map
   tile = 2,     ///< level 3: the number of the tile
-  node = 3,     ///< a reference to the root
-  flat = 4,     ///< where its words begin, in units of a tile
+  node = 3,     ///< a reference to the root node
+  flat = 4,     ///< the place of its first word, in units of a tile
 };
 
-/// Where a map is.
+/// The level, the storage and the place of one map.
 struct Record {
   std::uint8_t level = 0;
   Kind kind = Kind::small;
@@ -53,11 +54,11 @@ class Dag {
   Dag(Dag&&) noexcept;
   Dag& operator=(Dag&&) noexcept;
 
-  /// Adds a map, and returns its number: 0, 1, ...  Nothing that is there moves or changes.  The same maps in the same order
-  /// give the same words.
+  /// Adds a map, and returns its number: 0, 1, ...  Stored words do not move or change.  The same maps in the same
+  /// order give the same words.
   ///   bits() grows by 64 + 64 ceil(4^n b / 64) at most, by 64 alone up to level 2 and for a map that is there.
-  /// Domain: n in 0..12 and a map of ceil(4^n b / 8) bytes, or std::invalid_argument is thrown; bits after the last state may
-  /// be anything.  std::length_error where an array would pass 2^31 words.
+  /// Domain: n in 0..12 and a map of ceil(4^n b / 8) bytes, or std::invalid_argument is thrown; bits after the last
+  /// state may be anything.  std::length_error if an array would pass 2^31 words.
   std::uint32_t add(Level n, std::span<const std::uint8_t> map);
 
   std::uint32_t maps() const noexcept { return static_cast<std::uint32_t>(records_.size()); }
@@ -65,8 +66,8 @@ class Dag {
   /// Domain: map < maps().
   Level level(std::uint32_t map) const noexcept { return records_[map].level; }
 
-  /// The state of a micro-triangle.  Reads a record; two words for each 4 bits of the index, in a node; one word for the last
-  /// 6 bits, in a tile.  Domain: map < maps(); the low 2 level bits of the index count.
+  /// The state of a micro-triangle.  It reads a record; in a node two words for each 4 bits of the index; in a tile one
+  /// word for the last 6 bits.  Domain: map < maps(); the low 2 level bits of the index count.
   std::uint8_t at(std::uint32_t map, std::uint64_t index) const noexcept;
 
   /// The state at barycentrics (u, v): at(map, index::from_barycentrics(u, v, level(map))).
@@ -82,10 +83,10 @@ class Dag {
   /// Domain: map < maps() and bytes of its level's size, or std::invalid_argument is thrown.
   void decode(std::uint32_t map, std::span<std::uint8_t> bytes) const;
 
-  /// All four arrays, in bits: what a lookup needs.  What adding needs besides is not counted.
+  /// The size of all four arrays in bits, which is all that lookups need.  The tables for adding are not counted.
   std::uint64_t bits() const noexcept;
 
-  // The arrays, to copy to where lookups are made.
+  // The arrays, to copy to the place of lookups.
   std::span<const Record> records() const noexcept { return records_; }
   std::span<const std::uint64_t> tiles() const noexcept { return tiles_; }
   std::span<const std::uint32_t> nodes() const noexcept { return nodes_; }
@@ -105,7 +106,7 @@ class Dag {
   std::vector<std::uint64_t> tiles_, flat_;
   std::vector<std::uint32_t> nodes_;
 
-  struct Known;  // what is there already, for adding alone
+  struct Known;  // hash tables, for adding alone
   std::unique_ptr<Known> known_;
 };
 

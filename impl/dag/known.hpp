@@ -1,4 +1,4 @@
-// What a graph has already, so that it is found again.  Internal to impl/dag.
+// The hash tables that find stored tiles, nodes and flat maps again.  Internal to impl/dag.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace mmverify::impl::dag {
 struct Dag::Known {
   Table tiles;
   std::array<Table, max_level + 1> nodes, flat;  ///< by level
-  std::vector<Level> added;                      ///< levels of the nodes that the map being added has added
+  std::vector<Level> added;                      ///< levels of the nodes that the current add() has added
 };
 
 }  // namespace mmverify::impl::dag

@@ -19,7 +19,7 @@ std::uint8_t state_in(const std::uint64_t* words, std::uint32_t b, std::uint64_t
   return static_cast<std::uint8_t>(words[bit / 64] >> (bit % 64) & (b == 1 ? 1 : 3));
 }
 
-/// The arrays, so that they stay in registers.
+/// The arrays of a graph as plain pointers, which stay in registers.
 struct Arrays {
   const Record* records;
   const std::uint64_t *tiles, *flat;
@@ -62,7 +62,7 @@ struct Arrays {
   }
 };
 
-/// Those that begin at a node side by side: what one waits for from memory, the others do not wait for.
+/// Looks up many micro-triangles.  Walks that begin at a node go side by side, so that their waits for memory overlap.
 template <std::uint32_t bits>
 void in_batches(const Arrays& arrays, std::span<const std::uint32_t> map,
                 std::span<const std::uint32_t> index, std::span<std::uint8_t> state) noexcept {
@@ -112,7 +112,7 @@ void Dag::lookup(std::span<const std::uint32_t> map, std::span<const std::uint32
   if (!map.empty() && greatest >= maps()) throw std::invalid_argument("dag: a map beyond the last");
   const Arrays arrays{records_.data(), tiles_.empty() ? nullptr : tiles_.data(), flat_.data(), nodes_.data(),
                       b_};
-  // Vectors read at places of 31 bits.
+  // Vectors read places of 31 bits.
   if (tiles_.size() >= std::size_t{1} << 30)
     for (std::size_t k = 0; k < state.size(); ++k) state[k] = at(map[k], index[k]);
   else if (b_ == 1)
@@ -123,7 +123,7 @@ void Dag::lookup(std::span<const std::uint32_t> map, std::span<const std::uint32
 
 namespace {
 
-/// Writes the subtree of level m at tile `tile` of the map.
+/// Writes a map from its nodes; node() writes the subtree of level m at tile `tile` of the map.
 struct Expansion {
   const std::uint64_t* tiles;
   const std::uint32_t* nodes;

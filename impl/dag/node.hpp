@@ -1,4 +1,4 @@
-// Where the parts of a node lie.  Internal to impl/dag.
+// The layout of a node.  Internal to impl/dag.
 #pragma once
 
 #include <bit>
@@ -10,11 +10,11 @@ namespace mmverify::impl::dag::detail {
 
 inline constexpr Level tile_level = 3;
 
-/// 16 children two levels below, or 4 one level below: so that all levels of nodes but the top are odd.
+/// A node has 16 children two levels below, or 4 one level below, so that all levels of nodes but the top are odd.
 constexpr Level child_level(Level m) noexcept { return m % 2 == 0 ? m - 1 : m - 2; }
 constexpr std::uint32_t children(Level m) noexcept { return m % 2 == 0 ? 4 : 16; }
 
-/// Subtrees of level `below` in one of level m.
+/// The number of subtrees of level `below` in one of level m.
 constexpr std::uint64_t subtrees(Level m, Level below) noexcept {
   return std::uint64_t{1} << (2 * (m - below));
 }
@@ -23,16 +23,16 @@ constexpr std::uint64_t subtrees(Level m, Level below) noexcept {
 inline constexpr std::uint32_t one_state = 0xFFFF'FFFC;
 constexpr bool mixed(std::uint32_t part) noexcept { return part < one_state; }
 
-/// No place of a node and no number of a tile comes near one_state.
+/// The limits of words: no place of a node and no number of a tile comes near one_state.
 inline constexpr std::uint64_t most_words = std::uint64_t{1} << 31, most_nodes_end = most_words - 64;
 inline constexpr std::uint32_t narrow_tiles = 1 << 16;
 
-/// Domain: references = ones of the mask.
+/// The number of words of a node.  Domain: references = ones of the mask.
 constexpr std::uint32_t node_words(std::uint32_t b, std::uint32_t references, bool wide) noexcept {
   return wide ? b + references : (1 + b + references + 1) / 2;
 }
 
-/// The header of b bits a state: the mask in the low half of the first word, the planes in the halfwords after it.
+/// The mask in the low half of a header's first word; the planes are in the halfwords after it.
 constexpr std::uint32_t mask_of(std::uint32_t first) noexcept { return first & 0xFFFF; }
 constexpr std::uint32_t ones(std::uint32_t mask) noexcept {
   return static_cast<std::uint32_t>(std::popcount(mask));
@@ -54,7 +54,7 @@ constexpr std::uint64_t repeated(std::uint64_t state, std::uint32_t b) noexcept 
   return state * (b == 1 ? ~std::uint64_t{0} : 0x5555'5555'5555'5555);
 }
 
-/// Bytes of a map.
+/// The number of bytes of a map.
 constexpr std::uint64_t map_bytes(Level n, std::uint32_t b) noexcept { return ((b << (2 * n)) + 7) / 8; }
 
 }  // namespace mmverify::impl::dag::detail

@@ -1,4 +1,4 @@
-// What is stored already, by hash.  Internal to impl/dag.
+// A hash table of stored parts.  Internal to impl/dag.
 #pragma once
 
 #include <bit>
@@ -9,10 +9,10 @@
 
 namespace mmverify::impl::dag {
 
-/// A set of numbers of things that are kept elsewhere, by 32 bits of the things' hashes.  Linear probing.
+/// A set of numbers of parts stored elsewhere, by 32 bits of the parts' hashes.  Linear probing.
 class Table {
  public:
-  /// The number of what has this hash and is the same, or `none`.
+  /// The number of the part that has this hash and is the same, or `none`.
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   template <class Same>
   std::uint32_t find(std::uint32_t hash, const Same& same) const {
@@ -33,7 +33,7 @@ class Table {
     ++size_;
   }
 
-  /// Takes the last one that was inserted out again.  As every one after it is gone, no way to another leads past it.
+  /// Removes the number that was inserted last.  Later ones are gone, so no probe for another passes its slot.
   void pop() {
     const std::uint64_t last = order_.back();
     order_.pop_back();
@@ -51,7 +51,7 @@ class Table {
     while (slots_[k] != empty) k = (k + 1) & mask();
     slots_[k] = slot;
   }
-  /// In the order of insertion again, for pop.
+  /// Inserts all numbers again in their order, which pop() needs.
   void grow() {
     slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), empty);
     for (const std::uint64_t slot : order_) place(slot);
@@ -61,7 +61,7 @@ class Table {
   std::size_t size_ = 0;
 };
 
-/// 32 bits of a hash of words.  Its values never show in what is stored.
+/// 32 bits of a hash of words, which never show in stored data.
 template <class Word>
 std::uint32_t hash_of(std::span<const Word> words) noexcept {
   std::uint64_t h = 0x9e3779b97f4a7c15 ^ words.size();

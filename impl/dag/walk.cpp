@@ -14,8 +14,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A node a turn for all lanes; those whose state is known wait for the others, at word 0.  No branch depends on the maps.
-// Domain: `turns` for the highest level.
+// Takes one node a turn in all lanes; lanes whose state is known wait for the others, at word 0.  No branch depends on
+// the maps.  Domain: `turns` for the highest level.
 template <int bits>
 void walk_all(const std::uint32_t* nodes, const std::uint32_t* tiles, std::uint32_t turns,
               detail::Walks& walks) {
@@ -33,7 +33,7 @@ void walk_all(const std::uint32_t* nodes, const std::uint32_t* tiles, std::uint3
       tile = zero;
     const V index = hn::Load(d, walks.index + k);
     auto walking = hn::Ne(level, zero), in_tile = hn::Ne(zero, zero);
-    level = hn::IfThenElse(walking, level, set(4));  // whose shifts are those of a word
+    level = hn::IfThenElse(walking, level, set(4));  // level 4, whose shifts are valid
     for (std::uint32_t turn = 0; turn < turns; ++turn) {
       // 16 children two levels below an odd level, 4 one level below an even one.
       const V odd = hn::And(level, one), below = hn::Sub(level, hn::Add(one, odd));
@@ -45,7 +45,7 @@ void walk_all(const std::uint32_t* nodes, const std::uint32_t* tiles, std::uint3
       const V rank = hn::PopulationCount(hn::And(first, hn::Sub(hn::Shl(one, child), one)));
       const V half = hn::Add(rank, set(1 + bits));
       const V of_reference = hn::IfThenElse(wide, hn::Add(rank, set(bits)), hn::ShiftRight<1>(half));
-      // Of a child of one state the word of the last plane.
+      // For a child of one state the word is the one with the last plane.
       const V word =
           at(nodes, hn::Add(place, hn::IfThenElse(hn::And(walking, mixed), of_reference, set(bits - 1))));
       const V narrow = hn::And(hn::Shr(word, hn::ShiftLeft<4>(hn::And(half, one))), set(0xFFFF));
@@ -88,7 +88,7 @@ HWY_EXPORT(walk);
 namespace detail {
 
 void walk(const std::uint32_t* nodes, const std::uint32_t* tiles, std::uint32_t bits, Walks& walks) noexcept {
-  // Lanes beyond the last have no level, and so nothing to walk.
+  // Lanes beyond the last have level 0, and so nothing to walk.
   std::fill(walks.level + walks.count, walks.level + Walks::most, 0);
   HWY_DYNAMIC_DISPATCH(walk)(nodes, tiles, bits, walks);
 }

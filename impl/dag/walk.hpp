@@ -1,4 +1,4 @@
-// Lookups from nodes, many at once.  Internal to impl/dag.
+// Many lookups from nodes at once.  Internal to impl/dag.
 #pragma once
 
 #include <cstddef>
@@ -6,16 +6,16 @@
 
 namespace mmverify::impl::dag::detail {
 
-/// Lookups that begin at a node each, beside one another.
+/// Lookups side by side, each of which begins at a node.
 struct Walks {
   static constexpr std::size_t most = 256;
   std::size_t count = 0;
   alignas(64) std::uint32_t reference[most], level[most], index[most], state[most];
 };
 
-/// state[k] of each, for bits a state of 1 or 2.
-/// Domain: count > 0; roots of a graph whose arrays these are, index < 4^level; tiles as words of 32 bits, fewer than 2^31, and
-/// one of any value where there are none.
+/// Writes state[k] of each lookup; `bits` a state is 1 or 2.
+/// Domain: count > 0; references to roots of a graph with these arrays, index < 4^level; tiles as words of 32 bits,
+/// fewer than 2^31; a graph without tiles passes one word of any value.
 void walk(const std::uint32_t* nodes, const std::uint32_t* tiles, std::uint32_t bits, Walks& walks) noexcept;
 
 }  // namespace mmverify::impl::dag::detail

@@ -75,7 +75,7 @@ struct RowCorners {
   }
 };
 
-// Whole vectors in place; what is left over goes through buffers, as a vector must not touch memory beyond
+// Calls `kernel` on whole vectors in place.  The rest goes through buffers, since a vector must not touch memory beyond
 // the spans.
 template <class Kernel>
 void each_point(const float* u, const float* v, std::uint32_t* out, std::size_t count, Kernel kernel) {

@@ -1,15 +1,14 @@
-// Where a point of the base triangle falls, and back: exact answers for binary32 input, in a handful of
-// instructions.
+// The micro-triangle of a point of the base triangle, and the corners of a micro-triangle: exact answers for binary32
+// input, in a handful of instructions.
 //
 //   from_barycentrics   index on the curve of the Vulkan specification
 //   corners             the micro-triangle that carries an index of the curve
 //   w_minor             index in row order (Gruen et al.)
 //   w_minor_corners     the micro-triangle that carries an index of row order
 //
-// Each comes once for a single value, inline, and once for spans, in SIMD chosen at run time; both give the
-// same bits.  They need IEEE arithmetic rounded to nearest, the default (no -ffast-math); flushing subnormals
-// to zero changes no answer: a subnormal u or v completes no sum to 1, and before the first grid line dia is
-// N-1 with or without it.
+// Each comes once for a single value, inline, and once for spans, in SIMD chosen at run time; both give the same bits.
+// IEEE arithmetic must be rounded to nearest, the default (no -ffast-math).  Flushing subnormals to zero changes no
+// answer: a subnormal u or v completes no sum to 1, and before the first grid line dia is N-1 with or without it.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +21,7 @@
 
 namespace mmverify::impl::index {
 
-/// A subdivision level n; N = 2^n micro-triangles to a side.  Every function here takes a greater level for
-/// max_level.
+/// A subdivision level n; N = 2^n micro-triangles to a side.  Every function here takes max_level for a greater level.
 using Level = std::uint32_t;
 
 /// The specification's limit, and the last level whose 4^n indices fit 32 bits.
@@ -45,30 +43,30 @@ struct CornerSpans {
 
 namespace detail {
 
-// The steps from two floats to an index.  F, Signed, Word and Wide are float and integers of 32 and 64 bits, or
-// a prover's names for them: `index.floats` runs these very templates on names.
+// The steps from two floats to an index.  F, Signed, Word and Wide are float and integers of 32 and 64 bits, or a
+// prover's types: the law `index.floats` runs these very templates on them.
 
-/// x in [0,1]; NaN and everything at or below zero become +0: std::max keeps its first argument unless 0 < x
-/// holds.
+/// x clamped to [0,1].  NaN and everything at or below zero become +0: std::max returns its first argument unless 0 <
+/// x.
 template <class F>
 inline F clamped(F x) noexcept {
   return std::min(std::max(F(0.0f), x), F(1.0f));
 }
 
-/// x N for a clamped x, exactly: N = 2^n scales by a power of two.  n in 0..30.
+/// x N for a clamped x, exact since N = 2^n is a power of two.  n in 0..30.
 template <class F>
 inline F scaled(F x, F N) noexcept {
   return clamped(x) * N;
 }
 
-/// A number's whole part and the rest, below 1.
+/// A number's whole part, and the rest, which is below 1.
 template <class Signed, class F>
 struct Cut {
   Signed whole;
   F part;
 };
 
-/// Exactly: the rest only drops leading bits.  Domain: 0 <= y <= 2^30.
+/// y cut exactly: the rest only drops leading bits.  Domain: 0 <= y <= 2^30.
 /// Signed: x86 converts only signed words in one instruction.
 template <class Signed, class F>
 inline Cut<Signed, F> cut(F y) noexcept {
@@ -76,15 +74,15 @@ inline Cut<Signed, F> cut(F y) noexcept {
   return {whole, y - static_cast<F>(whole)};
 }
 
-/// Whether uf+vf >= 1, exactly, for both in [0, 1): asked as lesser >= 1 - greater, as the sum may round.  If
-/// greater >= 1/2 the difference is exact (Sterbenz).  Otherwise both are below 1/2, the sum is below 1, and
-/// the rounded difference, at least 1/2, says so.
+/// Whether uf+vf >= 1, exactly, for both in [0, 1).  The sum may round, so the test is lesser >= 1 - greater.  If
+/// greater >= 1/2 the difference is exact (Sterbenz).  Else both are below 1/2 and the sum is below 1, and the rounded
+/// difference, at least 1/2, tells that.
 template <class F>
 inline bool reach_one(F uf, F vf) noexcept {
   return std::min(uf, vf) >= F(1.0f) - std::max(uf, vf);
 }
 
-/// Whether a part is no zero.
+/// Whether a part is not 0.
 template <class F>
 inline bool is_more_than_none(F uf) noexcept {
   return uf > F(0.0f);
@@ -115,7 +113,7 @@ constexpr Square<Word> square(Word iu, Word iv, bool carry, Word N) noexcept {
   return {iu, iv, row};
 }
 
-/// A row, and how far along it by v (col) and by u (dia).
+/// A row, and the place in it counted by v (col) and by u (dia).
 template <class Word>
 struct RowPlace {
   Word row, col, dia;
@@ -140,8 +138,7 @@ constexpr Word xor_from_above(Word x) noexcept {
   return x ^ x >> 8;
 }
 
-/// The low 16 bits of b0 on the even bits and of b1 on the odd; bits above them must be clear.  Both spread
-/// at once.
+/// The low 16 bits of b0 on the even bits and of b1 on the odd, both spread at once.  Domain: higher bits are clear.
 template <class Wide = std::uint64_t, class Word>
 constexpr Word interleaved(Word b0, Word b1) noexcept {
   const Wide x = impl::detail::spread<32>(Wide(b0) | Wide(b1) << 32);
@@ -150,7 +147,7 @@ constexpr Word interleaved(Word b0, Word b1) noexcept {
 
 /// The curve's index of a square, up to level 16:
 ///   b0 = iu XOR row, t = (iu XOR iv) AND b0, f = XOR from above of t, b1 = ((f XOR iu) AND NOT b0) OR t,
-///   b0 to the even bits, b1 to the odd; row stands for NOT iw, which saves the masks.
+///   b0 to the even bits, b1 to the odd.  row takes the place of NOT iw, which saves the masks.
 template <class Wide = std::uint64_t, class Word>
 constexpr Word curve(const Square<Word>& q) noexcept {
   const Word b0 = q.iu ^ q.row;
@@ -159,14 +156,13 @@ constexpr Word curve(const Square<Word>& q) noexcept {
   return interleaved<Wide>(b0, b1);
 }
 
-/// Where a point is: iu = floor(uN), iv = floor(vN), N at u = 1 and v = 1; whether uf+vf >= 1 and whether
-/// uf > 0.
+/// The place of a point: iu = floor(uN), iv = floor(vN), N at u = 1 and v = 1; carry: uf+vf >= 1; beyond: uf > 0.
 struct Found {
   std::uint32_t iu, iv;
   bool carry, beyond;
 };
 
-/// Any bit patterns; n in 0..30.
+/// Finds a point.  Domain: any bit patterns; n in 0..30.
 inline Found find(float u, float v, Level n) noexcept {
   const float N = static_cast<float>(std::int32_t{1} << n);
   const auto pu = cut<std::int32_t>(scaled(u, N)), pv = cut<std::int32_t>(scaled(v, N));
@@ -180,7 +176,7 @@ struct Located {
   std::uint32_t iu, iv, row, u_ceil;
 };
 
-/// Locates a point by its u and v, exactly: nothing that rounds decides anything.  n in 0..16.
+/// Locates a point by its u and v; rounding decides nothing.  n in 0..16.
 inline Located locate(float u, float v, Level n) noexcept {
   const Found p = find(u, v, n);
   return {p.iu, p.iv, row_of(p.iu, p.iv, p.carry, std::uint32_t{1} << n), p.iu + (p.beyond ? 1u : 0u)};
@@ -188,11 +184,10 @@ inline Located locate(float u, float v, Level n) noexcept {
 
 }  // namespace detail
 
-/// Index on the curve of the micro-triangle that holds (u, v); the specification's answer for these very
+/// The index on the curve of the micro-triangle that contains (u, v), as the specification gives it for these very
 /// numbers: detail::curve of the square of detail::find.
-/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16,
-/// more is 16. Result in [0, 4^level): exactly the rational evaluation of the reference for every pair of
-/// finite floats.
+/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16, more is 16.
+/// Result in [0, 4^level): exactly the rational evaluation of the reference for every pair of finite floats.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 inline std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
@@ -200,18 +195,18 @@ inline std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
   return detail::curve(detail::square(p.iu, p.iv, p.carry, std::uint32_t{1} << n));
 }
 
-/// The same for out.size() points: out[k] = from_barycentrics(u[k], v[k], level), bit for bit.
+/// The indices of many points: out[k] = from_barycentrics(u[k], v[k], level), bit for bit.
 /// Domain: any length, any alignment; the three spans have one length, or std::invalid_argument is thrown and
 /// nothing is written.  out must not overlap u or v.
 void from_barycentrics(std::span<const float> u, std::span<const float> v, Level level,
                        std::span<std::uint32_t> out);
 
-/// Corners of the micro-triangle that carries an index of the curve, on the grid of the level.
+/// The corners of the micro-triangle with an index of the curve, on the grid of the level.
 ///   b0, b1 = even, odd bits; t = b0 AND b1, f = XOR from above of t, m = XOR from above of (b0 AND NOT b1);
 ///   iv = (m >> 1) XOR t, iu = b0 ? m >> 1 : b1 XOR f, bit by bit; with f0 and m0 the lowest bits of f and m:
 ///   (iu+f0, iv+m0), (iu+1-f0, iv+m0), (iu+m0, iv+1-m0)
-/// m0 says that middle children turned the triangle upside down, f0 whether its first two corners lie the
-/// other way round along u.
+/// m0 is 1 if middle children turned the triangle upside down, f0 if its first two corners lie the other way round
+/// along u.
 /// Domain: level in 0..16, more is 16; index is masked to its low 2 level bits.  Coordinates in [0, N].
 /// Source: Succinct Opacity Micromaps, Algorithm 4, inverted; the closed form is ours.
 constexpr Corners corners(std::uint32_t index, Level level) noexcept {
@@ -226,16 +221,16 @@ constexpr Corners corners(std::uint32_t index, Level level) noexcept {
   return {Vertex{iu + f0, iv + m0}, Vertex{iu + 1 - f0, iv + m0}, Vertex{iu + m0, iv + 1 - m0}};
 }
 
-/// The same for many: corner c of out at k is corners(index[k], level)[c].
+/// The corners of many micro-triangles: corner c of out at k is corners(index[k], level)[c].
 /// Domain: any length, any alignment; all seven spans have one length, or std::invalid_argument is thrown and
 /// nothing is written.  No span of out may overlap another or index.
 void corners(std::span<const std::uint32_t> index, Level level, const CornerSpans& out);
 
-/// Index in row order, rows counted from the w-corner: row^2 + col + (dia - (N-1-row)), where
+/// The index in row order, rows counted from the w-corner: row^2 + col + (dia - (N-1-row)), where
 ///   row = min(N-1, floor((u+v)N)), col = min(row, floor(vN)), dia = min(N-1, N - ceil(uN)).
-/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16,
-/// more is 16. Result in [0, 4^level), exact for every pair of finite floats in the triangle; outside it, the
-/// same formula on the clamped numbers, which stays in the range because dia >= N-1-row even there.
+/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16, more is 16.
+/// Result in [0, 4^level), exact for every pair of finite floats in the triangle.  Outside it the formula is taken of
+/// the clamped numbers; the result stays in the range because dia >= N-1-row even there.
 /// Source: Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
 inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
@@ -245,20 +240,20 @@ inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
   return place.row * place.row + place.col + (place.dia - (N - 1 - place.row));
 }
 
-/// The same for out.size() points: out[k] = w_minor(u[k], v[k], level), bit for bit.
+/// The indices of many points: out[k] = w_minor(u[k], v[k], level), bit for bit.
 /// Domain: any length, any alignment; the three spans have one length, or std::invalid_argument is thrown and
 /// nothing is written.  out must not overlap u or v.
 void w_minor(std::span<const float> u, std::span<const float> v, Level level, std::span<std::uint32_t> out);
 
-/// The row that holds an index of row order: the greatest row with row^2 <= index.  Domain: every index.
-/// A binary64 root is safe where the source's binary32 root is not: below 2^32 the index is exact, and k^2 -
-/// 1 has its root more than 1/(2k) >= 2^-17 below k, while binary64 numbers there are at most 2^-37 apart.
+/// The row of an index of row order: the greatest row with row^2 <= index.  Domain: every index.
+/// A binary64 root is safe where the source's binary32 root is not.  Below 2^32 the index is exact, and the root of k^2
+/// - 1 is more than 1/(2k) >= 2^-17 below k, while binary64 numbers there are at most 2^-37 apart.
 /// Source: Color and Attribute Micromaps, figure 4.
 inline std::uint32_t w_minor_row(std::uint32_t index) noexcept {
   return static_cast<std::uint32_t>(std::sqrt(static_cast<double>(index)));
 }
 
-/// Corners of the micro-triangle that carries an index of row order, in the order v0, v1, v2 of the source.
+/// The corners of the micro-triangle with an index of row order, in the order v0, v1, v2 of the source.
 ///   row = floor(sqrt(index)), c = floor((index - row^2) / 2), odd = (index - row^2) mod 2:
 ///   (row-c, c), (row-c+1-odd, c+odd), (row-c-odd, c+1)
 /// Domain: every index; the level does not enter, as row order only appends rows.  Coordinates in [0, 2^16].
@@ -269,7 +264,7 @@ inline Corners w_minor_corners(std::uint32_t index) noexcept {
   return {Vertex{i, c}, Vertex{i + 1 - odd, c + odd}, Vertex{i - odd, c + 1}};
 }
 
-/// The same for many: corner c of out at k is w_minor_corners(index[k])[c].
+/// The corners of many micro-triangles: corner c of out at k is w_minor_corners(index[k])[c].
 /// Domain: any length, any alignment; all seven spans have one length, or std::invalid_argument is thrown and
 /// nothing is written.  No span of out may overlap another or index.
 void w_minor_corners(std::span<const std::uint32_t> index, const CornerSpans& out);

@@ -1,6 +1,7 @@
-// The steps of impl/index/index.hpp from two floats to an index, in vectors: text for inside a namespace that has
-// hn, its tags Floats, Ints and Words, and FloatVec, IntVec and WordVec.  There hn is Highway; to prove
-// `index.floats`, the same text runs on an hn whose functions write formulas.  The arguments are the scalar ones.
+// The steps of impl/index/index.hpp from two floats to an index, in vectors.  This text is included inside a namespace
+// with hn, its tags Floats, Ints and Words, and FloatVec, IntVec and WordVec.  There hn is Highway; to prove
+// `index.floats`, the same text runs on an hn whose functions write formulas.  The steps are exact for the reasons
+// given there.
 
 HWY_INLINE FloatVec clamped(FloatVec x) {
   const Floats d;
@@ -9,7 +10,7 @@ HWY_INLINE FloatVec clamped(FloatVec x) {
 
 HWY_INLINE FloatVec scaled(FloatVec x, FloatVec N) { return hn::Mul(clamped(x), N); }
 
-// 1 where the mask holds: a mask is all ones, which is -1.
+// 1 if the mask is set, else 0: a set mask is all ones, which is -1.
 HWY_INLINE IntVec one_if(hn::Mask<Ints> mask) {
   const Ints di;
   return hn::Sub(hn::Zero(di), hn::VecFromMask(di, mask));
@@ -36,7 +37,7 @@ HWY_INLINE IntVec row_of(IntVec iu, IntVec iv, IntVec carry, IntVec N) {
   return hn::Min(hn::Sub(N, hn::Set(Ints(), 1)), hn::Add(hn::Add(iu, iv), carry));
 }
 
-// iu = floor(uN), iv = floor(vN), and 1 or 0: uf+vf >= 1, uf > 0.
+// iu = floor(uN), iv = floor(vN); carry is 1 if uf+vf >= 1, beyond is 1 if uf > 0, else 0.
 struct Found {
   IntVec iu, iv, carry, beyond;
 };

@@ -29,7 +29,7 @@ using WordVec = hn::Vec<Words>;
 
 #include "impl/index/lanes-inl.hpp"
 
-// Where points are: their grid squares (iu, iv), their rows and ceil(uN).
+// The grid squares (iu, iv) of points, their rows and ceil(uN).
 struct Located {
   IntVec iu, iv, row, u_ceil;
 };
@@ -50,9 +50,9 @@ HWY_INLINE WordVec gather(WordVec x) {
   return join<8>(join<4>(join<2>(join<1>(x, 0x33333333), 0x0f0f0f0f), 0x00ff00ff), 0x0000ffff);
 }
 
-// Root in binary32, put right in whole numbers.  The two halves convert exactly; their sum rounds once and
-// the root once more.  Rounding keeps order and the rounded root of a rounded square k^2 is k again, so the
-// guess never falls below the row.  Nor can it be two above: the whole error is less than 65536 * 2^-23.
+// floor(sqrt(index)): the root in binary32, corrected in whole numbers.  The two halves convert exactly; their sum
+// rounds once and the root once more.  Rounding is monotonic and the rounded root of a rounded square k^2 is k again,
+// so the guess never falls below the row.  Nor can it be two above: the whole error is less than 65536 * 2^-23.
 HWY_INLINE WordVec row_of(WordVec index) {
   const Floats d;
   const Ints di;
@@ -62,8 +62,8 @@ HWY_INLINE WordVec row_of(WordVec index) {
   const auto root = hn::Sqrt(hn::Add(hn::Mul(high, hn::Set(d, 65536.0f)), low));
   const auto guess = hn::ConvertTo(di, root);
   const auto row = hn::BitCast(dw, guess);
-  // Negative just when the guess is too high.  Its size stays below 2^18, so the sign survives the wrap,
-  // even of the square of 65536.
+  // The rest is negative just if the guess is too high.  Its size stays below 2^18, so the sign survives the wrap, even
+  // for the square of 65536.
   const auto rest = hn::BitCast(di, hn::Sub(index, hn::Mul(row, row)));
   return hn::BitCast(dw, hn::Sub(guess, one_if(hn::Lt(rest, hn::Zero(di)))));
 }

@@ -9,7 +9,7 @@
 
 namespace mmverify::impl::index {
 
-/// N = 2^30 is the last that signed 32-bit numbers hold, which is what processors convert floats to.
+/// The last level whose N fits signed 32-bit numbers, to which processors convert floats: N = 2^30.
 inline constexpr Level max_wide_level = 30;
 
 namespace detail {
@@ -24,7 +24,7 @@ constexpr Word wide_xor_from_above(Word x) noexcept {
   return x ^ x >> 16;
 }
 
-/// The bit formula, with row for NOT iw.
+/// The curve's index of a square, as detail::curve, in words of 64 bits.
 template <class Word>
 constexpr Word wide_curve(const Square<Word>& q) noexcept {
   const Word b0 = q.iu ^ q.row;
@@ -35,11 +35,11 @@ constexpr Word wide_curve(const Square<Word>& q) noexcept {
 
 }  // namespace detail
 
-/// Index on the curve of the micro-triangle that holds (u, v), at levels that 32 bits do not hold.
-/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..30,
-/// more is 30. Result in [0, 4^level): exactly the rational evaluation of the formula, in words without
-/// bounds, for every pair of finite floats; at levels 0..16 that of from_barycentrics. The whole parts and
-/// the carry are exact for the reasons given at detail::cut and detail::reach_one.
+/// The index on the curve of the micro-triangle that contains (u, v), at levels whose indices exceed 32 bits.
+/// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..30, more is 30.
+/// Result in [0, 4^level): exactly the rational evaluation of the formula, in unbounded words, for every pair of finite
+/// floats; at levels 0..16 that of from_barycentrics.  The whole parts and the carry are exact for the reasons given at
+/// detail::cut and detail::reach_one.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code"; the words' width is ours.
 inline std::uint64_t from_barycentrics_wide(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_wide_level);

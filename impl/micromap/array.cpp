@@ -13,9 +13,9 @@ namespace {
 
 using namespace detail;
 
-// The packed bytes with zero padding, so that equal maps have equal bytes.
+// The packed bytes of a map with zero padding, so that equal maps have equal bytes.
 struct Canonical {
-  std::span<const std::uint8_t> body;  ///< all but the last byte
+  std::span<const std::uint8_t> body;  ///< all bytes but the last
   std::uint8_t last;
 
   Canonical(std::span<const std::uint8_t> bytes, std::uint64_t count, Format f) {
@@ -40,7 +40,7 @@ std::uint64_t hash(const Canonical& map, Level level, Format f) {
   return h;
 }
 
-// Records by what their maps are.  Open addressing: the record's number + 1, 0 for none.
+// A hash table of records by their maps.  Open addressing; a slot is the record's number + 1, or 0.
 class Known {
  public:
   explicit Known(std::size_t expected) : slots_(std::bit_ceil(2 * expected + 16)) {}
@@ -57,7 +57,7 @@ class Known {
   std::vector<std::uint32_t> slots_;
 };
 
-// The bytes of a record, if it has a format, a level and bytes that are there.
+// The bytes of a record, if its format, its level and its bytes exist.
 std::optional<Canonical> map_of(const Array& array, const Record& r) {
   if ((r.format != 1 && r.format != 2) || r.level > 16) return std::nullopt;
   const Format f = static_cast<Format>(r.format);

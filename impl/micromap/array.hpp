@@ -10,9 +10,9 @@ namespace mmverify::impl::micromap {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Where a map's bytes are and how to read them.  Source: VkMicromapTriangleKHR.
+/// The place, level and format of a map's bytes.  Source: VkMicromapTriangleKHR.
 struct Record {
-  std::uint32_t offset;  ///< of its first byte in the data
+  std::uint32_t offset;  ///< first byte in the data
   std::uint16_t level;
   std::uint16_t format;
   friend constexpr bool operator==(const Record&, const Record&) = default;
@@ -32,19 +32,19 @@ struct PackedMap {
   std::span<const std::uint8_t> bytes;
 };
 
-/// What a micromap build takes.
+/// The input of a micromap build.
 struct Array {
   std::vector<Record> records;
   Bytes data;
 };
 
-/// What the build of a geometry takes beside the array.
+/// The input of a geometry's build beside the array.
 struct Geometry {
   Bytes indices;                   ///< one code a triangle, tightly packed, little-endian
   std::vector<UsageCount> counts;  ///< after indirection, special indices left out
 };
 
-/// How maps become an array.
+/// The options of append().
 struct Options {
   Encoding encoding = Encoding::u32;
   std::uint32_t base_triangle = 0;
@@ -53,15 +53,15 @@ struct Options {
 };
 
 /// Adds a geometry's maps, in their order, to an array; linear in all bytes.
-/// A map is a special index if it is uniform and that is wanted, else the first equal record from
-/// base_triangle on if sharing is wanted, else a new record at the end, its bytes at the end of the data.  A
-/// triangle's index is its record less base_triangle.
-/// Domain: base_triangle at most the number of records, maps as PackedMap has them, else
-/// std::invalid_argument. An index that the encoding cannot hold, or data beyond 2^32 bytes:
-/// std::length_error, naming the triangle. After an error the array is as it was.
+/// With `special`, a uniform map becomes a special index.  With `deduplicate`, another map takes the first equal record
+/// from base_triangle on.  Else it gets a new record at the end, its bytes at the end of the data.  A triangle's index
+/// is its record less base_triangle.
+/// Domain: base_triangle at most the number of records, maps as PackedMap has them, else std::invalid_argument.  An
+/// index that the encoding cannot hold, or data beyond 2^32 bytes: std::length_error, naming the triangle.  After an
+/// error the array is as before.
 Geometry append(Array& array, std::span<const PackedMap> maps, const Options& options);
 
-/// The array's usage counts, of its records: ordered by level, then format, none of them zero.
+/// The usage counts of an array's records: ordered by level, then format, none of them zero.
 std::vector<UsageCount> usage_counts(std::span<const Record> records);
 
 /// Records as bytes: 8 each, little-endian, tightly packed.

@@ -1,5 +1,4 @@
-// Numbers of things by level and format: a table for the pairs that are in use, a map for the rest.  For
-// impl's own use.
+// Counts by level and format: a table for the usual pairs, a map for the rest.  Internal to impl.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ class Histogram {
       rest_[{level, format}] += times;
   }
 
-  /// Those that are not zero, in order.
+  /// The counts that are not zero, in order.
   std::map<Key, std::uint64_t> sums() const {
     std::map<Key, std::uint64_t> all = rest_;
     for (std::uint32_t k = 0; k < usual_.size(); ++k)

@@ -7,9 +7,8 @@ namespace {
 
 using namespace detail;
 
-// Bytes of four 4-state children each.  The parent's low bit is force-2-state's majority: four O have it,
-// four T have not, and for the others it is the choice.  Its high bit is set where any child is unknown or
-// the low bits differ.
+// Merges four 4-state children a byte.  The parent's low bit is the majority under force-2-state: four O have it, four
+// T do not, and for the others it is a choice.  Its high bit is set if any child is unknown or the low bits differ.
 std::uint64_t merged_pairs(std::uint64_t x) {
   const std::uint64_t l = x & even_bits, h = x >> 1 & even_bits;
   std::uint64_t sum = (l & 0x3333333333333333) + (l >> 2 & 0x3333333333333333);
@@ -23,7 +22,7 @@ std::uint64_t merged_pairs(std::uint64_t x) {
   return bytes_to_pairs(majority | unknown << 1);
 }
 
-// Nibbles of four 2-state children each: 1 for two or more.
+// Merges four 2-state children a nibble: 1 if two or more are 1.
 std::uint64_t merged_bits(std::uint64_t x) {
   std::uint64_t sum = (x & even_bits) + (x >> 1 & even_bits);
   sum = (sum & 0x3333333333333333) + (sum >> 2 & 0x3333333333333333);

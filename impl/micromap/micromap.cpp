@@ -59,7 +59,7 @@ std::optional<State> uniform(std::span<const std::uint8_t> bytes, Format f, std:
   if (count == 0) return std::nullopt;
   const unsigned first = bytes[0] & static_cast<unsigned>(low(bits(f)));
   const std::uint64_t all = f == Format::two_state ? 0 - std::uint64_t{first} : even_bits * first;
-  // A block at a time, so that the loop has no branch and an unlike map is left early.
+  // It looks at a block at a time, so that the inner loop has no branch and an unlike map is left early.
   constexpr std::uint64_t block = 64 * 64;
   const std::uint64_t total = count * bits(f);
   for (std::uint64_t at = 0; at < total; at += block) {
@@ -73,7 +73,7 @@ std::optional<State> uniform(std::span<const std::uint8_t> bytes, Format f, std:
 
 namespace {
 
-/// By bytes, how many of the even bits are set: at most 4 of each.  Domain: no odd bit is.
+/// The number of even bits set in each byte, at most 4.  Domain: no odd bit is set.
 std::uint64_t even_ones(std::uint64_t x) noexcept {
   x = (x & 0x3333333333333333) + (x >> 2 & 0x3333333333333333);
   return (x + (x >> 4)) & 0x0f0f0f0f0f0f0f0f;
@@ -92,7 +92,7 @@ StateCounts count_states(std::span<const std::uint8_t> bytes, Format f, std::uin
   if (f == Format::two_state) {
     each_word(bytes, count, [&](std::uint64_t word, std::uint64_t) { n[1] += ones(word); });
   } else {
-    // Sums in bytes, without a branch or a call for each word; from a block they stay below 256.
+    // Sums are formed in bytes, without a branch or a call for each word; for a block they stay below 256.
     constexpr std::uint64_t block = 64 * 63;
     const std::uint64_t total = 2 * count;
     for (std::uint64_t at = 0; at < total; at += block) {
@@ -136,7 +136,7 @@ Substitutions substitutions(std::span<const std::uint8_t> was, std::span<const s
 
 namespace {
 
-// Bit 4 was + is: the substitutions other than these did not happen.
+// Whether only `these` substitutions happened; bit 4 was + is.
 bool only(const std::array<StateCounts, 4>& count, std::uint32_t these) {
   for (unsigned s = 0; s < 4; ++s)
     for (unsigned t = 0; t < 4; ++t)
@@ -144,7 +144,7 @@ bool only(const std::array<StateCounts, 4>& count, std::uint32_t these) {
   return true;
 }
 
-// Rows UO, UT, O, T from the left, each with its columns UO, UT, O, T.
+// The sets of substitutions: rows UO, UT, O, T from the left, each with its columns UO, UT, O, T.
 constexpr std::uint32_t allowed_pairs = 0b1100'1100'1110'1101, conservative_pairs = 0b1000'0100'1110'1101,
                         force2_stable_pairs = 0b1000'0100'1010'0101;
 

@@ -1,9 +1,9 @@
 // Micromaps in packed form, many states to a word: packing, force-2-state, counts, special indices.
 //
-// A packed map is 4^n states of b bits, LSB first, in packed_bytes(4^n, format) bytes.  Bits after the last
-// state are ignored on reading and zero on writing.  Every function takes the number of states, not the
-// level: it works for any number.  Output spans have the exact size, input spans at least it, or
-// std::invalid_argument is thrown and nothing is written.  Input and output must not overlap.
+// A packed map is 4^n states of b bits, LSB first, in packed_bytes(4^n, format) bytes.  Bits after the last state are
+// ignored on reading and zero on writing.  Every function takes a number of states, not a level, and any number works.
+// Output spans have the exact size, input spans at least it, or std::invalid_argument is thrown and nothing is written.
+// Input and output must not overlap.
 #pragma once
 
 #include <array>
@@ -17,35 +17,35 @@ namespace mmverify::impl::micromap {
 /// A subdivision level n: 4^n micro-triangles.
 using Level = std::uint32_t;
 
-/// By 4-state code.  Source: VkOpacityMicromapSpecialIndexKHR's order; Succinct Opacity Micromaps, 3.1.
+/// The 4-state codes.  Source: VkOpacityMicromapSpecialIndexKHR's order; Succinct Opacity Micromaps, 3.1.
 enum class State : std::uint8_t {
   T = 0,   ///< transparent
   O = 1,   ///< opaque
-  UT = 2,  ///< unknown, transparent where nobody asks
-  UO = 3,  ///< unknown, opaque where nobody asks
+  UT = 2,  ///< unknown; transparent under force-2-state
+  UO = 3,  ///< unknown; opaque under force-2-state
 };
 
 /// Source: VkOpacityMicromapFormatKHR.
 enum class Format : std::uint16_t { two_state = 1, four_state = 2 };
 
-/// b, the bits of one state.
+/// The bits b of one state.
 constexpr unsigned bits(Format f) noexcept { return f == Format::two_state ? 1 : 2; }
 
-/// 4^n.  Domain: n in 0..31.
+/// The number of micro-triangles, 4^n.  Domain: n in 0..31.
 constexpr std::uint64_t micro_triangles(Level n) noexcept { return std::uint64_t{1} << (2 * n); }
 
-/// ceil(count b / 8).  Domain: count below 2^62.
+/// The bytes of a packed map, ceil(count b / 8).  Domain: count below 2^62.
 constexpr std::uint64_t packed_bytes(std::uint64_t count, Format f) noexcept {
   return (count * bits(f) + 7) / 8;
 }
 
-/// Force-2-state: T and UT are ignored, O and UO are opaque: the low bit of the code.
+/// Force-2-state, the low bit of the code: T and UT become T, O and UO become O.
 constexpr State force2(State s) noexcept { return static_cast<State>(static_cast<unsigned>(s) & 1); }
 
-/// States to packed bytes.  Domain: codes 0..3, in 2-state 0..1, else std::invalid_argument.
+/// Packs states.  Domain: codes 0..3, in 2-state 0..1, else std::invalid_argument.
 void pack(std::span<const State> states, Format f, std::span<std::uint8_t> out);
 
-/// Packed bytes to out.size() states.
+/// Unpacks out.size() states.
 void unpack(std::span<const std::uint8_t> bytes, Format f, std::span<State> out);
 
 /// Force-2-state of a packed 4-state map, as a packed 2-state map: the even bits.
@@ -54,14 +54,14 @@ void force2(std::span<const std::uint8_t> four_state, std::uint64_t count, std::
 /// A packed 2-state map as a packed 4-state map.
 void widen(std::span<const std::uint8_t> two_state, std::uint64_t count, std::span<std::uint8_t> four_state);
 
-/// The one state of all, if there is one.  count = 0: none.
+/// The state of a uniform map; none if states differ or count = 0.
 std::optional<State> uniform(std::span<const std::uint8_t> bytes, Format f, std::uint64_t count);
 
-/// How many of each state, by code.
+/// The number of micro-triangles of each state, by code.
 using StateCounts = std::array<std::uint64_t, 4>;
 StateCounts count_states(std::span<const std::uint8_t> bytes, Format f, std::uint64_t count);
 
-/// How a lossy form changed a 4-state map: [was][is], by code.
+/// The changes of a 4-state map by a lossy form: count[was][is], by code.
 struct Substitutions {
   std::array<StateCounts, 4> count{};
 
@@ -79,7 +79,7 @@ Substitutions substitutions(std::span<const std::uint8_t> was, std::span<const s
 // Special indices
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// How an index buffer stores an index.  Vulkan and DirectX have the unsigned ones only, glTF all five.
+/// The encoding of an index buffer's indices.  Vulkan and DirectX have the unsigned ones only, glTF all five.
 enum class Encoding : std::uint8_t { u8, u16, u32, i16, i32 };
 
 constexpr unsigned width(Encoding e) noexcept {
@@ -87,25 +87,23 @@ constexpr unsigned width(Encoding e) noexcept {
 }
 constexpr bool is_signed(Encoding e) noexcept { return e == Encoding::i16 || e == Encoding::i32; }
 
-/// How many indices there are: 2^w - 4 for an unsigned encoding of w bits, 2^(w-1) for a signed one.
+/// The number of plain indices: 2^w - 4 for an unsigned encoding of w bits, 2^(w-1) for a signed one.
 constexpr std::uint64_t index_limit(Encoding e) noexcept {
   return is_signed(e) ? std::uint64_t{1} << (width(e) - 1) : (std::uint64_t{1} << width(e)) - 4;
 }
 
-/// The code of -1 T, -2 O, -3 UT, -4 UO: two's complement, which is NOT s, in the encoding's width.
+/// The code of a special index, -1 T, -2 O, -3 UT, -4 UO: two's complement, which is NOT s, in the encoding's width.
 constexpr std::uint32_t special_code(State s, Encoding e) noexcept {
   return ~static_cast<std::uint32_t>(s) & (0xffffffffu >> (32 - width(e)));
 }
 
-/// The state that a code stands for, if it is special.  Domain: every code; bits beyond the width are
-/// ignored.
+/// The state of a special code; none for other codes.  Domain: every code; bits beyond the width are ignored.
 constexpr std::optional<State> special_state(std::uint32_t code, Encoding e) noexcept {
   const std::uint32_t s = ~code & (0xffffffffu >> (32 - width(e)));
   return s < 4 ? std::optional(static_cast<State>(s)) : std::nullopt;
 }
 
-/// Whether a code is a plain index: neither special nor, in a signed encoding, below -4.  Domain: code <
-/// 2^width.
+/// Whether a code is a plain index: neither special nor, in a signed encoding, below -4.  Domain: code < 2^width.
 constexpr bool is_index(std::uint32_t code, Encoding e) noexcept { return code < index_limit(e); }
 
 }  // namespace mmverify::impl::micromap

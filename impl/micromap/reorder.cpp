@@ -6,7 +6,7 @@
 namespace mmverify::impl::micromap {
 namespace {
 
-/// One of the six orders: corner k of the new node is corner at[k] of the old.
+/// An order of corners: corner k of the new node is corner at[k] of the old.
 struct Order {
   std::array<std::uint8_t, 3> at{};
   constexpr bool operator==(const Order&) const = default;
@@ -21,11 +21,11 @@ constexpr std::uint8_t number_of(const Order& order) {
   return 6;
 }
 
-/// Corners of a node's children: 0, 1, 2 the node's own, 3 + k the middle of the edge across from corner k.
+/// The corners of a node's children: 0, 1, 2 are the node's own, 3 + k is the middle of the edge across from corner k.
 ///   {p0, p01, p02}, {p02, p12, p01}, {p01, p1, p12}, {p12, p02, p2}
 constexpr std::uint8_t children[4][3] = {{0, 5, 4}, {4, 3, 5}, {5, 1, 3}, {3, 4, 2}};
 
-/// For an order of corners and a new child: the old child in the same place, and the order of its corners.
+/// The old child in the place of a new child, for an order of corners, and the order of its corners.
 struct Step {
   std::uint8_t child, order;
 };
@@ -61,7 +61,7 @@ class Reorder {
  public:
   Reorder(const std::uint8_t* from, Format f, std::uint8_t* to) : from_(from), to_(to), b_(bits(f)) {}
 
-  /// 4^height states, from `was` on to `is` on.
+  /// Writes the 4^height states at `is` from those at `was`.
   void node(std::uint64_t was, std::uint64_t is, Level height, std::uint8_t order) {
     if (height == 0) {
       to_[is * b_ / 8] = static_cast<std::uint8_t>(to_[is * b_ / 8] | state(was) << (is * b_ % 8));

@@ -7,15 +7,14 @@
 
 namespace mmverify::impl::micromap {
 
-/// Vertex k of the one triangle is vertex order[k] of the other.
+/// An order of vertices: vertex k of one triangle is vertex order[k] of the other.
 using VertexOrder = std::array<std::uint8_t, 3>;
 
-/// What `map` says of a triangle, for the one whose vertex k is its vertex order[k]: the same piece of the
+/// Turns the map of a triangle into that of the triangle whose vertex k is its vertex order[k]: the same piece of the
 /// surface has the same state.  Bits after the last state are zero.  Time: linear.
-/// Domain: order a permutation of 0, 1, 2; level in 0..16; both spans packed_bytes(4^level, f) long and
-/// apart; else std::invalid_argument.
-/// Source: the curve's children and their corners, VK_KHR_opacity_micromap, "Reference Code"; see
-/// impl/index/index.hpp.
+/// Domain: order a permutation of 0, 1, 2; level in 0..16; both spans packed_bytes(4^level, f) long and apart; else
+/// std::invalid_argument.
+/// Source: the curve's children and their corners, VK_KHR_opacity_micromap, "Reference Code"; see impl/index/index.hpp.
 void reorder(std::span<const std::uint8_t> map, Level level, Format f, const VertexOrder& order,
              std::span<std::uint8_t> out);
 

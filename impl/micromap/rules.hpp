@@ -1,5 +1,5 @@
-// The rules of micromap arrays: which specifications have each, and what it says.  docs/MICROMAP.md adds
-// where they say so.
+// The rules of micromap arrays: each rule's words, and the specifications that have it.  docs/MICROMAP.md adds the
+// places.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace mmverify::impl::micromap {
 
-/// The specifications whose rules are told apart, as bits of a set.
+/// The specifications, as bits of a set.
 using Sets = std::uint8_t;
 inline constexpr Sets EXT = 1, KHR = 2, DXR = 4, glTF = 8, all_sets = 15;
 
@@ -61,7 +61,7 @@ struct RuleText {
   const char* says;
 };
 
-/// In the order of Rule.
+/// The texts of the rules, in the order of Rule.
 inline constexpr std::array<RuleText, rule_count> rules{{
     {"align.data_256", EXT, "the data's address is a multiple of 256"},
     {"align.records_256", EXT, "the records' address is a multiple of 256"},

@@ -17,14 +17,13 @@ constexpr std::uint64_t beyond = std::numeric_limits<std::uint64_t>::max();
 
 bool known(std::uint32_t format) { return format == 1 || format == 2; }
 
-// One beyond a region's last byte.  From level 30 on it is beyond every buffer, and its number does not
-// matter.
+// One byte beyond a region's last.  From level 30 on it is beyond every buffer, and its number does not matter.
 std::uint64_t region_end(const Record& r) {
   if (r.level > 29) return beyond;
   return r.offset + packed_bytes(micro_triangles(r.level), static_cast<Format>(r.format));
 }
 
-// How many elements of `size` bytes, `stride` apart, lie whole within `bytes`, of `count` that should.
+// The number of elements of `size` bytes, `stride` apart, that lie whole within `bytes`; `count` at most.
 std::uint64_t readable(std::uint64_t bytes, std::uint64_t size, std::uint64_t stride, std::uint64_t count) {
   if (bytes < size) return 0;
   return stride == 0 ? count : std::min(count, (bytes - size) / stride + 1);
@@ -42,7 +41,7 @@ struct LevelRules {
   Rule format, level, lossy, twelve, lossy_format;
 };
 
-/// What both halves need: the array's members of the input, and the list.
+/// The common part of both validators: the array's input, and the list of violations.
 class Part {
  protected:
   Part(const Input& array, std::size_t most) : of_(array), most_(most) {}
@@ -53,7 +52,7 @@ class Part {
     const Violation one{rule, place, where, found, other};
     const bool all = place == Place::array_count || place == Place::geometry_count;
     if (all || list.size() < most_) return list.push_back(one);
-    // Overlaps are not found in the order of the records.
+    // Overlaps are not found in the order of records.
     if (list.size() == most_ && more_[rule]++ == 0) std::sort(list.begin(), list.end());
     if (!list.empty() && one < list.back()) {
       list.insert(std::upper_bound(list.begin(), list.end(), one), one);
@@ -73,7 +72,7 @@ class Part {
       if (level > most.two_state_level) report(rules.level, place, where, level, most.two_state_level);
       if (of_.lossy) report(rules.lossy_format, place, where, format, 2);
     } else if (format == 2) {
-      // A lossy build has a limit of its own; EXT has no lossy builds.
+      // A lossy build has its own limit; EXT has no lossy builds.
       if (level > most.four_state_level && (!of_.lossy || any_of(EXT)))
         report(rules.level, place, where, level, most.four_state_level);
       if (level > most.lossy_four_state_level && of_.lossy)
@@ -83,7 +82,7 @@ class Part {
     }
   }
 
-  // Each difference between the counts and what there is.
+  // Reports each difference between the given counts and the actual ones.
   void compare(Rule rule, const Sums& said, const Sums& there) {
     Sums keys = said;
     keys.insert(there.begin(), there.end());
@@ -98,7 +97,7 @@ class Part {
     }
   }
 
-  // Rules in their order, and of each rule the violations in theirs.
+  // All violations: rules in their order, and the violations of each rule in theirs.
   Violations taken() {
     Violations all;
     for (std::vector<Violation>& of_rule : found_) {
@@ -121,7 +120,7 @@ class Part {
 constexpr LevelRules of_counts{Rule::counts_format, Rule::counts_level, Rule::counts_level_lossy,
                                Rule::counts_level_12, Rule::counts_lossy_format};
 
-/// What geometries ask of the array.
+/// The records of the array, and their histograms, for geometries.
 struct Kinds {
   std::vector<Record> records = {};
   bool all = false;  // every record could be read
@@ -179,10 +178,10 @@ class ArrayPart : Part {
     kinds.there = of_array.sums();
   }
 
-  // In the order of their first bytes, each record against the furthest end of those before it.
+  // Reports overlaps: records in the order of their first bytes, each against the furthest end before it.
   void overlap(const std::vector<Record>& records) {
     if (!any_of(text(Rule::record_overlap).sets)) return;
-    std::vector<std::uint64_t> order;  // offset, then number
+    std::vector<std::uint64_t> order;  // sorted by offset, then number
     order.reserve(records.size());
     for (std::size_t r = 0; r < records.size(); ++r)
       if (known(records[r].format)) order.push_back(r);
@@ -190,7 +189,7 @@ class ArrayPart : Part {
     const auto before = [&](std::uint64_t a, std::uint64_t b) {
       return std::pair(offset(a), a) < std::pair(offset(b), b);
     };
-    // Bakers write their records in order.
+    // Most bakers write their records in order.
     if (!std::is_sorted(order.begin(), order.end(), before)) std::sort(order.begin(), order.end(), before);
     std::uint64_t furthest = 0, by = 0;
     for (const std::uint64_t r : order) {
@@ -323,7 +322,7 @@ class GeometryPart : Part {
 
   const Kinds& kinds_;
   const Input& in_;
-  bool all_named_ = false;  // every record could be read, and every triangle names one, or a state
+  bool all_named_ = false;  // every record could be read, and every triangle names a record or a state
   Histogram of_geometry_;
 };
 

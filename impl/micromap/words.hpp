@@ -1,5 +1,4 @@
-// Packed states by the word: bits moved apart and together, and the loop over a packed map.  For impl's own
-// use.
+// Packed states by the word: bits moved apart and together, and the loop over a packed map.  Internal to impl.
 #pragma once
 
 #include <bit>
@@ -17,14 +16,14 @@ static_assert(std::endian::native == std::endian::little, "packed bytes are load
 
 inline constexpr std::uint64_t even_bits = 0x5555555555555555;
 
-/// The low `bits` bits.  Domain: bits in 0..64.
+/// A mask of the low `bits` bits.  Domain: bits in 0..64.
 constexpr std::uint64_t low(std::uint64_t bits) {
   return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
 }
 
 using impl::detail::gathered, impl::detail::spread;
 
-/// Bit i of 16 to bit 4i.
+/// Moves bit i of 16 to bit 4i.
 constexpr std::uint64_t bits_to_nibbles(std::uint64_t x) {
   x = (x | x << 24) & 0x000000ff000000ff;
   x = (x | x << 12) & 0x000f000f000f000f;
@@ -32,7 +31,7 @@ constexpr std::uint64_t bits_to_nibbles(std::uint64_t x) {
   return (x | x << 3) & 0x1111111111111111;
 }
 
-/// Bit 4i to bit i of 16.  Domain: other bits are zero.
+/// Moves bit 4i to bit i of 16.  Domain: other bits are zero.
 constexpr std::uint64_t nibbles_to_bits(std::uint64_t x) {
   x = (x | x >> 3) & 0x0303030303030303;
   x = (x | x >> 6) & 0x000f000f000f000f;
@@ -40,41 +39,41 @@ constexpr std::uint64_t nibbles_to_bits(std::uint64_t x) {
   return (x | x >> 24) & 0x000000000000ffff;
 }
 
-/// Two bits at 2i, i below 8, to the low bits of byte i.
+/// Moves the two bits at 2i, i below 8, to the low bits of byte i.
 constexpr std::uint64_t pairs_to_bytes(std::uint64_t x) {
   x = (x | x << 24) & 0x000000ff000000ff;
   x = (x | x << 12) & 0x000f000f000f000f;
   return (x | x << 6) & 0x0303030303030303;
 }
 
-/// The low two bits of byte i to bits 2i and 2i+1.  Domain: other bits are zero.
+/// Moves the low two bits of byte i to bits 2i and 2i+1.  Domain: other bits are zero.
 constexpr std::uint64_t bytes_to_pairs(std::uint64_t x) {
   x = (x | x >> 6) & 0x000f000f000f000f;
   x = (x | x >> 12) & 0x000000ff000000ff;
   return (x | x >> 24) & 0x000000000000ffff;
 }
 
-/// Bit i of 8 to the low bit of byte i: eight copies, of which byte i keeps bit i; adding 127 carries it
-/// to the top of its byte.
+/// Moves bit i of 8 to the low bit of byte i: of eight copies, byte i keeps bit i; adding 127 carries it to the top of
+/// its byte.
 constexpr std::uint64_t bits_to_bytes(std::uint64_t x) {
   const std::uint64_t kept = x * 0x0101010101010101 & 0x8040201008040201;
   return (kept + 0x7f7f7f7f7f7f7f7f) >> 7 & 0x0101010101010101;
 }
 
-/// The low bit of byte i to bit i.  Domain: other bits are zero, so that no two terms of the product meet.
+/// Moves the low bit of byte i to bit i.  Domain: other bits are zero, so that no two terms of the product meet.
 constexpr std::uint64_t bytes_to_bits(std::uint64_t x) { return x * 0x0102040810204080 >> 56; }
 
-/// A word of `bytes` bytes at most 8.
+/// Loads a word from at most 8 bytes.
 inline std::uint64_t load(const std::uint8_t* from, std::size_t bytes) {
   std::uint64_t word = 0;
   std::memcpy(&word, from, bytes);
   return word;
 }
 
-/// f(word) for each `in_step` bytes of a packed map of in_bits bits, giving `out_step` bytes each, out_bits
-/// in all; bits after the last are zero in what f gets and in what is stored.
-/// Domain: in has ceil(in_bits / 8) bytes or more, out exactly ceil(out_bits / 8); in_bits / in_step ==
-/// out_bits / out_step.
+/// Writes f(word), in `out_step` bytes, for each `in_step` bytes of a packed map of in_bits bits; out_bits in all.
+/// Bits after the last are zero in the words that f gets and in the written ones.
+/// Domain: in has ceil(in_bits / 8) bytes or more, out exactly ceil(out_bits / 8); in_bits / in_step == out_bits /
+/// out_step.
 template <std::size_t in_step, std::size_t out_step, class F>
 void each_word(std::span<const std::uint8_t> in, std::uint64_t in_bits, std::span<std::uint8_t> out,
                std::uint64_t out_bits, F f) {
@@ -93,7 +92,7 @@ void each_word(std::span<const std::uint8_t> in, std::uint64_t in_bits, std::spa
   std::memcpy(to, &word, static_cast<std::size_t>((out_left + 7) / 8));
 }
 
-/// f(word, mask of its valid bits) for each 8 bytes of a packed map; bits after the last are zero.
+/// Calls f(word, mask of its valid bits) for each 8 bytes of a packed map; bits after the last are zero.
 template <class F>
 void each_word(std::span<const std::uint8_t> in, std::uint64_t in_bits, F f) {
   std::uint64_t at = 0;

@@ -7,7 +7,7 @@
 namespace mmverify::impl::traverse {
 namespace {
 
-/// The operation is known where this is compiled: one loop each.
+/// The loop for one operation, which is known at compile time.
 template <Operation o>
 void blend_all(std::span<const std::uint32_t> payload, std::span<const std::uint32_t> value,
                std::span<std::uint32_t> out) {

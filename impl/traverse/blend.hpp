@@ -1,4 +1,4 @@
-// Fixed functions in traversal: values of hits blended into a ray's payload, four codes of 8 bits to a word.
+// Fixed functions in traversal: hits' values are blended into a ray's payload, four codes of 8 bits to a word.
 #pragma once
 
 #include <algorithm>
@@ -7,20 +7,21 @@
 
 namespace mmverify::impl::traverse {
 
-/// Which operation; codes mean x / 255.  max, min and add give one result for any order of hits; multiply, which rounds, and
-/// over do not.  max and min take a hit twice as once.  Source: Color and Attribute Micromaps, 4.3.
+/// The blend operation; code x means x / 255.  max, min and add give one result for any order of hits; multiply, which
+/// rounds, and over do not.  For max and min, a hit taken twice counts once.  Source: Color and Attribute Micromaps,
+/// 4.3.
 enum class Operation : std::uint8_t {
   max,
   min,
-  add,       ///< up to 255
+  add,       ///< clamped to 255
   multiply,  ///< to the nearest code
-  over,      ///< the value over the payload, alpha multiplied into the value; up to 255
+  over,      ///< the value over the payload, alpha premultiplied into the value; clamped to 255
 };
 
 /// The code nearest to x / 255, exactly, for x up to 255 * 255.
 constexpr std::uint32_t divided_by_255(std::uint32_t x) noexcept { return (x + 128 + ((x + 128) >> 8)) >> 8; }
 
-/// One code of the payload after a hit; alpha is the value's, and matters to `over` alone.  Domain: codes.
+/// One code of the payload after a hit; alpha is the value's, used by `over` alone.  Domain: codes.
 constexpr std::uint32_t blend(Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t alpha) noexcept {
   switch (o) {
     case Operation::max:
@@ -45,20 +46,20 @@ constexpr std::uint32_t blend(Operation o, std::uint32_t payload, std::uint32_t 
   return out;
 }
 
-/// The same of many: out[k] of payload[k] and value[k].
+/// Many payloads after a hit each: out[k] of payload[k] and value[k].
 /// Errors: spans of other sizes than out's are std::invalid_argument, and nothing is written.
 void blend(Operation o, std::span<const std::uint32_t> payload, std::span<const std::uint32_t> value,
            std::span<std::uint32_t> out);
 
-/// A hit on a ray: how far, and whether it is accepted or blends.
+/// A hit on a ray: its distance, and whether it is accepted or blends.
 struct Hit {
   float distance = 0;
   bool accepted = false;
   std::uint32_t value = 0;
 };
 
-/// The payload after all hits before the closest accepted one.  Blending waits for it: a blend behind it, met before it,
-/// would stay otherwise, and the result depend on the order of traversal.
+/// The payload after all hits before the closest accepted one.  Blending waits until that hit is known: else a hit
+/// behind it, met before it, would count, and the result would depend on the order of traversal.
 /// Domain: hits in any order.  Source: Color and Attribute Micromaps, 4.3; docs/TRAVERSE.md.
 std::uint32_t blended(Operation o, std::uint32_t payload, std::span<const Hit> hits) noexcept;
 

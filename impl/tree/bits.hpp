@@ -12,7 +12,7 @@ namespace mmverify::impl::tree::detail {
 static_assert(std::endian::native == std::endian::little,
               "words are loaded from and stored to bytes as they are");
 
-/// Up to 64 bits of a byte array whose end may fall inside the word: what is missing reads as zeros.
+/// Up to 64 bits of a byte array whose end may fall inside the word: missing bits read as zeros.
 inline std::uint64_t load_word(const std::uint8_t* bytes, std::size_t available) noexcept {
   std::uint64_t word = 0;
   if (available >= sizeof word) {
@@ -27,14 +27,14 @@ constexpr std::uint64_t low_bits(std::uint32_t count) noexcept {
   return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
-/// Of four flags, how many are set: what takes one instruction is a call where the target has none.
+/// The number of set flags among four.  A population count is a call on targets without the instruction.
 constexpr std::uint32_t ones_of_four(std::uint64_t flags) noexcept {
   return static_cast<std::uint32_t>(0x4332322132212110 >> (4 * flags)) & 15;
 }
 
 constexpr std::uint64_t bytes_for(std::uint64_t bits) noexcept { return (bits + 7) / 8; }
 
-/// Appends bits.  Eight bytes beyond the last bit must belong to the array: whole words are stored.
+/// Appends bits.  Whole words are stored, so eight bytes beyond the last bit must belong to the array.
 class BitWriter {
  public:
   explicit BitWriter(std::uint8_t* bytes, std::uint64_t first_bit = 0) noexcept
@@ -59,7 +59,7 @@ class BitWriter {
   std::uint64_t word_ = 0;
 };
 
-/// Reads bits in order; zeros beyond the end, so that only the caller's count of bits decides what is there.
+/// Reads bits in order, and zeros beyond the end: the caller counts the bits that exist.
 class BitReader {
  public:
   explicit BitReader(std::span<const std::uint8_t> bytes, std::uint64_t first_bit = 0) noexcept
@@ -79,8 +79,8 @@ class BitReader {
   std::uint64_t place_;
 };
 
-/// Sets a run of `bits` bits, a power of two that divides first_bit, to copies of a state.  Below eight bits
-/// the place must hold zeros.
+/// Sets a run of `bits` bits, a power of two that divides first_bit, to copies of a state.  Domain: below eight bits,
+/// the place has zeros.
 inline void fill_run(std::uint8_t* bytes, std::uint64_t first_bit, std::uint64_t bits,
                      std::uint64_t states) noexcept {
   std::uint8_t* to = bytes + first_bit / 8;
@@ -108,7 +108,7 @@ inline void fill_run(std::uint8_t* bytes, std::uint64_t first_bit, std::uint64_t
   }
 }
 
-/// A word full of one state of b bits, b = 1 or 2.
+/// A word filled with one state of b bits, b = 1 or 2.
 constexpr std::uint64_t repeated(std::uint64_t state, std::uint32_t b) noexcept {
   return state * (b == 1 ? ~std::uint64_t{0} : 0x5555555555555555);
 }

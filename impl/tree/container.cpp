@@ -32,7 +32,7 @@ constexpr std::uint32_t crc_over(std::uint32_t crc, std::span<const std::uint8_t
   return crc;
 }
 
-/// Domain: at least a header's bytes.
+/// The CRC of all bytes but its own four.  Domain: at least a header's bytes.
 std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
   return ~crc_over(crc_over(~std::uint32_t{0}, bytes.first(crc_at)), bytes.subspan(container_header));
 }
@@ -45,7 +45,7 @@ void set_word(std::vector<std::uint8_t>& bytes, std::size_t at, std::uint32_t wo
   std::memcpy(bytes.data() + at, &word, sizeof word);
 }
 
-/// Sizes in bytes.
+/// The sizes in bytes of a map and of its tree's two sequences.
 struct Sizes {
   std::uint64_t map, tree, data;
   bool flat() const { return tree + data >= map; }
@@ -65,13 +65,13 @@ std::string hex(std::uint32_t x) {
   return text;
 }
 
-/// The most internal nodes of a level: all above the micro-triangles.
+/// The greatest number of internal nodes of a level: all nodes above the micro-triangles.
 std::uint64_t most_internal(Level n) { return ((std::uint64_t{1} << (2 * n)) - 1) / 3; }
 
-/// What a refusal says: what was found, and what would do.
+/// The text of a refusal: the fault, and values that would do.
 using Complaint = std::pair<std::string, std::string>;
 
-/// The contents, or refuse(byte, complain), where complain() puts the Complaint into words.
+/// The contents, or refuse(byte, complain); complain() makes the Complaint.
 template <class Refuse>
 std::optional<Contents> read_or(std::span<const std::uint8_t> bytes, const Refuse& refuse) {
   if (bytes.size() < container_header)

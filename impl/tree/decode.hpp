@@ -1,4 +1,4 @@
-// Decoding with a reason where there is no map.  Internal to impl/tree.
+// Decoding that reports the fault of bad sequences.  Internal to impl/tree.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace mmverify::impl::tree::detail {
 
-/// Why two sequences are no tree, and where.
+/// The fault of two sequences that are no tree, and its place.
 struct Fault {
   enum class In : std::uint8_t { counts, tree, data } in;
-  std::uint64_t bit;  ///< of that sequence; 0 for the counts
+  std::uint64_t bit;  ///< bit of that sequence; 0 for the counts
   const char* found;
 };
 
-/// decode_stream, over sequences that lie anywhere.
+/// decode_stream() over sequences anywhere in memory.
 std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tree, std::uint64_t nodes,
                             std::span<const std::uint8_t> data, std::uint64_t leaves,
                             std::span<std::uint8_t> map);

@@ -34,7 +34,7 @@ Layout chosen(const Pyramid& pyramid, Level n, Format b) {
   const std::uint64_t internal = pyramid.internal();
   const std::uint64_t paper = 4 * internal + 1 + (3 * internal + 1) * static_cast<std::uint32_t>(b);
   const std::uint64_t budget = (paper + paper / 17) / 8 + Layout::nodes_at;
-  // Depth n has no internal nodes: m = n, but at level 0, only repeats depth n-1 at greater cost.
+  // Depth n has no internal nodes: m = n would only repeat depth n-1 at greater cost, but for level 0.
   const Level last = std::max<Level>(n, 1) - 1;
   std::optional<Layout> least;
   for (std::uint32_t steps = 0; steps <= last; ++steps) {
@@ -60,8 +60,8 @@ void for_each_one(std::span<const std::uint64_t> words, Each each) {
       each(64 * w + static_cast<std::uint64_t>(std::countr_zero(word)));
 }
 
-/// Of the first states of four siblings, those of the leaves among them, moved together: by bits a state - 1,
-/// which are internal, and the states.
+/// The states of the leaves among four siblings, moved together.  It is indexed by bits a state - 1, the flags of
+/// internal siblings, and the siblings' first states.
 constexpr auto leaf_states = [] {
   std::array<std::array<std::array<std::uint8_t, 256>, 16>, 2> table{};
   for (std::uint32_t b = 1; b <= 2; ++b)
@@ -78,7 +78,7 @@ constexpr auto leaf_states = [] {
   return table;
 }();
 
-/// The states below each internal node of depth m, as they lie in the map.  to: zeros.
+/// Copies the states below each internal node of depth m, in the map's order.  Domain: `to` has zeros.
 void put_blocks(std::span<const std::uint64_t> mixed, const std::uint8_t* map, std::uint64_t block_bits,
                 std::uint8_t* to) {
   const auto copy = [&](auto bytes) {
@@ -120,21 +120,21 @@ std::unique_ptr<std::uint8_t[]> encode_form(Level n, Format b, std::span<const s
   const Level k = layout.top / 2, m = n - layout.in_block / 2;
   const std::uint64_t size = layout.size();
 
-  // A writer stores whole words beyond its last bit.
+  // Writers store whole words beyond their last bit.
   std::vector<std::uint64_t> words(size / 8 + 3);
   words[0] = layout.packed();
   auto* const work = reinterpret_cast<std::uint8_t*>(words.data());
   NodeWriter nodes(words.data() + 1, layout.per_word());
   BitWriter leaves(work, layout.leaves_at());
 
-  // The four children of a node of depth d-1.
+  // Writes the four children of a node of depth d-1.
   const auto put_children = [&](Level d, std::uint64_t parent) {
     const std::uint32_t children = pyramid.children(d, parent);
     nodes.put(children, 4);
     const auto kept_bits = (4 - ones_of_four(children)) * width;
     leaves.put(leaf_states[width - 1][children][pyramid.first_states(d, parent)], kept_bits);
   };
-  // Depth k whole, then below it the children of what is internal.
+  // Writes depth k whole, then below it the children of internal nodes.
   if (k == 0) {
     nodes.put(pyramid.mixed(0)[0] & 1, 1);
     if (layout.parents + layout.blocks == 0) leaves.put(pyramid.first_state(0, 0), width);

@@ -11,18 +11,19 @@
 namespace mmverify::impl::tree::detail {
 namespace {
 
-// Most of a tree is at its last depth, and no processor foresees which of its nodes are leaves: no branch
-// asks.  Each call writes the four children of one node of the depth before.
+// Most of a tree is at its last depth, and branches on which of its nodes are leaves would be mispredicted: there are
+// none.  Each call writes the four children of one node of the depth before.
 
-/// Before the last: a run of bytes for each node, written for internal ones, too, as what is below will be.
+/// Depths before the last: a run of bytes for each node, also for internal ones, whose runs are overwritten later.
 template <std::uint32_t width>
 struct MiddleDepth {
   NodeReader& nodes;
   BitReader& leaves;
   std::uint8_t* map;
-  std::uint64_t run;  ///< bytes, at least 2
+  std::uint64_t run;  ///< bytes of a run, at least 2
 
-  /// Writes which children are internal, and more; returns how many.  internal: room for four.
+  /// Writes the children, and the numbers of the internal ones to `internal`, which needs room for four; returns their
+  /// count.
   std::size_t operator()(std::uint32_t parent, std::uint32_t* internal) const {
     const std::uint64_t flags = nodes.take(4);
     std::uint64_t one_each = leaves.peek();
@@ -49,12 +50,12 @@ struct MiddleDepth {
   }
 };
 
-/// Blocks of a word of 16, 32 or 64 bits.
+/// The last depth with blocks of 16, 32 or 64 bits, a Word each.
 template <class Word, std::uint32_t width>
 struct LastDepth {
   NodeReader& nodes;
   BitReader& leaves;
-  const std::uint8_t *block, *end;  ///< end of the form's memory
+  const std::uint8_t *block, *end;  ///< end: of the form's memory
   std::uint8_t* map;
 
   void operator()(std::uint64_t parent) {
@@ -63,7 +64,7 @@ struct LastDepth {
     std::uint8_t* const to = map + parent * 4 * sizeof(Word);
     for (std::uint32_t c = 0; c < 4; ++c) {
       const std::uint64_t internal = flags >> c & 1, mask = 0 - internal;
-      // Behind the last block it does not matter what is read, but the memory may end.
+      // Behind the last block any bytes may be read, but the memory may end.
       Word states;
       std::memcpy(&states, std::min(block, end - sizeof states), sizeof states);
       const std::uint64_t leaf = repeated(one_each & low_bits(width), width);
@@ -76,7 +77,7 @@ struct LastDepth {
   }
 };
 
-/// Blocks of 4 or 8 bits.
+/// The last depth with blocks of 4 or 8 bits.
 template <std::uint32_t width>
 struct SmallBlocks {
   NodeReader& nodes;
@@ -102,7 +103,7 @@ struct SmallBlocks {
   }
 };
 
-/// The map of a form.
+/// Writes the map of a form.
 template <std::uint32_t width>
 void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std::span<std::uint8_t> map) {
   const Level n = layout.level(), k = layout.top / 2, m = n - layout.in_block / 2;
@@ -112,7 +113,7 @@ void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std:
                       block_bits = (std::uint64_t{1} << layout.in_block) * width;
   const std::uint8_t* const blocks = all.data() + layout.blocks_at();
 
-  // Internal nodes of one depth, as numbers at that depth, with room for three that are none.
+  // The internal nodes of one depth, by their numbers at that depth, with room for three more.
   std::vector<std::uint32_t> internal(layout.parents + layout.blocks + 4), parents;
   std::size_t count = 0;
   Level d = k;
@@ -128,10 +129,10 @@ void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std:
           low_bits(static_cast<std::uint32_t>(std::min<std::uint64_t>(all_bits, 8))));
       return;
     }
-    count = 1;  // internal[0], the root
+    count = 1;  // internal[0] is the root
     d = 1;
   } else {
-    // All of depth k has parents.
+    // All nodes of depth k have parents.
     count = layout.first_children() / 4;
     internal.resize(std::max(internal.size(), count));
     std::iota(internal.begin(), internal.begin() + static_cast<std::ptrdiff_t>(count), 0u);

@@ -15,9 +15,9 @@
 #include <immintrin.h>
 #endif
 
-// Where every node of one depth is there, they lie in the order of the map, and eight of them become their
-// states at once: bits are dealt out to the places that a mask names.  Processors with AVX-512 do that in one
-// instruction; some of those with AVX2 alone have it in microcode.
+// If all nodes are of one depth, they lie in the order of the map, and eight of them become their states at once: bits
+// are deposited at the places of a mask.  AVX-512 processors have one instruction for that, some with AVX2 alone
+// microcode.
 HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::tree::detail {
 namespace HWY_NAMESPACE {
@@ -44,7 +44,7 @@ HWY_INLINE void expand(const Layout& layout, std::span<const std::uint8_t> all, 
 }
 
 bool expand_flat(const Layout& layout, std::span<const std::uint8_t> all, std::uint8_t* map) {
-  // Whole groups of eight nodes, and blocks of a byte at most.
+  // The form must have groups of eight nodes, and blocks of a byte at most.
   if (layout.steps() != 0 || layout.nodes() < 16 || layout.in_block != 2) return false;
   if (layout.b == 1)
     expand<1>(layout, all, map);

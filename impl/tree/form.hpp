@@ -10,14 +10,14 @@
 
 namespace mmverify::impl::tree::detail {
 
-/// The memory of a map's form, as Tree::encode says; depths: those, or whatever suits the map.
+/// The memory of a map's form, as Tree::encode; with `depths` if given, else with those that suit the map.
 std::unique_ptr<std::uint8_t[]> encode_form(Level n, Format b, std::span<const std::uint8_t> map,
                                             std::optional<Tree::Depths> depths);
 
-/// The map of a form.  Domain: a map of the level's size.
+/// Writes the map of a form.  Domain: a map of the level's size.
 void decode_form(const std::uint8_t* memory, std::span<std::uint8_t> map);
 
-/// The same where a faster way knows the form; else nothing, and false.
+/// Writes the map if a faster way exists for this form; else writes nothing and returns false.
 struct Layout;
 bool decode_without_steps(const Layout& layout, std::span<const std::uint8_t> all, std::uint8_t* map);
 

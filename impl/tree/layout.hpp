@@ -1,4 +1,4 @@
-// Where the parts of a Tree lie in its memory.  Internal to impl/tree.
+// The layout of a Tree's memory.  Internal to impl/tree.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@ namespace mmverify::impl::tree::detail {
 
 /// The header, unpacked.  Nodes, blocks and leaves follow it, each but the last in whole bytes.
 struct Layout {
-  std::uint32_t b;           ///< bits a state
-  std::uint32_t count_size;  ///< counts of 8, 16 or 24 bits: 0, 1 or 2
+  std::uint32_t b;           ///< bits of a state
+  std::uint32_t count_size;  ///< size of counts: 0, 1 or 2 for 8, 16 or 24 bits
   std::uint32_t top;         ///< 2k
   std::uint32_t below_top;   ///< 2(n-k)
   std::uint32_t in_block;    ///< 2(n-m)
   std::uint64_t parents;     ///< ones of depths k..m-1: each has four children among the nodes
   std::uint64_t blocks;      ///< ones of depth m
 
-  // At most (4^11 - 1) / 3 parents and 4^11 blocks.
+  // The greatest numbers are (4^11 - 1) / 3 parents and 4^11 blocks.
   static constexpr std::uint32_t parents_bits = 21, parents_at = 15,
                                  pack_blocks_at = parents_at + parents_bits;
 
-  // The even numbers are stored in halves, a place higher than they are read, so that reading doubles them.
+  // The even numbers are stored halved, one place higher than they are read, so that reading doubles them.
   constexpr std::uint64_t packed() const noexcept {
     return (b - 1) | std::uint64_t{count_size} << 1 | std::uint64_t{top} << 2 |
            std::uint64_t{below_top} << 6 | std::uint64_t{in_block} << 10 | parents << parents_at |
@@ -40,7 +40,7 @@ struct Layout {
             .blocks = header >> pack_blocks_at};
   }
 
-  /// That of a form's memory.
+  /// The layout of a form in memory.
   static Layout of(const std::uint8_t* memory) noexcept {
     std::uint64_t header;
     std::memcpy(&header, memory, sizeof header);
@@ -53,7 +53,7 @@ struct Layout {
   constexpr std::uint64_t nodes() const noexcept { return first_children() + 4 * parents; }
   constexpr std::uint64_t leaves() const noexcept { return nodes() - parents - blocks; }
 
-  /// Nodes a word; the count is above them.
+  /// Nodes of a word; the count is above them.
   constexpr std::uint32_t per_word() const noexcept { return 56 - 8 * count_size; }
   /// The word of node p is p * reciprocal() >> reciprocal_shift: exact for p < 2^30, as the product is less
   /// than 48 p beyond 2^36 p / per_word().
@@ -67,10 +67,10 @@ struct Layout {
   }
   constexpr std::uint64_t words() const noexcept { return (nodes() + per_word() - 1) / per_word(); }
 
-  // Bytes from the start of the memory.
+  // Places in bytes from the start of the memory.
   static constexpr std::uint64_t nodes_at = 8;
   constexpr std::uint64_t blocks_at() const noexcept { return nodes_at + 8 * words(); }
-  /// Bits from there.
+  /// The place of the leaves in bits from there.
   constexpr std::uint64_t leaves_at() const noexcept { return 8 * blocks_at() + (blocks << in_block) * b; }
   constexpr std::uint64_t size() const noexcept { return bytes_for(leaves_at() + leaves() * b); }
 };

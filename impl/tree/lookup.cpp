@@ -25,16 +25,16 @@ HWY_INLINE std::uint64_t word_at(const std::uint8_t* bytes) {
   return word;
 }
 
-// a where the highest bit of `sign` is set, else b; in arithmetic, as compilers like to make it a branch.
+// a if the highest bit of `sign` is set, else b; in arithmetic, since compilers like to make it a branch.
 HWY_INLINE std::uint64_t either(std::uint64_t sign, std::uint64_t a, std::uint64_t b) {
   const auto mask = static_cast<std::uint64_t>(static_cast<std::int64_t>(sign) >> 63);
   return b ^ ((a ^ b) & mask);
 }
 
-// A node, looked at.
+// A node, read from its word.
 struct Look {
-  std::uint64_t upto;  // the nodes of its word up to it, moved to the top: its own is the sign
-  std::uint64_t ones;  // in all nodes up to it, itself included
+  std::uint64_t upto;  // the nodes of its word up to it, moved to the top: the sign bit is its own
+  std::uint64_t ones;  // ones in all nodes up to it, itself included
 };
 
 HWY_INLINE Look look(const std::uint8_t* memory, const Layout& l, std::uint64_t p) {
@@ -47,22 +47,22 @@ HWY_INLINE std::uint64_t first_node(const Layout& l, std::uint64_t index) {
   return (index & ((std::uint64_t{1} << (l.top + l.below_top)) - 1)) >> l.below_top;
 }
 
-// The child that the two bits of the index at `shift` name; a leaf steps onto itself.
+// The child named by the two bits of the index at `shift`; a leaf steps onto itself.
 HWY_INLINE std::uint64_t child(const Layout& l, const Look& at, std::uint64_t p, std::uint64_t index,
                                std::uint32_t shift) {
   return either(at.upto, l.first_children() + 4 * (at.ones - 1) + (index >> shift & 3), p);
 }
 
-// Where the state lies, in bits from the blocks on; p of depth m, or a leaf above it.
+// The place of the state, in bits from the blocks on.  Domain: p is of depth m, or a leaf above it.
 HWY_INLINE std::uint64_t place(const Layout& l, const Look& at, std::uint64_t p, std::uint64_t index) {
-  // Blocks are numbered by the ones after all that have children.
+  // Blocks are numbered by the ones after all nodes with children.
   const std::uint64_t inside = index & ((std::uint64_t{1} << l.in_block) - 1);
   const std::uint64_t in_block = ((at.ones - 1 - l.parents) << l.in_block) + inside;
   const std::uint64_t as_leaf = (l.blocks << l.in_block) + p - at.ones;
   return either(at.upto, in_block, as_leaf) << (l.b - 1);
 }
 
-// No branch depends on the tree but the number of steps.
+// The state at an index.  No branch depends on the tree but for the number of steps.
 HWY_INLINE std::uint8_t find(const std::uint8_t* memory, std::uint64_t index) {
   const Layout l = Layout::of(memory);
   std::uint64_t p = first_node(l, index);
@@ -90,13 +90,13 @@ using WordVec = hn::Vec<Words>;
 
 HWY_INLINE WordVec all(std::uint64_t x) { return hn::Set(Words(), x); }
 
-// The even number at `at` in its halves; see Layout::packed.
+// The even number stored halved at bit `at`; see Layout::packed.
 template <int at>
 HWY_INLINE WordVec even(WordVec header) {
   return hn::And(hn::ShiftRight<at>(header), all(30));
 }
 
-// What a lookup needs of Layout, a tree a lane.
+// The members of Layout that a lookup reads, a tree a lane.
 struct Layouts {
   WordVec header;
 
@@ -121,7 +121,7 @@ struct Layouts {
   }
 };
 
-// Eight bytes at each address.  Offsets are counted from an object that exists.
+// Loads eight bytes at each address; offsets count from an object that exists.
 HWY_INLINE WordVec load_each(const std::uint8_t* base, WordVec address) {
   const auto from = all(reinterpret_cast<std::uintptr_t>(base));
   return hn::GatherOffset(Words(), reinterpret_cast<const std::uint64_t*>(base),
@@ -135,13 +135,13 @@ HWY_INLINE void prefetch_each(WordVec address) {
     hwy::Prefetch(reinterpret_cast<const std::uint8_t*>(each[lane]));
 }
 
-// So many lookups go down together, a step of all before the next of any: what a step reads was asked of the
-// caches a pass before, and the misses of a group overlap.
+// The number of lookups that go down together, each step for all of them before the next step.  A step reads what was
+// prefetched in the pass before, so that the misses of a group overlap.
 constexpr std::size_t group = 128;
 
 class Group {
  public:
-  // memory_of(k), index[k] for k < count, count in 1..group; state[k] receives the answer.
+  // Looks up index[k] in memory_of(k) for k < count, count in 1..group, and writes state[k].
   template <class MemoryOf>
   void find(const std::uint32_t* index, std::uint8_t* state, std::size_t count, MemoryOf memory_of) {
     for (std::size_t k = 0; k < count; ++k) {
@@ -151,7 +151,7 @@ class Group {
       index_[k] = index[k];
     }
     base_ = memory_of(0);
-    // Whole vectors.
+    // The size is rounded up to whole vectors.
     const std::size_t lanes = hn::Lanes(Words());
     size_ = (count + lanes - 1) / lanes * lanes;
     for (std::size_t k = count; k < size_; ++k) {
@@ -179,7 +179,7 @@ class Group {
     return hn::Add(hn::Load(Words(), memory_ + k),
                    hn::Add(all(Layout::nodes_at), hn::ShiftLeft<3>(l.word_of(p))));
   }
-  // As the scalar look: the nodes of its word up to p, and the ones up to it.
+  // Reads nodes as the scalar look(): the nodes of p's word up to p, and the ones up to p.
   HWY_INLINE void look(const Layouts& l, WordVec p, std::size_t k, WordVec& upto, WordVec& ones) const {
     const auto w = l.word_of(p), per = l.per_word();
     const auto word = load_each(
@@ -190,7 +190,7 @@ class Group {
     ones = hn::Add(hn::Shr(word, per), hn::PopulationCount(upto));
   }
 
-  // The first nodes; returns the most steps that a lookup of the group takes.
+  // Finds the first nodes; returns the greatest number of steps in the group.
   std::uint64_t begin() {
     auto steps = hn::Zero(Words());
     for (std::size_t k = 0; k < size_; k += hn::Lanes(Words())) {
@@ -206,7 +206,7 @@ class Group {
     return hn::GetLane(hn::MaxOfLanes(Words(), steps));
   }
 
-  // One step of all that have `left` steps to go: those with the longest way go first.
+  // Takes one step of all lookups with at least `left` steps to go: the longest ways go first.
   void step(std::uint64_t left) {
     for (std::size_t k = 0; k < size_; k += hn::Lanes(Words())) {
       const Layouts l{hn::Load(Words(), header_ + k)};
@@ -225,7 +225,7 @@ class Group {
     }
   }
 
-  // From the last nodes to the eight bytes that end with the state's, how far to shift them, and its mask.
+  // Finds, from the last nodes, the eight bytes that end with the state's byte, the shift, and the mask.
   void look_for_states() {
     for (std::size_t k = 0; k < size_; k += hn::Lanes(Words())) {
       const Layouts l{hn::Load(Words(), header_ + k)};

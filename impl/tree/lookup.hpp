@@ -8,7 +8,7 @@
 
 namespace mmverify::impl::tree::detail {
 
-/// The state at an index, whose low bits count.  memory: of a Tree.
+/// The state at an index, whose low bits count.  Domain: memory of a Tree.
 std::uint8_t find(const std::uint8_t* memory, std::uint64_t index) noexcept;
 
 /// state[k] = find(memory, index[k]) for k < count.

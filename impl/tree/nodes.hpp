@@ -10,7 +10,7 @@
 
 namespace mmverify::impl::tree::detail {
 
-/// Nodes into words that keep room for a count above them.
+/// Writes nodes into words that have room for a count above the nodes.
 class NodeWriter {
  public:
   NodeWriter(std::uint64_t* words, std::uint32_t per_word)
@@ -31,7 +31,7 @@ class NodeWriter {
     }
   }
 
-  /// After the last node: how many ones come before each word.
+  /// Writes the counts after the last node: the number of ones before each word.
   void count() {
     std::uint64_t ones = 0;
     for (std::uint64_t* word = first_; word <= word_; ++word) {
@@ -46,12 +46,12 @@ class NodeWriter {
   std::uint32_t per_word_, used_ = 0;
 };
 
-/// Those nodes again.
+/// Reads the nodes of a NodeWriter.
 class NodeReader {
  public:
   NodeReader(const std::uint8_t* bytes, std::uint32_t per_word) : bytes_(bytes), per_word_(per_word) {}
 
-  /// Domain: count in 1..16 and no more than there are.
+  /// Takes the next `count` nodes.  Domain: count in 1..16, no more than there are.
   std::uint64_t take(std::uint32_t count) {
     if (left_ == 0) load();
     const std::uint32_t here = std::min(count, left_);

@@ -12,7 +12,7 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-// Compiled once for each target: with no branch, the compiler makes vectors of the loops.
+// Compiled once for each target: without branches, the compiler vectorises the loops.
 HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::tree::detail {
 namespace HWY_NAMESPACE {
@@ -21,18 +21,18 @@ using micromap::detail::bytes_to_pairs, micromap::detail::nibbles_to_bits;
 
 constexpr std::uint64_t nibbles = 0x1111111111111111, pairs = 0x0303030303030303, bytes = 0x0101010101010101;
 
-/// One bit a nibble: any of the four flags.
+/// One bit a nibble: whether any of its four flags is set.
 constexpr std::uint64_t any_of_four(std::uint64_t flags) noexcept {
   flags |= flags >> 1;
   return nibbles_to_bits((flags | flags >> 2) & nibbles);
 }
 
-/// What a word of children makes of their parents: 16 bits of states; of flags, 16 of 2-state, 8 of 4-state.
+/// The parents of a word of children: 16 bits of states, and 16 flags in 2-state, 8 in 4-state.
 struct Parents {
   std::uint64_t mixed, states;
 };
 
-/// A parent is internal where a child is or where the first states of its children differ.
+/// A parent is internal if a child is, or if the first states of its children differ.
 constexpr Parents parents_two(std::uint64_t mixed, std::uint64_t states) noexcept {
   const std::uint64_t first = states & nibbles;
   return {any_of_four(mixed | (states ^ first * 15)), nibbles_to_bits(first)};
@@ -44,14 +44,14 @@ constexpr Parents parents_four(std::uint64_t mixed, std::uint64_t states) noexce
   differ |= differ >> 4;
   differ |= differ >> 2;
   differ = (differ | differ >> 1) & bytes;
-  // A flag a byte, to the even nibbles' lowest bits, is eight flags.
+  // The flags, one a byte, move together to eight bits.
   differ = (differ | differ >> 7) & 0x0003000300030003;
   differ = (differ | differ >> 14) & 0x0000000f0000000f;
   differ = (differ | differ >> 28) & 0xff;
   return {any_of_four(mixed) | differ, bytes_to_pairs(first)};
 }
 
-// Words of children to their parents' states and flags.  mixed_below: none where the children are of the map.
+// Writes the parents' states and flags of words of children.  mixed_below: nullptr if the children are the map's.
 template <class Flags, class Mixed, Parents parents(std::uint64_t, std::uint64_t)>
 HWY_INLINE void each_word(const std::uint8_t* HWY_RESTRICT below,
                           const std::uint8_t* HWY_RESTRICT mixed_below, std::size_t count,
@@ -133,7 +133,7 @@ Pyramid::Pyramid(Level n, Format b, std::span<const std::uint8_t> map) : b_(stat
     words_[states_at_[0]] = map[0] & low_bits(b_);
     return;
   }
-  // Depth n is the map itself, and no node of it is internal.
+  // Depth n is the map itself, and has no internal node.
   const std::uint64_t states_bits = nodes_at(n) * b_;
   const auto bytes_of = [this](std::size_t word) {
     return reinterpret_cast<std::uint8_t*>(words_.data() + word);

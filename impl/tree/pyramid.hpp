@@ -1,5 +1,5 @@
-// Algorithm 1, word by word: which nodes of the perfect tree are internal, and what each one's first state
-// is.  Internal to impl/tree.
+// Algorithm 1, word by word: the internal nodes of the perfect tree, and the first state of each node.  Internal to
+// impl/tree.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ namespace mmverify::impl::tree::detail {
 /// Throws std::invalid_argument unless the level is at most max_level and the map has its size.
 void require_map(Level n, Format b, std::size_t map_bytes);
 
-/// For every depth d in 0..n-1 (0 alone where n = 0), one bit a node: internal or not; and its first state.
-/// Domain: level and size as require_map wants them.  Reads the map once; padding bits are ignored.
+/// The perfect tree of a map: for every depth d in 0..n-1 (0 alone if n = 0) one bit a node, internal or not, and its
+/// first state.  Domain: level and size as for require_map().  Reads the map once; padding bits are ignored.
 class Pyramid {
  public:
   Pyramid(Level n, Format b, std::span<const std::uint8_t> map);
 
-  /// Flags of depth d, bit k for node k, 64 a word; bits beyond 4^d are zero.
+  /// The flags of depth d, bit k for node k, 64 a word; bits beyond 4^d are zero.
   std::span<const std::uint64_t> mixed(Level d) const noexcept {
     return {words_.data() + mixed_at_[d], mixed_at_[d + 1] - mixed_at_[d]};
   }
@@ -40,7 +40,7 @@ class Pyramid {
     const std::uint64_t bit = k * b_;
     return static_cast<std::uint32_t>(words_[states_at_[d] + bit / 64] >> (bit % 64)) & (b_ == 1 ? 1 : 3);
   }
-  /// How many nodes of depth d are internal; 0 at depth n.
+  /// The number of internal nodes of depth d; 0 at depth n.
   std::uint64_t internal(Level d) const noexcept { return internal_[d]; }
   std::uint64_t internal() const noexcept {
     std::uint64_t sum = 0;

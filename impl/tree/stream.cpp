@@ -12,7 +12,7 @@ namespace {
 
 using namespace detail;
 
-/// Algorithm 2 over the pyramid.
+/// Algorithm 2 on the pyramid.
 struct Encoder {
   const Pyramid& pyramid;
   std::span<const std::uint8_t> map;
@@ -25,8 +25,8 @@ struct Encoder {
     return b == 1 ? map[k / 2] >> (4 * (k % 2)) & 15u : map[k];
   }
 
-  /// Node k of depth n-2, which is internal: all that is below it at once, as most of a tree is there and no
-  /// processor foresees which children are internal.
+  /// Writes node k of depth n-2, which is internal, with all below it at once: most of a tree is there, and branches on
+  /// which children are internal would be mispredicted.
   void sixteen(std::uint64_t k, std::uint32_t children) noexcept {
     std::uint64_t states = 0, nodes = 1, out = 0;
     std::memcpy(&states, map.data() + k * 2 * b, 2 * b);
@@ -42,7 +42,7 @@ struct Encoder {
     data.put(out, out_bits);
   }
 
-  /// Node k of depth d, which is internal.
+  /// Writes node k of depth d, which is internal, and all below it.
   void internal(Level d, std::uint64_t k) noexcept {
     if (d + 1 == n) {
       tree.put(0b00001, 5);
@@ -67,7 +67,7 @@ struct Encoder {
   }
 };
 
-/// No bit at or above `bits` is set in the last byte.
+/// Whether no bit at or above `bits` is set in the last byte.
 bool clear_beyond(std::span<const std::uint8_t> bytes, std::uint64_t bits) noexcept {
   return bits % 8 == 0 || bytes.back() >> (bits % 8) == 0;
 }
@@ -82,7 +82,7 @@ Stream encode_stream(Level n, Format b, std::span<const std::uint8_t> map) {
   s.nodes = 4 * internal + 1;
   s.leaves = 3 * internal + 1;
   const std::uint64_t data_bits = s.leaves * bits(b);
-  // The writers store whole words.
+  // Writers store whole words beyond the last bit.
   s.tree.resize(bytes_for(s.nodes) + 8);
   s.data.resize(bytes_for(data_bits) + 8);
   Encoder encoder{pyramid, map, n, bits(b), BitWriter(s.tree.data()), BitWriter(s.data.data())};
@@ -98,9 +98,9 @@ Stream encode_stream(Level n, Format b, std::span<const std::uint8_t> map) {
 namespace detail {
 namespace {
 
-/// All below an internal node of depth n-2, from the next bits of the two sequences.
+/// The sixteen states below an internal node of depth n-2, from the next bits of the two sequences.
 struct Sixteen {
-  bool good;  ///< else it is not said what is wrong
+  bool good;  ///< false: the bits are no such subtree; the fault is not reported
   std::uint32_t tree_bits, data_bits;
   std::uint64_t states;
 };
@@ -148,13 +148,13 @@ std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tre
 
   std::memset(map.data(), 0, map.size());
   BitReader tree(tree_bytes), data(data_bytes);
-  // Of the siblings at each depth: how many are still to come, and the one state of all so far.
+  // The siblings at each depth: how many are still to come, and their state so far, none or mixed.
   std::array<std::uint32_t, max_level + 2> left{}, state{};
   constexpr std::uint32_t none = 4, mixed = 5;
   left[0] = 1;
   state[0] = none;
   Level d = 0;
-  std::uint64_t bit = 0;  // of the map
+  std::uint64_t bit = 0;  // next bit of the map
   const std::uint64_t all_bits = (std::uint64_t{1} << (2 * n)) * bits(b);
   while (true) {
     const std::uint64_t place = tree.place();
@@ -166,7 +166,7 @@ std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tre
       state[d] = mixed;
       if (d + 2 == n && nodes - place > 20) {
         const Sixteen below = sixteen(tree.peek(), data.peek(), bits(b));
-        // What is wrong, and where, the way of single bits finds out.
+        // The single-bit path below finds the fault, and its place.
         if (below.good) {
           tree.skip(below.tree_bits);
           data.skip(below.data_bits);
@@ -218,7 +218,7 @@ std::uint8_t lookup_stream(Level n, Format b, const Stream& s, std::uint64_t ind
     if (!internal(t)) break;
     if (depth == n) return 0;
     ++t;
-    // bitscan: passes the subtrees of the children before the one on the way.
+    // bitscan: passes the subtrees of the children before the one named by the index.
     std::uint64_t child = index >> (2 * (n - depth - 1)) & 3;
     while (t < length && child > 0) {
       if (internal(t))

@@ -1,15 +1,14 @@
 // The tree for random access: the map's tree in level order with rank, cut at both ends.
 //
 // The form.  Two numbers are chosen for each map: a top depth k and a block depth m, k <= m <= n.
-//   nodes   one bit each, 1 internal, 0 leaf: all 4^k nodes of depth k in order (those below a shallower
-//           leaf are leaves), then the four children of each internal node of depths k..m-1, in level order
-//           in words of 64 bits, each with room above its 56, 48 or 40 nodes for how many ones come before
-//           it, so that one load brings both
-//   blocks  the 4^(n-m) states below each internal node of depth m, as they lie in the map
+//   nodes   one bit each, 1 internal, 0 leaf: all 4^k nodes of depth k in order (nodes below a shallower leaf are
+//           leaves), then the four children of each internal node of depths k..m-1, in level order.  A word of 64
+//           bits has 56, 48 or 40 nodes, and above them the number of ones in all words before: one load brings both
+//   blocks  the 4^(n-m) states below each internal node of depth m, in the map's order
 //   leaves  the state of each 0 in nodes
-// The children of the r-th one in nodes (from 0) start at 4^k + 4r; a 0 at p is leaf number p - (ones before
-// p).  So a step down is a load, a shift and a population count, and a lookup takes m-k of them.  The form
-// of a map is one block of memory; the handle to it is not counted, as it is none of any other form.
+// The children of the r-th one in nodes (from 0) start at 4^k + 4r; a 0 at p is leaf number p - (ones before p).  So a
+// step down is a load, a shift and a population count, and a lookup takes m-k steps.  The form of a map is one block of
+// memory; its size leaves out the handle to it, as the sizes of other forms do.
 #pragma once
 
 #include <cstdint>
@@ -21,21 +20,21 @@
 
 namespace mmverify::impl::tree {
 
-/// A map in a form that finds a state in one to four steps, near the size of the paper's sequences.
+/// A map in a form that finds a state in one to four steps, in about the size of the paper's sequences.
 class Tree {
  public:
-  /// The form of a map, with the fewest steps that fit 18/17 of the paper's stream (the bits of its two
-  /// sequences) and the header; of these the shallowest that takes at most 1/32 more than the smallest; the
-  /// smallest of all where none fits.  Equal maps give equal forms.
+  /// The form of a map, with the fewest steps that fit 18/17 of the paper's stream (the bits of its two sequences) and
+  /// the header.  Of these it is the shallowest that takes at most 1/32 more than the smallest.  If none fits, it is
+  /// the smallest of all.  Equal maps give equal forms.
   /// Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown.
   static Tree encode(Level n, Format b, std::span<const std::uint8_t> map);
 
-  /// Where a form's nodes begin and where its blocks do: k and m.
+  /// The depths k, where a form's nodes begin, and m, where its blocks do.
   struct Depths {
     Level top, block;
   };
 
-  /// The form with these depths, whatever memory it takes: for who wants to see each of them work.
+  /// The form with these depths, whatever memory it takes, for tests of each of them.
   /// Domain: as above, and top <= block < max(n, 1), or std::invalid_argument is thrown.
   static Tree encode(Level n, Format b, std::span<const std::uint8_t> map, Depths depths);
 
@@ -50,16 +49,15 @@ class Tree {
   /// Domain: every bit pattern, as there.
   std::uint8_t at(float u, float v) const noexcept;
 
-  /// The map again, padding bits zero.  Domain: a map of the level's size, or std::invalid_argument is
-  /// thrown.
+  /// Writes the map, padding bits zero.  Domain: a map of the level's size, or std::invalid_argument is thrown.
   void decode(std::span<std::uint8_t> map) const;
 
-  /// All memory of the form in bits, header and counts included; not this handle, a pointer.
+  /// The size of the form in bits, header and counts included, without this handle, a pointer.
   std::uint64_t bits() const noexcept;
   Level level() const noexcept;
   Format format() const noexcept;
 
-  /// What a lookup reads: the bytes of the form from header() on, for models of the cache.
+  /// The bytes that lookups read, from the header on, for models of the cache.
   const std::uint8_t* memory() const noexcept { return memory_.get(); }
 
  private:
@@ -68,7 +66,7 @@ class Tree {
   std::unique_ptr<std::uint8_t[]> memory_;  // a header of 64 bits, nodes with counts, blocks, leaves
 };
 
-/// state[k] = (*trees[which[k]])[index[k]]: lookups in many trees, in any order.
+/// Looks up states in many trees, in any order: state[k] = (*trees[which[k]])[index[k]].
 /// Domain: which, index and state of one length, and which[k] < trees.size(), or std::invalid_argument is
 /// thrown and nothing is written; index[k] < 4^level of its tree (its low bits count); no overlap.
 void lookup(std::span<const Tree* const> trees, std::span<const std::uint32_t> which,

@@ -3,7 +3,7 @@
 namespace mmverify::impl::vq {
 namespace {
 
-/// Vectors of side x side regions in a map of 8 side x 8 side.
+/// The number of discontinuous vectors, of side x side regions each, in a map of 8 side x 8 side.
 template <std::uint32_t side, class Map>
 std::uint32_t discontinuous(const Map& map) {
   std::uint32_t vectors = 0;

@@ -3,11 +3,11 @@
 namespace mmverify::impl::vq {
 namespace {
 
-/// 1 - u is exact in double for u >= 2^-29, as u ends 52 places below 1 or sooner; for smaller ones it is in
-/// the last region, however it rounds.
+/// The region along an axis.  1 - u is exact in double for u >= 2^-29, as u ends 52 places below 1 or sooner; a smaller
+/// u is in the last region, however it rounds.
 std::uint32_t along(Half half, float u, std::uint32_t side) noexcept {
   const double at = (half == Half::lower ? double{u} : 1.0 - double{u}) * side;
-  // NaN is neither: no conversion out of range.
+  // NaN takes neither branch: no conversion is out of range.
   return at >= side ? side - 1 : at > 0 ? static_cast<std::uint32_t>(at) : 0;
 }
 

@@ -7,7 +7,7 @@
 
 namespace mmverify::impl::vq::detail {
 
-/// Where a transform, by its row of table 1, takes region k = x + side y: turned first, then exchanged.
+/// The place to which a transform, a row of table 1, moves region k = x + side y: turned first, then exchanged.
 template <std::uint32_t side>
 constexpr std::uint32_t moved(std::uint32_t transform, std::uint32_t k) noexcept {
   std::uint32_t x = k % side, y = k / side;
@@ -31,9 +31,8 @@ inline constexpr auto sources = [] {
   return table;
 }();
 
-/// The state of a region by the index of its vector and two bits, 1 that it is C and 2 that the palette is
-/// {O, C}; the first three indices are states themselves.  A table, as which index comes no processor
-/// foresees.
+/// The state of a region by the index of its vector and two bits: 1 if it is C, 2 if the palette is {O, C}.  The first
+/// three indices are states themselves.  It is a table because branches on the index would be mispredicted.
 inline constexpr auto states_of = [] {
   std::array<std::array<std::uint8_t, 4>, 16> table{};
   for (std::uint8_t index = 0; index < 16; ++index)

@@ -1,6 +1,6 @@
-// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512, decoded at random or whole; encoded as
-// the paper does, VQ2 with the fewest substitutions that the format allows, VQ4 with few and a bound.  Axes,
-// codes and the order of the bits are those of spec/vq/block.hpp: x from the left, y from the bottom.
+// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512, decoded at random or whole.  The encoders are
+// those of the paper, for VQ2 one with the fewest substitutions that the format allows, for VQ4 one with few and a
+// bound.  Axes, codes and the order of the bits are those of spec/vq/block.hpp: x from the left, y from the bottom.
 //
 // Source: Compressed Opacity Maps, 4, 4.1 and 5.1, tables 1 and 2, figures 4 and 11.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace mmverify::impl::vq {
 
-/// Of one region: transparent, check the texture, opaque.
+/// The state of one region: transparent, check the texture, opaque.
 enum class State : std::uint8_t { T = 0, C = 1, O = 2 };
 
 using Map2 = std::array<State, 256>;   ///< region (x, y) at x + 16 y
@@ -18,17 +18,16 @@ using Map4 = std::array<State, 1024>;  ///< region (x, y) at x + 32 y
 using Block2 = std::array<std::uint8_t, 32>;
 using Block4 = std::array<std::uint8_t, 64>;
 
-/// The state of region (x, y) of a block; every block is one.  Domain: x and y below 16, or 32 of VQ4; their
-/// low four, or five, bits count.
+/// The state of region (x, y) of a block.  Domain: every block; x and y below 16, or 32 for VQ4 (low bits count).
 State region(const Block2& block, std::uint32_t x, std::uint32_t y) noexcept;
 State region(const Block4& block, std::uint32_t x, std::uint32_t y) noexcept;
 
-/// Which triangle of the pair: the lower has the corners (0,0), (1,0), (0,1) of the map's unit square, the
-/// upper (1,1), (0,1), (1,0), each in the order of the barycentrics w, u, v.
+/// The triangle of the pair: the lower has the corners (0,0), (1,0), (0,1) of the map's unit square, the upper (1,1),
+/// (0,1), (1,0), each in the order of the barycentrics w, u, v.
 enum class Half : std::uint8_t { lower, upper };
 
-/// The state that a hit with these barycentrics gets: that of the region of (u, v), in the upper triangle of
-/// (1-u, 1-v), times the regions a side, rounded down; exactly, and the far edges belong to the last region.
+/// The state of a hit with these barycentrics: that of the region of (u, v), or (1-u, 1-v) in the upper triangle, times
+/// the regions a side, rounded down.  Exact; the far edges belong to the last region.
 /// Domain: u, v >= 0 and u + v <= 1; beyond them, and for NaN, some region's.
 State state_at(const Block2& block, Half half, float u, float v) noexcept;
 State state_at(const Block4& block, Half half, float u, float v) noexcept;
@@ -37,56 +36,55 @@ State state_at(const Block4& block, Half half, float u, float v) noexcept;
 Map2 decode(const Block2& block) noexcept;
 Map4 decode(const Block4& block) noexcept;
 
-// Encoders.  All substitute C for some O and T, and nothing else: every other region is as it was.  Where O
-// lies beside T within one 2x2 of regions, a code holds the one or the other or neither.
+// The encoders.  All substitute C for some O and T, and nothing else: every other region stays the same.  If O and T
+// meet in an aligned 2x2 of regions, a code has the one or the other or neither.
 // Domain: every map of T, C and O.
 
-/// A block of VQ2, and what it lost.
+/// A block of VQ2, and its loss.
 struct Encoded2 {
   Block2 block;
   std::uint32_t substitutions;  ///< regions of O or T that became C
 };
 
-/// A block of VQ4, and what it lost.
+/// A block of VQ4, and its loss.
 struct Encoded4 {
   Block4 block;
   std::uint32_t substitutions;
 };
 
-/// Algorithms 1 and 2 as they are printed, over all 512 transforms.  What the print leaves open is said in
-/// impl/vq/two/paper.cpp and impl/vq/four/paper.cpp.
+/// Algorithms 1 and 2 as they are printed, over all 512 transforms.  impl/vq/two/paper.cpp and impl/vq/four/paper.cpp
+/// list the points that the print leaves open.
 Encoded2 encode_paper(const Map2& map);
 Encoded4 encode_paper(const Map4& map);
 
-/// Algorithm 1 read kindly: it sorts vectors by their sums of C, the highest first, and then takes the
-/// lowest; taken from the front, the frequent ones come first (of equal scores still the last of the sorted
-/// list).
+/// Algorithm 1 read kindly.  As printed it sorts vectors by their sums of C, the highest first, and then takes the
+/// lowest; here the highest, the frequent ones, are taken first (among equal scores still the last of the sorted list).
 Encoded2 encode_paper_highest_first(const Map2& map);
 
 /// Algorithm 2 read kindly: the partition that stays all C takes none of the 13 entries, as index 1 is all C.
 Encoded4 encode_paper_free_c(const Map4& map);
 
-/// The block with the fewest substitutions over all transforms and codebooks.  Exact: every choice of the
-/// three shared vectors is tried or cannot be better, by a bound on what two more can add.
+/// The block with the fewest substitutions over all transforms and codebooks.  Exact: every choice of the three shared
+/// vectors is tried, or cannot be better by a bound on the gain of two more.
 Encoded2 encode_optimal(const Map2& map);
 
-/// How long an encoder of VQ4 may look; more is never worse.
+/// The effort of an encoder of VQ4; more is never worse.
 enum class Effort : std::uint8_t { fast, balanced, thorough };
 
-/// None where the map fits, which every effort finds; else few substitutions, at most those of less effort.
+/// A block without substitutions if the map fits, whatever the effort; else with few, at most those of less effort.
 Encoded4 encode(const Map4& map, Effort effort = Effort::balanced);
 
-/// A block, and how far from the best it can be.
+/// A block, and a bound on the best one.
 struct Proved4 {
   Encoded4 encoded;
-  std::uint32_t least;  ///< substitutions that no block undercuts
+  std::uint32_t least;  ///< no block has fewer substitutions
 };
 
-/// More than thorough, with a bound for every choice of transforms; on continuous maps the two are most often
-/// equal, and the block then is the best there is.  A tenth of a second a map; of noise, a minute.
+/// A block of more than thorough effort, with a bound for every choice of transforms.  On continuous maps the two are
+/// most often equal, and the block then is the best possible.  A tenth of a second a map; for noise, a minute.
 Proved4 encode_proved(const Map4& map);
 
-/// Vectors with O and T in one 2x2 window, overlapping ones included: continuous alpha has none.
+/// The number of vectors with O and T in one 2x2 window, overlapping ones included: continuous alpha has none.
 std::uint32_t discontinuous_vectors(const Map2& map);
 std::uint32_t discontinuous_vectors(const Map4& map);
 

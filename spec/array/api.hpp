@@ -1,4 +1,4 @@
-// What each API asks of an array of micromaps: counts, strides, alignments, widths.
+// Six APIs and their requirements on arrays of micromaps: counts, strides, alignments, widths.
 #pragma once
 
 #include <array>
@@ -11,23 +11,23 @@ namespace mmverify::spec::array {
 
 using micromap::Encoding;
 
-/// Who builds from the array.
+/// The API that builds from the array.
 enum class Api : std::uint8_t { EXT, KHR, DXR, OptiX, NVAPI, glTF };
 inline constexpr std::size_t api_count = 6;
 inline constexpr Api apis[api_count] = {Api::EXT, Api::KHR, Api::DXR, Api::OptiX, Api::NVAPI, Api::glTF};
 
-/// What an API asks of arrays: docs/ARRAYS.md, "What each API asks".
+/// The requirements of an API on arrays: docs/ARRAYS.md, "What each API asks".
 struct Requirements {
   const char* name;
-  bool counts_geometry;  ///< a build of a geometry takes the histogram of its references, too
+  bool counts_geometry;  ///< the build of a geometry takes the histogram of its references, too
   std::uint32_t data_alignment, records_alignment;
-  std::uint32_t stride_multiple;  ///< of the records' stride, which is 8 at least
-  bool bits_8;                    ///< indices of 8 bits, beside those of 16 and 32
+  std::uint32_t stride_multiple;  ///< divides the records' stride, which is 8 at least
+  bool bits_8;                    ///< 8-bit indices are allowed, beside 16 and 32 bits
   bool signed_indices;
-  bool clusters;  ///< it has clusters, in which -5 is no micromap for the triangle
+  bool clusters;  ///< the API has clusters, in which -5 means no micromap for the triangle
 };
 
-/// In the order of Api.
+/// The requirements of every API, in the order of Api.
 /// Source: VK_EXT_opacity_micromap; VK_KHR_opacity_micromap; the DirectX Raytracing specification, 1.28 and later;
 /// OptiX 9 programming guide, Opacity micromaps; nvapi.h; EXT_mesh_opacity_micromap.
 inline constexpr std::array<Requirements, api_count> requirements_of_all{{
@@ -42,7 +42,7 @@ constexpr const Requirements& requirements(Api api) {
   return requirements_of_all[static_cast<std::size_t>(api)];
 }
 
-/// Whether an API's indices may be stored so.
+/// Whether an API takes indices of this encoding.
 constexpr bool takes(Api api, Encoding e) {
   if (micromap::is_signed(e)) return requirements(api).signed_indices;
   return e != Encoding::u8 || requirements(api).bits_8;

@@ -1,4 +1,4 @@
-// Many triangles' maps to an array, a geometry's indices, and both histograms.
+// Builds an array, a geometry's indices and both histograms from the maps of many triangles.
 #pragma once
 
 #include <algorithm>
@@ -9,26 +9,27 @@
 
 namespace mmverify::spec::array {
 
-/// How maps become an array.
+/// The options of a build.
 struct BuildOptions {
   Api api = Api::KHR;
   Encoding encoding = Encoding::u32;
-  std::uint32_t base = 0;   ///< at most the number of records that are there before
-  bool special = true;      ///< a uniform map becomes a special index
-  bool share = true;        ///< equal level, format and states share a record
-  std::uint32_t bound = 0;  ///< of near-duplicate merging: micro-triangles a triangle; 0: none.  It shares
+  std::uint32_t base = 0;  ///< the record that index 0 names, at most before.size()
+  bool special = true;     ///< a uniform map becomes a special index
+  bool share = true;       ///< equal level, format and states share a record
+  std::uint32_t bound =
+      0;  ///< near-duplicate merging: micro-triangles that may differ; above 0 it shares, too
 };
 
-/// What a build gives: the array, the geometry that refers to it, both histograms.
+/// The result of a build: the array, the geometry that refers to it, both histograms.
 struct Built {
   Array array;
   Part part;
   std::vector<micromap::UsageCount> array_counts;
-  std::optional<std::vector<micromap::UsageCount>> geometry_counts;  ///< where the API takes them
+  std::optional<std::vector<micromap::UsageCount>> geometry_counts;  ///< if the API takes them
 };
 
-/// The state for both: theirs where they agree; a T or O gives way to an unknown one; T beside O is UO, a tie counting
-/// as opaque.  None for UT beside UO.
+/// The state that serves two maps: theirs if they agree; an unknown one beside T or O; UO for T beside O, a tie
+/// counting as opaque.  None for UT beside UO.
 constexpr std::optional<State> joined(State a, State b) {
   if (a == b) return a;
   if (micromap::unknown(a) && micromap::unknown(b)) return std::nullopt;
@@ -46,7 +47,7 @@ inline std::optional<States> joined(const States& a, const States& b) {
   return out;
 }
 
-/// In how many micro-triangles two maps differ.
+/// The number of micro-triangles in which two maps differ.
 inline std::uint64_t differences(const States& a, const States& b) {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i] ? 1 : 0;
@@ -54,10 +55,10 @@ inline std::uint64_t differences(const States& a, const States& b) {
 }
 
 /// Builds a geometry's maps, in their order, behind an array in which each map of `before` has a record of its own.
-///   A uniform map is a special index where that is wanted.  Else the first record from base on that equals it, if
-///   sharing is wanted; else, with a bound, the first record of this build, of its level and 4-state like it, that it
-///   can be joined with so that no triangle of the record differs from its map in more than `bound` micro-triangles;
-///   else a new record at the end, its bytes at the end of the data.  A record's map may change as others join.
+///   With `special`, a uniform map becomes a special index.  Else, with `share` or bound > 0, the map takes the first
+///   equal record from base on.  Else, with bound > 0, it joins the first 4-state record of this build and of its level
+///   that admits it: no triangle of the record may differ from its map in more than `bound` micro-triangles.  Else it
+///   gets a new record at the end, its bytes at the end of the data.  A record's map may change as others join.
 /// Domain: maps as micromap::Map has them, levels up to 12, base at most before.size(), an encoding that the API takes;
 /// else std::invalid_argument.  An index that the encoding cannot hold: std::length_error, naming the triangle.
 inline Built build(std::span<const Map> before, std::span<const Map> maps, const BuildOptions& o) {

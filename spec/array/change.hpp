@@ -1,4 +1,4 @@
-// Arrays that are there, changed so that each triangle resolves as before: compact, reorder, concatenate.
+// Changes of arrays after which each triangle resolves as before: compact, reorder, concatenate.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 
 namespace mmverify::spec::array {
 
-/// A domain of all below: each plain index of a part names a record, and each record's bytes are in the data.
+/// Domain of all functions below: each plain index of a part names a record, and each record's bytes are in the data.
 
-/// The records in the order `order`, which names each at most once; those that it leaves out go.  Each record's bytes
-/// follow those of the one before it.  Parts get base 0 and the same encoding.
+/// The bundle with its records in the order `order`, which names each at most once; the others are removed.  Each
+/// record's bytes follow those of the one before it.  Parts get base 0 and keep their encoding.
 /// Domain: every record that a part refers to is in `order`.  An index that its encoding cannot hold:
 /// std::length_error, naming part and triangle.
 inline Bundle arranged(const Bundle& b, std::span<const std::uint64_t> order) {
@@ -47,7 +47,7 @@ inline Bundle arranged(const Bundle& b, std::span<const std::uint64_t> order) {
   return out;
 }
 
-/// The records that are referred to, by part, triangle of first use.
+/// The records in use, in the order of part and triangle of their first use.
 inline std::vector<std::uint64_t> in_order_of_use(const Bundle& b) {
   std::vector<std::uint64_t> order;
   for (const Part& part : b.parts)
@@ -58,14 +58,14 @@ inline std::vector<std::uint64_t> in_order_of_use(const Bundle& b) {
   return order;
 }
 
-/// Without the records that nobody refers to and the bytes of no record; the rest in its order.
+/// The bundle without unused records and without bytes of no record; the other records keep their order.
 inline Bundle compacted(const Bundle& b) {
   std::vector<std::uint64_t> order = in_order_of_use(b);
   std::sort(order.begin(), order.end());
   return arranged(b, order);
 }
 
-/// All records: those in use first, in the order of first use, then the others in their order.
+/// The bundle with its records in the order of their first use, then the unused ones in their order.
 inline Bundle reordered(const Bundle& b) {
   std::vector<std::uint64_t> order = in_order_of_use(b);
   for (std::uint64_t r = 0; r < b.array.records.size(); ++r)
@@ -73,8 +73,8 @@ inline Bundle reordered(const Bundle& b) {
   return arranged(b, order);
 }
 
-/// One array behind another: the second's offsets grow by the first's data, its bases by the first's records; indices
-/// stay.  Data or records beyond 2^32: std::length_error.
+/// The second array behind the first: the second's offsets grow by the first's data, its bases by the first's records;
+/// indices stay.  Data or records beyond 2^32: std::length_error.
 inline Bundle concatenated(const Bundle& a, const Bundle& b) {
   Bundle out = a;
   if (a.array.data.size() + b.array.data.size() > 0xffffffff ||

@@ -10,7 +10,7 @@ namespace mmverify::spec::array {
 
 inline constexpr std::uint32_t newest_version = 2;
 
-/// FNV-1a, 32 bits.
+/// The checksum FNV-1a, 32 bits.
 inline std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
   std::uint32_t sum = 0x811C9DC5;
   for (const std::uint8_t b : bytes) sum = (sum ^ b) * 0x01000193;
@@ -27,7 +27,7 @@ inline void put(Bytes& out, const Bytes& bytes) { out.insert(out.end(), bytes.be
 }  // namespace detail
 
 /// The file of a bundle.
-/// Domain: version 1: one part, of encoding u32; version 2: all.  Else std::invalid_argument.
+/// Domain: version 1: one part, of encoding u32; version 2: any bundle.  Else std::invalid_argument.
 inline Bytes written(const Bundle& b, std::uint32_t version = newest_version) {
   using detail::put;
   if (version != 1 && version != 2)
@@ -57,9 +57,9 @@ inline Bytes written(const Bundle& b, std::uint32_t version = newest_version) {
   return out;
 }
 
-/// The bundle of a file; none where it is no file of versions 1 and 2, byte for byte: a bundle that is read is written as
-/// the same bytes.  What records and indices say is not judged.
-/// Domain: everything.
+/// The bundle of a file; none for bytes that are no file of versions 1 and 2.  written() gives back the very bytes.
+/// The values of records and indices are not checked.
+/// Domain: any bytes.
 inline std::optional<Bundle> read(std::span<const std::uint8_t> file) {
   std::uint64_t at = 0;
   bool short_of = false;

@@ -1,4 +1,4 @@
-// A level that a device does not have, by lossy substitution; and DGF's palettes.
+// Emulation of a level that a device does not support, by lossy substitution; and the palettes of DGF.
 #pragma once
 
 #include <set>
@@ -8,8 +8,8 @@
 
 namespace mmverify::spec::array {
 
-/// The map at the highest level that the device has: T for a block of T, O for a block of O, else unknown, by
-/// micromap::down() level after level.  A map of that level or below stays as it is.
+/// The map at the highest level that the device supports: T for a block of T, O for a block of O, else unknown, by
+/// micromap::down() level after level.  A map of that level or below stays the same.
 /// Domain: 4-state; else std::invalid_argument.  Source: the KHR slides, "Lossy Micromaps": a driver may so emulate
 /// levels above maxOpacity4StateSubdivisionLevel, up to maxOpacityLossy4StateSubdivisionLevel.
 inline Map emulated(const Map& map, Level most) {
@@ -20,15 +20,15 @@ inline Map emulated(const Map& map, Level most) {
   return out;
 }
 
-/// What traversal then reads at each micro-triangle of the level that was asked for.  Domain: level >= map.level.
+/// The states that traversal then reads at each micro-triangle of the original level.  Domain: level >= map.level.
 inline States seen_at(const Map& map, Level level) {
   States states = map.states;
   for (Level n = map.level; n < level; ++n) states = micromap::up(states);
   return states;
 }
 
-/// DGF: triangles in order, cut into blocks of at most `most` distinct codes; how many triangles each has.  A block is as
-/// long as it can be, which makes the fewest blocks: any other cut's k-th block ends no later.
+/// DGF: the triangles in order, cut into blocks of at most `most` distinct codes; the result is each block's size.  A
+/// block is as long as possible, which makes the fewest blocks: any other cut's k-th block ends no later.
 inline std::vector<std::uint64_t> blocks(std::span<const std::uint32_t> codes, std::uint64_t most = 7) {
   std::vector<std::uint64_t> sizes;
   std::set<std::uint32_t> palette;

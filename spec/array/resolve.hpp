@@ -1,4 +1,4 @@
-// What a triangle of a geometry resolves to: a state for all of it, no micromap, or a record's map.
+// The target of a triangle of a geometry: a state for all of it, no micromap, or a record's map.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,18 @@ using micromap::Record;
 using micromap::State;
 using micromap::States;
 
-/// What a code means to a geometry whose base triangle is `base`, over `records` records.
+/// The target of a code in a geometry whose base triangle is `base`, over `records` records.
 struct Target {
   enum class Kind : std::uint8_t { special, none, record, outside } kind;
-  State state = State::T;    ///< of a special one
-  std::uint64_t record = 0;  ///< of a record, or of the one outside
+  State state = State::T;    ///< the special index's state
+  std::uint64_t record = 0;  ///< the record's number; if outside, the number that no record has
   friend constexpr bool operator==(const Target&, const Target&) = default;
 };
 
-/// special -1 .. -4; in a cluster -5 is none; else the record index + base, which must be less than `records`.
+/// The target of a code: a special index's state for -1 .. -4; none for -5 in a cluster; else record index + base,
+/// which must be less than `records`.
 ///   base is added to plain indices alone; the sum has 64 bits.
-/// Domain: code < 2^width.  A signed code that is neither, below -4 (-5 in a cluster), is outside, at its own number.
+/// Domain: code < 2^width.  A signed code below -4 (-5 in a cluster) is outside, with record = code.
 /// Source: VkAccelerationStructureTrianglesOpacityMicromapEXT; EXT_mesh_opacity_micromap, "Lookup".
 constexpr Target target(std::uint32_t code, Encoding e, bool cluster, std::uint32_t base,
                         std::uint32_t records) {
@@ -79,11 +80,11 @@ inline Map map_of(const Array& array, std::uint64_t record) {
   return {r.level, f, micromap::unpack(std::span(array.data).subspan(r.offset), f, count)};
 }
 
-/// Whether a state may stand where `baked` was: it, or more unknown.
+/// Whether state `is` may replace `baked`: it is equal, or unknown.
 constexpr bool or_more_unknown(State baked, State is) { return is == baked || micromap::unknown(is); }
 
-/// How many records there are by level and format, and how many references of a geometry.
-/// Domain of the second: indices whose records are there.
+/// The number of records by level and format, and the number of a geometry's references.
+/// Domain of the second: indices that name records.
 inline micromap::Histogram array_histogram(const Array& array) {
   return micromap::array_histogram(array.records);
 }

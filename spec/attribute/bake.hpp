@@ -1,17 +1,17 @@
 // Attribute micromaps from textures: the number at a micro-vertex, and the mean over a micro-triangle.
 //
-// A channel is a texture of spec/bake/texture.hpp; what is called alpha there is the channel here.  A mip level is a
-// texture of its own, addressed by the same (u, v).
+// A channel is a texture of spec/bake/texture.hpp, with the channel in the place of alpha.  A mip level is a texture of
+// its own, addressed by the same (u, v).
 //
-// Vertex: what the sampler gives at the micro-vertex.  Face: the mean of what the sampler gives over the micro-triangle,
-// over its own area,
+// A vertex gets the sampler's value at the micro-vertex.  A face gets the mean of the sampler's values over the
+// micro-triangle, over its own area,
 //   2 integral of texture(x(s, t), y(s, t)) ds dt   over s, t >= 0, s + t <= 1,
-// the corner of (s, t) = (0, 0) first.  Where the triangle has an area in the texture that is the mean over the texels
-// beneath, each by its share of the area.  Where it has none, it is the limit of triangles that have: along a segment
-// texels weigh by how much of the micro-triangle maps to them, and a point is the sampler's value there.  So the mean of
-// the four children is the parent's, always.
-// Source: Color and Attribute Micromaps, 5.1 ("averaging the pixels covered", "bilinear sampling"), which does not say
-// what is covered (docs/ERRATA.md).
+// the corner of (s, t) = (0, 0) first.  If the triangle has an area in the texture, that is the mean over the texels
+// beneath, each by its share of the area.  If it has none, it is the limit of triangles that have: along a segment
+// texels weigh by how much of the micro-triangle maps to them, and a point has the sampler's value there.  So the mean
+// of the four children is always the parent's.
+// Source: Color and Attribute Micromaps, 5.1 ("averaging the pixels covered", "bilinear sampling"), which does not
+// define the covered pixels (docs/ERRATA.md).
 #pragma once
 
 #include <algorithm>
@@ -36,18 +36,18 @@ using bake::TextureOf;
 // Shares
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// How much texel (i, j), before wrapping, weighs.
+/// A texel (i, j), before wrapping, and its weight.
 template <class Q>
 struct Share {
   std::int64_t i, j;
   Q weight;
 };
 
-/// They sum to 1.  A texel may come more than once.
+/// The weights of texels, which sum to 1.  A texel may come more than once.
 template <class Q>
 using Shares = std::vector<Share<Q>>;
 
-/// sum of weight x texel, wrapped.
+/// The sum of weight x texel, wrapped.
 template <class Q, class Texel>
 Q mean(const TextureOf<Texel>& t, const Shares<Q>& shares) {
   Q sum(0);
@@ -55,7 +55,7 @@ Q mean(const TextureOf<Texel>& t, const Shares<Q>& shares) {
   return sum;
 }
 
-/// Of the sampler at a point: nearest, the texel that owns it; bilinear, (1-x)(1-y), x(1-y), (1-x)y, xy.
+/// The shares of the sampler at a point: nearest, the texel that owns it; bilinear, (1-x)(1-y), x(1-y), (1-x)y, xy.
 template <class Q>
 Shares<Q> shares_at(const Place<Q>& p, Filter filter) {
   if (filter == Filter::nearest) return {{bake::floored(p.x), bake::floored(p.y), Q(1)}};
@@ -86,7 +86,7 @@ struct Image {
   Q y(const Place<Q>& st) const { return corner.y + st.x * along_s.y + st.y * along_t.y; }
 };
 
-/// The whole of it, in (s, t).
+/// The whole triangle, in (s, t).
 template <class Q>
 Polygon<Q> unit_triangle() {
   return {{Q(0), Q(0)}, {Q(1), Q(0)}, {Q(0), Q(1)}};
@@ -103,8 +103,8 @@ Q double_area(const Polygon<Q>& polygon) {
   return sum < 0 ? Q(-sum) : sum;
 }
 
-/// Calls visit(k, part) for what of a polygon in (s, t) has k <= height - offset <= k + 1, but for what has only
-/// height - offset = k + 1: that is the next one's.
+/// Calls visit(k, part) for the strips k <= height - offset <= k + 1 of a polygon in (s, t).  A part with only
+/// height - offset = k + 1 belongs to the next strip.
 template <class Q, class Height, class Visit>
 void for_each_strip(const Polygon<Q>& polygon, Height height, const Q& offset, Visit visit) {
   const auto whole = [&](const Place<Q>& p) { return bake::floored(Q(height(p) - offset)); };
@@ -121,7 +121,7 @@ void for_each_strip(const Polygon<Q>& polygon, Height height, const Q& offset, V
 }
 
 /// Calls visit(i, j, part) for each closed square [i, i+1] x [j, j+1], moved by (offset, offset), that the triangle
-/// meets and not with the square's high sides alone, with that part in (s, t).
+/// meets, with that part in (s, t); a square met by its high sides alone is left out.
 template <class Q, class Visit>
 void for_each_part(const Image<Q>& image, const Q& offset, Visit visit) {
   const auto x = [&](const Place<Q>& p) { return image.x(p); };
@@ -134,13 +134,14 @@ void for_each_part(const Image<Q>& image, const Q& offset, Visit visit) {
   });
 }
 
-/// Where the squares of a filter begin: texels at whole numbers, cells between centres at halves.
+/// The offset of a filter's squares: texels begin at whole numbers, cells between centres at halves.
 template <class Q>
 Q square_offset(Filter filter) {
   return filter == Filter::nearest ? Q(0) : fraction<Q>(1, 2);
 }
 
-/// 2 integral of f over a polygon.  Domain: f of degree 2 at most; exact, by the middles of the edges of triangles.
+/// 2 integral of f over a polygon.  Domain: f of degree 2 at most; it is exact, by the middles of the edges of
+/// triangles.
 template <class Q, class F>
 Q integral(const Polygon<Q>& polygon, F f) {
   Q sum(0);
@@ -155,7 +156,7 @@ Q integral(const Polygon<Q>& polygon, F f) {
   return sum;
 }
 
-/// Of the mean over a triangle: nearest, the share of the area that each texel has; bilinear, the integral of the
+/// The shares of the mean over a triangle: nearest, each texel's share of the area; bilinear, the integral of the
 /// weights above over each cell's part.
 /// Errors: std::out_of_range without three corners.
 template <class Q>
@@ -186,7 +187,7 @@ Shares<Q> shares_on(const Polygon<Q>& corners, Filter filter) {
 // Micro-vertices and micro-triangles
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Where micro-vertex (i, j) lies, in texels:  (P + i/N (Q - P) + j/N (R - P)) x (width, height).
+/// The place of micro-vertex (i, j), in texels:  (P + i/N (Q - P) + j/N (R - P)) x (width, height).
 /// Domain: i + j <= 2^n, n in 0..16.
 template <class Q>
 Place<Q> micro_vertex(const BaseTriangle<Q>& uv, Level n, const index::Vertex& at, std::uint32_t width,
@@ -210,8 +211,8 @@ Q face_value(const TextureOf<Texel>& t, const BaseTriangle<Q>& uv, Level n, std:
   return mean(t, shares_on(bake::micro_triangle(uv, n, index, t.width, t.height), t.filter));
 }
 
-/// Between two mips: (1 - f) value(mip m) + f value(mip m + 1), m = floor(lod), f the rest, the lod within the chain.
-/// Source: Vulkan, Level-of-Detail Operation (`linear` mipmap mode).
+/// The value between two mips: (1 - f) value(mip m) + f value(mip m + 1), m = floor(lod), f the rest, lod clamped to
+/// the chain.  Source: Vulkan, Level-of-Detail Operation (`linear` mipmap mode).
 /// Errors: std::invalid_argument without mips.
 template <class Q, class Texel, class Value>
 Q between_mips(std::span<const TextureOf<Texel>> mips, const Q& lod, Value value) {

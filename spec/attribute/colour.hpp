@@ -1,12 +1,12 @@
-// Attribute micromaps: what a stored code means, and which code a number is rounded to.
+// Attribute micromaps: the number of a stored code, and the code that a number is rounded to.
 //
-// The sRGB curve is not rational.  Its twelfth powers and fifth powers are, which decides every comparison with it:
+// The sRGB curve is not rational.  But the fifth power of r^(12/5) is r^12, which decides every comparison:
 //   y = m / 510,   light(y) = y / 12.92 up to y = 0.04045, else r^(12/5),   r = (y + 0.055) / 1.055
-//   x >= r^(12/5)  where and only where  x^5 >= r^12
-// So codes are decoded by a table of whole numbers over 2^24, each the nearest, and numbers are encoded by a table of
-// thresholds, each the nearest to where the curve passes the middle between two codes.
-// Stated error: a decoded number is within 2^-25 of the curve, and so is a mean of such; a threshold as well.  A code
-// is that of the curve itself unless the mean is within 2^-24 of a threshold.
+//   x >= r^(12/5)  if and only if  x^5 >= r^12
+// So codes are decoded by a table of integers over 2^24, each the nearest.  Numbers are encoded by a table of
+// thresholds, each the nearest to the point where the curve passes the middle between two codes.
+// Stated error: a decoded number is within 2^-25 of the curve, and so is a mean of such numbers, and a threshold.  A
+// code is that of the curve itself unless the mean is within 2^-24 of a threshold.
 // Source: IEC 61966-2-1; glTF 2.0, "baseColorTexture"; Vulkan, Conversion From Normalized Fixed-Point to Floating-Point.
 #pragma once
 
@@ -23,12 +23,12 @@ using bake::Binary32;
 using bake::fraction;
 using bake::number;
 
-/// 8 bits on the sRGB curve; the number is linear light.
+/// A code of 8 bits on the sRGB curve; the number is linear light.
 struct Srgb8 {
   std::uint8_t code = 0;
 };
 
-/// A normal's component in a code; the number is 2 code / full - 1, full the greatest code, and 0 has no code.
+/// A component of a normal as a code; the number is 2 code / full - 1, full the greatest code, and 0 has no code.
 template <class Code>
 struct Normal {
   Code code = 0;
@@ -44,7 +44,7 @@ inline constexpr std::int64_t full_code = std::numeric_limits<Code>::max();
 // The sRGB curve
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Light is counted in units of 2^-24.
+/// The unit of light is 2^-24.
 inline constexpr unsigned light_bits = 24;
 
 /// Whether k / 2^bits >= light(m / 510), exactly.  Domain: k >= 0; m in 0..510.
@@ -57,7 +57,7 @@ inline bool reaches_light(const Integer& k, unsigned bits, std::uint32_t m) {
 }
 
 /// light(m / 510) in units of 2^-24, to nearest: the last k with k - 1/2 <= 2^24 light.
-/// Domain: m in 0..510; an even one is the code m / 2, an odd one the middle between two codes.
+/// Domain: m in 0..510; an even m is the code m / 2, an odd one the middle between two codes.
 inline std::uint32_t nearest_light(std::uint32_t m) {
   std::uint32_t low = 0, high = (1u << light_bits) + 1;
   while (high - low > 1) {
@@ -68,7 +68,7 @@ inline std::uint32_t nearest_light(std::uint32_t m) {
   return low;
 }
 
-/// nearest_light of every m, worked out once.
+/// nearest_light() of every m, computed once.
 inline const std::array<std::uint32_t, 511>& light_table() {
   static const std::array<std::uint32_t, 511> table = [] {
     std::array<std::uint32_t, 511> t{};
@@ -78,9 +78,9 @@ inline const std::array<std::uint32_t, 511>& light_table() {
   return table;
 }
 
-/// Decoded, in units of 2^-24.
+/// The light of a code, in units of 2^-24.
 inline std::uint32_t light_of(std::uint8_t code) { return light_table()[2u * code]; }
-/// The least light that is rounded to a code, in the same units.  Domain: code in 1..255.
+/// The least light that is rounded to a code, in units of 2^-24.  Domain: code in 1..255.
 inline std::uint32_t least_light(std::uint8_t code) { return light_table()[2u * code - 1]; }
 
 template <class Q>
@@ -104,11 +104,11 @@ std::int64_t half_up(const Q& q, std::int64_t full) {
   return k < 0 ? 0 : k > full ? full : k;
 }
 
-/// The code that a number is rounded to, one for each form of texels.
+/// The code that a number is rounded to, for each form of texels.
 template <class Texel>
 struct Rounded;
 
-/// Of 8 bits: 0 to 255.
+/// Rounds to 8 bits: 0 to 255.
 template <>
 struct Rounded<std::uint8_t> {
   template <class Q>
@@ -117,7 +117,7 @@ struct Rounded<std::uint8_t> {
   }
 };
 
-/// Of 16 bits: 0 to 65535.
+/// Rounds to 16 bits: 0 to 65535.
 template <>
 struct Rounded<std::uint16_t> {
   template <class Q>
@@ -126,7 +126,7 @@ struct Rounded<std::uint16_t> {
   }
 };
 
-/// The last code that `begun(code)` is true of, true up to one and false beyond, and of 0.
+/// The last code with begun(code).  Domain: begun is true of 0 and up to some code, and false beyond.
 template <class Code = std::uint8_t, class Begun>
 Code last_code(Begun begun) {
   int low = 0, high = static_cast<int>(full_code<Code>) + 1;
@@ -137,7 +137,7 @@ Code last_code(Begun begun) {
   return static_cast<Code>(low);
 }
 
-/// Half up on the curve: the last code whose least light is reached.
+/// Rounds half up on the curve, to the last code whose least light is reached.
 template <>
 struct Rounded<Srgb8> {
   template <class Q>
@@ -148,7 +148,7 @@ struct Rounded<Srgb8> {
   }
 };
 
-/// A component by itself; spec/attribute/normal.hpp has that of a direction.
+/// Rounds a component by itself; spec/attribute/normal.hpp rounds a direction.
 template <class Code>
 struct Rounded<Normal<Code>> {
   template <class Q>
@@ -157,7 +157,7 @@ struct Rounded<Normal<Code>> {
   }
 };
 
-/// To nearest, ties to even.  Errors: std::overflow_error beyond binary32's greatest, which no mean of its numbers is.
+/// Rounds to nearest, ties to even.  Errors: std::overflow_error beyond binary32's greatest, which no mean of it is.
 /// Source: IEEE 754, 4.3.1.
 template <>
 struct Rounded<Binary32> {

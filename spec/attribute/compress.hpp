@@ -1,4 +1,4 @@
-// Maps as bytes: codes, quantised where an error is allowed, as roots and residuals, these in blocks of a width each.
+// Maps as bytes: codes, quantised if an error is allowed, as roots and residuals, these in blocks of one width each.
 //
 //   roots     maps x roots x channels bytes
 //   starts    a word of 32 bits, little-endian, for every 8 blocks: the bit where the first of them begins
@@ -6,8 +6,8 @@
 //   bits      block by block, channel by channel, residuals of `width` bits, low bit first
 // each of the last two in whole bytes, unused bits 0.  All maps are of one shape; their blocks follow one another.
 //
-// A block is up to 16 triples of one level, so that of faces it is what 64 of a level have that stand together on the
-// curve; levels 1 and 2, which have 5 triples or 4, are one block.  So a value needs one block a level.
+// A block is up to 16 triples of one level: for faces, 64 values of a level that are neighbours on the curve.  Levels 1
+// and 2, which have 5 triples or 4, are one block.  So a value needs one block a level.
 // Source: ours.  Frame of reference and bit packing: Zukowski et al. 2006, with 0 as the reference.
 #pragma once
 
@@ -26,7 +26,7 @@ namespace mmverify::spec::attribute {
 // Codes
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Bounded error: a code becomes the number of the nearest multiple of 2E+1, which is E off at most; back, 255 at most.
+/// The number of a code, for an error bound E: the nearest multiple of 2E+1, which is E off at most; back, 255 at most.
 ///   number(x) = floor((x+E) / (2E+1)),   code(k) = min(255, (2E+1) k),   |code(number(x)) - x| <= E
 /// Predictions are made of these numbers, which a decoder has: the loop is closed, and errors do not add up.  E = 0
 /// loses nothing.
@@ -37,10 +37,10 @@ constexpr std::int32_t number_of_code(std::int32_t code, std::int32_t error) {
 constexpr std::int32_t code_of_number(std::int32_t number, std::int32_t error) {
   return std::min(255, (2 * error + 1) * number);
 }
-/// The greatest number.
+/// The greatest number of a code.
 constexpr std::int32_t last_number(std::int32_t error) { return number_of_code(255, error); }
 
-/// What is known of maps beside their bytes.
+/// The shape of packed maps, which their bytes do not tell.
 struct PackedShape {
   MapAt at = MapAt::faces;
   Level level = 0;                         ///< 0..12
@@ -55,7 +55,7 @@ struct PackedShape {
 
 inline constexpr std::uint32_t triples_of_block = 16, blocks_of_start = 8;
 
-/// How many triples each block of a map has.  Domain: n in 0..12.
+/// The number of triples of each block of a map.  Domain: n in 0..12.
 inline std::vector<std::uint32_t> block_lengths(MapAt at, Level n) {
   std::vector<std::uint32_t> lengths;
   if (n > 0)
@@ -69,7 +69,7 @@ inline std::vector<std::uint32_t> block_lengths(MapAt at, Level n) {
   return lengths;
 }
 
-/// A residual as a number that is small where it is: 0, -1, 1, -2, ... are 0, 1, 2, 3, ...
+/// A residual as an unsigned number, small if the residual is: 0, -1, 1, -2, ... become 0, 1, 2, 3, ...
 constexpr std::uint32_t folded(std::int32_t residual) {
   return static_cast<std::uint32_t>(residual >= 0 ? 2 * residual : -2 * residual - 1);
 }
@@ -78,7 +78,7 @@ constexpr std::int32_t unfolded(std::uint32_t number) {
   return number % 2 == 0 ? half : -half - 1;
 }
 
-/// Bits that hold a number; of none to 9, for a residual lies within -255..255.
+/// The bits of a number: 0 to 9, as a residual lies within -255..255.
 constexpr std::uint32_t bits_for(std::uint32_t number) {
   std::uint32_t bits = 0;
   for (; number != 0; number /= 2) ++bits;
@@ -89,7 +89,7 @@ inline constexpr std::uint32_t widest = 9;
 /// The width of each block and channel of each map, in the order of the bytes.
 using Widths = std::vector<std::uint32_t>;
 
-/// A block's bits: 3 triples (w_0 + w_1 + ...).
+/// The bits of all blocks: 3 triples (w_0 + w_1 + ...) each.
 inline std::uint64_t bits_of_blocks(const PackedShape& shape, const Widths& widths) {
   const auto lengths = block_lengths(shape.at, shape.level);
   std::uint64_t bits = 0;
@@ -98,7 +98,7 @@ inline std::uint64_t bits_of_blocks(const PackedShape& shape, const Widths& widt
   return bits;
 }
 
-/// Bytes of maps packed, M maps of C channels, R roots and K blocks, B = M K:
+/// The size of packed maps in bytes: M maps of C channels, R roots and K blocks, B = M K:
 ///   M R C + 4 ceil(B/8) + ceil(B C / 2) + ceil(bits / 8)
 inline std::uint64_t packed_size(const PackedShape& shape, const Widths& widths) {
   const std::uint64_t blocks = shape.maps * std::uint64_t{block_lengths(shape.at, shape.level).size()};
@@ -113,7 +113,7 @@ inline std::uint64_t packed_size(const PackedShape& shape, const Widths& widths)
 
 namespace detail {
 
-/// Numbers of given widths, one after the other, low bit first.
+/// A string of numbers of given widths, one after the other, low bit first.
 class BitString {
  public:
   explicit BitString(std::vector<bool> bits = {}) : bits_(std::move(bits)) {}
@@ -146,7 +146,7 @@ class BitString {
 
 }  // namespace detail
 
-/// The widths that maps have.  Domain: as pack.
+/// The widths of the maps' blocks.  Domain: as pack().
 inline Widths widths_of(const PackedShape& shape, const std::vector<Residuals>& channels_of_maps) {
   const auto lengths = block_lengths(shape.at, shape.level);
   Widths widths;
@@ -165,7 +165,7 @@ inline Widths widths_of(const PackedShape& shape, const std::vector<Residuals>& 
   return widths;
 }
 
-/// One channel after the other of one map after the other.  Domain: as pack.
+/// The residuals of all channels of all maps, in this order.  Domain: as pack().
 inline std::vector<Residuals> all_residuals(const PackedShape& shape, std::span<const std::uint8_t> codes) {
   const auto values = static_cast<std::size_t>(values_of(shape.at, shape.level));
   std::vector<Residuals> all;
@@ -179,8 +179,8 @@ inline std::vector<Residuals> all_residuals(const PackedShape& shape, std::span<
   return all;
 }
 
-/// The bytes of maps.  codes: channel c of value x of map m at ((m values + x) channels + c), values in the order of
-/// their kind.  Domain: shape as it says; codes of that size; bits below 2^32.
+/// The bytes of maps.  codes: channel c of value x of map m is at ((m values + x) channels + c), values in the order of
+/// their kind.  Domain: a shape in its domain; codes of that size; bits below 2^32.
 inline std::vector<std::uint8_t> pack(const PackedShape& shape, std::span<const std::uint8_t> codes) {
   const std::vector<Residuals> all = all_residuals(shape, codes);
   const Widths widths = widths_of(shape, all);
@@ -213,7 +213,7 @@ inline std::vector<std::uint8_t> pack(const PackedShape& shape, std::span<const 
   return bytes;
 }
 
-/// The codes of bytes; nothing where pack has no codes that give these very bytes, which is how it ends.
+/// The codes of bytes; nothing if pack() has no codes that give these very bytes, which is checked at the end.
 /// Domain: any bytes, a shape in its domain.
 inline std::optional<std::vector<std::uint8_t>> unpack(const PackedShape& shape,
                                                        std::span<const std::uint8_t> bytes) {

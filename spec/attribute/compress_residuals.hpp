@@ -1,11 +1,11 @@
-// A map as roots and residuals: each level's values as differences from what the level below says of them, in whole
-// numbers, and back without loss.
+// A map as roots and residuals: each level's values as differences from a prediction by the level below, in integers,
+// and back without loss.
 //
 //   faces      four children a, b, c, d, numbers 4k..4k+3 of the curve, become their parent and three differences
 //   vertices   a vertex that level m adds halves an edge of level m-1: the difference from the mean of its two ends
 //
-// Both come in triples, one for each micro-triangle of level m-1 (faces), or for each that stands upright (vertices), in
-// the order of the curve.  The parent takes the fourth child's place, and the lower levels' vertices begin the Bird
+// Both come in triples, one for each micro-triangle of level m-1 (faces), or for each that stands upright (vertices),
+// in the order of the curve.  The parent takes the fourth child's place, and the lower levels' vertices begin the Bird
 // order: nothing is stored besides.
 // Source: ours; Color and Attribute Micromaps, 7, asks for compression and has none.  The steps on pairs are the S
 // transform (Said, Pearlman 1993).
@@ -20,7 +20,7 @@
 
 namespace mmverify::spec::attribute {
 
-/// What a map has its values at: micro-triangles along the curve, or micro-vertices in the Bird order.
+/// The places of a map's values: micro-triangles along the curve, or micro-vertices in the Bird order.
 enum class MapAt : std::uint32_t { faces, vertices };
 
 /// floor(x / 2) and ceil(x / 2), of negative numbers as well.
@@ -33,22 +33,22 @@ constexpr std::uint64_t triples_of(MapAt at, Level m) {
   return at == MapAt::faces ? face_count(m - 1) : M * (M + 1) / 2;
 }
 
-/// Values that no level predicts: those of level 0.
+/// The number of values that no level predicts: those of level 0.
 constexpr std::uint64_t roots_of(MapAt at) { return at == MapAt::faces ? 1 : 3; }
 
-/// roots + 3 (T(1) + ... + T(n)) = 4^n, V(n).  Domain: n in 0..16.
+/// The number of values, roots + 3 (T(1) + ... + T(n)) = 4^n or V(n).  Domain: n in 0..16.
 constexpr std::uint64_t values_of(MapAt at, Level n) {
   return at == MapAt::faces ? face_count(n) : vertex_count(n);
 }
 
-/// A parent and what its children differ by.
+/// A parent and the residuals of its four children.
 struct Family {
   std::int32_t parent;
   std::array<std::int32_t, 3> residuals;
   friend constexpr bool operator==(const Family&, const Family&) = default;
 };
 
-/// s = floor((a+b)/2), t = floor((c+d)/2); parent ceil((s+t)/2), residuals a-b, c-d, s-t.
+/// The family of four children: s = floor((a+b)/2), t = floor((c+d)/2); parent ceil((s+t)/2), residuals a-b, c-d, s-t.
 /// The parent lies within half a code of (a+b+c+d)/4, for the two roundings go apart.  Domain: codes 0..255.
 constexpr Family family_of(const std::array<std::int32_t, 4>& children) {
   const auto [a, b, c, d] = children;
@@ -56,8 +56,8 @@ constexpr Family family_of(const std::array<std::int32_t, 4>& children) {
   return {half_up(s + t), {a - b, c - d, s - t}};
 }
 
-/// The children, for a+b = 2s or 2s+1 and a-b say which: b = s - floor((a-b)/2), and so on.
-/// Domain: any numbers below 2^28; of others than family_of gives, children may be no codes.
+/// The children of a family.  a+b is 2s or 2s+1, and the parity of a-b tells which: b = s - floor((a-b)/2), and so on.
+/// Domain: any numbers below 2^28; for a family that family_of() does not give, children may be no codes.
 constexpr std::array<std::int32_t, 4> children_of(const Family& family) {
   const auto [ab, cd, st] = family.residuals;
   const std::int32_t t = family.parent - half_up(st), s = t + st;
@@ -73,7 +73,7 @@ constexpr std::array<Vertex, 2> halved_edge(const Vertex& x) {
   return {Vertex{x.i + 1, x.j - 1}, Vertex{x.i - 1, x.j + 1}};
 }
 
-/// What is said of a vertex between two: floor((p+q+1)/2).
+/// The prediction of a vertex between p and q: floor((p+q+1)/2).
 constexpr std::int32_t predicted(std::int32_t p, std::int32_t q) { return half_up(p + q); }
 
 /// One channel of a map: roots, then the residuals of levels 1, 2, ..., n, triple by triple.
@@ -82,12 +82,12 @@ struct Residuals {
   friend bool operator==(const Residuals&, const Residuals&) = default;
 };
 
-/// Where the triples of level m begin: T(1) + ... + T(m-1).
+/// The first triple of level m: T(1) + ... + T(m-1).
 constexpr std::uint64_t triples_before(MapAt at, Level m) {
   return (values_of(at, m - 1) - roots_of(at)) / 3;
 }
 
-/// Domain: values_of(at, n) numbers in the order of the kind; n in 0..12.
+/// The residuals of a map.  Domain: values_of(at, n) numbers in the order of the kind; n in 0..12.
 inline Residuals residuals_of(MapAt at, Level n, std::span<const std::int32_t> values) {
   Residuals r;
   r.levels.resize(static_cast<std::size_t>(values_of(at, n) - roots_of(at)));
@@ -118,7 +118,7 @@ inline Residuals residuals_of(MapAt at, Level n, std::span<const std::int32_t> v
   return r;
 }
 
-/// The way back; the values may be no codes where the residuals are not those of any.
+/// The values of residuals; they may be no codes if the residuals are those of no map.
 inline std::vector<std::int32_t> values_from(MapAt at, Level n, const Residuals& r) {
   std::vector<std::int32_t> level = r.roots;
   for (Level m = 1; m <= n; ++m) {

@@ -1,8 +1,8 @@
 // Edge decimation: a micro-vertex map of level n beside a neighbour of level n-1.
 //
 //   snapped          the vertex that a value is read from: odd vertices of a flagged edge move to an even neighbour
-//   averaged         the other meaning: nothing moves, an odd vertex's value is the mean of two even neighbours'
-//   decimated_place  the micro-triangle that holds a point once vertices have moved, and the point's weights on it
+//   averaged         the other rule: nothing moves, an odd vertex's value is the mean of two even neighbours'
+//   decimated_place  the micro-triangle that contains a point once vertices have moved, and the point's weights on it
 #pragma once
 
 #include <array>
@@ -30,11 +30,12 @@ constexpr Vertex on_edge(std::uint32_t edge, std::uint32_t at, Level n) {
 
 /// A vertex by its place on a base edge.
 struct EdgePlace {
-  bool decimated = false;  ///< whether it is an odd vertex of a flagged edge: then the rest says where
+  bool decimated = false;  ///< the vertex is an odd one of a flagged edge; only then the members below count
   std::uint32_t edge = 0, at = 0;
 };
 
-/// Which flagged edge holds the vertex at an odd place.  No edge of level 0 has one; a corner has none at other levels.
+/// The flagged edge that has the vertex at an odd place.  No edge of level 0 has one; a corner has none at other
+/// levels.
 /// Domain: i+j <= N.
 constexpr EdgePlace decimated_at(Vertex x, Level n, EdgeFlags flags) {
   const std::uint32_t N = side(n);
@@ -47,12 +48,12 @@ constexpr EdgePlace decimated_at(Vertex x, Level n, EdgeFlags flags) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The two meanings
+// The two rules
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// The vertex that the value of x is read from: an odd vertex of a flagged edge goes to its even neighbour away from
 /// the edge's middle; the middle of level 1 to the edge's first end.
-///   at -> at - 1 where at <= N/2, else at + 1
+///   at -> at - 1 if at <= N/2, else at + 1
 /// Domain: i+j <= N, n in 0..16, flags below 8.
 /// Source: BaryFile, whose rule it is; Color and Attribute Micromaps, 3.2 and figure 3, which has pictures only.
 constexpr Vertex snapped(Vertex x, Level n, EdgeFlags flags) {
@@ -61,8 +62,8 @@ constexpr Vertex snapped(Vertex x, Level n, EdgeFlags flags) {
   return on_edge(place.edge, place.at <= side(n) / 2 ? place.at - 1 : place.at + 1, n);
 }
 
-/// The two vertices whose mean is the value of x: its even neighbours on the edge where it is an odd vertex of a flagged
-/// one, else x and x.  Domain: as snapped.
+/// The two vertices whose mean is the value of x: for an odd vertex of a flagged edge its even neighbours on it, else x
+/// and x.  Domain: as snapped.
 constexpr std::array<Vertex, 2> averaged(Vertex x, Level n, EdgeFlags flags) {
   const EdgePlace place = decimated_at(x, n, flags);
   if (!place.decimated) return {x, x};
@@ -73,14 +74,14 @@ constexpr std::array<Vertex, 2> averaged(Vertex x, Level n, EdgeFlags flags) {
 // Micro-triangles once vertices have moved
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The corners, each moved.
+/// The corners of a micro-triangle, each moved.
 constexpr Corners snapped(const MicroTriangle& t, Level n, EdgeFlags flags) {
   Corners c = corners_of(t);
   for (Vertex& x : c) x = snapped(x, n, flags);
   return c;
 }
 
-/// Twice the area, in units of the grid's squares: 1 for a micro-triangle as it was, 0 for a degenerate one, below 0 for
+/// Twice the area, in units of the grid's squares: 1 for an unmoved micro-triangle, 0 for a degenerate one, below 0 for
 /// one that was turned over.
 constexpr std::int64_t doubled_area(const Corners& c) {
   const auto along = [](std::uint32_t to, std::uint32_t from) {
@@ -89,7 +90,7 @@ constexpr std::int64_t doubled_area(const Corners& c) {
   return along(c[1].i, c[0].i) * along(c[2].j, c[0].j) - along(c[2].i, c[0].i) * along(c[1].j, c[0].j);
 }
 
-/// The micro-triangles that have the vertex for a corner, up to six: f(MicroTriangle).
+/// Calls f(MicroTriangle) for the micro-triangles that have the vertex for a corner, up to six.
 template <class F>
 constexpr void around(Vertex x, Level n, F f) {
   for (const bool upper : {false, true})
@@ -115,7 +116,7 @@ struct WeighedPoint {
 };
 
 namespace detail {
-/// (to - from) q, for whole numbers.
+/// The product (to - from) q.
 template <Coordinate Q>
 constexpr Q times_step(std::uint32_t to, std::uint32_t from, const Q& q) {
   return to < from ? Q(0) - times(from - to, q) : times(to - from, q);
@@ -133,9 +134,8 @@ constexpr WeighedPoint<Q> place_on(const Corners& c, const Point<Q>& p, Level n)
   return {c, {share(c[1], c[2]), share(c[2], c[0]), share(c[0], c[1])}, doubled_area(c)};
 }
 
-/// The point on the micro-triangle that holds it once the flagged edges' vertices have moved.  The micro-triangle that
-/// held it before may be degenerate now, or have moved away: then one of those that touch a corner of it that moved
-/// holds it.
+/// The point on the micro-triangle that contains it once the flagged edges' vertices have moved.  The micro-triangle
+/// that contained it before may be degenerate now, or have moved away: then one of those at a moved corner of it does.
 /// Domain: u, v >= 0, u+v <= 1; n in 0..16, flags below 8.  The result holds the point.
 /// Source: ours; Color and Attribute Micromaps, 3.2, adjusts the mapping and leaves the lookup of 4.1 as it is, see
 /// docs/ERRATA.md.  Law: attribute.decimation_lookup.

@@ -1,12 +1,12 @@
 // Attribute micromaps: the exact error of a map against its texture.
 //
-// On each texel, or cell between four centres, the sampled texture is a + b x + c y + d x y, and what a map shows is
-// affine in (s, t): their difference e is of degree 2 on a convex part of the micro-triangle, with no other second
+// On each texel, or cell between four centres, the sampled texture is a + b x + c y + d x y, and the shown map is
+// affine in (s, t).  Their difference e is of degree 2 on a convex part of the micro-triangle, with no other second
 // derivative than that of d x y.
-//   Largest |e|.  Where x and y are independent, d x y is a saddle, and e has no extreme inside.  Where they are not
-//   (a triangle that is a segment in the texture), x and y depend on one affine l(s, t) alone, so that e is k l^2 and
-//   an affine function: where its gradient vanishes it does so along a whole line l = const, which ends on the part's
-//   edges.  So the extremes are at corners and where e stands still along an edge, all rational.
+//   Largest |e|.  If x and y are independent, d x y is a saddle, and e has no extreme inside.  If they are not (a
+//   triangle that is a segment in the texture), x and y depend on one affine l(s, t) alone, so that e is k l^2 and an
+//   affine function: if its gradient vanishes it does so along a whole line l = const, which ends on the part's edges.
+//   So the extremes are at corners and where e stands still along an edge, all rational.
 //   Mean of e^2.  A triangle's integral of the square of a quadratic is a form in its values at corners and middles of
 //   edges, the mass matrix of quadratic finite elements.
 // Source: Color and Attribute Micromaps, 6.3, which has images and FLIP in its place.  The form: Zienkiewicz, Taylor,
@@ -20,11 +20,11 @@
 
 namespace mmverify::spec::attribute {
 
-/// Over a micro-triangle.
+/// The error over a micro-triangle.
 template <class Q>
 struct Error {
-  Q largest;    ///< |e|, at the most; with nearest filtering the supremum
-  Place<Q> at;  ///< (s, t) of where it is so
+  Q largest;    ///< greatest |e|; with nearest filtering the supremum
+  Place<Q> at;  ///< the (s, t) of the greatest |e|
   Q square;     ///< the mean of e^2
 };
 
@@ -47,11 +47,11 @@ Q square_integral(const Place<Q>& p, const Place<Q>& q, const Place<Q>& r, F e) 
   return double_area(Polygon<Q>{p, q, r}) * form * fraction<Q>(1, 180);
 }
 
-/// What is shown at the three corners; linear between.  A face shows the same at all of them.
+/// The shown values at the three corners; linear between.  A face shows one value at all of them.
 template <class Q>
 using Shown = std::array<Q, 3>;
 
-/// Of what is shown on a triangle (corners in texels) against a channel of the texture.
+/// The error of the shown values on a triangle (corners in texels) against a channel of the texture.
 /// Errors: std::out_of_range without three corners.
 template <class Q, class Texel>
 Error<Q> error_on(const TextureOf<Texel>& t, const Polygon<Q>& corners, const Shown<Q>& shown) {
@@ -93,14 +93,14 @@ Error<Q> error_on(const TextureOf<Texel>& t, const Polygon<Q>& corners, const Sh
   return error;
 }
 
-/// Of a map of faces, at micro-triangle `index` of the curve.
+/// The error of a map of faces, at micro-triangle `index` of the curve.
 template <class Q, class Texel>
 Error<Q> face_error(const TextureOf<Texel>& t, const BaseTriangle<Q>& uv, Level n, std::uint32_t index,
                     const Q& shown) {
   return error_on(t, bake::micro_triangle(uv, n, index, t.width, t.height), Shown<Q>{shown, shown, shown});
 }
 
-/// Of a map of vertices; `value(vertex)` is what it has at one.
+/// The error of a map of vertices; value(vertex) is its value at a vertex.
 template <class Q, class Texel, class Value>
 Error<Q> vertex_error(const TextureOf<Texel>& t, const BaseTriangle<Q>& uv, Level n, std::uint32_t index,
                       Value value) {

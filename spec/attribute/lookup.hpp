@@ -1,5 +1,5 @@
-// A point's micro-triangle, the triplet of vertices around it, its weights there in three ways, and the value between
-// them, over any exact number.
+// A point's micro-triangle, the triplet of vertices around it, its weights there in three ways, and the interpolated
+// value, over any exact number.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 namespace mmverify::spec::attribute {
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Which micro-triangle holds a point
+// The micro-triangle of a point
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Who gets a point on the edge between two micro-triangles.  A value between vertices does not depend on it; a face's
-/// value does.
+/// The rule for a point on the edge between two micro-triangles.  A face's value depends on it, one between vertices
+/// not.
 enum class Ties : std::uint32_t {
   vulkan,  ///< on a line of constant u the side of +u, of constant v of +v, on a diagonal the far side; but no point
            ///< leaves the triangle
   figure_4,  ///< rows: on a line of constant u the side of -u; the rest as above
 };
 
-/// The micro-triangle that holds the point as Vulkan's reference code finds it: its grid square, and the upper half
-/// where uf+vf >= 1.
+/// The micro-triangle that contains the point, by Vulkan's reference code: its grid square, and the upper half if uf+vf
+/// >= 1.
 /// Domain: u, v >= 0, u+v <= 1; n in 0..31.  Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 template <Number Q>
 constexpr MicroTriangle vulkan_triangle(const Point<Q>& p, Level n) {
@@ -33,9 +33,9 @@ constexpr MicroTriangle vulkan_triangle(const Point<Q>& p, Level n) {
   return {q.iu, q.iv, ~q.iw != q.iu + q.iv};
 }
 
-/// The micro-triangle that holds the point as figure 4 finds it:
+/// The micro-triangle that contains the point, as figure 4 finds it:
 ///   row = min(N-1, floor((u+v)N)), col = min(row, floor(vN)), dia = min(N-1, floor((1-u)N)),
-/// a place col + (dia - (N-1-row)) in the row, where lower and upper ones take turns.
+/// and col + (dia - (N-1-row)) is the place in the row, where lower and upper ones alternate.
 /// Domain: u, v >= 0, u+v <= 1; n in 0..16.  Source: Color and Attribute Micromaps, figure 4.
 template <Number Q>
 constexpr MicroTriangle figure_4_triangle(const Point<Q>& p, Level n) {
@@ -54,9 +54,9 @@ constexpr MicroTriangle holder(Ties ties, const Point<Q>& p, Level n) {
 template <class Q>
 using Weights = std::array<Q, 3>;
 
-/// The uniform pattern: with fu = uN - iu and fv = vN - iv,
+/// The weights by the uniform pattern: with fu = uN - iu and fv = vN - iv,
 ///   lower (1-fu-fv, fu, fv);  upper (fu+fv-1, 1-fu, 1-fv)
-/// The weights of a point outside the micro-triangle are those of its plane: some are negative.
+/// A point outside the micro-triangle has weights in its plane: some are negative.
 /// Domain: any point, any micro-triangle of the level.
 /// Source: Color and Attribute Micromaps, 4.1, which omits it; the formula is ours.
 template <Coordinate Q>
@@ -66,10 +66,11 @@ constexpr Weights<Q> weights_by_pattern(const Point<Q>& p, const MicroTriangle& 
   return {one - fu - fv, fu, fv};
 }
 
-/// The over-determined system, two of its three equations, in units of 1/N: with corners (i_c, j_c) and x = uN, y = vN,
+/// The weights by two of the three equations of the over-determined system, in units of 1/N: with corners (i_c, j_c)
+/// and x = uN, y = vN,
 ///   (i1-i0) w1 + (i2-i0) w2 = x - i0,  (j1-j0) w1 + (j2-j0) w2 = y - j0,  w0 = 1 - w1 - w2
 /// The determinant is +1: both kinds of micro-triangles wind like the base triangle.
-/// Domain: corners that wind so, as those of corners_of do.  Source: Color and Attribute Micromaps, 4.1.
+/// Domain: corners that wind so, as corners_of() gives them.  Source: Color and Attribute Micromaps, 4.1.
 template <Coordinate Q>
 constexpr Weights<Q> weights_by_two(const Point<Q>& p, const Corners& c, Level n) {
   const auto step = [](std::uint32_t from, std::uint32_t to, const Q& q) {
@@ -89,8 +90,8 @@ constexpr Q determinant(const std::array<Q, 3>& a, const std::array<Q, 3>& b, co
          c[0] * (a[1] * b[2] - a[2] * b[1]);
 }
 
-/// Cramer's rule on the system of the paper, columns (w_c, u_c, v_c): weight c is the determinant with column c in the
-/// place of the point, over the determinant, which is 4^-n.
+/// The weights by Cramer's rule on the system of the paper, columns (w_c, u_c, v_c): weight c is the determinant with
+/// the point in the place of column c, over the determinant, which is 4^-n.
 /// Domain: corners of a triangle with an area; a number type with division.
 /// Source: Color and Attribute Micromaps, 4.1, items 1 to 4.
 template <class Q>
@@ -103,11 +104,11 @@ constexpr Weights<Q> weights_by_cramer(const Point<Q>& p, const Corners& c, Leve
   return {determinant(x, b, d) / whole, determinant(a, x, d) / whole, determinant(a, b, x) / whole};
 }
 
-/// Condition number of that system in the 1-norm: how many times larger, at most, an error of the weights is than one of
-/// the point or of the matrix, each relative to the whole. The matrix has norm 1, for its columns are barycentrics; the
+/// The condition number of that system in the 1-norm: the greatest factor from an error of the point or of the matrix
+/// to one of the weights, each relative to the whole.  The matrix has norm 1, for its columns are barycentrics.  The
 /// inverse's columns are the weights of the base triangle's corners in the micro-triangle's plane:
-///   max over w, u, v of |w0| + |w1| + |w2|, a whole number of 2N-1 at most, which the corners' have
-/// That of the two equations is 1: their matrix, in units of 1/N, is the identity or its opposite.
+///   max over w, u, v of |w0| + |w1| + |w2|, an integer of 2N-1 at most, which the corners' micro-triangles have
+/// The condition of the two equations is 1: their matrix, in units of 1/N, is the identity or its opposite.
 /// Domain: a micro-triangle of level n, n in 0..16.  Source: the definition; Higham 2002, section 6.2.
 template <Coordinate Q>
 constexpr Q system_condition(const MicroTriangle& t, Level n) {
@@ -128,7 +129,7 @@ constexpr Point<Q> within(const Weights<Q>& w) {
   return {w[1], w[2]};
 }
 
-/// The micro-vertex of a level n+m that lies at a micro-vertex of level m of a micro-triangle of level n:
+/// The micro-vertex of level n+m at a micro-vertex of level m of a micro-triangle of level n:
 ///   base M + (i, j), backwards in an upper one
 /// Domain: (i, j) a vertex of level m.
 constexpr Vertex vertex_within(const MicroTriangle& t, const Vertex& at, Level m) {
@@ -137,7 +138,7 @@ constexpr Vertex vertex_within(const MicroTriangle& t, const Vertex& at, Level m
   return {t.iu * M + at.i, t.iv * M + at.j};
 }
 
-/// The value of three vertices between them: w0 c0 + w1 c1 + w2 c2, c whole numbers.
+/// The value between three vertices: w0 c0 + w1 c1 + w2 c2, c integers.
 /// Source: Color and Attribute Micromaps, 4.1, step 5.
 template <Coordinate Q>
 constexpr Q interpolated(const Weights<Q>& w, const std::array<std::uint32_t, 3>& c) {

@@ -15,7 +15,7 @@ namespace mmverify::spec::attribute {
 // Faces: the mean of four children
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// How a mean of whole codes becomes a code.  The paper says none.
+/// The rounding of a mean of codes.  The paper names none.
 enum class Rounding : std::uint32_t {
   half_up,       ///< to the nearest, halves up
   half_to_even,  ///< to the nearest, halves to the even one
@@ -41,8 +41,8 @@ constexpr std::uint8_t mean_code(const std::array<std::uint8_t, 4>& children, Ro
   return static_cast<std::uint8_t>(rounded(std::uint64_t{a} + b + c + d, 4, rounding));
 }
 
-/// The map one level below, exactly: value k is the mean of the values 4k..4k+3, the children of micro-triangle k on the
-/// curve, which have equal areas.  (In row order or U-major order they are no such four.)
+/// The map one level below, exactly: value k is the mean of the values 4k..4k+3, the children of micro-triangle k on
+/// the curve, which have equal areas.  (In row order or U-major order these are no siblings.)
 /// Domain: 4^n values in the order of the curve, n >= 1.  Source: Color and Attribute Micromaps, 4.4.
 template <Coordinate Q>
 std::vector<Q> face_mip(std::span<const Q> values) {
@@ -52,7 +52,7 @@ std::vector<Q> face_mip(std::span<const Q> values) {
   return means;
 }
 
-/// The same in codes.
+/// The map one level below, in codes.
 inline std::vector<std::uint8_t> face_mip(std::span<const std::uint8_t> codes, Rounding rounding) {
   std::vector<std::uint8_t> means;
   for (std::size_t k = 0; 4 * k < codes.size(); ++k)
@@ -61,8 +61,8 @@ inline std::vector<std::uint8_t> face_mip(std::span<const std::uint8_t> codes, R
   return means;
 }
 
-/// Values of the levels below m, 1 + 4 + ... + 4^(m-1), which is also where level m begins in a chain that is stored
-/// from the coarsest level up: (4^m - 1) / 3.  The whole chain of level n ends at face_chain(n + 1).
+/// The number of values of the levels below m, 1 + 4 + ... + 4^(m-1) = (4^m - 1) / 3, which is also the place of level
+/// m in a chain stored from the coarsest level up.  The whole chain of level n ends at face_chain(n + 1).
 /// Domain: m in 0..31.  Source: Color and Attribute Micromaps, 4.4: "roughly 33 %".
 constexpr std::uint64_t face_chain(Level m) { return (face_count(m) - 1) / 3; }
 
@@ -70,9 +70,9 @@ constexpr std::uint64_t face_chain(Level m) { return (face_count(m) - 1) / 3; }
 // Vertices: a lower level
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Where the value of vertex k of level m lies in the map of level n >= m: at the same place of the triangle, which is
-/// vertex (i 2^(n-m), j 2^(n-m)).  In the Bird order that is k itself, so that a map begins with all its mips; in the
-/// others it is a stride.  Nothing is stored beside the map.
+/// The place, in the map of level n >= m, of the value of vertex k of level m: the same place of the triangle is vertex
+/// (i 2^(n-m), j 2^(n-m)).  In the Bird order that is k itself, so that a map begins with all its mips; in the others
+/// it is a stride.  Nothing is stored beside the map.
 /// Domain: k in [0, V(m)), m <= n, n in 0..16.
 /// Source: Color and Attribute Micromaps, 4.4.1: "a lower subdivision level ... in the same way".
 constexpr std::uint64_t vertex_mip_source(VertexOrder order, std::uint64_t k, Level m, Level n) {
@@ -80,7 +80,7 @@ constexpr std::uint64_t vertex_mip_source(VertexOrder order, std::uint64_t k, Le
   return vertex_index(order, Vertex{x.i << (n - m), x.j << (n - m)}, n);
 }
 
-/// Values of the levels below m where each is stored by itself: ((4^m - 1)/3 + 3 (2^m - 1) + 2m) / 2.
+/// The number of values of the levels below m, if each is stored: ((4^m - 1)/3 + 3 (2^m - 1) + 2m) / 2.
 /// Domain: m in 0..30.
 constexpr std::uint64_t vertex_chain(Level m) {
   const std::uint64_t M = side(m);
@@ -91,16 +91,16 @@ constexpr std::uint64_t vertex_chain(Level m) {
 // Level of detail
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The level whose micro-triangles are the last that the cone does not outgrow: the greatest m in 0..n with
-/// 4^m A_c <= A_t, which is floor(1/2 log2(A_t / A_c)) kept within 0..n; 0 where there is none.
-/// So a cone of area 0 asks for level n, and a triangle of area 0 for level 0, where the cone's is not 0, too.
+/// The last level whose micro-triangles the cone does not outgrow: the greatest m in 0..n with 4^m A_c <= A_t, which is
+/// floor(1/2 log2(A_t / A_c)) clamped to 0..n; 0 if there is none.
+/// So a cone of area 0 asks for level n, and a triangle of area 0 for level 0, unless the cone's is 0, too.
 /// Domain: areas >= 0, n in 0..16.
 /// Source: Color and Attribute Micromaps, 4.4.2; which reading of it: docs/ERRATA.md.
 template <Coordinate Q>
 constexpr Level lod_level(const Q& cone, const Q& triangle, Level n) {
   Q grown = cone;
   Level m = 0;
-  // 4^m A_c, in the order in which it grows.  Below level 1 the inequality is not asked.
+  // The areas 4^m A_c, in the order in which they grow.  The inequality is tested from level 1 on.
   for (grown = times(4, grown); m < n && !(triangle < grown); grown = times(4, grown)) ++m;
   return m;
 }
@@ -123,16 +123,16 @@ constexpr Level first_level_exceeded(const Q& cone, const Q& triangle) {
   return m;
 }
 
-/// low <= 2^bits x <= high.
+/// Bounds of x: low <= 2^bits x <= high.
 struct Bounds {
   Integer low, high;
 };
 
 namespace detail {
 
-/// floor or ceil of 2^bits 1/2 log2(r), one digit after the other: r >= 2 is the first, then the square's, and so on.
-/// r in units of 2^-point, rounded down or up after each step; the result is too low or too high, never on the other
-/// side.  Domain: r in [1, 4).
+/// floor or ceil of 2^bits 1/2 log2(r), one digit after the other: the first digit is r >= 2, the next is that of the
+/// square, and so on.  r is in units of 2^-point, rounded down or up after each step; so the result is too low or too
+/// high, never on the other side.  Domain: r in [1, 4).
 inline Integer half_log2(Integer r, unsigned point, unsigned bits, bool up) {
   const Integer one = Integer(1) << point, two = one << 1;
   const auto shifted = [up](const Integer& x, unsigned by) {
@@ -156,8 +156,8 @@ inline Integer half_log2(Integer r, unsigned point, unsigned bits, bool up) {
 
 }  // namespace detail
 
-/// Bounds of t = 1/2 log2(A_t / (4^m A_c)), the weight of level m + 1 where level m has 1 - t: no rational but for
-/// powers of 2, so it is given between two.  They are 2 units apart at most while bits <= 64.
+/// Bounds of t = 1/2 log2(A_t / (4^m A_c)), the weight of level m + 1 where level m has 1 - t.  It is irrational but
+/// for powers of 2.  The bounds are 2 units apart at most while bits <= 64.
 /// Domain: 4^m A_c <= A_t < 4^(m+1) A_c, A_c > 0.  Source: Color and Attribute Micromaps, 4.4.2, step 3.
 inline Bounds lod_blend(const Rational& cone, const Rational& triangle, Level m, unsigned bits) {
   const unsigned point = 2 * bits + 64;

@@ -1,8 +1,8 @@
-// Attribute micromaps of normals: a mean direction and how long the mean is, rounded exactly.
+// Attribute micromaps of normals: the mean direction and the mean's length, rounded exactly.
 //
-// A texel's normal is taken as a sampler gives it, not made one unit long first.  The mean m of such is divided by its
-// length, which is irrational; but whether a / |m| is a threshold t or more is a comparison of squares,
-//   a >= t |m|   where   a, t >= 0 and a^2 >= t^2 |m|^2, or t <= 0 <= a, or a, t < 0 and a^2 <= t^2 |m|^2.
+// A texel's normal is taken as a sampler gives it, not made one unit long first.  The mean m of texels is divided by
+// its length, which is irrational; but whether a / |m| is a threshold t or more is a comparison of squares,
+//   a >= t |m|   if   a, t >= 0 and a^2 >= t^2 |m|^2, or t <= 0 <= a, or a, t < 0 and a^2 <= t^2 |m|^2.
 // Source: glTF 2.0, normalTexture (2 code / 255 - 1, then normalised); the length as a measure of how the normals
 // spread: Toksvig, Mipmapping Normal Maps.
 #pragma once
@@ -40,14 +40,14 @@ std::array<Normal<Code>, 3> direction(const Vector3<Q>& m) {
     return {Normal<Code>{middle}, Normal<Code>{middle}, Normal<Code>{full_code<Code>}};
   }
   std::array<Normal<Code>, 3> codes;
-  // Code c begins where full (x + 1) / 2 = c - 1/2, x = (2 c - 1 - full) / full.
+  // Code c begins at full (x + 1) / 2 = c - 1/2, that is x = (2 c - 1 - full) / full.
   for (std::size_t k = 0; k < 3; ++k)
     codes[k] = {last_code<Code>(
         [&](int c) { return reaches(m[k], fraction<Q>(2 * std::int64_t{c} - 1 - full, full), square); })};
   return codes;
 }
 
-/// The code of |m|, half up, at most full:  floor(full |m| + 1/2).  What full lacks of it is the normals' spread.
+/// The code of |m|, half up, at most full:  floor(full |m| + 1/2).  full less the code measures the normals' spread.
 template <class Code = std::uint8_t, class Q>
 Code length_code(const Vector3<Q>& m) {
   const Q square = squared_length(m);

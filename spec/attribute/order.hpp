@@ -1,10 +1,10 @@
-// Where micro-vertices and micro-triangles lie in a map: three orders of each, in whole numbers.
+// The places of micro-vertices and micro-triangles in a map: three orders of each, in integers.
 //
 //   vertices   W-minor, rows from the w-corner; U-major, columns from the edge w-v; Bird, level by level in triplets
 //   faces      the curve of the Vulkan specification; rows from the w-corner; U-major, strips from the edge w-v
 //
-// Word is a whole number.  Of 64 bits it holds every product up to level 31; of 32 bits the products of W-minor and
-// U-major wrap at level 16, as those of code that is in use do (docs/ERRATA.md).
+// Word is an integer type.  With 64 bits it holds every product up to level 31.  With 32 bits the products of W-minor
+// and U-major wrap at level 16, as they do in released code (docs/ERRATA.md).
 #pragma once
 
 #include <array>
@@ -52,7 +52,7 @@ constexpr std::uint64_t vertex_count(Level n) { return vertices_of_side(std::uin
 /// 4^n, the number of micro-triangles.  Domain: n in 0..31.
 constexpr std::uint64_t face_count(Level n) { return std::uint64_t{1} << (2 * n); }
 
-/// One bit of a root: r + bit where T of that is x or less, else r.
+/// One bit of a root: r + bit if T of that is x or less, else r.
 /// T(r) <= x < T(r + 2 bit) before it, and T(r) <= x < T(r + bit) of the new r after it.
 template <class Word>
 constexpr Word triangular_root_turn(const Word& x, const Word& r, const Word& bit) {
@@ -97,14 +97,14 @@ constexpr Word w_minor_index(Word i, Word j) {
   return triangular(i + j) + j;
 }
 
-/// The vertex of index x in row r.  Domain: r the greatest with r(r+1)/2 <= x.
+/// The vertex with index x, in row r.  Domain: r the greatest with r(r+1)/2 <= x.
 template <class Word>
 constexpr VertexOf<Word> w_minor_in_row(const Word& x, const Word& r) {
   const Word j = x - triangular(r);
   return {r - j, j};
 }
 
-/// The vertex of an index: r the greatest with r(r+1)/2 <= x, j = x - r(r+1)/2, i = r-j.
+/// The vertex with an index: r the greatest with r(r+1)/2 <= x, j = x - r(r+1)/2, i = r-j.
 /// Domain: x in [0, V(n)), n in 0..31.  Source: as w_minor_index.
 constexpr Vertex w_minor_vertex(std::uint64_t x) { return narrowed(w_minor_in_row(x, triangular_root(x))); }
 
@@ -121,7 +121,7 @@ constexpr Word u_major_index(Word i, Word j, Level n) {
   return u_major_of_side(i, j, Word{side(n)});
 }
 
-/// The vertex of an index that is y from the last one, in row r from the u-corner.
+/// The vertex whose index is y less than the last one, in row r from the u-corner.
 /// Domain: y in [0, T(N+1)), r the greatest with r(r+1)/2 <= y.
 template <class Word>
 constexpr VertexOf<Word> u_major_in_row(const Word& y, const Word& r, const Word& N) {
@@ -129,7 +129,7 @@ constexpr VertexOf<Word> u_major_in_row(const Word& y, const Word& r, const Word
   return {N - r, r - c};
 }
 
-/// The vertex of an index: columns are rows counted from the u-corner, backwards:
+/// The vertex with an index: columns are rows counted from the u-corner, backwards:
 ///   y = V-1-x, r the greatest with r(r+1)/2 <= y, c = y - r(r+1)/2, i = N-r, j = r-c
 /// Domain: x in [0, V(n)), n in 0..31.  Source: as u_major_index.
 constexpr Vertex u_major_vertex(std::uint64_t x, Level n) {
@@ -137,15 +137,15 @@ constexpr Vertex u_major_vertex(std::uint64_t x, Level n) {
   return narrowed(u_major_in_row(y, triangular_root(y), std::uint64_t{side(n)}));
 }
 
-/// A count along the curve: twice the upright micro-triangles that were passed, less all that were passed; and how the
-/// triangle stands that is entered next.
+/// A count along the curve: twice the number of upright micro-triangles that were passed, less that of all passed; and
+/// whether the triangle that is entered next stands upright.
 template <class Word>
 struct UprightExcess {
   Word excess;
   bool upright;
 };
 
-/// One digit of upright_before, a child having S micro-triangles to a side: the children before digit 0, 1, 2, 3 have
+/// One digit of upright_before(), a child having S micro-triangles to a side: the children before digit 0, 1, 2, 3 have
 /// an excess of 0, S, 0, S, or in a triangle upside down of 0, -S, 0, -S; child 1 stands the other way.
 template <class Word>
 constexpr UprightExcess<Word> upright_turn(const UprightExcess<Word>& at, std::uint64_t digit,
@@ -154,7 +154,7 @@ constexpr UprightExcess<Word> upright_turn(const UprightExcess<Word>& at, std::u
   return {excess, (digit == 1) != at.upright};
 }
 
-/// How many of the micro-triangles before number x of the curve at level d stand upright, that is, are lower ones:
+/// The number of micro-triangles before number x of the curve at level d that stand upright, that is, are lower ones:
 ///   (x + sum over digits l of o_l b_l 2^l) / 2,  b_l the low bit of digit l; o begins at +1 and turns its sign below
 ///   each digit 1, whose child is upside down
 /// Source: ours.  A subtree of l levels has S(S+1)/2 micro-triangles of its root's orientation and S(S-1)/2 of the
@@ -168,15 +168,16 @@ constexpr std::uint64_t upright_before(std::uint64_t x, Level d) {
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(x) + at.excess) / 2;
 }
 
-/// How many stand upright in a triangle with S micro-triangles to a side: S(S+1)/2 if it stands so itself, else
+/// The number of upright micro-triangles in a triangle with S to a side: S(S+1)/2 if it stands upright itself, else
 /// S(S-1)/2.
 template <class Word>
 constexpr Word upright_within(const Word& S, bool upright) {
   return upright ? triangular(S) : triangular(S - 1);
 }
 
-/// The child, S micro-triangles to a side, that holds upright micro-triangle k of a triangle; k becomes its number
-/// there.  Domain: k below upright_within(2S, upright).
+/// The child, S micro-triangles to a side, that contains upright micro-triangle k of a triangle; k becomes its number
+/// there.
+/// Domain: k below upright_within(2S, upright).
 template <class Word>
 constexpr std::uint64_t upright_child(Word& k, const Word& S, bool upright) {
   std::uint64_t digit = 0;
@@ -201,20 +202,20 @@ constexpr std::uint64_t upright_number(std::uint64_t k, Level d) {
   return x;
 }
 
-/// The bits of a grid square that make up the curve's number: iu, iv and iw = NOT(iu+iv), one less for the upper half.
+/// The words of a grid square that make up the curve's number: iu, iv and iw = NOT(iu+iv), one less for the upper half.
 template <class Word>
 constexpr spec::index::Quantised<Word> curve_words(const Word& iu, const Word& iv, bool upper) {
   const Word iw = ~(iu + iv);
   return {iu, iv, upper ? iw - 1 : iw};
 }
 
-/// Number on the curve of a micro-triangle of level n: the bits of its grid square, b0 = NOT(iu XOR iw) and so on.
+/// The number on the curve of a micro-triangle of level n: the bits of its grid square, b0 = NOT(iu XOR iw) and so on.
 /// Domain: a micro-triangle of level n, n in 0..31.  Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 constexpr std::uint64_t curve_index(const MicroTriangle& t, Level n) {
   return spec::index::curve(curve_words<std::uint64_t>(t.iu, t.iv, t.upper), std::uint64_t{side(n)} - 1);
 }
 
-/// The micro-triangle of its corners, in any order: a lower one has its square's corner (iu, iv), an upper one does not.
+/// The micro-triangle with these corners, in any order: a lower one has its square's corner (iu, iv), an upper one not.
 template <class Word>
 constexpr FaceOf<Word> face_of_any_corners(const std::array<VertexOf<Word>, 3>& c) {
   const auto least = [](const Word& a, const Word& b, const Word& d) {
@@ -227,7 +228,7 @@ constexpr FaceOf<Word> face_of_any_corners(const std::array<VertexOf<Word>, 3>& 
   return {iu, iv, Word(upper ? 1 : 0)};
 }
 
-/// The micro-triangle of a number on the curve, from its corners.  Domain: x in [0, 4^n), n in 0..16.
+/// The micro-triangle with a number on the curve, from its corners.  Domain: x in [0, 4^n), n in 0..16.
 constexpr MicroTriangle curve_triangle(std::uint64_t x, Level n) {
   const Corners c = spec::index::corners(static_cast<std::uint32_t>(x), n);
   using V = VertexOf<std::uint64_t>;
@@ -235,7 +236,7 @@ constexpr MicroTriangle curve_triangle(std::uint64_t x, Level n) {
       face_of_any_corners<std::uint64_t>({V{c[0].i, c[0].j}, {c[1].i, c[1].j}, {c[2].i, c[2].j}}));
 }
 
-/// The index of a corner in the hierarchical order, w, u, v: 0, 1, 2; of any other vertex 3.
+/// The index of a corner in the hierarchical order, w, u, v: 0, 1, 2; 3 for any other vertex.
 template <class Word>
 constexpr std::uint64_t bird_corner(const Word& i, const Word& j, const Word& N) {
   if (i == 0 && j == 0) return 0;
@@ -243,7 +244,7 @@ constexpr std::uint64_t bird_corner(const Word& i, const Word& j, const Word& N)
   return j == N ? 2 : 3;
 }
 
-/// A vertex of the level below where it is one: halves i and j if both are even, and says so.
+/// Halves i and j if both are even, to the same vertex of the level below; false if not.
 template <class Word>
 constexpr bool halved(VertexOf<Word>& at) {
   if (!(at.i % 2 == 0 && at.j % 2 == 0)) return false;
@@ -257,7 +258,7 @@ struct EdgeMiddle {
   Word iu, iv, edge;
 };
 
-/// Which middle of an edge, one level coarser, a vertex is: edge 0 where i is even, 2 where j is, 1 where neither is.
+/// The edge that a vertex is the middle of, one level coarser: edge 0 if i is even, 2 if j is, 1 if neither is.
 /// Domain: not both even.
 template <class Word>
 constexpr EdgeMiddle<Word> edge_middle(const VertexOf<Word>& at) {
@@ -265,20 +266,20 @@ constexpr EdgeMiddle<Word> edge_middle(const VertexOf<Word>& at) {
   return {at.i / 2, at.j / 2, edge};
 }
 
-/// The vertex in the middle of an edge: the way back.
+/// The vertex in the middle of an edge; edge_middle() inverted.
 template <class Word>
 constexpr VertexOf<Word> in_the_middle(const EdgeMiddle<Word>& m) {
   return {m.edge == 0 ? 2 * m.iu : 2 * m.iu + 1, m.edge == 2 ? 2 * m.iv : 2 * m.iv + 1};
 }
 
-/// Index of a vertex that a level adds to one with M micro-triangles to a side: T(M+1) + 3 before + edge, `before` the
-/// number of upright micro-triangles before the one whose edge it lies on.
+/// The index of a vertex that a level adds to one with M micro-triangles to a side: T(M+1) + 3 before + edge, `before`
+/// the number of upright micro-triangles before the one with that edge.
 template <class Word>
 constexpr Word bird_number(const Word& before, const Word& edge, const Word& M) {
   return vertices_of_side(M) + 3 * before + edge;
 }
 
-/// `before` and edge of such an index: the way back.
+/// `before` and edge of such an index; bird_number() inverted.
 template <class Word>
 struct BirdPlace {
   Word before, edge;
@@ -307,7 +308,7 @@ constexpr std::uint64_t bird_index(std::uint32_t i, std::uint32_t j, Level n) {
   return bird_number<std::uint64_t>(before, on.edge, side(m - 1));
 }
 
-/// The vertex of an index: m the first level with x < V(m); then the edge, the upright micro-triangle, its square.
+/// The vertex with an index: m the first level with x < V(m); then the edge, the upright micro-triangle, its square.
 /// Domain: x in [0, V(n)), n in 0..16.  Source: as bird_index.
 constexpr Vertex bird_vertex(std::uint64_t x, Level n) {
   const std::uint32_t N = side(n);
@@ -320,7 +321,7 @@ constexpr Vertex bird_vertex(std::uint64_t x, Level n) {
   return {at.i << (n - m), at.j << (n - m)};
 }
 
-/// Index of a vertex in an order.  Domain: a vertex of level n, n in 0..31.  Result in [0, V(n)).
+/// The index of a vertex in an order.  Domain: a vertex of level n, n in 0..31.  Result in [0, V(n)).
 constexpr std::uint64_t vertex_index(VertexOrder order, const Vertex& at, Level n) {
   switch (order) {
     case VertexOrder::w_minor:
@@ -333,7 +334,7 @@ constexpr std::uint64_t vertex_index(VertexOrder order, const Vertex& at, Level 
   return bird_index(at.i, at.j, n);
 }
 
-/// The vertex of an index in an order.  Domain: x in [0, V(n)), n in 0..16.
+/// The vertex with an index in an order.  Domain: x in [0, V(n)), n in 0..16.
 constexpr Vertex vertex_at(VertexOrder order, std::uint64_t x, Level n) {
   switch (order) {
     case VertexOrder::w_minor:
@@ -358,14 +359,14 @@ constexpr Word row_index(Word iu, Word iv, bool upper) {
   return square(r) + 2 * iv + up;
 }
 
-/// The micro-triangle of index x in row r.  Domain: r the greatest with r^2 <= x.
+/// The micro-triangle with index x, in row r.  Domain: r the greatest with r^2 <= x.
 template <class Word>
 constexpr FaceOf<Word> row_face(const Word& x, const Word& r) {
   const Word c = x - square(r);
   return {r - c / 2 - c % 2, c / 2, c % 2};
 }
 
-/// The micro-triangle of an index in rows.  Domain: x in [0, 4^n), n in 0..16.  Source: as row_index.
+/// The micro-triangle with an index in rows.  Domain: x in [0, 4^n), n in 0..16.  Source: as row_index.
 constexpr MicroTriangle row_triangle(std::uint64_t x) {
   return narrowed(row_face<std::uint64_t>(x, spec::index::w_minor_row(static_cast<std::uint32_t>(x))));
 }
@@ -384,7 +385,7 @@ constexpr Word u_major_face_index(Word iu, Word iv, bool upper, Level n) {
   return u_major_face_of_side(iu, iv, upper, Word{side(n)});
 }
 
-/// The micro-triangle of index x in the strip that is r strips before the last.
+/// The micro-triangle with index x, in the strip r strips before the last.
 /// Domain: x in [0, N^2), r the greatest with r^2 <= N^2 - 1 - x.
 template <class Word>
 constexpr FaceOf<Word> u_major_face_in_strip(const Word& x, const Word& r, const Word& N) {
@@ -392,7 +393,7 @@ constexpr FaceOf<Word> u_major_face_in_strip(const Word& x, const Word& r, const
   return {iu, rest / 2, rest % 2};
 }
 
-/// The micro-triangle of an index in strips: iu strips are full, and the rest lies in the next; counted backwards,
+/// The micro-triangle with an index in strips: iu strips are full, and the rest lies in the next; counted backwards,
 /// strips are rows: iu = N-1 - floor(sqrt(4^n - 1 - x)).
 /// Domain: x in [0, 4^n), n in 0..16.  Source: as u_major_face_index.
 constexpr MicroTriangle u_major_triangle(std::uint64_t x, Level n) {
@@ -400,7 +401,7 @@ constexpr MicroTriangle u_major_triangle(std::uint64_t x, Level n) {
   return narrowed(u_major_face_in_strip<std::uint64_t>(x, r, side(n)));
 }
 
-/// Index of a micro-triangle in an order.  Domain: a micro-triangle of level n, n in 0..31.  Result in [0, 4^n).
+/// The index of a micro-triangle in an order.  Domain: a micro-triangle of level n, n in 0..31.  Result in [0, 4^n).
 constexpr std::uint64_t face_index(FaceOrder order, const MicroTriangle& t, Level n) {
   switch (order) {
     case FaceOrder::curve:
@@ -413,7 +414,7 @@ constexpr std::uint64_t face_index(FaceOrder order, const MicroTriangle& t, Leve
   return u_major_face_index<std::uint64_t>(t.iu, t.iv, t.upper, n);
 }
 
-/// The micro-triangle of an index in an order.  Domain: x in [0, 4^n), n in 0..16.
+/// The micro-triangle with an index in an order.  Domain: x in [0, 4^n), n in 0..16.
 constexpr MicroTriangle triangle_at(FaceOrder order, std::uint64_t x, Level n) {
   switch (order) {
     case FaceOrder::curve:
@@ -430,7 +431,7 @@ constexpr MicroTriangle triangle_at(FaceOrder order, std::uint64_t x, Level n) {
 // Faces and their vertices
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Corners of a micro-triangle: the base, and one step along u and along v from there, +1 or, in an upper one, -1:
+/// The corners of a micro-triangle: the base, and one step along u and along v from there, +1 or, in an upper one, -1:
 ///   lower (iu, iv) (iu+1, iv) (iu, iv+1);  upper (iu+1, iv+1) (iu, iv+1) (iu+1, iv)
 /// Both wind like the base triangle.
 template <class Word>
@@ -443,7 +444,7 @@ constexpr Corners corners_of(const MicroTriangle& t) {
   return {narrowed(c[0]), narrowed(c[1]), narrowed(c[2])};
 }
 
-/// The micro-triangle of three corners, from the first two alone.  Domain: corners_of a micro-triangle.
+/// The micro-triangle with three corners, from the first two alone.  Domain: corners_of() a micro-triangle.
 template <class Word>
 constexpr FaceOf<Word> face_of_corners(const VertexOf<Word>& first, const VertexOf<Word>& second) {
   if (second.i > first.i) return {first.i, first.j, Word(0)};
@@ -453,16 +454,16 @@ constexpr MicroTriangle triangle_of(const Corners& c) {
   return narrowed(face_of_corners<std::uint64_t>({c[0].i, c[0].j}, {c[1].i, c[1].j}));
 }
 
-/// Indices of three vertices.
+/// The indices of three vertices.
 using Triplet = std::array<std::uint64_t, 3>;
 
-/// Indices of a micro-triangle's corners, in their order.  Domain: a micro-triangle of level n, n in 0..31.
+/// The indices of a micro-triangle's corners, in their order.  Domain: a micro-triangle of level n, n in 0..31.
 constexpr Triplet triplet(VertexOrder order, const MicroTriangle& t, Level n) {
   const Corners c = corners_of(t);
   return {vertex_index(order, c[0], n), vertex_index(order, c[1], n), vertex_index(order, c[2], n)};
 }
 
-/// The micro-triangle that a triplet belongs to.  Domain: the triplet of one; n in 0..16.
+/// The micro-triangle of a triplet.  Domain: the triplet of a micro-triangle; n in 0..16.
 constexpr MicroTriangle triangle_of_triplet(VertexOrder order, const Triplet& x, Level n) {
   return triangle_of({vertex_at(order, x[0], n), vertex_at(order, x[1], n), vertex_at(order, x[2], n)});
 }

@@ -1,9 +1,9 @@
 // Attribute micromaps: the levels of a mesh's triangles, so that neighbours differ by one at most.
 //
 // Each triangle wants a level, the lowest that keeps its error.  Edges allow a step of one (decimation), so a triangle
-// pulls up those around it, one less with each edge crossed:
+// raises those around it, one less with each edge crossed:
 //   level(t) = max over s of wanted(s) - distance(s, t),   the distance in edges crossed
-// which is the least that is graded and nowhere below what is wanted.
+// The result is the least graded one that is nowhere below the wanted levels.
 // Source: Color and Attribute Micromaps, 3.2.
 #pragma once
 
@@ -18,12 +18,12 @@
 
 namespace mmverify::spec::attribute {
 
-/// Of a triangle with vertices 0, 1, 2: the triangle across edge 0-1, 1-2 and 2-0, or none.
+/// The neighbours of a triangle with vertices 0, 1, 2 across edge 0-1, 1-2 and 2-0, or no_neighbour.
 inline constexpr std::int32_t no_neighbour = -1;
 using Neighbours = std::array<std::int32_t, 3>;
 
-/// level(t) of each triangle.  Domain: as many triangles as wanted levels; neighbours of one another.
-/// By all shortest paths (Floyd, Algorithm 97): for reading and small meshes.
+/// The level(t) of each triangle.  Domain: as many triangles as wanted levels; mutual neighbours.
+/// It takes all shortest paths (Floyd, Algorithm 97), which suits reading and small meshes.
 inline std::vector<Level> graded(const std::vector<Level>& wanted,
                                  const std::vector<Neighbours>& neighbours) {
   const std::size_t n = wanted.size();
@@ -46,7 +46,7 @@ inline std::vector<Level> graded(const std::vector<Level>& wanted,
   return levels;
 }
 
-/// Bit k where the neighbour across edge k has one level less: the edge is to be decimated.
+/// The edges to decimate: bit k if the neighbour across edge k has one level less.
 inline std::uint8_t decimated_edges(const std::vector<Level>& levels, const Neighbours& neighbours,
                                     std::size_t t) {
   std::uint8_t flags = 0;

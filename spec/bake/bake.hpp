@@ -1,10 +1,10 @@
-// Baking: what a closed convex polygon sees of a texture's alpha, with no sampling and no epsilon.
+// Baking: the alpha of a texture on a closed convex polygon, with no sampling and no epsilon.
 //
 // Axes.  Coordinates are in texels, x along a row, y DOWN from the first row: texel (i, j) has its centre at
 // (i + 1/2, j + 1/2).  The caller maps (u, v) to (u width, v height).
 // Q is an exact number: Rational, or a narrower one that throws beyond its limits, as Rational128 does.
-// Source: Vulkan, Image Operations ("Texel Filtering"); glTF 2.0, samplers.  That bilinear alpha is
-// continuous, and what follows for neighbours: Compressed Opacity Maps, 2.
+// Source: Vulkan, Image Operations ("Texel Filtering"); glTF 2.0, samplers.  Compressed Opacity Maps, 2, for the
+// continuity of bilinear alpha, and its consequences for neighbours.
 #pragma once
 
 #include <algorithm>
@@ -53,15 +53,15 @@ struct Cell {
     c = below - a;
     d = a - right - below + across;
   }
-  /// From the texture's coordinates to the cell's.
+  /// The place p in the cell's coordinates.
   Place<Q> local(const Place<Q>& p) const { return {p.x - along(i), p.y - along(j)}; }
   Q alpha(const Place<Q>& l) const { return a + b * l.x + c * l.y + d * l.x * l.y; }
 
-  /// Where the cell of an index begins along an axis.
+  /// The coordinate at which cell k begins along an axis.
   static Q along(std::int64_t k) { return fraction<Q>(2 * k + 1, 2); }
 };
 
-/// The cell along one axis that holds a coordinate; of two, the one that begins there.
+/// The cell along one axis that contains a coordinate; of two, the one that begins there.
 template <class Q>
 std::int64_t cell_at(const Q& x) {
   return floored(x - fraction<Q>(1, 2));
@@ -79,12 +79,12 @@ Q alpha(const TextureOf<Texel>& t, const Place<Q>& p) {
 // Polygons
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Convex and closed, its corners in order, either way round.  One corner is a point, two are a segment, and
-/// corners may repeat: nothing below asks for an interior.
+/// A convex and closed polygon, its corners in order, either way round.  One corner is a point, two are a segment, and
+/// corners may repeat: nothing below needs an interior.
 template <class Q>
 using Polygon = std::vector<Place<Q>>;
 
-/// The part where `height`, affine in the place, is not negative; empty if there is none.
+/// The part with height >= 0; empty if there is none.  Domain: `height` is affine in the place.
 template <class Q, class Height>
 Polygon<Q> clipped(const Polygon<Q>& polygon, Height height) {
   Polygon<Q> part;
@@ -100,14 +100,14 @@ Polygon<Q> clipped(const Polygon<Q>& polygon, Height height) {
   return part;
 }
 
-/// The part with low <= x <= high, or the same of y.
+/// The part with low <= x <= high, or low <= y <= high.
 template <class Q>
 Polygon<Q> clipped(const Polygon<Q>& polygon, Q Place<Q>::*axis, const Q& low, const Q& high) {
   return clipped(clipped(polygon, [&](const Place<Q>& p) { return p.*axis - low; }),
                  [&](const Place<Q>& p) { return high - p.*axis; });
 }
 
-/// Whether it is more than a point or a segment.
+/// Whether a polygon is more than a point or a segment.
 template <class Q>
 bool has_area(const Polygon<Q>& polygon) {
   for (std::size_t k = 2; k < polygon.size(); ++k) {
@@ -117,7 +117,7 @@ bool has_area(const Polygon<Q>& polygon) {
   return false;
 }
 
-/// The corners of the convex hull of some points, each once; fewer than three where they are on a line.
+/// The corners of the convex hull of some points, each once; fewer than three if they are on a line.
 /// Domain: any points.  Source: A. M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions.
 template <class Q>
 Polygon<Q> hull(Polygon<Q> points) {
@@ -138,14 +138,14 @@ Polygon<Q> hull(Polygon<Q> points) {
         corners.pop_back();
       corners.push_back(p);
     }
-    corners.pop_back();  // begins the other chain
+    corners.pop_back();  // it begins the other chain
     std::reverse(points.begin(), points.end());
   }
   return corners.empty() ? Polygon<Q>{points.at(0)} : corners;
 }
 
-/// All that is within `margin` of the polygon along both axes at once: its sum with [-m, m]^2, which is the
-/// hull of its corners moved by (-m, -m), (-m, m), (m, -m) and (m, m).
+/// The points within `margin` of the polygon along both axes at once: its sum with [-m, m]^2, which is the hull of its
+/// corners moved by (-m, -m), (-m, m), (m, -m) and (m, m).
 /// Errors: std::invalid_argument for a margin below 0.
 template <class Q>
 Polygon<Q> dilated(const Polygon<Q>& polygon, const Q& margin) {
@@ -162,7 +162,7 @@ Polygon<Q> dilated(const Polygon<Q>& polygon, const Q& margin) {
 // Extremes and states
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The least and the greatest alpha.
+/// A range of alpha: the least and the greatest.
 template <class Q>
 struct Range {
   Q least, greatest;
@@ -174,7 +174,7 @@ struct Range {
   }
 };
 
-/// Over a polygon within one cell: its corners, and on each edge from p to q the point where alpha
+/// The range over a polygon within one cell.  It takes the corners, and on each edge from p to q the point where alpha
 /// stands still,
 ///   alpha(p + t (q - p)) = m + l t + k t^2,   t = -l / 2k in (0, 1).
 /// Inside there is no other extreme: d x y bends up one way and down the other (d = 0: alpha is affine).
@@ -203,11 +203,10 @@ std::pair<std::int64_t, std::int64_t> ends(const Polygon<Q>& polygon, Q Place<Q>
   return {floored((*low).*axis - offset), floored((*high).*axis - offset)};
 }
 
-/// Calls visit(i, j, part) for each closed square [i, i+1] x [j, j+1], moved by (offset, offset), that the
-/// polygon meets and whose low sides it does not lie beyond.  A polygon that meets only the high sides of a
-/// square does not reach it: the square's neighbours, of which those are low sides, are visited.
-/// That is exact, square by square: a convex part that comes below the high side i+1 at one point and below
-/// j+1 at another comes below both midway between.
+/// Calls visit(i, j, part) for each closed square [i, i+1] x [j, j+1], moved by (offset, offset), that the polygon
+/// meets, unless it meets only the square's high sides: these are low sides of neighbours, which are visited.
+/// That is exact, square by square: a convex part that comes below the high side i+1 at one point and below j+1 at
+/// another comes below both midway between.
 template <class Q, class Visit>
 void for_each_square(const Polygon<Q>& polygon, const Q& offset, Visit visit) {
   const auto [top, bottom] = ends(polygon, &Place<Q>::y, offset);
@@ -227,11 +226,10 @@ void for_each_square(const Polygon<Q>& polygon, const Q& offset, Visit visit) {
   }
 }
 
-/// Calls visit(part, alpha) for what each cell shows of a polygon, or each texel whose half-open square it meets:
-/// that part of it and the range of alpha there.
+/// Calls visit(part, alpha) for the part of a polygon in each cell, or in each texel whose half-open square it meets,
+/// with the range of alpha there.
 /// Domain: coordinates below 2^62 in size; the work is that of the cells under its rows.
-/// Errors: std::invalid_argument for a polygon of no corner, or a texture whose texels are not width x height
-/// or none.
+/// Errors: std::invalid_argument for a polygon of no corner, or a texture whose texels are not width x height or none.
 template <class Q, class Texel, class Visit>
 void for_each_part(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Visit visit) {
   if (polygon.empty()) throw std::invalid_argument("bake: a polygon without corners");
@@ -250,7 +248,7 @@ void for_each_part(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Visit v
     });
 }
 
-/// Over any polygon: cell by cell, or of all texels whose half-open squares it meets.
+/// The range over any polygon: cell by cell, or of all texels whose half-open squares it meets.
 /// Domain, errors: those of for_each_part.
 template <class Q, class Texel>
 Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon) {
@@ -269,8 +267,8 @@ enum class State : std::uint8_t {
   O = 2,  ///< alpha >= cutoff everywhere
 };
 
-/// Of an alpha-tested polygon.  Closed on purpose: a hit on a shared edge may be given to either side, and
-/// both must be right about it.
+/// The state of an alpha-tested polygon.  The polygon is closed on purpose: a hit on a shared edge may be given to
+/// either side, and both must be right about it.
 template <class Q>
 State state(const Range<Q>& alpha, const Q& cutoff) {
   return alpha.least >= cutoff ? State::O : alpha.greatest < cutoff ? State::T : State::C;

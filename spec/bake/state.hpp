@@ -20,20 +20,20 @@ namespace mmverify::spec::bake {
 // Alpha modes
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// MASK: opaque where alpha >= cutoff, transparent where not.
+/// MASK: alpha >= cutoff is opaque, less is transparent.
 template <class Q>
 struct Mask {
   Q cutoff;
   bool opaque(const Q& alpha) const { return alpha >= cutoff; }
   bool transparent(const Q& alpha) const { return alpha < cutoff; }
-  /// UO rather than UT.
+  /// Whether an unknown state is UO instead of UT.
   bool rather_opaque(const Q& alpha) const { return alpha >= cutoff; }
-  /// What lies next to alpha, on the one side and on the other.
+  /// Whether numbers just above alpha are opaque, and numbers just below it transparent.
   bool opaque_above(const Q& alpha) const { return alpha >= cutoff; }
   bool transparent_below(const Q& alpha) const { return alpha <= cutoff; }
 };
 
-/// MASK of those who draw where alpha is above the cutoff, and not where it meets it.
+/// MASK of engines that draw alpha > cutoff only.
 template <class Q>
 struct MaskAbove {
   Q cutoff;
@@ -44,7 +44,7 @@ struct MaskAbove {
   bool transparent_below(const Q& alpha) const { return alpha <= cutoff; }
 };
 
-/// BLEND: opaque where alpha >= 1, transparent where alpha <= 0; between, alpha is a share.
+/// BLEND: alpha >= 1 is opaque, alpha <= 0 transparent; between, alpha is a share.
 template <class Q>
 struct Blend {
   bool opaque(const Q& alpha) const { return alpha >= 1; }
@@ -54,17 +54,17 @@ struct Blend {
   bool transparent_below(const Q& alpha) const { return alpha <= 0; }
 };
 
-/// O where all of it is opaque, T where all of it is transparent, else C.
+/// The state of a range: O if all of it is opaque, T if all of it is transparent, else C.
 template <class Q, class Mode>
 State state_in(const Mode& mode, const Range<Q>& alpha) {
   return mode.opaque(alpha.least) ? State::O : mode.transparent(alpha.greatest) ? State::T : State::C;
 }
 
-/// What holds whichever of the two is sampled: O if both are, T if both are, else C.
+/// The state that serves two textures, either of which may be sampled: O if both are O, T if both are T, else C.
 constexpr State merged(State a, State b) { return a == b ? a : State::C; }
 
-/// The same as state_in, but that an area of 0 does not count.  Where alpha is not the same throughout a part of a
-/// cell, it meets its least and its greatest on an area of 0 only.
+/// The state of a range without areas of 0.  If alpha varies on a part of a cell, it meets its least and its greatest
+/// on an area of 0 only.
 /// Domain: the range of such a part, which has an area itself.
 template <class Q, class Mode>
 State open_state_in(const Mode& mode, const Range<Q>& alpha) {
@@ -74,12 +74,12 @@ State open_state_in(const Mode& mode, const Range<Q>& alpha) {
   return State::C;
 }
 
-/// Whether a micro-triangle is closed, with its edges and corners, or open: then that which it meets in an area of 0
-/// alone does not count.
+/// The contact rule: a micro-triangle is closed, with its edges and corners, or open: touching in an area of 0 is
+/// nothing.
 enum class Contact : std::uint8_t { closed, open };
 
-/// Of an open polygon: what each cell, or texel, shows of it in an area above 0.  A polygon without an area is
-/// taken as closed.
+/// The state of an open polygon, from each cell, or texel, that it meets in an area above 0.  One without area is
+/// closed.
 template <class Q, class Texel, class Mode>
 State open_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mode& mode) {
   if (!has_area(polygon)) return state_in(mode, range(t, polygon));
@@ -122,7 +122,7 @@ Polygon<Q> micro_triangle(const BaseTriangle<Q>& uv, Level n, std::uint32_t inde
   return polygon;
 }
 
-/// The mean of the corners.
+/// The centroid: the mean of the corners.
 template <class Q>
 Place<Q> centroid(const Polygon<Q>& polygon) {
   Place<Q> sum{0, 0};
@@ -131,10 +131,10 @@ Place<Q> centroid(const Polygon<Q>& polygon) {
   return {sum.x * share, sum.y * share};
 }
 
-/// The state of a micro-triangle: O or T if it is that in every mip level that may be sampled; otherwise UO
-/// or UT, as alpha at its centroid is rather opaque or not in the first of them, the largest.
-/// Mips: as sampled, the first first.  2-state maps hold micromap::force2 of this.
-/// Contact: whether what is met in an area of 0 counts.
+/// The state of a micro-triangle: O or T if it is so in every mip level that may be sampled; else UO or UT, as alpha at
+/// its centroid is rather opaque or not in the first mip level, the largest.
+/// Mips: in the order of sampling.  2-state maps hold micromap::force2 of this.
+/// Contact: whether touching in an area of 0 counts.
 /// Margin: in texels of each mip level; O or T must hold on all of the dilated micro-triangle.
 /// Errors: std::invalid_argument without mips, or for a margin below 0.
 template <class Q, class Texel, class Mode>
@@ -149,7 +149,7 @@ micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTr
   };
   State all = state(mips[0]);
   for (const TextureOf<Texel>& t : mips.subspan(1)) {
-    if (all == State::C) break;  // and so it stays
+    if (all == State::C) break;  // C stays C
     all = merged(all, state(t));
   }
   if (all == State::O) return micromap::State::O;
@@ -158,7 +158,7 @@ micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTr
                                                                    : micromap::State::UT;
 }
 
-/// Of one texture without mips.
+/// The state for one texture without mips.
 template <class Q, class Texel, class Mode>
 micromap::State micro_state(const TextureOf<Texel>& texture, const BaseTriangle<Q>& uv, Level n,
                             std::uint32_t index, const Mode& mode, const Q& margin = Q(0)) {

@@ -1,6 +1,6 @@
-// Baking: what a texel's alpha is, and which texel an index means.
+// Baking: the alpha of a texel, and the texel that an index means.
 //
-// Alpha is an exact number, whatever form it is stored in.
+// Alpha is an exact number, however it is stored.
 // Source: Vulkan, Image Operations ("Wrapping Operation"), Fixed-Point Data Conversions; glTF 2.0, samplers.
 #pragma once
 
@@ -36,13 +36,13 @@ Q number(std::uint8_t byte) {
   return fraction<Q>(byte, 255);
 }
 
-/// word / 65535.
+/// The number word / 65535.
 template <class Q>
 Q number(std::uint16_t word) {
   return fraction<Q>(word, 65535);
 }
 
-/// (-1)^s m 2^e, m the fraction with its leading bit where it has one.
+/// The number (-1)^s m 2^e, where m is the fraction, with its leading bit if it is normal.
 /// Errors: std::invalid_argument for NaN and infinities.  Source: IEEE 754, 3.4.
 template <class Q>
 Q number(Binary32 x) {
@@ -51,7 +51,7 @@ Q number(Binary32 x) {
   using Whole = typename Q::int_type;
   const Whole m = exponent == 0 ? Whole(fraction) : Whole(fraction | 0x800000);
   const Whole s = x.bits >> 31 != 0 ? Whole(-1) : Whole(1);
-  // Without its zeros at the end: what fits a narrow type is not to overflow it on the way.
+  // Trailing zeros are removed, so that a number that fits a narrow type does not overflow it on the way.
   int e = static_cast<int>(exponent == 0 ? 1 : exponent) - 150;
   Whole odd = m;
   for (; odd != 0 && odd % 2 == 0; ++e) odd /= 2;
@@ -64,27 +64,27 @@ Q number(Binary32 x) {
 // Texels
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// mirror_once is Vulkan's MIRROR_CLAMP_TO_EDGE.
+/// The wrap mode.  mirror_once is Vulkan's MIRROR_CLAMP_TO_EDGE.
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge, clamp_to_border, mirror_once };
 
-/// nearest: texel (i, j) owns [i, i+1) x [j, j+1), before wrapping.
+/// The filter.  nearest: texel (i, j) owns [i, i+1) x [j, j+1), before wrapping.
 enum class Filter : std::uint8_t { bilinear, nearest };
 
-/// Alpha, texel (i, j) at i + width j, rows from the top.
+/// A texture of alpha, texel (i, j) at i + width j, rows from the top.
 /// Texel: std::uint8_t, std::uint16_t or Binary32.
 template <class Texel>
 struct TextureOf {
   std::uint32_t width = 0, height = 0;
   std::vector<Texel> alpha = {};
   Wrap wrap_x = Wrap::clamp_to_edge, wrap_y = Wrap::clamp_to_edge;
-  Texel border = {};      ///< what lies outside with clamp_to_border
-  Binary32 factor = one;  ///< the constant that sampled alpha is multiplied by, as baseColorFactor's
+  Texel border = {};      ///< the texel outside, with clamp_to_border
+  Binary32 factor = one;  ///< sampled alpha is multiplied by it, as by baseColorFactor's
   Filter filter = Filter::bilinear;
-  Binary32 vertex_factor = one;  ///< another, as the alpha that all vertices have
+  Binary32 vertex_factor = one;  ///< another factor: the alpha that all vertices have
 };
 using Texture = TextureOf<std::uint8_t>;
 
-/// Which texel of a row (or column) of `size` an index means; none is the border.
+/// The texel of a row (or column) of `size` texels that an index means; none means the border.
 ///   repeat i mod size; mirrored size-1 - mirror(i mod 2 size - size); mirror once: clamp(mirror(i)),
 ///   mirror(n) = n or, below 0, -(1+n)
 /// Domain: size in 1..2^31.

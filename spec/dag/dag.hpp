@@ -1,8 +1,7 @@
-// The graph of a scene's maps: equal subtrees over the curve stored once.  docs/DAG.md has the form in words.
+// The graph of a scene's maps, with equal subtrees over the curve stored once.  docs/DAG.md describes the form.
 //
-// Here a subtree that is stored has its children as they are, so that equal ones are found by comparing; the sizes are
-// those of the words, which spec/dag/words.hpp writes.  A tile is a subtree like the others, with 64 children that are
-// states.
+// Here a stored subtree has its children as they are, so that equal ones are found by comparing; the sizes are those of
+// the words, which spec/dag/words.hpp writes.  A tile is a subtree like the others, with 64 children that are states.
 #pragma once
 
 #include <cstdint>
@@ -25,15 +24,15 @@ using micromap::States;
 
 inline constexpr Level tile_level = 3;
 
-/// 64 states below a tile; 16 subtrees two levels below an odd level, 4 one level below an even one.
+/// A tile has 64 states; a subtree of odd level has 16 children two levels below, one of even level 4 one level below.
 constexpr Level child_level(Level m) { return m == tile_level ? 0 : m % 2 == 0 ? m - 1 : m - 2; }
 constexpr std::uint64_t children(Level m) { return micromap::micro_triangles(m - child_level(m)); }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What is stored
+// Stored subtrees
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// A subtree: one state for all of it, or a number among what is stored: of tiles at level 3, above of nodes.
+/// A subtree: one state for all of it, or the number of a stored one, a tile at level 3, a node above.
 struct Part {
   std::optional<State> one_state = {};
   std::uint64_t number = 0;
@@ -45,7 +44,7 @@ struct Part {
 };
 using Children = std::vector<Part>;
 
-/// A larger subtree that is not of one state: its children, in the order of the curve.
+/// A larger subtree of more than one state: its children, in the order of the curve.
 struct Node {
   Level level = 0;
   Children children;
@@ -59,16 +58,16 @@ struct Node {
 struct Map {
   enum class Kind : std::uint8_t { small, uniform, tile, node, flat } kind = Kind::small;
   Level level = 0;
-  States states = {};           ///< of a small one
-  Part root = {};               ///< of a uniform one, a tile, a node
-  std::uint64_t flat_from = 0;  ///< of a flat one: tiles' worth of states before it
+  States states = {};           ///< for a small map
+  Part root = {};               ///< for a uniform map, a tile, a node
+  std::uint64_t flat_from = 0;  ///< for a flat map: tiles' worth of states before it
   friend bool operator==(const Map&, const Map&) = default;
 };
 
 /// The graph of a scene's maps.
 struct Dag {
   Format format = Format::two_state;
-  std::vector<Node> tiles, nodes;  ///< in the order in which they were added
+  std::vector<Node> tiles, nodes;  ///< in the order of adding
   std::vector<Map> maps;
   std::vector<std::pair<Level, States>> flat;
   friend bool operator==(const Dag&, const Dag&) = default;
@@ -78,8 +77,8 @@ struct Dag {
 // Adding a map
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// What stands for a subtree with these children: their state where all have one, and it is the same; otherwise what
-/// `stored` answers, the one subtree with these children.
+/// The part for a subtree with these children: their state if all have one, and it is the same; else stored(children),
+/// the one stored subtree with these children.
 template <class Part, class Stored>
 Part parent(std::span<const Part> children, const Stored& stored) {
   for (const Part& child : children)
@@ -87,14 +86,14 @@ Part parent(std::span<const Part> children, const Stored& stored) {
   return children[0];
 }
 
-/// Whether tiles and nodes that take `grown` words more are kept, rather than the map laid flat.
+/// Whether tiles and nodes that take `grown` words more are kept, instead of the map laid flat.
 template <class Count>
 bool kept(const Count& grown, const Count& flat) {
   return !(flat < grown);
 }
 
-/// Words of 32 bits that a node takes.
-///   narrow ceil((1 + b + r) / 2), wide b + r;  r of its children mixed
+/// The words of 32 bits of a node.
+///   narrow ceil((1 + b + r) / 2), wide b + r, with r mixed children
 inline std::uint64_t references(const Node& node) {
   std::uint64_t r = 0;
   for (const Part& child : node.children) r += child.mixed() ? 1 : 0;
@@ -110,7 +109,7 @@ inline std::uint64_t words(const Node& node, Format f) {
   return wide(node) ? b + r : (1 + b + r + 1) / 2;
 }
 
-/// The two decisions of adding, so that a prover can be shown the same.
+/// The two decisions of adding, so that a prover can be given the same.
 struct Rules {
   template <class Part, class Stored>
   static Part parent(std::span<const Part> children, const Stored& stored) {
@@ -122,14 +121,14 @@ struct Rules {
   }
 };
 
-/// Adds maps.  What is there is found again by its children.
+/// Adds maps to a graph.  A stored subtree is found again by its children.
 template <class Rules>
 class BuilderBy {
  public:
   explicit BuilderBy(Format f) { dag_.format = f; }
   const Dag& dag() const { return dag_; }
 
-  /// Domain: 4^n states of the format, n in 0..12.
+  /// Adds a map.  Domain: 4^n states of the format, n in 0..12.
   void add(Level n, const States& map) {
     Map added{.level = n};
     if (n < tile_level) {
@@ -150,7 +149,7 @@ class BuilderBy {
   }
 
  private:
-  /// All subtrees of a level before any of the next, each in the order of the curve.
+  /// The part of a map: all subtrees of a level come before any of the next, each in the order of the curve.
   Part part(Level n, const States& map) {
     Children parts;
     for (const State s : map) parts.push_back({s});
@@ -207,10 +206,10 @@ class BuilderBy {
 using Builder = BuilderBy<Rules>;
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What it means
+// Lookups
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// One turn of a lookup: to the child of the next digit; false where all states are one.
+/// One turn of a lookup, to the child of the next digit; false if the part has one state.
 template <class Store, class Part, class NextDigit>
 bool lookup_turn(const Store& store, Part& at, const NextDigit& next_digit) {
   if (!at.mixed()) return false;
@@ -221,7 +220,7 @@ bool lookup_turn(const Store& store, Part& at, const NextDigit& next_digit) {
 /// The subtrees of a graph, by level.
 struct Store {
   const Dag& dag;
-  Level level;  ///< of the part that child() is asked of
+  Level level;  ///< level of the part that child() takes
   Part child(const Part& at, std::uint64_t digit) const {
     return (level == tile_level ? dag.tiles : dag.nodes).at(at.number).children.at(digit);
   }
@@ -260,7 +259,7 @@ inline States decode(const Dag& dag, std::uint64_t map) {
   return states;
 }
 
-/// The arrays' bits.  64 maps + 64 b tiles + 32 (words of nodes) + 64 b (units of flat)
+/// The bits of the arrays: 64 maps + 64 b tiles + 32 (words of nodes) + 64 b (units of flat).
 inline std::uint64_t bits(const Dag& dag) {
   const std::uint64_t b = micromap::bits(dag.format);
   std::uint64_t sum = 64 * dag.maps.size() + 64 * b * dag.tiles.size();
@@ -269,7 +268,7 @@ inline std::uint64_t bits(const Dag& dag) {
   return sum;
 }
 
-/// The most that they can be: 64 a map, and 4^n b for each of level 3 or more.
+/// The bound of bits(): 64 a map, and 4^n b for each map of level 3 or more.
 inline std::uint64_t most_bits(const Dag& dag) {
   std::uint64_t sum = 0;
   for (const Map& map : dag.maps)

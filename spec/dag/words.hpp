@@ -10,7 +10,7 @@
 
 namespace mmverify::spec::dag {
 
-/// Numbers little-endian, one after another.
+/// Writes numbers little-endian, one after another.
 class Writer {
  public:
   void put(std::uint64_t x, unsigned bytes) {
@@ -112,7 +112,7 @@ inline std::uint32_t crc32c(std::span<const std::uint8_t> bytes, std::uint32_t b
 
 inline constexpr std::size_t header_bytes = 32, crc_at = 28;
 
-/// That of a container's bytes but for the four that hold it.  Domain: a header or more.
+/// The CRC of a container's bytes but for its own four.  Domain: a header or more.
 inline std::uint32_t checksum(std::span<const std::uint8_t> container) {
   return crc32c(container.subspan(header_bytes), crc32c(container.first(crc_at)));
 }
@@ -140,8 +140,8 @@ inline Bytes container(const Dag& dag) {
 // Back from bytes
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// What bytes say, followed as far as they go: a map, or nothing where a place is outside the arrays or a level's
-/// record is of no kind that the level has.
+/// The maps of a container's bytes, or nothing for a map if a place is outside the arrays, or if its record's kind does
+/// not exist at its level.
 class Reader {
  public:
   Reader(std::span<const std::uint8_t> bytes, unsigned b) : bytes_(bytes), b_(b) {
@@ -210,8 +210,8 @@ class Reader {
   std::uint64_t records_, tiles_, flat_, nodes_, end_;
 };
 
-/// The graph of a container; none where adding the maps that the bytes mean does not give these very bytes.
-/// Takes as long as the maps are large.
+/// The graph of a container; none if adding the maps that the bytes mean does not give these very bytes.
+/// Time: linear in the size of the maps.
 inline std::optional<Dag> from_container(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < header_bytes || (bytes[5] != 1 && bytes[5] != 2)) return std::nullopt;
   const Reader reader(bytes, bytes[5]);

@@ -1,10 +1,10 @@
-// Where a point of the base triangle falls: the index algorithms as their sources state them, over any
+// The micro-triangle of a point of the base triangle: the index algorithms as their sources print them, over any
 // Number.
 //
 //   reference       the bit formula of the Vulkan specification
 //   step            the recursion of Succinct Opacity Micromaps, Algorithm 4, in the readings that the paper
 //                   allows
-//   corners         the way back: the micro-triangle that carries an index of the curve
+//   corners         the micro-triangle with an index of the curve
 //   w_minor_*       the older row order, Color and Attribute Micromaps, figure 4
 #pragma once
 
@@ -20,14 +20,13 @@ namespace mmverify::spec::index {
 // The Vulkan reference
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// A micro-triangle by its grid square (iu, iv) and iw, the complement that makes the curve's bits come out
-/// right.
+/// A micro-triangle by its grid square (iu, iv) and iw, a complement from which the curve's bits follow.
 template <class Word>
 struct Quantised {
   Word iu, iv, iw;
 };
 
-/// The lesser of 1 and the greater of 0 and q.  Domain: every number.
+/// q clamped to [0, 1].  Domain: every number.
 template <Coordinate Q>
 constexpr Q within_unit(Q q) {
   const Q zero(0), one(1);
@@ -35,9 +34,10 @@ constexpr Q within_unit(Q q) {
   return one < q ? one : q;
 }
 
-/// Grid square from the whole parts iu = floor(uN), iv = floor(vN): both kept below N, and iu lowered until
-/// iu+iv < N; iw = NOT(iu+iv), one less where the point lies in the upper half of the square, which the
-/// hypotenuse's squares do not have.  Domain: iu, iv in [0, N].  Words wrap.
+/// The grid square for the whole parts iu = floor(uN), iv = floor(vN): both kept below N, and iu lowered until iu+iv <
+/// N.  iw = NOT(iu+iv), one less if the point lies in the square's upper half, which the hypotenuse's squares do not
+/// have.
+/// Domain: iu, iv in [0, N].  Words wrap.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 template <class Word>
 constexpr Quantised<Word> grid_square(Word iu, Word iv, bool upper_half, const Word& N) {
@@ -51,7 +51,7 @@ constexpr Quantised<Word> grid_square(Word iu, Word iv, bool upper_half, const W
   return {iu, iv, iw};
 }
 
-/// Grid square of a point given by uN and vN, each in [0, N]; its upper half is uf+vf >= 1.
+/// The grid square of a point given by uN and vN, each in [0, N]; its upper half is uf+vf >= 1.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 template <class Word, Coordinate Q>
 constexpr Quantised<Word> quantise_scaled(const Q& un, const Q& vn, const Word& N) {
@@ -59,7 +59,7 @@ constexpr Quantised<Word> quantise_scaled(const Q& un, const Q& vn, const Word& 
   return grid_square<Word>(whole(un), whole(vn), !(uf + vf < one), N);
 }
 
-/// Grid square of a point at level n.
+/// The grid square of a point at level n.
 /// Domain: every point (u and v are clamped to [0,1]); n in 0..31. Words wrap.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 template <class Word, Number Q>
@@ -80,9 +80,8 @@ constexpr Word xor_from_above(Word t) {
 template <class Word>
 inline constexpr unsigned word_bits = 8 * sizeof(Word);
 
-/// Every other bit of the result, from bit 0 up, is a bit of x; the rest are zero: the halves of each group
-/// of bits move apart, group by group; ones / (2^shift + 1) masks the lower half of each.  Domain: x below
-/// 2^(bits of Word / 2).
+/// Moves the bits of x to every other bit, from bit 0 up; the rest are zero.  The halves of each group of bits move
+/// apart, group by group; ones / (2^shift + 1) masks the lower half of each.  Domain: x below 2^(bits of Word / 2).
 template <unsigned shift, class Word>
 constexpr Word spread(Word x) {
   const Word halves = ~Word{0} / ((Word{1} << shift) + 1);
@@ -95,14 +94,14 @@ constexpr Word spread(Word x) {
   return spread<word_bits<Word> / 4>(x);
 }
 
-/// The curve's two bits of each digit, digit = b0 + 2 b1.
+/// The curve's two bits of every digit, digit = b0 + 2 b1.
 template <class Word>
 struct CurveBits {
   Word b0, b1;
 };
 
-/// b0 = NOT(iu XOR iw), t = (iu XOR iv) AND b0, f = prefix_xor(t), b1 = ((f XOR iu) AND NOT b0) OR t, on the
-/// bits that `low` has; but for prefix_xor, each bit by itself.  Domain: a Quantised of the level of `low`.
+/// b0 = NOT(iu XOR iw), t = (iu XOR iv) AND b0, f = prefix_xor(t), b1 = ((f XOR iu) AND NOT b0) OR t, on the bits of
+/// `low`.  All but prefix_xor work on each bit by itself.  Domain: a Quantised of the level of `low`.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 template <class Word, class PrefixXor>
 constexpr CurveBits<Word> curve_bits(const Quantised<Word>& q, const Word& low, PrefixXor prefix_xor) {
@@ -126,7 +125,7 @@ constexpr Word curve(const Quantised<Word>& q, const Word& low) {
   return interleave(curve_bits(q, low, [](const Word& t) { return xor_from_above<word_bits<Word> / 2>(t); }));
 }
 
-/// Index of the micro-triangle that holds the point, by the Vulkan formula in 32-bit words.
+/// The index of the micro-triangle that contains the point, by the Vulkan formula in 32-bit words.
 /// Domain: every point; n in 0..16.  Result in [0, 4^n).  Source: VK_EXT_opacity_micromap, appendix
 /// "Reference Code".
 template <Number Q>
@@ -134,8 +133,9 @@ constexpr std::uint32_t reference(const Point<Q>& p, Level n) {
   return curve(quantise<std::uint32_t>(p, n), side(n) - 1);
 }
 
-/// The index as Vulkan's chapter on ray traversal words it, with u and v scaled by N, which it leaves out: iu = floor(uN)
-/// lowered until iu+iv <= N, iv = floor(vN); the rest as the reference code.  N is one too many: see docs/ERRATA.md.
+/// The index as worded in Vulkan's chapter on ray traversal, with u and v scaled by N, which it leaves out: iu =
+/// floor(uN) lowered until iu+iv <= N, iv = floor(vN); the rest as the reference code.  N is one too many: see
+/// docs/ERRATA.md.
 /// Domain: u, v >= 0, u+v <= 1; n in 0..16.
 /// Source: VK_EXT_opacity_micromap, section "Ray Opacity Micromap"; VK_KHR_opacity_micromap has the same words.
 template <Number Q>
@@ -151,7 +151,7 @@ constexpr std::uint32_t as_the_prose_says(const Point<Q>& p, Level n) {
   return curve(Quantised<std::uint32_t>{iu, iv, iw}, N - 1);
 }
 
-/// The same formula in 64-bit words, its prefix XOR over all n bits.  Domain: every point; n in 0..31.
+/// The index by the same formula in 64-bit words, its prefix XOR over all n bits.  Domain: every point; n in 0..31.
 template <Number Q>
 constexpr std::uint64_t reference_wide(const Point<Q>& p, Level n) {
   return curve(quantise<std::uint64_t>(p, n), std::uint64_t{side(n)} - 1);
@@ -161,8 +161,7 @@ constexpr std::uint64_t reference_wide(const Point<Q>& p, Level n) {
 // The step algorithm
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// What Succinct Opacity Micromaps may be taken to say: Algorithm 4 as printed, or with one thing as Appendix
-/// A has it.
+/// The readings of Succinct Opacity Micromaps: Algorithm 4 as printed, or with one change from Appendix A.
 enum class Reading {
   printed,          ///< Algorithm 4
   appendix_middle,  ///< M's new coordinates in the order u_M, v_M, w_M of Appendix A (2)
@@ -179,13 +178,13 @@ struct Step {
   bool mid_flip = false, top_flip = false;
 };
 
-/// uv2index's opening: w = 1-u-v, no digit yet, nothing flipped.
+/// The opening of uv2index: w = 1-u-v, no digit yet, nothing flipped.
 template <Coordinate Q, class Index = std::uint32_t>
 constexpr Step<Q, Index> first_step(const Point<Q>& p) {
   return {p.u, p.v, Q(1) - p.u - p.v};
 }
 
-/// One call of `step`: which of L, M, R, T holds the point, its digit, and the point's barycentrics on it.
+/// One call of `step`: the one of L, M, R, T that contains the point, its digit, and the point's barycentrics on it.
 /// Comparisons with 1/2 are made on doubled coordinates, which is exact in every binary number type.
 /// Source: Succinct Opacity Micromaps, Algorithm 4; the readings, Appendix A.
 template <Reading reading, Coordinate Q, class Index>
@@ -217,7 +216,7 @@ constexpr Step<Q, Index> next_step(const Step<Q, Index>& s) {
   return {mu, mw, mv, 4 * s.index + M, !mid_flip, top_flip};
 }
 
-/// Index of the micro-triangle that holds the point, by Algorithm 4.
+/// The index of the micro-triangle that contains the point, by Algorithm 4.
 /// Domain: u, v >= 0, u+v <= 1; n in 0..16, in 64-bit words 0..31.  Result in [0, 4^n).
 template <Reading reading, class Index = std::uint32_t, Number Q>
 constexpr Index step(const Point<Q>& p, Level n) {
@@ -261,7 +260,7 @@ constexpr std::array<At, 3> corners_turn(const std::array<At, 3>& P, std::uint32
   }
 }
 
-/// Corners of the micro-triangle that carries an index, on the grid of level n: child by child, highest digit first.
+/// The corners of the micro-triangle with an index, on the grid of level n: child by child, highest digit first.
 /// Domain: index in [0, 4^n), n in 0..16.
 /// Source: Succinct Opacity Micromaps, Algorithm 4, each case's map inverted; top-flip becomes the order of
 /// P0 and P1.
@@ -283,8 +282,8 @@ constexpr Word whole_up_to(const Word& limit, const Q& q) {
   return k < limit ? k : limit;
 }
 
-/// A micro-triangle in row order: its row counted from the w-corner, and how far it lies along the row by v (col)
-/// and by u (dia).
+/// A micro-triangle in row order: its row counted from the w-corner, and its place in the row by v (col) and by u
+/// (dia).
 template <class Word>
 struct RowPlace {
   Word row, col, dia;
@@ -301,13 +300,13 @@ constexpr RowPlace<Word> w_minor_place(const Q& beyond_w, const Q& vn, const Q& 
   return {row, whole_up_to<Word>(row, vn), whole_up_to<Word>(last, beyond_u)};
 }
 
-/// How far the micro-triangle of a place lies along its row: col + (dia - (N-1-row)).
+/// The place of a micro-triangle along its row: col + (dia - (N-1-row)).
 template <class Word>
 constexpr Word along_row(const RowPlace<Word>& p, const Word& N) {
   return p.col + (p.dia - (N - 1 - p.row));
 }
 
-/// Index in row order: row^2 + along_row of the place.
+/// The index in row order: row^2 + along_row() of the place.
 /// Domain: u, v >= 0, u+v <= 1; n in 0..16.  Result in [0, 4^n).
 /// Source: Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
 template <Number Q>
@@ -324,16 +323,15 @@ constexpr Word square(const Word& r) {
   return r * r;
 }
 
-/// One bit of a root: r + bit where its square is x or less, else r.
+/// One bit of a root: r + bit if its square is x or less, else r.
 /// r^2 <= x < (r + 2 bit)^2 before it, and r^2 <= x < (r + bit)^2 of the new r after it.
 template <class Word>
 constexpr Word square_root_turn(const Word& x, const Word& r, const Word& bit) {
   return x < square(r + bit) ? r : r + bit;
 }
 
-/// The row that holds an index of row order: the greatest row with row^2 <= index.
-/// Domain: every index.  Source: Color and Attribute Micromaps, figure 4, with the square root taken in whole
-/// numbers.
+/// The row of an index of row order: the greatest row with row^2 <= index.
+/// Domain: every index.  Source: Color and Attribute Micromaps, figure 4, with the square root taken in integers.
 constexpr std::uint32_t w_minor_row(std::uint32_t index) {
   std::uint64_t row = 0;
   for (std::uint64_t bit = 1u << 15; bit != 0; bit /= 2)
@@ -341,7 +339,7 @@ constexpr std::uint32_t w_minor_row(std::uint32_t index) {
   return static_cast<std::uint32_t>(row);
 }
 
-/// Corners of the micro-triangle that carries an index of row order, in the order v0, v1, v2 of the source.
+/// The corners of the micro-triangle with an index of row order, in the order v0, v1, v2 of the source.
 /// A (row, column) vertex lies at i = row - column along u, j = column along v.
 /// Domain: index in [0, 4^n).  Source: Color and Attribute Micromaps, figure 4, wminor_uv2vertex_index.
 constexpr Corners w_minor_corners(std::uint32_t index) {

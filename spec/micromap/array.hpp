@@ -10,9 +10,9 @@
 
 namespace mmverify::spec::micromap {
 
-/// Where a map's bytes are and how to read them.  Source: VkMicromapTriangleKHR.
+/// The place, level and format of a map's bytes.  Source: VkMicromapTriangleKHR.
 struct Record {
-  std::uint32_t offset;  ///< of its first byte in the data
+  std::uint32_t offset;  ///< first byte in the data
   std::uint16_t level;
   std::uint16_t format;
   friend constexpr bool operator==(const Record&, const Record&) = default;
@@ -25,10 +25,11 @@ struct UsageCount {
   friend constexpr bool operator==(const UsageCount&, const UsageCount&) = default;
 };
 
-/// Number of things by (level, format).
+/// Counts by (level, format).
 using Histogram = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t>;
 
-/// Counts of one level and format add up.  Source: VkAccelerationStructureGeometryMicromapDataKHR.
+/// The histogram of usage counts: those of one level and format add up.
+/// Source: VkAccelerationStructureGeometryMicromapDataKHR.
 inline Histogram histogram(std::span<const UsageCount> counts) {
   Histogram sum;
   for (const UsageCount& c : counts)
@@ -51,21 +52,21 @@ struct Map {
   States states;
 };
 
-/// What a micromap build takes.
+/// The input of a micromap build.
 struct Array {
   std::vector<Record> records;
   Bytes data;
   friend bool operator==(const Array&, const Array&) = default;
 };
 
-/// What the build of a geometry takes beside the array.
+/// The input of a geometry's build beside the array.
 struct Geometry {
   Bytes indices;  ///< one code a triangle, tightly packed, little-endian
   std::vector<UsageCount> counts;
   friend bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-/// How maps become an array.
+/// The options of append().
 struct Options {
   Encoding encoding = Encoding::u32;
   std::uint32_t base_triangle = 0;
@@ -97,12 +98,12 @@ inline Histogram geometry_histogram(std::span<const Record> records, std::span<c
 }
 
 /// Adds a geometry's maps, in their order, to an array.
-/// A map is a special index if it is uniform and that is wanted, else the first equal record from
-/// base_triangle on if sharing is wanted, else a new record at the end, its bytes at the end of the data.  A
-/// triangle's index is its record less base_triangle.
-/// Domain: base_triangle at most the number of records; maps as Map has them; else std::invalid_argument.  An
-/// index that the encoding cannot hold, or data beyond 2^32 bytes: std::length_error, naming the triangle.
-/// After an error the array is as it was.
+/// With `special`, a uniform map becomes a special index.  With `deduplicate`, another map takes the first equal record
+/// from base_triangle on.  Else it gets a new record at the end, its bytes at the end of the data.  A triangle's index
+/// is its record less base_triangle.
+/// Domain: base_triangle at most the number of records; maps as Map has them; else std::invalid_argument.  An index
+/// that the encoding cannot hold, or data beyond 2^32 bytes: std::length_error, naming the triangle.  After an error
+/// the array is as before.
 inline Geometry append(Array& array, std::span<const Map> maps, const Options& options) {
   if (options.base_triangle > array.records.size())
     throw std::invalid_argument("micromap::append: baseTriangle " + std::to_string(options.base_triangle) +
@@ -173,8 +174,8 @@ inline Record record_at(std::span<const std::uint8_t> bytes, std::uint64_t at) {
   return {word(at), static_cast<std::uint16_t>(high), static_cast<std::uint16_t>(high >> 16)};
 }
 
-/// The state that a triangle has at micro-triangle i of its map: through the index buffer,
-/// the record and the packed bytes, or through the special index.  What a traversal fetches.
+/// The state of a triangle at micro-triangle i of its map, as a traversal fetches it: through the index buffer, the
+/// record and the packed bytes, or through the special index.
 /// Domain: a clean array; t a triangle; i below 4^level of its map (any i for a special index).
 inline State fetch(const Array& array, const Geometry& geometry, Encoding e, std::uint32_t base_triangle,
                    std::uint64_t t, std::uint64_t i) {

@@ -1,4 +1,4 @@
-// Which states may take the place of which: three laws, each within the next.
+// The states that may replace others in a lossy map: three laws, each within the next.
 #pragma once
 
 #include "spec/micromap/micromap.hpp"

@@ -1,5 +1,4 @@
-// What a micromap is: states, formats, the packing of states in bytes, force-2-state, and the special indices
-// that stand for a whole uniform triangle.
+// Micromaps: states, formats, the packing of states in bytes, force-2-state, and special indices for uniform triangles.
 #pragma once
 
 #include <bit>
@@ -25,8 +24,8 @@ using Bytes = std::vector<std::uint8_t>;
 enum class State : std::uint8_t {
   T = 0,   ///< transparent
   O = 1,   ///< opaque
-  UT = 2,  ///< unknown, transparent where nobody asks
-  UO = 3,  ///< unknown, opaque where nobody asks
+  UT = 2,  ///< unknown; transparent under force-2-state
+  UO = 3,  ///< unknown; opaque under force-2-state
 };
 using States = std::vector<State>;
 
@@ -36,13 +35,13 @@ constexpr const char* name_of(State s) {
   return names[code(s)];
 }
 
-/// UT or UO: the any-hit shader is asked.
+/// Whether a state is UT or UO, for which the any-hit shader runs.
 constexpr bool unknown(State s) { return s == State::UT || s == State::UO; }
 
-/// Force-2-state: T and UT are ignored, O and UO are opaque.  Source: the KHR slides, "force2state".
+/// Force-2-state: T and UT become T, O and UO become O.  Source: the KHR slides, "force2state".
 constexpr State force2(State s) { return s == State::O || s == State::UO ? State::O : State::T; }
 
-/// The unknown state that force-2-state takes for s: UT for T and UT, UO for O and UO.
+/// The unknown state with the same force-2-state: UT for T and UT, UO for O and UO.
 constexpr State as_unknown(State s) { return force2(s) == State::O ? State::UO : State::UT; }
 
 inline States force2(std::span<const State> states) {
@@ -51,7 +50,7 @@ inline States force2(std::span<const State> states) {
   return out;
 }
 
-/// The one state of all, if there is one.  Domain: every sequence; an empty one has none.
+/// The state of a uniform map; none if states differ.  Domain: every sequence; an empty one has none.
 inline std::optional<State> uniform(std::span<const State> states) {
   if (states.empty()) return std::nullopt;
   for (const State s : states)
@@ -66,20 +65,20 @@ inline std::optional<State> uniform(std::span<const State> states) {
 /// Source: VkOpacityMicromapFormatKHR.
 enum class Format : std::uint16_t { two_state = 1, four_state = 2 };
 
-/// b, the bits of one state.
+/// The bits b of one state.
 constexpr unsigned bits(Format f) { return f == Format::two_state ? 1 : 2; }
 
 /// Whether the format has a code for the state.
 constexpr bool holds(Format f, State s) { return f == Format::four_state || !unknown(s); }
 
-/// 4^n.  Domain: n in 0..31.
+/// The number of micro-triangles, 4^n.  Domain: n in 0..31.
 constexpr std::uint64_t micro_triangles(Level n) { return std::uint64_t{1} << (2 * n); }
 
-/// ceil(count b / 8).  Domain: count below 2^62.
+/// The bytes of a packed map, ceil(count b / 8).  Domain: count below 2^62.
 constexpr std::uint64_t packed_bytes(std::uint64_t count, Format f) { return (count * bits(f) + 7) / 8; }
 
-/// The state of micro-triangle i in bits i b .. i b + b-1, counted from the least significant bit of byte 0;
-/// the bits after the last state are zero.
+/// The packed bytes of states.  The state of micro-triangle i is in bits i b .. i b + b-1, counted from the least
+/// significant bit of byte 0; the bits after the last state are zero.
 /// Domain: states that the format holds, else std::invalid_argument.
 /// Source: VkAccelerationStructureGeometryMicromapDataKHR; EXT_mesh_opacity_micromap, "Microtriangle Data".
 inline Bytes pack(std::span<const State> states, Format f) {
@@ -115,7 +114,7 @@ inline States unpack(std::span<const std::uint8_t> bytes, Format f, std::uint64_
 // Special indices
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// How an index buffer stores an index.  Vulkan and DirectX have the unsigned ones only, glTF all five.
+/// The encoding of an index buffer's indices.  Vulkan and DirectX have the unsigned ones only, glTF all five.
 enum class Encoding : std::uint8_t { u8, u16, u32, i16, i32 };
 inline constexpr Encoding encodings[] = {Encoding::u8, Encoding::u16, Encoding::u32, Encoding::i16,
                                          Encoding::i32};
@@ -125,31 +124,31 @@ constexpr unsigned width(Encoding e) {
 }
 constexpr bool is_signed(Encoding e) { return e == Encoding::i16 || e == Encoding::i32; }
 
-/// -1 T, -2 O, -3 UT, -4 UO.  Source: VkOpacityMicromapSpecialIndexKHR.
+/// The special index of a state: -1 T, -2 O, -3 UT, -4 UO.  Source: VkOpacityMicromapSpecialIndexKHR.
 constexpr std::int32_t special_index(State s) { return -1 - static_cast<std::int32_t>(code(s)); }
 
-/// 2^w - 4 indices for an unsigned encoding of w bits, as the last four codes are special; 2^(w-1) for a
-/// signed one.
+/// The number of plain indices: 2^w - 4 for an unsigned encoding of w bits, as the last four codes are special; 2^(w-1)
+/// for a signed one.
 constexpr std::uint64_t index_limit(Encoding e) {
   return is_signed(e) ? std::uint64_t{1} << (width(e) - 1) : (std::uint64_t{1} << width(e)) - 4;
 }
 
-/// What a code means: a state for the whole triangle, a plain index, or neither: a signed code below -4.
+/// The meaning of a code: a state for the whole triangle, a plain index, or neither: a signed code below -4.
 struct Meaning {
   enum class Kind : std::uint8_t { index, special, unknown } kind;
-  std::uint32_t index = 0;  ///< of an index
-  State state = State::T;   ///< of a special one
+  std::uint32_t index = 0;  ///< for an index
+  State state = State::T;   ///< for a special index
   friend constexpr bool operator==(const Meaning&, const Meaning&) = default;
 };
 
-/// The code that stands for a uniform triangle: special_index(s) in two's complement of the width.
+/// The code of a special index: special_index(s) in two's complement of the width.
 constexpr std::uint32_t special_code(State s, Encoding e) {
   const std::uint64_t all = (std::uint64_t{1} << width(e)) - 1;
   return static_cast<std::uint32_t>(static_cast<std::uint64_t>(special_index(s)) & all);
 }
 
-/// Domain: code < 2^width.  Source: VkAccelerationStructureTrianglesOpacityMicromapKHR: "the unsigned cast
-/// of" a special index; EXT_mesh_opacity_micromap, "Accessor Requirements", for signed codes.
+/// The meaning of a code.  Domain: code < 2^width.  Source: VkAccelerationStructureTrianglesOpacityMicromapKHR: "the
+/// unsigned cast of" a special index; EXT_mesh_opacity_micromap, "Accessor Requirements", for signed codes.
 constexpr Meaning meaning(std::uint32_t code, Encoding e) {
   for (const State s : {State::T, State::O, State::UT, State::UO})
     if (code == special_code(s, e)) return {Meaning::Kind::special, 0, s};

@@ -1,4 +1,4 @@
-// The rules of micromap arrays, each with the specifications that have it and where they say so.
+// The rules of micromap arrays, each with the specifications that have it and the places there.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace mmverify::spec::micromap {
 
-/// The specifications whose rules are told apart, as bits of a set.
+/// The specifications, as bits of a set.
 using Sets = std::uint8_t;
 inline constexpr Sets EXT = 1, KHR = 2, DXR = 4, glTF = 8, all_sets = 15;
 
@@ -53,7 +53,7 @@ enum class Rule : std::uint8_t {
 };
 inline constexpr std::size_t rule_count = static_cast<std::size_t>(Rule::count_);
 
-/// A rule in words, the specifications that have it, and where.
+/// A rule in words, the specifications that have it, and the places there.
 struct RuleText {
   Rule rule;
   const char* id;
@@ -62,9 +62,9 @@ struct RuleText {
   const char* source;
 };
 
-/// VUID-... names are those of the Vulkan specification of 2026; "DXR" is the DirectX Raytracing functional
-/// specification's part on opacity micromaps; "glTF" is the draft of EXT_mesh_opacity_micromap (pull request
-/// 2623).  "Ours" marks what no text of that specification was found for.
+/// The rules.  VUID-... names are those of the Vulkan specification of 2026; "DXR" is the DirectX Raytracing functional
+/// specification's part on opacity micromaps; "glTF" is the draft of EXT_mesh_opacity_micromap (pull request 2623).
+/// "Ours" marks rules for which no text of that specification was found.
 inline constexpr std::array<RuleText, rule_count> rules{{
     {Rule::align_data_256, "align.data_256", EXT, "the data's address is a multiple of 256",
      "VUID-vkCmdBuildMicromapsEXT-pInfos-07515"},

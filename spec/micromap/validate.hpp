@@ -1,4 +1,4 @@
-// The array validator, rule by rule: reads each rule's statement aloud, and is as slow as that takes.
+// The array validator, rule by rule: it tests each rule literally, and is as slow as that takes.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace mmverify::spec::micromap {
 
-/// What a device takes.  Source: VkPhysicalDeviceOpacityMicromapPropertiesKHR.
+/// The limits of a device.  Source: VkPhysicalDeviceOpacityMicromapPropertiesKHR.
 struct Limits {
   std::uint32_t two_state_level = 12, four_state_level = 12, lossy_four_state_level = 12;
   std::uint64_t triangles = std::numeric_limits<std::uint64_t>::max();  ///< maxMicromapTriangles
 };
 
-/// An array, and a geometry that refers to it, as somebody hands them over: nothing of it is believed.
+/// An array, and a geometry that refers to it, from somebody else: nothing in it is trusted.
 struct Input {
-  Sets sets = all_sets;  ///< whose rules
+  Sets sets = all_sets;  ///< specifications whose rules apply
   Limits limits = {};
   bool lossy = false;  ///< a lossy build (KHR)
 
@@ -28,7 +28,7 @@ struct Input {
   std::uint64_t data_address = 0;
   std::optional<std::span<const UsageCount>> array_counts = {};
 
-  std::uint64_t triangles = 0;  ///< of the geometry; 0: no geometry
+  std::uint64_t triangles = 0;  ///< triangles of the geometry; 0: no geometry
   bool indexed = false;         ///< otherwise triangle t has index t
   std::span<const std::uint8_t> indices = {};
   Encoding encoding = Encoding::u32;
@@ -37,10 +37,10 @@ struct Input {
   std::optional<std::span<const UsageCount>> geometry_counts = {};  ///< EXT only; other sets ignore it
 };
 
-/// What a violation's number counts.
+/// The meaning of a violation's `where`: a number of records, counts or triangles, or a level and a format.
 enum class Place : std::uint8_t { whole, record, array_count, geometry_count, level_and_format, triangle };
 
-/// One violation.  found and other are what the rule compares, see validate().
+/// One violation.  found and other are the two values that the rule compares, see validate().
 struct Violation {
   Rule rule;
   Place place;
@@ -52,7 +52,7 @@ namespace detail {
 
 inline constexpr std::uint64_t beyond = std::numeric_limits<std::uint64_t>::max();
 
-/// How many elements of `size` bytes, `stride` apart, lie whole within `bytes`, of `count` that should.
+/// The number of elements of `size` bytes, `stride` apart, that lie whole within `bytes`; `count` at most.
 inline std::uint64_t readable(std::uint64_t bytes, std::uint64_t size, std::uint64_t stride,
                               std::uint64_t count) {
   if (bytes < size) return 0;
@@ -61,7 +61,7 @@ inline std::uint64_t readable(std::uint64_t bytes, std::uint64_t size, std::uint
 
 inline bool known(std::uint32_t format) { return format == 1 || format == 2; }
 
-/// One beyond the last byte of a record's region; beyond all numbers where 64 bits cannot say.
+/// One byte beyond the last of a record's region; the greatest number if 64 bits do not suffice.
 /// Domain: a known format.
 inline std::uint64_t region_end(const Record& r) {
   if (r.level > 29) return beyond;
@@ -74,24 +74,21 @@ inline std::uint64_t key(std::uint32_t level, std::uint32_t format) {
 
 }  // namespace detail
 
-/// Every violation of the rules of the given sets, in the order of Violation.
-///   align.*, stride.*, records.whole, index.encoding, .stride*, .tight, .count
-///                          whole: what was found, what it is held against
-///   records.size           record, the first that is missing: bytes, records that there should be
-///   record.format .level*  record: its format or level; the limit
-///   record.region          record: its end, the data's size
-///   record.overlap         record that begins, in the order of (offset, number), before the end of one
-///                          before it: of those the one with the furthest end (the first such), its own
-///                          first byte
-///   counts.format .level* .zero   entry: its format or level; the limit
-///   counts.array .geometry level 2^32 + format: what the counts say, what there is
-///   index.size             triangle, the first without an index: bytes, triangles that there should be
-///   index.special .range   triangle: its code, or its record, and the number of records; without a buffer
-///                          the first such triangle stands for those after it; with a stride of 0,
-///                          triangle 0 for all
-/// Where records or indices are missing, or an index names no record, counts that depend on them are not
-/// judged.
-/// Domain: everything.
+/// Every violation of the rules of the given sets, in the order of Violation.  By rule: the place; found; other.
+///   align.*, stride.*, records.whole, counts.limit, index.encoding, .stride*, .tight, .count
+///                          whole; the actual value; the required one
+///   records.size           record, the first that is missing; bytes; the required number of records
+///   record.format .level*  record; its format or level; the limit
+///   record.region          record; its end; the data's size
+///   record.overlap         record that begins, in the order of (offset, number), before the end of an earlier one;
+///                          the earlier record with the furthest end (the first such); its own first byte
+///   counts.format .level* .zero   entry; its format or level; the limit
+///   counts.array .geometry level 2^32 + format; the given count; the actual one
+///   index.size             triangle, the first without an index; bytes; the required number of triangles
+///   index.special .range   triangle; its code, or its record; 4, or the number of records.  Without a buffer the first
+///                          such triangle stands for those after it; with a stride of 0, triangle 0 stands for all
+/// If records or indices are missing, or an index names no record, counts that depend on them are not judged.
+/// Domain: any input.
 inline std::vector<Violation> validate(const Input& in) {
   std::vector<Violation> found;
   const auto in_force = [&](Rule rule) { return (text(rule).sets & in.sets) != 0; };
@@ -127,14 +124,14 @@ inline std::vector<Violation> validate(const Input& in) {
     report(Rule::records_size, Place::record, there, in.records.size(), in.record_count);
   const bool whole = in.record_stride >= record_bytes && there == in.record_count;
 
-  // Formats and levels, of records and of counts alike.
+  // Formats and levels, for records and for counts alike.
   const auto judge = [&](Place place, std::uint64_t where, std::uint32_t level, std::uint32_t format,
                          Rule r_format, Rule r_level, Rule r_lossy, Rule r_12, Rule r_lossy_format) {
     const Limits& most = in.limits;
     if (!detail::known(format)) report(r_format, place, where, format, 2);
     if (format == 1 && level > most.two_state_level)
       report(r_level, place, where, level, most.two_state_level);
-    // A lossy build has a limit of its own; EXT has no lossy builds.
+    // A lossy build has its own limit; EXT has no lossy builds.
     if (format == 2 && level > most.four_state_level && (!in.lossy || (in.sets & EXT) != 0))
       report(r_level, place, where, level, most.four_state_level);
     if (format == 2 && level > most.lossy_four_state_level && in.lossy)
@@ -208,7 +205,7 @@ inline std::vector<Violation> validate(const Input& in) {
       report(Rule::index_size, Place::triangle, indices_there, in.indices.size(), in.triangles);
   }
   bool all_named = whole && (!in.indexed || indices_there == in.triangles);
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> references;  // record, how often
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> references;  // record, number of references
   if (in.indexed) {
     const std::uint64_t looked_at =
         in.index_stride == 0 ? std::min<std::uint64_t>(indices_there, 1) : indices_there;
@@ -239,7 +236,7 @@ inline std::vector<Violation> validate(const Input& in) {
     }
   }
 
-  // Histograms: what the counts say against what there is.
+  // Histograms: the given counts against the actual ones.
   const Histogram of_array = array_histogram(records);
   Histogram of_geometry;
   if (all_named)

@@ -1,5 +1,5 @@
-// What traversal does with one candidate hit on a triangle before any shader has run: it ignores the candidate, confirms
-// it without a shader, or asks a shader.  The steps stand in the order of Vulkan's chapter.
+// The outcome of one candidate hit on a triangle before any shader has run: traversal ignores the candidate, confirms
+// it without a shader, or leaves it to a shader.  The steps are in the order of Vulkan's chapter.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace mmverify::spec::traverse {
 using micromap::State;
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What a decision depends on
+// Inputs of a decision
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Who traces.  EXT is VK_EXT_opacity_micromap, KHR is VK_KHR_opacity_micromap.
+/// The API that traces, and how.  EXT is VK_EXT_opacity_micromap, KHR is VK_KHR_opacity_micromap.
 enum class Api : std::uint8_t { ext_pipeline, ext_query, khr_pipeline, khr_query, dxr_pipeline, dxr_query };
 inline constexpr unsigned apis = 6;
 
@@ -24,7 +24,7 @@ inline constexpr unsigned apis = 6;
 /// VK_KHR_opacity_micromap proposal, ray query; DXR, Opacity micromaps and TraceRay, and TraceRayInline.
 constexpr bool has_switch(Api api) { return api != Api::ext_query; }
 
-/// Where the geometry of the candidate has its opacity.
+/// The place where the geometry of the candidate has its opacity.
 enum class Held : std::uint8_t {
   nothing,     ///< no micromap: the geometry's own flag
   special,     ///< a special index, which stands for the whole triangle
@@ -32,8 +32,8 @@ enum class Held : std::uint8_t {
   four_state,  ///< a micro-triangle of a 4-state map
 };
 
-/// The candidate: what is held there, and whether its geometry was built as opaque.  `state` is what traversal reads,
-/// after any lossy substitution, and means nothing with Held::nothing.
+/// The candidate: its opacity, and whether its geometry was built as opaque.  `state` is the state that traversal
+/// reads, after any lossy substitution; it means nothing with Held::nothing.
 struct Candidate {
   Held held = Held::nothing;
   State state = State::T;
@@ -54,10 +54,10 @@ struct Ray {
   friend bool operator==(const Ray&, const Ray&) = default;
 };
 
-/// All that a decision depends on.  An instance that disables micromaps refers to a structure that was built to allow it.
+/// All inputs of a decision.  An instance that disables micromaps refers to a structure that was built to allow it.
 struct Combination {
   Api api = Api::khr_pipeline;
-  bool enabled = true;  ///< the switch of has_switch(); true where there is none
+  bool enabled = true;  ///< the switch of has_switch(); true if there is none
   Candidate candidate = {};
   Instance instance = {};
   Ray ray = {};
@@ -68,21 +68,22 @@ struct Combination {
 constexpr bool exists(const Candidate& c) { return c.held != Held::two_state || !micromap::unknown(c.state); }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What no API defines
+// Combinations that no API defines
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Why a combination has no defined outcome.
+/// The reasons why a combination has no defined outcome.
 struct Undefined {
   bool ray_flags = false;       ///< more than one of Opaque, NoOpaque, CullOpaque, CullNoOpaque
   bool instance_flags = false;  ///< both FORCE_OPAQUE and FORCE_NO_OPAQUE
-  bool not_enabled = false;     ///< the triangle has a micromap, and the trace was not set up for any
+  bool not_enabled = false;     ///< the triangle has a micromap, and the trace was not set up for micromaps
   constexpr bool any() const { return ray_flags || instance_flags || not_enabled; }
   friend bool operator==(const Undefined&, const Undefined&) = default;
 };
 
-/// The reasons, all of them.  Domain: candidates that exist.
+/// The reasons of a combination.  Domain: candidates that exist.
 /// Source: VUID-RuntimeSpirv-OpTraceRayKHR-06893, DXR RAY_FLAG; VkGeometryInstanceFlagBitsKHR,
-/// D3D12_RAYTRACING_INSTANCE_FLAG_FORCE_OPAQUE; those of has_switch().  A disabled micromap is one that the triangle has.
+/// D3D12_RAYTRACING_INSTANCE_FLAG_FORCE_OPAQUE; those of has_switch().  A disabled micromap is one that the triangle
+/// has.
 constexpr Undefined undefined(const Combination& c) {
   const int of_ray = int{c.ray.opaque} + c.ray.no_opaque + c.ray.cull_opaque + c.ray.cull_no_opaque;
   return {of_ray > 1, c.instance.force_opaque && c.instance.force_no_opaque,
@@ -103,18 +104,18 @@ constexpr const char* name_of(Outcome o) {
   return names[static_cast<unsigned>(o)];
 }
 
-/// Whether the micromap stands in the place of the geometry's flag.
+/// Whether the micromap decides instead of the geometry's flag.
 /// Source: Vulkan, Ray Opacity Micromap; DXR, Opacity micromaps and TraceRay.
 constexpr bool consulted(const Combination& c) {
   return c.candidate.held != Held::nothing && !c.instance.disable_micromaps;
 }
 
-/// Whether unknown states are read as what they are without a shader.  Source: Vulkan, Ray Opacity Micromap.
+/// Whether unknown states are read by their force-2-state.  Source: Vulkan, Ray Opacity Micromap.
 constexpr bool two_state_override(const Combination& c) {
   return c.instance.force_two_state || c.ray.force_two_state;
 }
 
-/// The table of the chapter: what a state says.  Source: Vulkan, Ray Opacity Micromap, its table.
+/// The outcome of a state.  Source: Vulkan, Ray Opacity Micromap, its table.
 constexpr Outcome looked_up(State s, bool two_state) {
   switch (s) {
     case State::T:
@@ -135,8 +136,8 @@ constexpr Outcome initial(const Combination& c) {
   return c.candidate.geometry_opaque ? Outcome::opaque : Outcome::non_opaque;
 }
 
-/// FORCE_OPAQUE or FORCE_NO_OPAQUE of the instance, and over it Opaque or NoOpaque of the ray.
-/// Domain: not both of either.  Source: Vulkan, Ray Opacity Culling, Determination.
+/// The outcome after FORCE_OPAQUE or FORCE_NO_OPAQUE of the instance, and after Opaque or NoOpaque of the ray, which
+/// overrides them.  Domain: not both of either.  Source: Vulkan, Ray Opacity Culling, Determination.
 constexpr Outcome overridden(Outcome o, const Instance& instance, const Ray& ray) {
   if (instance.force_opaque) o = Outcome::opaque;
   if (instance.force_no_opaque) o = Outcome::non_opaque;
@@ -152,7 +153,7 @@ constexpr Outcome culled(Outcome o, const Ray& ray) {
   return o;
 }
 
-/// What becomes of the candidate.  What the lookup ignores no flag brings back.
+/// Decides a candidate.  No flag brings back a candidate that the lookup ignores.
 /// Domain: a candidate that exists, and no reason of undefined().
 /// Source: Vulkan, Ray Opacity Culling and Ray Opacity Micromap; DXR, Opacity micromaps and TraceRay.
 constexpr Outcome decide(const Combination& c) {

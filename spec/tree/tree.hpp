@@ -1,15 +1,15 @@
 // The succinct tree of a micromap: Algorithms 1, 2 and 3 as printed, over plain sequences of bits.
 //
-// What the print leaves open, and how it is taken here:
+// The print leaves points open, which are read so here:
 //   child order   Algorithm 2's stack is given the children last to first, so that child 0 comes off first.
 //                 Algorithm 3 fits no other order: bitscan passes over `child` subtrees to reach that child.
 //   child digits  the children of a node are the digits 0..3 of the index, most significant digit at
 //                 the root: the curve nests.
 //   level n       its nodes are leaves and have their 0 in the tree like all others.
 //   bitscan       returns t and d, as its caller takes them; its count of subtrees to pass ends at 0.
-//   turns         the loops of Algorithms 2 and 3 are the iteration of templates, one turn each, so
-//                 that a prover can be shown the same turns.
-//   bits as bytes bit t of the tree in bit t mod 8 of byte t / 8; value d of b bits in bits b d .. b d + b-1,
+//   turns         the loops of Algorithms 2 and 3 are iterated templates, one turn each, so that a prover can
+//                 be given the same turns.
+//   bits as bytes bit t of the tree is bit t mod 8 of byte t / 8; value d of b bits is bits b d .. b d + b-1,
 //                 likewise: the packing of micromaps.  The bits after the last are zero.
 #pragma once
 
@@ -33,21 +33,21 @@ using micromap::States;
 // Algorithm 1: the perfect tree
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Every node of every level: the state of a leaf, none for an internal node.  node[m] has 4^m entries; what
-/// lies below a leaf is not part of the tree.
+/// Every node of every level: the state of a leaf, none for an internal node.  node[m] has 4^m entries; entries below a
+/// leaf are not part of the tree.
 struct PerfectTree {
   Level level = 0;
   std::vector<std::vector<std::optional<State>>> node;
 };
 
-/// "all child nodes contain the same micromap value": then that leaf, otherwise Child(), an internal node.
+/// "all child nodes contain the same micromap value": that leaf if so, else Child(), an internal node.
 template <class Child>
 Child merged(const Child* child) {
   const bool all_same = child[0] && child[0] == child[1] && child[0] == child[2] && child[0] == child[3];
   return all_same ? child[0] : Child();
 }
 
-/// From the bottom up, a node whose four children are leaves of one state becomes a leaf of that state.
+/// The perfect tree of a map.  From the bottom up, a node whose four children are leaves of one state becomes a leaf.
 /// Domain: 4^n states.  Source: Succinct Opacity Micromaps, 4.1, Algorithm 1.
 inline PerfectTree perfect_tree(std::span<const State> map, Level n) {
   PerfectTree tree{n, std::vector<std::vector<std::optional<State>>>(n + 1)};
@@ -62,14 +62,14 @@ inline PerfectTree perfect_tree(std::span<const State> map, Level n) {
 // Algorithm 2: two sequences
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The nodes in pre-order, 1 internal and 0 leaf; the states of the leaves in the same order.
+/// Two sequences: the nodes in pre-order, 1 internal and 0 leaf; the states of the leaves in the same order.
 struct Succinct {
   std::vector<bool> tree;
   States data;
   friend bool operator==(const Succinct&, const Succinct&) = default;
 };
 
-/// A node of a perfect tree: number k of its level.
+/// A node of a perfect tree, number k of its level.
 struct Node {
   const PerfectTree* perfect;
   Level level;
@@ -79,7 +79,7 @@ struct Node {
   Node child(std::size_t c) const { return {perfect, level + 1, 4 * k + c}; }
 };
 
-/// One turn of Algorithm 2's loop; false where it ends.
+/// One turn of Algorithm 2's loop; false at its end.
 template <class Stack, class Output>
 bool succinct_turn(Stack& stack, Output& s) {
   if (stack.empty()) return false;
@@ -103,7 +103,7 @@ inline Succinct succinct(const PerfectTree& perfect) {
   return s;
 }
 
-/// Algorithms 1 and 2.  Domain: 4^n states.
+/// The sequences of a map: Algorithms 1 and 2.  Domain: 4^n states.
 inline Succinct encode(std::span<const State> map, Level n) { return succinct(perfect_tree(map, n)); }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -116,7 +116,7 @@ struct Cursor {
   Count t, d;
 };
 
-/// One turn of bitscan's loop; false where it ends.
+/// One turn of bitscan's loop; false at its end.
 template <class Tree, class Count>
 bool bitscan_turn(const Tree& tree, Count& child, Cursor<Count>& at) {
   if (!(at.t < tree.size() && child > 0)) return false;
@@ -136,7 +136,7 @@ Cursor<Count> bitscan(const Tree& tree, Count child, Cursor<Count> at) {
   return at;
 }
 
-/// One turn of tree-lookup's loop; false where t is no internal node.
+/// One turn of tree-lookup's loop; false if t is no internal node.
 template <class Sequences, class Count, class NextChild>
 bool lookup_turn(const Sequences& s, Cursor<Count>& at, NextChild& next_child) {
   if (!s.tree[at.t]) return false;
@@ -145,13 +145,13 @@ bool lookup_turn(const Sequences& s, Cursor<Count>& at, NextChild& next_child) {
   return true;
 }
 
-/// The state found, and what was read for it: the tree's bits 0..t, and one value.
+/// The state found, and the number of tree bits read for it, 0..t; one value is read, too.
 struct Found {
   State state;
   std::uint64_t tree_bits;
 };
 
-/// tree-lookup: next_child() is the paper's step(u, v), the digit of the next child.
+/// tree-lookup.  next_child() is the paper's step(u, v), the digit of the next child.
 /// Domain: an encoded map, and as many digits as the tree is deep.
 template <class NextChild>
 Found lookup(const Succinct& s, NextChild next_child) {
@@ -180,9 +180,8 @@ Found at_point(const Succinct& s, const Point<Q>& p) {
 // Back to the map, and to bytes
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The map of level n that encodes to s; none where no map does: a tree that ends early or late, or goes
-/// below level n, more or fewer values than leaves, four sibling leaves of one state, a state that the format
-/// lacks.
+/// The map of level n that encodes to s.  None if no map does: a tree that ends early or late, or goes below level n,
+/// more or fewer values than leaves, four sibling leaves of one state, a state that the format lacks.
 /// Source: Succinct Opacity Micromaps, 4.2, first paragraph.
 inline std::optional<States> decode(const Succinct& s, Level n, Format f) {
   States map;
@@ -204,7 +203,7 @@ inline std::optional<States> decode(const Succinct& s, Level n, Format f) {
   return map;
 }
 
-/// The tree's bytes, then the values'.
+/// The bytes of two sequences: the tree's, then the values'.
 inline Bytes bytes(const Succinct& s, Format f) {
   States bits;
   for (const bool internal : s.tree) bits.push_back(internal ? State::O : State::T);
@@ -214,8 +213,7 @@ inline Bytes bytes(const Succinct& s, Format f) {
   return all;
 }
 
-/// The sequences that make these bytes; none where no encoded tree's do.  The tree says itself where it ends:
-/// where the nodes that are owed run out.
+/// The sequences of these bytes; none if no encoded tree has them.  The tree ends where no more nodes are owed.
 inline std::optional<Succinct> from_bytes(std::span<const std::uint8_t> all, Format f) {
   Succinct s;
   std::uint64_t owed = 1, leaves = 0;
@@ -237,17 +235,17 @@ inline std::optional<Succinct> from_bytes(std::span<const std::uint8_t> all, For
 // Closed forms
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Nodes of the tree of a map in which no four siblings are alike, the most there can be: (4^(n+1) - 1) / 3,
-/// of which 4^n are leaves.  Domain: n in 0..30.  Source: Succinct Opacity Micromaps, 6.2.1 and figure 10.
+/// The number of nodes of the tree of a map in which no four siblings are alike, which is the greatest: (4^(n+1) - 1) /
+/// 3, of which 4^n are leaves.  Domain: n in 0..30.  Source: Succinct Opacity Micromaps, 6.2.1 and figure 10.
 constexpr std::uint64_t most_nodes(Level n) { return (micromap::micro_triangles(n + 1) - 1) / 3; }
 
-/// The bits of both sequences at most: most_nodes(n) + b 4^n.
+/// The greatest number of bits of both sequences: most_nodes(n) + b 4^n.
 constexpr std::uint64_t most_bits(Level n, Format f) {
   return most_nodes(n) + micromap::bits(f) * micromap::micro_triangles(n);
 }
 
-/// Tree bits that Algorithm 3 reads for index k of that largest tree: one for the root, and for each digit c
-/// of level m counted from the top, c subtrees of level n-m and the child's own bit.
+/// The number of tree bits that Algorithm 3 reads for index k of that largest tree: one for the root, and for each
+/// digit c of level m counted from the top, c subtrees of level n-m and the child's own bit.
 ///   1 + sum over m of (c_m most_nodes(n-m) + 1);  at most most_nodes(n), for the last index.
 /// Source: Succinct Opacity Micromaps, 6.2 and figure 9.
 constexpr std::uint64_t bits_read_of_largest(Level n, std::uint64_t index) {

@@ -1,6 +1,6 @@
-// VQ2 and VQ4: blocks of 256 and 512 bits, and the maps of 16x16 and 32x32 regions that they mean.
+// VQ2 and VQ4: blocks of 256 and 512 bits, and their maps of 16x16 and 32x32 regions.
 //
-// The bits of a block, from bit 0 of byte 0 up.  The order is ours: the figures give the fields alone.
+// The bits of a block, from bit 0 of byte 0 up.  The order is ours: the figures show the fields alone.
 //              VQ2               VQ4
 //   indices    64 of 3 bits      64 of 4       of the vector (X, Y) of the map, X + 8 Y
 //   transforms  3 of 3            3 of 3       of TR, BL and BR, by their number in table 1
@@ -20,24 +20,24 @@ namespace mmverify::spec::vq {
 
 enum class Quadrant : std::uint8_t { TL, TR, BL, BR };
 
-/// Of the vector (X, Y), each below 8.
+/// The quadrant of the vector (X, Y), each below 8.
 constexpr Quadrant quadrant_of(std::uint32_t x, std::uint32_t y) {
   return static_cast<Quadrant>((x < 4 ? 0 : 1) + (y < 4 ? 2 : 0));
 }
 
-/// The fields of a block.  An entry of the codebook is its code.
+/// The fields of a block of VQ2.  An entry of the codebook is its code.
 struct Vq2 {
-  static constexpr std::size_t side = 2;  ///< of a vector
+  static constexpr std::size_t side = 2;  ///< regions a side of a vector
   static constexpr std::uint32_t bits = 256, index_bits = 3;
 
   std::array<std::uint8_t, 64> indices{};
   std::array<Transform, 4> transforms{};  ///< by quadrant; that of TL is not stored
   std::array<std::uint8_t, 3> shared{};
-  std::array<std::array<std::uint8_t, 2>, 4> own{};  ///< of each quadrant
+  std::array<std::array<std::uint8_t, 2>, 4> own{};  ///< by quadrant
 
   constexpr bool operator==(const Vq2&) const = default;
 
-  /// What an index means in a quadrant, before the quadrant's transform.  Domain: index < 8.
+  /// The vector of an index in a quadrant, before the quadrant's transform.  Domain: index < 8.
   constexpr Vector<2> entry(Quadrant q, std::uint32_t index) const {
     if (index < 3) return uniform<2>(static_cast<State>(index));
     if (index < 6) return decode_mini(shared[index - 3]);
@@ -45,19 +45,19 @@ struct Vq2 {
   }
 };
 
-/// Of 4x4 regions a vector, 64 of them, and a codebook of 13 beside the three uniform ones (sections 4 and
-/// 5).
+/// The fields of a block of VQ4: 64 vectors of 4x4 regions, and a codebook of 13 beside the three uniform ones
+/// (sections 4 and 5).
 struct Vq4 {
   static constexpr std::size_t side = 4;
   static constexpr std::uint32_t bits = 512, index_bits = 4;
 
   std::array<std::uint8_t, 64> indices{};
   std::array<Transform, 4> transforms{};
-  std::array<std::uint32_t, 13> codebook{};  ///< of the indices 3..15
+  std::array<std::uint32_t, 13> codebook{};  ///< for the indices 3..15
 
   constexpr bool operator==(const Vq4&) const = default;
 
-  /// How the entry of an index is written (table 2).  Domain: index in 3..15.
+  /// The form of the code of an index (table 2).  Domain: index in 3..15.
   static constexpr Code4 code_of(std::uint32_t index) {
     return index < 6    ? Code4::simple
            : index == 6 ? Code4::vertical
@@ -70,7 +70,7 @@ struct Vq4 {
   }
 };
 
-/// 8 side x 8 side regions, (x, y) at x + 8 side y.
+/// A map of 8 side x 8 side regions, (x, y) at x + 8 side y.
 template <class Block>
 using Map = std::array<State, 64 * Block::side * Block::side>;
 
@@ -96,7 +96,7 @@ constexpr void for_each_field(Fields& block, Each each) {
   }
 }
 
-/// Domain: every field fits its bits.
+/// The bytes of a block.  Domain: every field fits its bits.
 template <class Block>
 constexpr BlockBytes<Block> bytes(const Block& block) {
   BlockBytes<Block> out{};
@@ -113,7 +113,7 @@ constexpr BlockBytes<Block> bytes(const Block& block) {
   return out;
 }
 
-/// Every block is one: each bit has a meaning.
+/// The block of any bytes: each bit has a meaning.
 template <class Block>
 constexpr Block from_bytes(const BlockBytes<Block>& in) {
   Block block{};
@@ -133,7 +133,7 @@ constexpr Block from_bytes(const BlockBytes<Block>& in) {
 // Decoding (figure 11)
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The whole map: each vector is looked up, transformed and laid down.
+/// The whole map: each vector is looked up, transformed and written.
 template <class Block>
 constexpr Map<Block> decode(const Block& block) {
   constexpr std::uint32_t side = Block::side;

@@ -1,9 +1,9 @@
-// Vectors of square opacity maps: states, the eight transforms, the codes of 2x2 and 4x4 vectors, and the
-// region that a hit on either triangle of a pair falls in.  Blocks of them are in spec/vq/block.hpp.
+// Vectors of square opacity maps: states, the eight transforms, the codes of 2x2 and 4x4 vectors, and the region of a
+// hit on either triangle of a pair.  spec/vq/block.hpp has the blocks.
 //
-// Axes.  x counts regions from the left, y from the BOTTOM, as the papers' "X = Y" wants it: only with y
-// upwards do the rows of table 1, in the order of its caption, give the results that it names (docs/ERRATA.md
-// has the order of the text).  The left lower triangle of the pair is the half x + y < side.
+// Axes.  x counts regions from the left, y from the BOTTOM, as the papers' "X = Y" needs: only with y upwards do the
+// rows of table 1, in the order of its caption, give the results that it names (docs/ERRATA.md has the order of the
+// text).  The left lower triangle of the pair is the half x + y < side.
 // Source: Compressed Opacity Maps, sections 3 to 5.
 #pragma once
 
@@ -18,14 +18,14 @@
 
 namespace mmverify::spec::vq {
 
-/// Of one region.  The values are the indices that stand for a uniform vector (4, "{0, 1, 2} to {T, C, O}").
+/// The state of one region.  Its values are the indices of uniform vectors (4, "{0, 1, 2} to {T, C, O}").
 enum class State : std::uint8_t {
   T = 0,  ///< transparent
   C = 1,  ///< check the texture
   O = 2,  ///< opaque
 };
 
-/// side x side regions, (x, y) at x + side y.
+/// A vector of side x side regions, (x, y) at x + side y.
 template <std::size_t side>
 using Vector = std::array<State, side * side>;
 
@@ -40,8 +40,8 @@ constexpr Vector<side> uniform(State s) {
 // Transforms (4.1, table 1)
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// A row of table 1: which base transforms are applied, "right to left": the rotation first, Reflect LR last.
-/// As a number, 4 LR + 2 TB + R90: the row's digits.
+/// A row of table 1: the base transforms that are applied, "right to left", the rotation first, Reflect LR last.  Its
+/// number is 4 LR + 2 TB + R90: the row's digits.
 struct Transform {
   bool reflect_lr = false, reflect_tb = false, rotate_90 = false;
 
@@ -61,7 +61,7 @@ struct Region {
   constexpr bool operator==(const Region&) const = default;
 };
 
-/// Where a transform takes the state of a region: R90 (anticlockwise) (x, y) -> (last - y, x), TB (x, last -
+/// The region to which a transform moves a region's state: R90 (anticlockwise) (x, y) -> (last - y, x), TB (x, last -
 /// y), LR (last - x, y).  Domain: x and y below side.
 template <std::size_t side>
 constexpr Region moved(Transform t, Region r) {
@@ -95,8 +95,8 @@ constexpr Vector<side> applied(Transform t, const Vector<side>& v) {
   return out;
 }
 
-/// The row of table 1 that first `first` and then `then` amount to: the one that moves the corner (0, 0) and
-/// its neighbour (1, 0) alike.
+/// The row of table 1 for first `first` and then `then`: the one that moves the corner (0, 0) and its neighbour (1, 0)
+/// alike.
 constexpr Transform composed(Transform then, Transform first) {
   for (std::uint32_t k = 0; k < 8; ++k) {
     const Transform t = Transform::of(k);
@@ -108,10 +108,10 @@ constexpr Transform composed(Transform then, Transform first) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Which vectors there are (2, 4, 5.1)
+// Valid vectors (2, 4, 5.1)
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// No 2x2 window, overlapping ones included, holds both O and T: alpha is continuous.
+/// Whether no 2x2 window, overlapping ones included, has both O and T: continuous alpha gives no others.
 template <std::size_t side>
 constexpr bool valid(const Vector<side>& v) {
   for (std::size_t y = 0; y + 1 < side; ++y)
@@ -130,16 +130,15 @@ constexpr bool valid(const Vector<side>& v) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Codes of vectors (figure 4, 5.1)
 // ---------------------------------------------------------------------------------------------------------------------
-// The order of the bits is ours, as the figures do not say it.  Every code word decodes; more than one may
-// mean the same vector, and encode gives the least.
+// The order of the bits is ours, as the figures do not show it.  Every code word decodes; several may mean the same
+// vector, and encode gives the least.
 
-/// A palette and a bit a region: bit k set is C; clear, the palette's other state.
+/// The state of a region by its palette and its bit: C if set, else the palette's other state.
 constexpr State picked(bool opaque_palette, bool checked) {
   return checked ? State::C : opaque_palette ? State::O : State::T;
 }
 
-/// The palette flag that a set of states needs: 0 {T, C} (also where all are C), 1 {O, C}; none with both O
-/// and T.
+/// The palette flag that a set of states needs: 0 {T, C} (also if all are C), 1 {O, C}; none if it has both O and T.
 template <class States>
 constexpr std::optional<bool> palette_of(const States& states) {
   bool o = false, t = false;
@@ -151,7 +150,7 @@ constexpr std::optional<bool> palette_of(const States& states) {
   return o;
 }
 
-/// 2x2, 5 bits: bits 0..3 of the regions, bit 4 the palette.  Domain: code < 32.
+/// A 2x2 vector from 5 bits: bits 0..3 are the regions, bit 4 the palette.  Domain: code < 32.
 constexpr Vector<2> decode_mini(std::uint32_t code) {
   Vector<2> v{};
   for (std::uint32_t k = 0; k < 4; ++k) v[k] = picked((code >> 4 & 1) != 0, (code >> k & 1) != 0);
@@ -166,12 +165,12 @@ constexpr std::optional<std::uint32_t> encode_mini(const Vector<2>& v) {
   return code;
 }
 
-/// How a 4x4 vector is written (table 2).
+/// The forms of a 4x4 vector's code (table 2).
 enum class Code4 : std::uint8_t {
-  simple,    ///< 17 bits: one palette for all; bit 16
+  simple,    ///< 17 bits: one palette for all, bit 16
   vertical,  ///< 18 bits: the columns x < 2 and x >= 2 have their own, bits 16 and 17: a vertical line parts
              ///< them
-  horizontal,  ///< 18 bits: the rows y < 2 and y >= 2 have
+  horizontal,  ///< 18 bits: the rows y < 2 and y >= 2 have their own, bits 16 and 17
   generic,     ///< 20 bits: four 5-bit codes of 2x2 vectors, that of (x/2, y/2) from bit 5 (x/2 + 2 (y/2)) on
 };
 
@@ -188,12 +187,12 @@ constexpr std::uint32_t bits_of(Code4 how) {
   return 20;
 }
 
-/// The palette flag that holds for a region, counted from bit 16 on.
+/// The palette flag of a region, counted from bit 16 on.
 constexpr std::uint32_t palette_at(Code4 how, std::uint32_t x, std::uint32_t y) {
   return how == Code4::vertical ? x / 2 : how == Code4::horizontal ? y / 2 : 0;
 }
 
-/// Domain: code < 2^bits_of(how).
+/// The vector of a code.  Domain: code < 2^bits_of(how).
 constexpr Vector<4> decode_vector(Code4 how, std::uint32_t code) {
   Vector<4> v{};
   for (std::uint32_t y = 0; y < 4; ++y)
@@ -208,7 +207,7 @@ constexpr Vector<4> decode_vector(Code4 how, std::uint32_t code) {
   return v;
 }
 
-/// The code of a vector, least where several mean it; none where this way cannot write it.
+/// The code of a vector, the least if several mean it; none if this form cannot write it.
 constexpr std::optional<std::uint32_t> encode_vector(Code4 how, const Vector<4>& v) {
   std::uint32_t code = 0;
   if (how == Code4::generic) {
@@ -236,13 +235,12 @@ constexpr std::optional<std::uint32_t> encode_vector(Code4 how, const Vector<4>&
 // From a hit to a region (3)
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Which triangle of the pair: the lower has the corners (0,0), (1,0), (0,1) of the map's unit square, the
-/// upper (1,1), (0,1), (1,0), each in the order of the barycentrics w, u, v.
+/// The triangle of the pair: the lower has the corners (0,0), (1,0), (0,1) of the map's unit square, the upper (1,1),
+/// (0,1), (1,0), each in the order of the barycentrics w, u, v.
 enum class Half : std::uint8_t { lower, upper };
 
-/// The region of a hit: (u, v) itself in the lower triangle, (1-u, 1-v) in the upper, times side, rounded
-/// down; the far edges belong to the last region.  A point of the shared edge is in the same region from
-/// either triangle.
+/// The region of a hit: (u, v) itself in the lower triangle, (1-u, 1-v) in the upper, times side, rounded down; the far
+/// edges belong to the last region.  A point of the shared edge is in the same region from either triangle.
 /// Domain: u, v >= 0 and u + v <= 1.
 template <std::size_t side>
 Region region_of(Half half, const Rational& u, const Rational& v) {

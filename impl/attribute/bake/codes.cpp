@@ -9,8 +9,8 @@ namespace {
 
 constexpr double full_light = 0x1p24;
 
-/// 2^24 light(m / 510), to nearest.  Of no m is it near enough to a half for binary64 to err: a law holds every one
-/// against exact powers.
+/// 2^24 light(m / 510), to nearest.  It is never so near a half that binary64 errs: a law checks every m with exact
+/// powers.
 std::int32_t light(int m) {
   const double y = m / 510.0, x = y <= 0.04045 ? y / 12.92 : std::pow((y + 0.055) / 1.055, 2.4);
   return static_cast<std::int32_t>(std::floor(x * full_light + 0.5));
@@ -60,11 +60,11 @@ const Curve& Curve::srgb() {
 template <class Channel>
 RgbaOf<Channel> encoded_normal(const std::array<double, 4>& means, const std::array<double, 4>& bound,
                                Meaning meaning, bool& sure) noexcept {
-  // Binary64 of numbers up to `full`, with room.
+  // The rounding of binary64 for numbers up to `full`, with room.
   constexpr double full = greatest<Channel>, rounding = (full + 1) * 0x1p-48;
   RgbaOf<Channel> codes{};
-  // m = 2 mean - full, each within twice the bound, so its length within 4 bounds, and m / |m| within 8 bounds / |m|
-  // where |m| is far beyond them.
+  // m = 2 mean - full.  Each component is within twice the bound, so the length within 4 bounds, and m / |m| within
+  // 8 bounds / |m| if |m| is far larger.
   const double b = std::max({bound[0], bound[1], bound[2]});
   const double x = 2 * means[0] - full, y = 2 * means[1] - full, z = 2 * means[2] - full,
                length = std::sqrt(x * x + y * y + z * z);

@@ -1,7 +1,7 @@
-// Codes to whole numbers that are averaged, and means to codes.  Internal to impl/attribute.
+// Codes as whole numbers that are averaged, and means as codes.  Internal to impl/attribute.
 //
-// A stored code c is averaged as a whole number: linear, c itself; on the sRGB curve 2^24 light(c), to nearest.  A mean
-// is code k from its least on: k - 1/2, or 2^24 light at the middle between k - 1 and k, to nearest.
+// A stored code c is averaged as a whole number: linear, c itself; on the sRGB curve 2^24 light(c), to nearest.  The
+// means of code k begin at its least one: k - 1/2, or 2^24 light at the middle between k - 1 and k, to nearest.
 // Source: spec/attribute/colour.hpp, spec/attribute/normal.hpp.
 #pragma once
 
@@ -22,7 +22,7 @@ namespace mmverify::impl::attribute::detail {
 template <class Channel>
 inline constexpr int greatest = std::numeric_limits<Channel>::max();
 
-/// The last code in 0..full that `begun(code)` is true of, true up to one and false beyond, and of 0.
+/// The last code in 0..full with begun(code).  Domain: begun is true of 0 and up to some code, and false beyond.
 template <class Begun>
 int last_code(int full, Begun begun) {
   int low = 0, high = full + 1;
@@ -33,7 +33,7 @@ int last_code(int full, Begun begun) {
   return low;
 }
 
-/// The code of a linear mean that is within `bound`, half up; `sure` is cleared where a middle is that near.
+/// The code of a linear mean, half up.  The mean is within `bound`; `sure` is cleared if a middle is as near.
 /// Domain: mean >= -1/4; below 2^16.
 template <class Channel>
 Channel linear_code(double mean, double bound, bool& sure) noexcept {
@@ -52,19 +52,19 @@ Channel exact_linear_code(const Int& sum, const Int& count) {
       last_code(greatest<Channel>, [&](int c) { return Int(std::int64_t{2 * c - 1}) * count <= twice; }));
 }
 
-/// The curve of one channel.
+/// The curve of one channel of 8 bits.
 struct Curve {
-  std::array<std::int32_t, 256> number{};       ///< of a code
-  std::array<double, 256> value{};              ///< the same
-  std::array<std::int32_t, 257> twice_least{};  ///< of a code, doubled; one more than any at 256
-  double full = 255;                            ///< the greatest number
-  double most_off = 0.125;                      ///< the greatest bound of a mean
+  std::array<std::int32_t, 256> number{};       ///< the whole number of a code
+  std::array<double, 256> value{};              ///< the same in binary64
+  std::array<std::int32_t, 257> twice_least{};  ///< twice the least mean of a code; at 256 beyond every mean
+  double full = 255;                            ///< the greatest whole number
+  double most_off = 0.125;                      ///< the greatest allowed bound of a mean
 
-  /// On the sRGB curve, by the first bits of a mean: the one middle that lies among the numbers with these bits or within
-  /// most_off of them, or if there is none the next one above.  Middles are halves of whole numbers below 2^31, so that
-  /// the lowest bits of their binary64 are free: these hold the code below the middle.
+  /// The middles between codes on the sRGB curve, by the first bits of a mean: the one middle among the numbers with
+  /// these bits or within most_off of them, or the next one above if there is none.  Middles are halves of whole
+  /// numbers below 2^31, so that the lowest bits of their binary64 are free: these store the code below the middle.
   std::vector<std::uint64_t> middles = {};
-  /// Sign, exponent and 7 bits; the first middle is above 2^11.
+  /// The bits below sign, exponent and 7 more; the first middle is above 2^11.
   static constexpr int bits_below = 45;
   static constexpr double first_number = 0x1p11;
   static constexpr std::uint64_t first_bits = std::bit_cast<std::uint64_t>(first_number) >> bits_below,
@@ -73,7 +73,7 @@ struct Curve {
   static const Curve& linear();
   static const Curve& srgb();
 
-  /// The code of a mean that is within `bound`; `sure` is cleared where a middle is that near.
+  /// The code of a mean that is within `bound`; `sure` is cleared if a middle between codes is as near.
   /// Domain: 0 <= bound <= most_off; mean within that of 0 .. full.
   std::uint8_t code(double mean, double bound, bool& sure) const noexcept {
     if (middles.empty()) return linear_code<std::uint8_t>(mean, bound, sure);
@@ -102,7 +102,7 @@ inline Curves curves_of(Meaning meaning) {
 }
 constexpr bool is_normal(Meaning m) { return m == Meaning::normal || m == Meaning::normal_and_length; }
 
-/// The codes of mean numbers of normals, each within its `bound`; `sure` is cleared where another code may be right.
+/// The codes of mean normals, each within its `bound`; `sure` is cleared if another code may be right.
 template <class Channel>
 RgbaOf<Channel> encoded_normal(const std::array<double, 4>& means, const std::array<double, 4>& bound,
                                Meaning meaning, bool& sure) noexcept;
@@ -115,7 +115,7 @@ bool reaches(const Int& a, const Int& t, const Int& square) {
   return t < zero && a * a <= t * t * square;
 }
 
-/// Gives `codes` the directions, and the length, of the mean normal sums / count, exactly.
+/// Writes to `codes` the direction, and the length, of the mean normal sums / count, exactly.
 /// Domain: count > 0; Int has twice the sums' bits and 32 more.
 template <class Channel, class Int>
 void encode_normal_exactly(const std::array<Int, 4>& sums, const Int& count, Meaning meaning,
@@ -145,14 +145,14 @@ void encode_normal_exactly(const std::array<Int, 4>& sums, const Int& count, Mea
         }));
 }
 
-/// How the channels of a texture are averaged, and means become values of a map.  floats.hpp has that of floats.
+/// The coding of a texture's channels: texels as numbers, means as values of a map.  floats.hpp has that of floats.
 template <class Channel>
 class Coding {
  public:
-  /// A texel's channel among whole numbers.
+  /// The whole number of a texel's channel.
   template <class Int>
   using Number = std::int64_t;
-  /// Bits of such, and of what compares them with a code.
+  /// The bits of such a number, and the bits that a comparison with a code adds.
   int number_bits() const noexcept { return sizeof(Channel) == 1 ? 25 : 17; }
   static constexpr int code_bits = sizeof(Channel) == 1 ? 10 : 18;
 
@@ -165,7 +165,7 @@ class Coding {
 
   bool normal() const noexcept { return is_normal(meaning_); }
 
-  /// What channel k of a texel counts.
+  /// The number of channel k of a texel, in binary64.
   double value(Channel code, std::size_t k) const noexcept {
     if constexpr (sizeof(Channel) == 1)
       return curves_[k]->value[code];
@@ -183,12 +183,12 @@ class Coding {
   double full(std::size_t k) const noexcept {
     return sizeof(Channel) == 1 ? curves_[k]->full : double{greatest<Channel>};
   }
-  /// The greatest bound of a mean that codes may be taken of.
+  /// The greatest bound of a mean that encoded() takes.
   double most_off(std::size_t k) const noexcept {
     return sizeof(Channel) == 1 ? curves_[k]->most_off : 0.125;
   }
 
-  /// The codes of mean values, each within its `bound`; `sure` is cleared where another code may be right.
+  /// The codes of means, each within its `bound`; `sure` is cleared if another code may be right.
   RgbaOf<Channel> encoded(const std::array<double, 4>& means, const std::array<double, 4>& bound,
                           bool& sure) const noexcept {
     if (normal()) return encoded_normal<Channel>(means, bound, meaning_, sure);
@@ -201,7 +201,7 @@ class Coding {
     return codes;
   }
 
-  /// The codes of sums / count, exactly.  Domain: count > 0; of normals Int has twice the sums' bits and 32 more.
+  /// The codes of sums / count, exactly.  Domain: count > 0; for normals Int has twice the sums' bits and 32 more.
   template <class Int>
   RgbaOf<Channel> exactly_encoded(const std::array<Int, 4>& sums, const Int& count) const {
     RgbaOf<Channel> codes{};

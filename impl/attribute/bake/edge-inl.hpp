@@ -1,12 +1,12 @@
 // The integral of F dy along a micro-edge, F(x, y) the sum of its row's texels up to x.
 //
-// A row is [j, j + 1), a column [i, i + 1).  Where both stay the same F is linear in x, so that a piece of the edge adds
-//   (P(i) + (x - i) c(i)) (its dy),   x the middle of it, P(i) the texels before i.
-// Rounding, with c <= m, E and u those of frame.hpp, h = |dx| + |dy|, K <= h + 3 pieces:
-//   a row's pieces end at whole y, so that what lies in each row is exact; x where the edge crosses a row, and y where it
-//   crosses a column, are within 6 u E of the segment, which moves the integral by 6 u E m h at most; F is within
-//   6 u m E of its value, and the sum of the pieces within K u of it, of numbers up to m E |dy|.
-//   Together: m u E (12 + 6 + K) h.  A product and a sum that are rounded once together err less.
+// A row is [j, j + 1), a column [i, i + 1).  In one row and column F is linear in x, so that a piece of the edge adds
+//   (P(i) + (x - i) c(i)) (its dy),   x the middle of it, P(i) the sum of the texels before i.
+// Rounding, with c <= m, E and u of frame.hpp, h = |dx| + |dy|, K <= h + 3 pieces:
+//   A row's pieces end at whole y, so each row's share is exact.  x where the edge crosses a row, and y where it
+//   crosses a column, are within 6 u E of the segment, which moves the integral by 6 u E m h at most.  F is within
+//   6 u m E of its value, and the sum of the pieces within K u of it, with numbers up to m E |dy|.
+//   Together: m u E (12 + 6 + K) h.  A fused product and sum, rounded once, errs less.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,7 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::attribute::detail {
 namespace HWY_NAMESPACE {
 
-/// Adds a piece of a row, in column i, from x0 to x1.
+/// Adds the piece of a row that runs in column i from x0 to x1.
 template <class Sum>
 HWY_INLINE Quad with_piece(const Quad& integral, const Sum* row, std::int32_t i, double x0, double x1,
                            double dy) {
@@ -35,7 +35,7 @@ HWY_INLINE Quad with_piece(const Quad& integral, const Sum* row, std::int32_t i,
   return integral.plus(dy, before.plus(0.5 * (x0 + x1) - i, Quad::of(p + 4) - before));
 }
 
-/// Of the edge from p to q.  Domain: coordinates in [0, width or height of the sums).
+/// The integral along the edge from p to q.  Domain: coordinates in [0, width or height of the sums).
 template <class Sum>
 HWY_INLINE Quad edge_integral(const RowSums<Sum>& sums, Point p, Point q) {
   Quad integral = Quad::zero();

@@ -12,7 +12,7 @@ namespace {
 using bake::detail::Int128;
 using bake::detail::Wide;
 
-/// floor(x / 2^fraction_bits), taken away from x, less `more`.  Domain: below 2^36 texels in size.
+/// Subtracts floor(x / 2^fraction_bits), in texels, from x and returns it.  Domain: below 2^36 texels in size.
 template <class Int>
 std::int64_t whole_taken(Int& x, int fraction_bits) {
   const Int unit = Int(1) << fraction_bits;
@@ -39,11 +39,11 @@ Exact<Channel>::Exact(const Source<Channel>& source, const BaseTriangle& uv, std
     extent = std::max({extent, std::fabs(double{p.u} - double{q.u}) * source.texture().width,
                        std::fabs(double{p.v} - double{q.v}) * source.texture().height});
   }
-  // One more for where it begins, one for the last, one for rounding.
+  // 4 more: one for the first texel, one for the last, and room for rounding.
   cell_bits_ = bake::detail::bits(static_cast<std::int64_t>(std::ldexp(extent, -level_)) + 4);
 }
 
-/// (texels (U0 N + i (U1 - U0) + j (U2 - U0))) / N, in units of 2^-(below_point + level).
+/// The coordinate (texels (U0 N + i (U1 - U0) + j (U2 - U0))) / N, in units of 2^-(below_point + level).
 template <class Channel>
 template <class Int>
 Int Exact<Channel>::along(const Axis& axis, std::uint32_t texels, const index::Vertex& at) const {
@@ -112,12 +112,12 @@ RgbaOf<Channel> Exact<Channel>::face_in(const index::Corners& corners) const {
 template <class Channel>
 RgbaOf<Channel> Exact<Channel>::vertex(const index::Vertex& at) const {
   const int fraction = below_point_ + level_;
-  // Two fractions, a number, a code, sums; positions, of 20 bits of u, 14 of size and 3 for sums.
+  // Values: two fractions, a number, a code, sums.  Positions: 20 bits of u, 14 of the size and 3 for sums.
   const int values = 2 * fraction + source_.coding().number_bits() + source_.coding().code_bits + 3;
   const int bits = std::max(source_.coding().normal() ? 2 * values + 32 : values, fraction + 20 + 14 + 4);
   if (bits <= 128) return vertex_in<Int128>(at);
   if (bits <= 384) return vertex_in<Wide<6>>(at);
-  // The most that can be: 150 + 12 below the point.
+  // The widest case: 150 + 12 bits below the point.
   static_assert(2 * (2 * (150 + 12) + 25 + 10 + 3) + 32 <= 12 * 64 &&
                 2 * (150 + 12) + 278 + 4 + 3 <= 12 * 64);
   return vertex_in<Wide<12>>(at);
@@ -131,7 +131,7 @@ RgbaOf<Channel> Exact<Channel>::face(const index::Corners& corners) const {
   if (bits <= 256) return face_in<Wide<4>>(corners);
   if (bits <= 512) return face_in<Wide<8>>(corners);
   if (bits <= 1024) return face_in<Wide<16>>(corners);
-  // The most that can be: 150 + 12 below the point, 16 above it.
+  // The widest case: 150 + 12 bits below the point, 16 above it.
   static_assert(2 * (8 * (150 + 12 + 17) + 41 + 25 + 10) + 32 <= 50 * 64 &&
                 8 * (150 + 12 + 17) + 41 + 278 + 4 <= 50 * 64);
   return face_in<Wide<50>>(corners);

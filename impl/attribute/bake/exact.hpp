@@ -1,4 +1,4 @@
-// One micro-vertex or micro-triangle in whole numbers: the last word, and the slowest.  Internal to impl/attribute.
+// One micro-vertex or micro-triangle in whole numbers: always exact, and the slowest.  Internal to impl/attribute.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace mmverify::impl::attribute::detail {
 
-/// A base triangle, for exact answers.
+/// The exact values of a base triangle.
 template <class Channel>
 class Exact {
  public:
-  /// Domain: that of AttributeBaker; faces over 2^15 texels along an axis at most.
+  /// Domain: that of AttributeBaker; for faces at most 2^15 texels along an axis.
   Exact(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level);
 
   RgbaOf<Channel> vertex(const index::Vertex& at) const;
@@ -33,8 +33,8 @@ class Exact {
   const Source<Channel>& source_;
   Axis u_, v_;
   int level_;
-  int below_point_ = 1;  ///< bits of u and v there, and at least the one of half a texel
-  int cell_bits_;        ///< of the texels that a micro-triangle spans, at most
+  int below_point_ = 1;  ///< bits of u and v below the point, at least 1 for half a texel
+  int cell_bits_;        ///< bits of the number of texels that a micro-triangle spans at most
 };
 
 }  // namespace mmverify::impl::attribute::detail

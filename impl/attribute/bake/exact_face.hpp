@@ -1,17 +1,18 @@
 // The mean of the texels under a triangle, in whole numbers.  Internal to impl/attribute.
 //
-// Coordinates in units of 1/S texel from a texel near by.  On an edge with D = |dx| and H = |dy| (1 in the place of 0)
-// an x is kept as X = x H, a y as Y = y D: crossings of rows and columns are whole numbers then.  A piece within row j
-// and column i, c its texel and P the sum of the texels before it, adds to the integral of F dy
+// Coordinates are in units of 1/S texel from a texel nearby.  On an edge let D = |dx| and H = |dy| (1 in the place of
+// 0).  x is kept as X = x H and y as Y = y D: crossings of rows and columns are then whole numbers.  A piece within row
+// j and column i, with texel c and the sum P of the texels before it, adds to the integral of F dy
 //   (2 P S H + c (X + X' - 2 i S H)) (Y' - Y) / (2 D H S^2)
 // so that the mean, over an area of |A| / (2 S^2), is  sum over edges of pieces / (D H |A|).
 //
-// Where A = 0 all is on a line.  Along the axis that it spans more of, l0 <= l1 <= l2 the corners: the share of the
-// triangle that maps below z is
+// If A = 0 the triangle is a line.  Along its longer axis let l0 <= l1 <= l2 be the corners: the share of the triangle
+// that maps below z is
 //   (z - l0)^2 / ((l1 - l0)(l2 - l0)) up to l1,  1 - (l2 - z)^2 / ((l2 - l1)(l2 - l0)) beyond.
 //
-// Bits.  With P bits for S and coordinates, T for a texel and T + 15 for sums of texels: a piece 4P + T + 19, all of an
-// edge's 20 more; times the other edges' D H, 8P + T + 41; on a line squares 4P, times l 5P, times a texel 5P + T + 1.
+// Bits, with P for S and coordinates, T for a texel and T + 15 for sums of texels.  A piece takes 4P + T + 19, all of
+// an edge 20 more; times the other edges' D H, 8P + T + 41.  On a line: squares 4P, times l 5P, times a texel 5P + T +
+// 1.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +43,7 @@ class ExactFace {
   using Numbers = std::array<Number, 4>;
   using Sums = std::array<Int, 4>;
 
-  /// Corners in units of 2^-fraction_bits from texel (column, row), none below 0 nor beyond `cells` texels.
+  /// Corners are in units of 2^-fraction_bits from texel (column, row), none below 0 nor beyond `cells` texels.
   ExactFace(const Source<Channel>& source, std::int64_t column, std::int64_t row, std::int64_t cells,
             int fraction_bits, const std::array<Int, 3>& x, const std::array<Int, 3>& y)
       : source_(source),
@@ -73,7 +74,7 @@ class ExactFace {
   static Int size(const Int& k) { return k < Int(0) ? Int(0) - k : k; }
   static Int or_one(const Int& k) { return k == Int(0) ? Int(1) : k; }
 
-  /// The numbers of texel (i, j), from the texel near by.
+  /// The numbers of texel (i, j), counted from texel (column, row).
   Numbers texel(std::int64_t i, std::int64_t j) const {
     const Channel* const from = source_.texel(source_.column(column_ + i), source_.row(row_ + j));
     Numbers numbers;
@@ -81,7 +82,7 @@ class ExactFace {
     return numbers;
   }
 
-  /// Sums of a row's texels before each of the first `count` and one more.
+  /// The sums of row j's texels before each of the first `count`, and the sum of all of these.
   void sum_row(std::int64_t j, std::int64_t count) {
     before_.assign(1, {});
     for (std::int64_t i = 0; i < count; ++i) {
@@ -91,7 +92,7 @@ class ExactFace {
     }
   }
 
-  /// Adds a piece up to (X', Y').
+  /// Adds the piece in column i from X to X', dy high.
   void piece(std::int64_t i, const Int& x, const Int& next_x, const Int& dy, const Int& column, Sums& to) {
     if (dy == Int(0)) return;
     const Int beyond = x + next_x - Int(2 * i) * column;
@@ -102,14 +103,14 @@ class ExactFace {
                           dy;
   }
 
-  /// The pieces of an edge, times the sign of its direction; returns D H.
+  /// Writes the sum of an edge's pieces, times the sign of its direction, to `sums`; returns D H.
   Int edge(std::size_t from, std::size_t to, Sums& sums) {
     sums.fill(Int(0));
     bool down = y_[from] < y_[to];
     if (y_[to] < y_[from]) std::swap(from, to);
     const Int dx = x_[to] - x_[from], dy = y_[to] - y_[from], wide = or_one(size(dx)), high = or_one(dy);
     if (dy == Int(0)) return wide * high;
-    const Int column = unit_ * high, line = unit_ * wide;  // a texel's side, of X and of Y
+    const Int column = unit_ * high, line = unit_ * wide;  // a texel's side in units of X, and of Y
     const Int start_x = x_[from] * high, start_y = y_[from] * wide, end_x = x_[to] * high,
               end_y = y_[to] * wide;
     const std::int64_t last = whole(end_y, line, cells_ + 1);
@@ -124,7 +125,7 @@ class ExactFace {
       while (i != stop) {
         const bool right = i < stop;
         const std::int64_t crossed = right ? i + 1 : i;
-        // Y = y0 D + dy (crossed S - x0) sign(dx).
+        // Y = y0 D + dy (crossed S - x0) sign(dx), with crossed the column's line.
         const Int way = Int(crossed) * unit_ - x_[from];
         const Int at = start_y + dy * (right ? way : Int(0) - way);
         piece(i, x, Int(crossed) * column, at - y, column, sums);
@@ -159,7 +160,7 @@ class ExactFace {
       for (std::size_t c = 0; c < 4; ++c) sums[c] = Int(here[c]);
       return {sums, Int(1)};
     }
-    // Places z = Z / D, D the slant's size: where it crosses columns, and rows.
+    // The places z = Z / D, with D the slant's size, where the line crosses columns, and rows.
     const Int d = or_one(size(slant));
     std::vector<Int> places{l0 * d, l2 * d};
     for (std::int64_t k = 1; k <= cells_; ++k) {
@@ -172,14 +173,14 @@ class ExactFace {
     places.push_back(l1 * d);
     std::sort(places.begin(), places.end());
     const Int rise = or_one(l1 - l0), fall = or_one(l2 - l1), count = rise * fall * length * d * d;
-    const auto below = [&](const Int& z) {  // the share, times count
+    const auto below = [&](const Int& z) {  // the share below z, times count
       if (z <= l1 * d) return (z - l0 * d) * (z - l0 * d) * fall;
       return count - (l2 * d - z) * (l2 * d - z) * rise;
     };
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
       const Int &from = places[k], &to = places[k + 1];
       if (from == to) continue;
-      const Int twice = from + to;  // the middle, times 2 D
+      const Int twice = from + to;  // twice the middle, in units of 1 / D
       // m = m0 + (l - l0) slant / length, times 2 D length.
       const Int m = m0 * (Int(2) * d * length) + (twice - Int(2) * l0 * d) * slant;
       const auto here = numbers(whole(twice, Int(2) * d * unit_, cells_ + 1),

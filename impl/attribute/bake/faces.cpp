@@ -1,11 +1,11 @@
-// Bound.  Corners within 8 u E move a triangle's integral by 8 u E m (h + h' + h'') at most, m the greatest texel and h
-// those of edge-inl.hpp, whose bound adds; with K pieces an edge together m u E (8 + 18 + K)(h + h' + h''), here with
-// twice as much.  The area is within its own bound.
+// The bound.  Corners within 8 u E move a triangle's integral by 8 u E m (h + h' + h'') at most, where m is the
+// greatest texel and h as in edge-inl.hpp, whose bound is added.  With K pieces an edge the sum is m u E (8 + 18 + K)(h
+// + h' + h''); here it is taken twice.  The area is within its own bound.
 // Floats: m is the greatest |texel| of the box, whatever the signs.  Sums before a texel are within 1.01 u m E
-// (source.cpp), so that F is within 10 u m E in the place of 6: 16 of the 80 that are taken in the place of 64.  A face
-// that is not sure is tried once more by itself: m is that of the texels under it and around, e the greater side of their
-// box; positions are as they were, what they move is 8 u E m a length; the rest is m u e (12 + 10 + K), of three edges 4
-// more.  With twice as much of both:  m (16 u E + u e (60 + 2 h)) (h + h' + h'').
+// (source.cpp), so that F is within 10 u m E instead of 6: hence 80 instead of 64, of which 16 are for this.  A face
+// that is not sure is tried once more by itself.  Its m is that of the texels under it and around, e the greater side
+// of their box.  Its positions are as before and move the integral by 8 u E m a length; the rest is m u e (12 + 10 +
+// K), and 4 more for three edges.  With twice as much of both:  m (16 u E + u e (60 + 2 h)) (h + h' + h'').
 #include "impl/attribute/bake/faces.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 constexpr std::int64_t most_texels = std::int64_t{1} << 24, small_box = std::int64_t{1} << 16,
                        longest = std::int64_t{1} << 15;
 
-/// What bounds of all faces are made of; none where floats cannot tell anything.
+/// The lengths and the area that all faces' bounds are computed from; tell() is false if floats cannot decide anything.
 struct Edges {
   double longest = 0, around = 0, area = 0, off = 0;
 
@@ -53,14 +53,14 @@ std::optional<std::array<double, 4>> bound_of(const Source<Channel>& source, con
   return bound;
 }
 
-/// Of a face by itself.  Domain: edges.tell().
+/// The bound of a face computed by itself.  Domain: edges.tell().
 NearBound near_bound(const Frame& frame, const Edges& edges) {
   const double area = edges.area - edges.off;
   return {(32 * half_ulp * frame.extent * edges.around + edges.off) / area + 8 * half_ulp,
           2 * half_ulp * (60 + 2 * edges.longest) * edges.around / area};
 }
 
-/// The index of a face, by its centroid, which is no tie.
+/// The index of a face, by a point inside it.
 std::uint32_t index_of(const Face& f, std::uint32_t level) {
   const auto third = [&](std::uint32_t k) {
     return (static_cast<float>(k) + (f.upper != 0 ? 0.625f : 0.25f)) / static_cast<float>(1u << level);
@@ -90,7 +90,7 @@ AttributeCounts bake_with(const Source<Channel>& source, const BaseTriangle& uv,
   }
   thread_local std::vector<Sum> room;
   const RowSums<Sum> sums = [&] {
-    // Of floats, sums from afar would be less exact than those of the box.
+    // Floats use the box's own sums: sums from the picture's edge on would be less exact.
     if constexpr (!std::is_same_v<Channel, float>)
       if (box.width * box.height > small_box && in_picture)
         return source.template sums_from<Sum>(*in_picture);
@@ -110,7 +110,7 @@ AttributeCounts bake_with(const Source<Channel>& source, const BaseTriangle& uv,
 template <class Channel>
 AttributeCounts bake_faces(const Source<Channel>& source, const BaseTriangle& uv, std::uint32_t level,
                            std::span<RgbaOf<Channel>> out) {
-  // 255 x 2^15 < 2^24: floats hold every sum of codes.
+  // Floats are exact for every sum of codes: 255 x 2^15 < 2^24.
   if constexpr (sizeof(Channel) == 1)
     if (source.sampling().meaning != Meaning::srgb) return bake_with<float>(source, uv, level, out);
   return bake_with<double>(source, uv, level, out);

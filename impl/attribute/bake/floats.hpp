@@ -1,8 +1,9 @@
-// Texels of binary32: as whole numbers over a common power of two, and means as binary32.  Internal to impl/attribute.
+// Texels of binary32 as whole numbers over a common power of two, and means as binary32.  Internal to impl/attribute.
 //
-// A mean that is known within a bound is sure where both ends of that interval round to the same number.
-// Whole numbers: a texel counts t / 2^e, e the exponent of the lowest bit that any texel of the texture, or its border,
-// has.  They have 277 bits at most, from 2^-149 to 2^128: the widest arithmetic of exact.cpp holds all that comes of them.
+// A mean known within a bound is sure if both ends of that interval round to the same number.
+// Whole numbers: a texel t counts t / 2^e, where e is the exponent of the lowest bit of any texel of the texture, or of
+// its border.  They have 277 bits at most, from 2^-149 to 2^128: the widest arithmetic of exact.cpp suffices for all
+// sums.
 // Source: IEEE 754, 4.3.1; spec/attribute/colour.hpp, Rounded<Binary32>.
 #pragma once
 
@@ -17,7 +18,7 @@
 
 namespace mmverify::impl::attribute::detail {
 
-/// A finite number of binary32 as size 2^exponent, with its sign; size is odd, or 0.
+/// A finite binary32 number, size 2^exponent with its sign; size is odd, or 0.
 struct FloatParts {
   std::int64_t size = 0;
   int exponent = 0;
@@ -35,8 +36,7 @@ struct FloatParts {
 };
 
 /// sum / count 2^exponent to nearest, ties to even; 0 is +0.
-/// Domain: count > 0; the number of a size that binary32 has; exponent in -149..127; Int holds count 2^26 and twice the
-/// sum.
+/// Domain: count > 0; the number within the range of binary32; exponent in -149..127; Int holds count 2^26 and 2 sum.
 template <class Int>
 float nearest_float(const Int& sum, const Int& count, int exponent) {
   using bake::detail::bit_width;
@@ -46,22 +46,22 @@ float nearest_float(const Int& sum, const Int& count, int exponent) {
   // 2^top <= size / count < 2^(top + 1)
   int top = bit_width(size) - bit_width(count);
   if (top >= 0 ? size < (count << top) : (size << -top) < count) --top;
-  // Of the result's last place, in units of 2^exponent: 24 bits, or the least number's.
+  // The exponent of the result's last place, less `exponent`: 23 below the top, or that of the least number.
   const int last = std::max(top - 23, -149 - exponent);
   const Int unit = last > 0 ? count << last : count, all = last < 0 ? size << -last : size;
   std::int64_t whole = last_code((1 << 24) - 1, [&](int k) { return Int(k) * unit <= all; });
   const Int rest = all - Int(whole) * unit, twice = rest + rest;
   if (unit < twice || (unit == twice && whole % 2 != 0)) ++whole;
-  // The leading bit of a normal number adds one to the exponent; a carry does so, too.
+  // The leading bit of a normal number adds one to the exponent field, and so does a carry.
   const std::int64_t bits = (std::int64_t{last + exponent + 149} << 23) + whole;
   return std::bit_cast<float>(static_cast<std::uint32_t>(bits) | (negative ? 0x80000000u : 0u));
 }
 
-/// Of floats: each the number that is averaged.
+/// The coding of floats: each texel is itself the number that is averaged.
 template <>
 class Coding<float> {
  public:
-  /// A texel's channel among whole numbers: it may need all bits.
+  /// The whole number of a texel's channel, which may need all bits.
   template <class Int>
   using Number = Int;
   int number_bits() const noexcept { return std::max(above_ - below_, 26) + 1; }
@@ -90,7 +90,7 @@ class Coding<float> {
     return parts.negative ? Int(0) - size : size;
   }
 
-  /// The numbers that means are rounded to, each within its `bound`; `sure` is cleared where another may be right.
+  /// The means rounded to binary32, each within its `bound`; `sure` is cleared if another number may be right.
   static RgbaFloat encoded(const std::array<double, 4>& means, const std::array<double, 4>& bound,
                            bool& sure) noexcept {
     // No mean is beyond the greatest number.

@@ -1,9 +1,9 @@
-// A base triangle in texels, in binary64, with what its rounding may amount to.  Internal to impl/attribute.
+// A base triangle in texels, in binary64, with a bound of its rounding.  Internal to impl/attribute.
 //
-// Micro-vertex (i, j) is origin + i across + j down, of coordinates from a corner `left`, `top` near by, so that none is
+// Micro-vertex (i, j) is origin + i across + j down, with coordinates from a corner (left, top) nearby, so that none is
 // below 1 nor beyond the box.  With E the box's greater side and u = 2^-53:
-//   width x U, less left, is exact or rounds once, u E; (difference) / N rounds once, u E / N; i times that once, and two
-//   sums once each, of numbers up to E.  So a position is within 8 u E of the true one, with room.
+//   width x U - left is exact or rounds once, u E.  (difference) / N rounds once, u E / N.  i times that rounds once,
+//   and two sums once each, all with numbers up to E.  So a position is within 8 u E of the true one, with room.
 #pragma once
 
 #include <algorithm>
@@ -23,24 +23,24 @@ struct Point {
 
 struct Frame {
   std::int64_t left, top, width,
-      height;  ///< of the box: all texels that corners, or cells, of the triangle reach
+      height;  ///< of the box: all texels that corners, or bilinear cells, of the triangle reach
   Point origin, across, down;
   double extent;    ///< E
-  double position;  ///< how far off a coordinate may be
-  double area;      ///< of a micro-triangle, twice, signed
-  double area_off;  ///< how far off that may be
+  double position;  ///< bound of a coordinate's error
+  double area;      ///< twice the signed area of a micro-triangle
+  double area_off;  ///< bound of the error of `area`
 
-  /// Over a texture of so many texels a side.
+  /// The frame of a triangle over a texture of this size.
   Frame(std::uint32_t texture_width, std::uint32_t texture_height, const BaseTriangle& uv,
         std::uint32_t level) {
     std::array<double, 3> x, y;
     for (std::size_t k = 0; k < 3; ++k) {
-      x[k] = double{uv[k].u} * texture_width;  // 24 and 14 bits: exact
+      x[k] = double{uv[k].u} * texture_width;  // exact: 24 and 14 bits
       y[k] = double{uv[k].v} * texture_height;
     }
     const auto span = [](const std::array<double, 3>& at, std::int64_t& from, std::int64_t& count) {
       const auto [least, greatest] = std::minmax({at[0], at[1], at[2]});
-      // One more on either side: rounding, and the cells' other texels.
+      // The box has one texel more on either side, for rounding and for the cells' other texels.
       from = static_cast<std::int64_t>(std::floor(least)) - 2;
       count = static_cast<std::int64_t>(std::floor(greatest)) + 3 - from;
     };
@@ -68,7 +68,7 @@ struct Frame {
   TexelBox box() const noexcept { return {left, top, width, height}; }
 };
 
-/// Throws std::invalid_argument where the domain of AttributeBaker does not hold; `count`: of values, the right one.
+/// Throws std::invalid_argument outside the domain of AttributeBaker, or if room is not `count`, the number of values.
 void check(const BaseTriangle& uv, std::uint32_t level, std::size_t room, std::size_t count);
 
 }  // namespace mmverify::impl::attribute::detail

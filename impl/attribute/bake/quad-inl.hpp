@@ -1,4 +1,4 @@
-// Four numbers of binary64, one a channel: a vector where one holds four, else an array.
+// Four binary64 numbers, one a channel: a vector on targets whose vectors have room for four, else an array.
 #include <bit>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Sums of floats are kept in two numbers, the sum as it is rounded and what rounding took from it so far (Knuth: exact).
-// Of n texels up to m each rounding takes u m n at most, u = 2^-53, and adding n such up errs by n^2 u^2 m n: with
-// n <= 2^15 that is 2^-23 u m n.  What is stored is their sum, rounded once: within 1.01 u m n.
+// A sum of floats is kept in two numbers: the rounded sum, and what rounding took from it so far (Knuth: exact).
+// For n texels up to m each rounding takes u m n at most, u = 2^-53, and adding up n such errors errs by n^2 u^2 m n:
+// with n <= 2^15 that is 2^-23 u m n.  The stored number is their sum, rounded once: within 1.01 u m n.
 #include "impl/attribute/bake/source.hpp"
 
 #include <algorithm>

@@ -18,16 +18,16 @@ struct TexelBox {
   std::int64_t left, top, width, height;
 };
 
-/// Sums of a box's rows: at 4 (i + pitch j) + k, the values of channel k of texels 0 .. i-1 of row j, i in 0..width.
-/// Sum: float where all sums are below 2^24, or double; exact in both, but for texels that are floats: those sums are
-/// within 1.01 u of the greatest that |texels| allow, u = 2^-53 (source.cpp).
+/// The sums of a box's rows: at 4 (i + pitch j) + k, the values of channel k of texels 0 .. i-1 of row j, i in
+/// 0..width.  Sum is float if all sums are below 2^24, else double.  Sums of codes are exact.  Sums of float texels are
+/// within 1.01 u of the greatest sum that |texels| allow, u = 2^-53 (source.cpp).
 template <class Sum>
 struct RowSums {
   const Sum* first;
   std::size_t pitch;
 };
 
-/// A view of it, how it is read, and what its channels mean.
+/// A view of a texture, its sampling, and the coding of its channels.
 template <class Channel>
 class Source {
  public:
@@ -40,33 +40,33 @@ class Source {
   const Sampling& sampling() const { return sampling_; }
   const Coding<Channel>& coding() const { return coding_; }
 
-  /// Column, or row, of the picture; -1: the border.
+  /// The column, or row, of the picture; -1 means the border.
   std::int64_t column(std::int64_t i) const noexcept {
     return bake::detail::wrapped(sampling_.u, i, texture_.width);
   }
   std::int64_t row(std::int64_t j) const noexcept {
     return bake::detail::wrapped(sampling_.v, j, texture_.height);
   }
-  /// The four channels of a texel by what column() and row() give.
+  /// The four channels of the texel at a column() and a row().
   const Channel* texel(std::int64_t x, std::int64_t y) const noexcept {
     return x < 0 || y < 0 ? sampling_.border.data()
                           : texture_.texels + 4 * (static_cast<std::size_t>(x) +
                                                    static_cast<std::size_t>(y) * texture_.pitch);
   }
 
-  /// Where a box's first texel lies in the picture, if the box leaves it nowhere.
+  /// The place of a box's first texel in the picture, if the whole box lies in the picture.
   struct InPicture {
     std::int64_t x, y;
   };
   std::optional<InPicture> in_picture(const TexelBox& box) const noexcept;
 
-  /// The greatest size of each channel in a box: of codes, what it may be; of floats, what it is.
+  /// The greatest size of each channel in a box: for codes the greatest possible, for floats the actual one.
   std::array<double, 4> greatest_in(const TexelBox& box) const noexcept;
 
-  /// The sums of a box's rows, in `room`.
+  /// The sums of a box's rows, made in `room`.
   template <class Sum>
   RowSums<Sum> sums(const TexelBox& box, std::vector<Sum>& room) const;
-  /// Those of the whole picture, from a texel of it on; made on the first call.
+  /// The sums of the whole picture, from texel `at` on; made on the first call.
   template <class Sum>
   RowSums<Sum> sums_from(const InPicture& at) const;
 

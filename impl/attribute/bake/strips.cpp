@@ -1,7 +1,7 @@
-// A strip of micro-triangles at a time, between two lines of constant v: of each micro-edge there the integral once.
+// Micro-triangles strip by strip, between two lines of constant v.  Each micro-edge there is integrated once.
 //   lower (iu, iv):  along(iu, iv) + slant(iu) - up(iu)
 //   upper (iu, iv):  up(iu + 1) - along(iu, iv + 1) - slant(iu)
-// along from (iu, iv) to (iu+1, iv), slant from (iu+1, iv) to (iu, iv+1), up from (iu, iv) to (iu, iv+1).
+// along runs from (iu, iv) to (iu+1, iv), slant from (iu+1, iv) to (iu, iv+1), up from (iu, iv) to (iu, iv+1).
 #include "impl/attribute/bake/strips.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -16,18 +16,18 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::attribute::detail {
 namespace HWY_NAMESPACE {
 
-/// Index on the curve of the micro-triangle of grid square (iu, iv).  Source: impl/index/index.hpp, from_barycentrics.
+/// The curve index of the micro-triangle in grid square (iu, iv).  Source: impl/index/index.hpp, from_barycentrics.
 HWY_INLINE std::uint32_t on_curve(const Face& f) {
   const std::uint32_t b0 = f.iu ^ (f.iu + f.iv + f.upper), t = (f.iu ^ f.iv) & b0;
   return index::detail::interleaved(b0, ((index::detail::xor_from_above(t) ^ f.iu) & ~b0) | t);
 }
 
-/// A face of floats from its own texels alone, where larger ones lie far off.
+/// A float face from its own texels alone, for a box whose larger texels lie far off.
 inline RgbaFloat near_face(const StripJob<float, double>& job, const Face& face, bool& sure) {
   const index::Corners corners = corners_of(face);
   std::array<Point, 3> p;
   for (std::size_t k = 0; k < 3; ++k) p[k] = job.frame.at(corners[k].i, corners[k].j);
-  // From the first texel that they may reach to the last.
+  // The box runs from the first texel that the corners may reach to the last.
   const double off = job.frame.position;
   const auto first = [&](double a, double b, double c) {
     return static_cast<std::int64_t>(std::min({a, b, c}) - off);
@@ -75,12 +75,12 @@ void strips(const StripJob<Channel, Sum>& job, RgbaOf<Channel>* out, std::vector
     }
     if (!sure) unsure.push_back(face);
   };
-  std::vector<double> along(4 * (side + 1)), next(4 * (side + 1));  // quads
+  std::vector<double> along(4 * (side + 1)), next(4 * (side + 1));  // four numbers each
   std::vector<Point> low(side + 1), high(side + 1);
   for (std::uint32_t i = 0; i <= side; ++i) low[i] = job.frame.at(i, 0);
   for (std::uint32_t i = 0; i < side; ++i) edge_integral(job.sums, low[i], low[i + 1]).store(&along[4 * i]);
   for (std::uint32_t iv = 0; iv < side; ++iv) {
-    const std::uint32_t count = side - iv;  // lower ones
+    const std::uint32_t count = side - iv;  // lower micro-triangles of the strip
     for (std::uint32_t i = 0; i < count; ++i) high[i] = job.frame.at(i, iv + 1);
     Quad up = edge_integral(job.sums, low[0], high[0]);
     for (std::uint32_t iu = 0; iu < count; ++iu) {

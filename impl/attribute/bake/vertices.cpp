@@ -1,8 +1,8 @@
-// Bound.  Positions are within 8 u E of the true ones (frame.hpp), and the bilinear number changes by m a texel along
-// each axis at most: 16 u E m.  Weights and sums of four numbers up to m add 8 u m.  Nearest: the texel is sure where
-// the position is not that near a texel's edge.
-// Floats: the number changes by 2 m a texel, signs may differ, and m is that of the cell's texels, or of all cells around
-// where the position is that near the cell's edge; the ends of the interval round once more: (32 u E + 12 u) m.
+// The bound.  Positions are within 8 u E of the true ones (frame.hpp), and the bilinear number changes by m a texel
+// along each axis at most: 16 u E m.  Weights and sums of four numbers up to m add 8 u m.  Nearest: the texel is sure
+// unless the position is as near a texel's edge.
+// Floats: signs may differ, so the number changes by 2 m a texel.  m is that of the cell's texels, or of all cells
+// around if the position is as near the cell's edge.  The ends of the interval round once more: (32 u E + 12 u) m.
 #include "impl/attribute/bake/vertices.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class Row {
   }
 
   RgbaOf<Channel> bilinear(const Point& p, bool& sure) const noexcept {
-    const double x = p.x - 0.5, y = p.y - 0.5;  // 1/2 and more: of cells
+    const double x = p.x - 0.5, y = p.y - 0.5;  // in cells, 1/2 and more
     const auto i = static_cast<std::int64_t>(x), j = static_cast<std::int64_t>(y);
     const double f = x - static_cast<double>(i), h = y - static_cast<double>(j);
     const std::array<const Channel*, 4> texels = cell(i, j);
@@ -58,7 +58,7 @@ class Row {
  private:
   static constexpr bool floats = std::is_same_v<Channel, float>;
 
-  /// By the greatest of some texels.
+  /// The bound from the greatest |value| of some texels.
   template <std::size_t count>
   std::array<double, 4> bound_by(const std::array<const Channel*, count>& texels) const noexcept {
     std::array<double, 4> bound{};
@@ -68,7 +68,7 @@ class Row {
     }
     return bound;
   }
-  /// By those of a cell and of the eight around it.
+  /// The bound from the texels of a cell and of the eight cells around it.
   std::array<double, 4> bound_around(std::int64_t i, std::int64_t j) const noexcept {
     std::array<const Channel*, 16> texels;
     for (std::size_t t = 0; t < 4; ++t) {
@@ -99,7 +99,7 @@ class Row {
   const Source<Channel>& source_;
   const Frame& frame_;
   std::optional<typename Source<Channel>::InPicture> in_picture_;
-  std::array<double, 4> bound_{};  ///< of codes
+  std::array<double, 4> bound_{};  ///< for codes
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Numbers of given widths in bytes, low bit first.  For impl's own use.
+// Numbers of given bit widths in bytes, low bit first.  Internal to impl.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace mmverify::impl::attribute::detail {
 
-/// The number of `width` bits from a bit on; bits beyond the end are 0.  Domain: width in 0..25.
+/// The number of `width` bits that begins at `bit`; bits beyond the end are 0.  Domain: width in 0..25.
 inline std::uint32_t bits_from(std::span<const std::uint8_t> bytes, std::uint64_t bit,
                                std::uint32_t width) noexcept {
   const std::uint64_t first = bit / 8;
@@ -26,7 +26,7 @@ inline std::uint32_t word_from(std::span<const std::uint8_t> bytes, std::uint64_
   return word;
 }
 
-/// Half byte number k.
+/// Half byte k, counted from byte `at`.
 inline std::uint32_t half_from(std::span<const std::uint8_t> bytes, std::uint64_t at,
                                std::uint64_t k) noexcept {
   return bytes[static_cast<std::size_t>(at + k / 2)] >> (4 * (k % 2)) & 15u;
@@ -42,7 +42,7 @@ class BitWriter {
     for (; used_ >= 8; used_ -= 8, word_ >>= 8) bytes_.push_back(static_cast<std::uint8_t>(word_));
   }
   std::uint64_t bits() const noexcept { return bits_; }
-  /// In whole bytes, the last bits 0.
+  /// The whole bytes; unused bits of the last are 0.
   const std::vector<std::uint8_t>& finished() {
     if (used_ != 0) bytes_.push_back(static_cast<std::uint8_t>(word_));
     word_ = 0;

@@ -13,7 +13,7 @@ std::vector<TripleCorners> triple_corners(std::uint32_t level) {
   all.reserve((vertex_count(level) - 3) / 3);
   for (std::uint32_t m = 1; m <= level; ++m)
     for (std::uint32_t x = vertex_count(m - 1); x < vertex_count(m); x += 3) {
-      // The first of three lies on the edge w-v: i even, j odd.
+      // The first vertex of a triple lies on the edge w-v: i even, j odd.
       const Vertex first = bird_vertex(x, m);
       const std::uint32_t a = first.i / 2, b = first.j / 2;
       all.push_back({bird_index(a, b, m - 1), bird_index(a + 1, b, m - 1), bird_index(a, b + 1, m - 1)});

@@ -1,4 +1,4 @@
-// Maps to bytes, and what their residuals would take at the least.
+// Maps to bytes, and the entropy of their residuals.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,7 +11,7 @@
 namespace mmverify::impl::attribute {
 namespace {
 
-/// The maps' channels one after the other, each as roots and residuals.
+/// Calls take(map, channel, roots, residuals) for each channel of each map.
 template <class Take>
 void each_channel(const PackedShape& shape, detail::PackedLayout& layout, std::span<const std::uint8_t> codes,
                   Take take) {
@@ -33,7 +33,7 @@ void each_channel(const PackedShape& shape, detail::PackedLayout& layout, std::s
 }
 
 double bits_of_counts(const std::unordered_map<std::int32_t, std::uint64_t>& counts) {
-  std::vector<std::uint64_t> sorted;  // so that the sum is the same everywhere
+  std::vector<std::uint64_t> sorted;  // sorted, so that the sum is the same everywhere
   std::uint64_t all = 0;
   for (const auto& [what, count] : counts) {
     sorted.push_back(count);

@@ -1,4 +1,4 @@
-// Bytes to maps, and what bytes are none.
+// Bytes to maps, and the check of bytes.
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -60,7 +60,7 @@ class BlockReader {
         bytes_(bytes),
         residuals_(std::size_t{layout.residuals} * shape.channels) {}
 
-  /// From a map on.
+  /// Goes to the first block of a map.
   void seek(std::uint32_t map) noexcept {
     block_ = std::uint64_t{map} * layout_.lengths.size();
     bit_ = 0;
@@ -73,7 +73,8 @@ class BlockReader {
                 detail::half_from(bytes_, layout_.widths_at, block * shape_.channels + c);
   }
 
-  /// The next map's residuals; told of each block's number, channel, width and the widest of its residuals.
+  /// Reads the next map's residuals, and calls told(channel, width, least width, bit behind it) for each block and
+  /// channel.
   template <class Told>
   void next(Told told) {
     std::size_t first = 0;
@@ -107,7 +108,7 @@ class BlockReader {
   std::uint64_t block_ = 0, bit_ = 0;
 };
 
-/// Room for one channel of a map, its roots at the front.
+/// Writes a map's roots, of one channel, to the front of `numbers`.
 void roots_into(const PackedShape& shape, const detail::PackedLayout& layout,
                 std::span<const std::uint8_t> bytes, std::uint32_t map, std::uint32_t c,
                 std::span<std::int32_t> numbers) noexcept {
@@ -115,7 +116,7 @@ void roots_into(const PackedShape& shape, const detail::PackedLayout& layout,
     numbers[r] = bytes[(std::size_t{map} * layout.roots + r) * shape.channels + c];
 }
 
-/// Throws BadPacked for a block wider than its residuals, or residuals of no codes.
+/// Throws BadPacked for a block wider than its residuals need, or for residuals that make no codes.
 void check_values(const PackedShape& shape, const detail::PackedLayout& layout,
                   std::span<const std::uint8_t> bytes) {
   BlockReader reader(shape, layout, bytes);

@@ -25,7 +25,7 @@ void faces_from_residuals(std::uint32_t n, const PackedLayout& layout,
                           std::span<const std::int32_t> residuals, std::span<std::int32_t> numbers) noexcept {
   for (std::uint32_t m = 1; m <= n; ++m) {
     const std::int32_t* const in = residuals.data() + 3 * std::size_t{layout.first_triple[m]};
-    // From the last on: parents stand where children will.
+    // The last parent comes first: children overwrite the places of later parents.
     for (std::size_t k = std::size_t{1} << (2 * (m - 1)); k-- > 0;) {
       const auto four = children_of(numbers[k], in[3 * k], in[3 * k + 1], in[3 * k + 2]);
       for (std::size_t c = 0; c < 4; ++c) numbers[4 * k + c] = four[c];

@@ -1,4 +1,4 @@
-// One value of packed maps: down the levels, a triple each.
+// One value of packed maps: a walk down the levels, with a triple at each.
 #include <algorithm>
 
 #include "impl/attribute/compress/bits.hpp"
@@ -9,9 +9,9 @@ namespace mmverify::impl::attribute {
 namespace {
 
 using detail::bits_from;
-using Numbers = std::array<std::int32_t, 4>;  ///< a channel each
+using Numbers = std::array<std::int32_t, 4>;  ///< one a channel
 
-/// A map's residuals, read where they are asked for.
+/// A map's residuals, read on demand.
 class TripleReader {
  public:
   TripleReader(const PackedShape& shape, const detail::PackedLayout& layout,
@@ -37,7 +37,7 @@ class TripleReader {
     }
   }
 
-  /// Residual e of that triple, of a channel.
+  /// Residual e of the triple, of channel c.
   std::int32_t residual(std::uint32_t c, std::uint32_t e) const noexcept {
     return detail::unfolded(bits_from(bytes_, bits_[c] + std::uint64_t{e} * widths_[c], widths_[c]));
   }
@@ -105,7 +105,8 @@ Numbers vertex_numbers(const PackedShape& shape, const detail::PackedLayout& lay
     const std::uint32_t up = level - m;
     for (const Known& k : middles)
       if (k.at.i << up == goal.i && k.at.j << up == goal.j) return k.numbers;
-    // The child that holds the goal, from the base's corner in steps of the level sought.
+    // Goes to the child that contains the goal; a and b are the goal's steps from the base's corner, at the final
+    // level.
     const bool upright = along_u.at.i > base.at.i;
     const auto steps = [upright](std::uint32_t from, std::uint32_t to) {
       return upright ? to - from : from - to;

@@ -10,7 +10,7 @@
 namespace mmverify::impl::bake::detail {
 namespace {
 
-/// Takes the least coordinate's cell, `margin` below it, away, and says which it is.
+/// Moves x so that the cell of the least coordinate, `margin` below it, becomes cell 0, and returns that cell's number.
 /// Domain: coordinates below 2^36 texels in size.
 template <class Int>
 std::int64_t moved_to_origin(std::array<Int, 3>& x, const Int& margin, int fraction_bits) {
@@ -44,18 +44,19 @@ ExactBase::ExactBase(const TextureProperties& sides, const BaseTriangle& uv, std
                        std::fabs(double{p.v} - double{q.v}) * height});
   }
   below_point_ = std::max(below_point_, -margin_.e - level_);
-  // One cell more for where it begins, one for the last, one for rounding.
+  // 3 more cells: one for the first, one for the last, one for rounding.
   cells_ = static_cast<std::int64_t>(std::ldexp(extent, -level_) + 2 * double{margin}) + 3;
   const int fraction = below_point_ + level_;
   const int position = fraction + bits(cells_ + 1);
   const int height_of = std::max(height_bits(sides.limits.opaque, sides.finest, sides.most),
                                  height_bits(sides.limits.lean, sides.finest, sides.most));
-  // 20 bits of u and v, 15 of width and height, 3 for sums and a sign, one for the margin.
+  // The bits of positions: 20 of u and v, 15 of width and height, 3 for sums and a sign, one for the margin.
   take_closings();
   bits_ = std::max(4 * position + 2 * height_of + 12, fraction + 20 + 15 + 4);
 }
 
-/// (texels (U0 N + i (U1 - U0) + j (U2 - U0))) / N, less 1/2 for cells, in units of 2^-(below_point + level).
+/// Coordinates (texels (U0 N + i (U1 - U0) + j (U2 - U0))) / N, less 1/2 for cells, in units of 2^-(below_point +
+/// level).
 template <class Int>
 std::array<Int, 3> ExactBase::along(const Axis& axis, std::uint32_t texels,
                                     const index::Corners& corners) const {
@@ -72,9 +73,9 @@ std::array<Int, 3> ExactBase::along(const Axis& axis, std::uint32_t texels,
   return x;
 }
 
-/// An edge of the base triangle is a/g, b/g times a vector of whole repeats, a and b its sides in units of 2^-32 and g
-/// what divides both: after that many repeats, or twice as many where a mirror turns, it is where it was.  Of
-/// coordinates with finer fractions none is looked for.
+/// Finds the closings of lines along the axes, and of the base triangle's edges.  An edge is a/g, b/g times a vector of
+/// whole repeats, where a and b are its sides in units of 2^-32 and g divides both.  So after that many repeats, or
+/// twice as many if a mirror turns, alpha along the edge is as at its beginning.  Finer fractions get no closing.
 void ExactBase::take_closings() {
   const Extent across = sides_.across(), down = sides_.down();
   if (!across.ends()) closings_.push_back({across.period, 0});
@@ -123,7 +124,7 @@ ExactBase::Answer ExactBase::in(const index::Corners& corners, Marks known) cons
     answer.marks = marks({opaque_height});
   } else {
     const Marks not_opaque = marks({opaque_height, below, [](Marks m) { return m; }});
-    // -r < 0: alpha is not transparent.
+    // With limits.zero alpha is 0 everywhere; else -r < 0 means that alpha is not transparent.
     const Marks visible =
         sides_.limits.zero ? Marks{0} : marks({Height<Int>(sides_.finest), below, [](Marks m) {
                                                  return static_cast<Marks>((m & opaque) != 0 ? below : 0);
@@ -144,7 +145,7 @@ ExactBase::Answer ExactBase::operator()(std::uint32_t index, Marks known) const 
   if (bits_ <= 128) return in<Int128>(corners, known);
   if (bits_ <= 384) return in<Wide<6>>(corners, known);
   if (bits_ <= 1024) return in<Wide<16>>(corners, known);
-  // The most that can be: 150 + 12 below the point, 36 above it, 447 + 416 + 4 for heights.
+  // The widest case: 150 + 12 bits below the point, 36 above it, 447 + 416 + 4 for heights.
   static_assert(4 * (150 + 12 + 36) + 2 * (447 + 416 + 4) + 12 <= 40 * 64);
   return in<Wide<40>>(corners, known);
 }

@@ -1,4 +1,4 @@
-// A base triangle's micro-triangles, exactly.  Internal to impl/bake.
+// The exact states of a base triangle's micro-triangles.  Internal to impl/bake.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@ class ExactBase {
             index::Level level, Filter filter = Filter::bilinear, float margin = 0);
 
   struct Answer {
-    Marks marks;  ///< both, or what all of it is
+    Marks marks;  ///< both, or the only mark of the micro-triangle
     bool leans_to_opaque;
   };
-  /// Of micro-triangle `index` on the curve; `known`: both, where texels within it have said so.
+  /// The answer for micro-triangle `index` on the curve.  `known` is both, if texels within it already bear both marks.
   Answer operator()(std::uint32_t index, Marks known = 0) const;
 
-  /// Of the edges of micro-triangles, and of lines along the axes.
+  /// The closings of the edges of micro-triangles, and of lines along the axes.
   const std::vector<Closing>& closings() const noexcept { return closings_; }
 
  private:
@@ -45,10 +45,10 @@ class ExactBase {
   int level_;
   Filter filter_;
   Binary margin_;
-  int below_point_ = 1;  ///< bits of u and v there, and at least the one of half a texel
-  std::int64_t cells_;   ///< that a micro-triangle spans, at most
+  int below_point_ = 1;  ///< bits of u and v below the point, at least 1 for half a texel
+  std::int64_t cells_;   ///< cells that a micro-triangle spans, at most
   std::vector<Closing> closings_;
-  int bits_;  ///< that impl/bake/exact/seen.hpp and positions need
+  int bits_;  ///< bits that impl/bake/exact/seen.hpp and positions need
 };
 
 }  // namespace mmverify::impl::bake::detail

@@ -1,29 +1,29 @@
-// What a closed triangle, or one dilated by a square, sees of a texture, in whole numbers.  Internal to
+// The marks that a closed triangle, or one dilated by a square, bears in a texture, in whole numbers.  Internal to
 // impl/bake.
 //
-// Of heights (impl/bake/texture/limits.hpp): whether some are negative, and whether some are not.  Coordinates are those
-// of cells (spec/bake/bake.hpp), the centre of texel (i, j) at (i, j), or with nearest filtering those of texels,
-// its low corner at (i, j); in units of 2^-F, S = 2^F to a texel.
+// The marks say whether some heights (impl/bake/texture/limits.hpp) are negative, and whether some are not.
+// Coordinates are those of cells (spec/bake/bake.hpp), the centre of texel (i, j) at (i, j), or with nearest filtering
+// those of texels, its low corner at (i, j).  The unit is 2^-F texel, S = 2^F.
 //
-// Segments.  The dilated triangle P is its sum with [-m, m]^2.  Its edges are among the triangle's, each
-// moved by (+-m, +-m), and the sides of the squares about the triangle's corners; all of these lie in P.  So
-// what is greatest and least on P's edges is so on them, and a row's part of P is between the least and the
-// greatest of what they have in the row.  With m = 0 they are the three edges.
+// Segments.  The dilated triangle P is its sum with [-m, m]^2.  Its edges are among the triangle's edges, each moved by
+// (+-m, +-m), and the sides of the squares about the triangle's corners.  All of these lie in P, so the extremes on P's
+// edges are extremes on them, and a row's part of P reaches from their least to their greatest x in the row.  With m =
+// 0 they are the three edges.
 //
 // Bilinear: the extremes over P are among
 //   the segments' ends; the points where they cross rows and columns of centres; the centres within;
 //   and, on each segment in each cell, the point where alpha stands still.
-// Every one is a quotient over a positive number, and only its numerator's sign is asked.  Centres on the
-// border are crossings, unless they are corners.  A triangle of no area has no inside: its edges say it all.
+// Each of them is a quotient over a positive number, so the sign of its numerator decides.  Centres on the border are
+// crossings, unless they are corners.  A triangle of no area has no inside: its edges decide.
 //
 // Nearest: row j of texels is met where P comes below j + 1 and not only above it; of P's part with j <= y <
 // j + 1, the texels from floor(inf x) to floor(sup x), less the last where sup x is whole and not attained.
 //
-// Far away.  Beyond the end of an axis (impl/bake/texture/wrap.hpp, Extent) alpha does not depend on it.  Bilinear, what P
-// bears there it bears on its edges, and of these at their ends, where they cross the end itself and the lines of the
-// other axis: nothing else is looked at there, and of a line that repeats one period.  Nearest, all rows there are one,
-// and what P meets of it is one run, P being convex.  Edges whose texels come again after a while are cut off there
-// (Closing), and of rows alike no more are taken than a period has (each_row()).
+// Far away.  Beyond the end of an axis (impl/bake/texture/wrap.hpp, Extent) alpha does not depend on that axis.
+// Bilinear, P bears there only marks of its edges' ends, of points where they cross that end, and of points where they
+// cross lines of the other axis: only these are looked at, and of repeating lines one period.  Nearest, all rows there
+// are one, and P, being convex, meets one run of it.  An edge whose texels repeat is cut off after one closing
+// (Closing), and of equal rows no more are taken than a period has (each_row()).
 //
 // Bits.  With P bits for S and for coordinates from a cell near by, and g bits for heights and their sums,
 //   a corner    (G S + G f) S           2P + g + 2
@@ -53,7 +53,7 @@
 
 namespace mmverify::impl::bake::detail {
 
-/// Points, and the segments between them.
+/// The corners of a triangle, dilated or not, and the segments between them.
 template <class Int>
 struct Outline {
   std::vector<Int> x, y;
@@ -66,7 +66,7 @@ struct Outline {
       segments = {{0, 1}, {1, 2}, {2, 0}};
       return;
     }
-    // Around each corner (-, -), (-, +), (+, +), (+, -).
+    // The corners of the square around corner k: (-, -), (-, +), (+, +), (+, -).
     constexpr std::size_t around = 4;
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t s = 0; s < around; ++s) {
@@ -78,23 +78,24 @@ struct Outline {
   }
 };
 
-/// Which heights are asked, what they mean and when enough is known: with BLEND only negative ones tell.
+/// The heights to judge, and the marks that suffice; with BLEND only negative heights tell.
 template <class Int>
 struct Question {
   Height<Int> height;
   Marks enough = both;
-  /// Of `below`, that some texel of a rectangle is negative, and of `opaque`, that some is not, from the
-  /// marks of all.
+  /// Turns the marks of all texels of a rectangle into marks of heights: `below` if some texel's height is negative,
+  /// `opaque` if some is not.
   Marks (*of_texels)(Marks) = [](Marks m) { return m; };
 };
 
-/// Time: that of the rows of a period and of the cells along its edges, of one period where they close; beyond the ends
-/// of an axis there are neither.
+/// The marks of one outline, exactly.
+/// Time: that of the rows of a period and of the cells along the edges, up to one closing; there are no rows or cells
+/// beyond the ends of an axis.
 /// Domain: Int has the bits above.
 template <class Int>
 class Exact {
  public:
-  /// Points in units of 2^-fraction_bits from the origin of texel (column, row), none below 0 nor beyond
+  /// Points are in units of 2^-fraction_bits from the origin of texel (column, row), none below 0 nor beyond
   /// `cells` texels.
   Exact(const TextureProperties& sides, const Question<Int>& question, std::int64_t column, std::int64_t row,
         std::int64_t cells, int fraction_bits, const Outline<Int>& outline,
@@ -125,12 +126,12 @@ class Exact {
     const std::int64_t top = whole(*low, unit_), bottom = whole(*high, unit_),
                        first = std::clamp(top, down_.first, down_.last),
                        last = std::clamp(bottom, down_.first, down_.last);
-    // Beyond its ends an axis has one row, of all that is there.
+    // Beyond its ends an axis has one row: the first or last row takes everything beyond.
     rows(first, last, [&](std::int64_t j) { return met(j == first ? top : j, j == last ? bottom : j); });
     return marks_;
   }
 
-  /// Of a point in units of 1/unit texel.
+  /// The mark at a point in units of 1/unit texel.
   Marks sign_at(const Int& x, const Int& y, const Int& unit) const {
     const std::int64_t i = whole(x, unit), j = whole(y, unit);
     const Int f = x - Int(i) * unit, h = y - Int(j) * unit;
@@ -142,7 +143,7 @@ class Exact {
   }
 
  private:
-  /// From texel `origin`; ends that are beyond all points are brought nearer, for their products with sizes.
+  /// The extent counted from texel `origin`; ends beyond all points are brought nearer, for products with sizes.
   Extent from_here(Extent e, std::int64_t origin) const {
     if (!e.ends()) return e;
     const auto near = [&](std::int64_t k) { return std::clamp<std::int64_t>(k - origin, -2, cells_ + 2); };
@@ -155,7 +156,7 @@ class Exact {
     return question_.height(sides_.stored(column_ + i, row_ + j));
   }
   static Marks sign(const Int& value) { return value < Int(0) ? below : opaque; }
-  /// Of texels, row by row: columns(j) of the texture, before wrapping.
+  /// Takes the marks of texels row by row; columns(j) are columns of the texture, before wrapping.
   template <class Of>
   void rows(std::int64_t first, std::int64_t last, Of columns) {
     std::vector<Bend> bends;
@@ -172,7 +173,7 @@ class Exact {
 
   /// The greatest i with i size <= position.  Domain: size > 0, 0 <= position <= cells size.
   static std::int64_t whole(const Int& position, const Int& size) {
-    // In binary64 it is off by less than 2^-50 of itself, and so by one at most: it is below 2^37.
+    // The quotient in binary64 is off by less than 2^-50 of itself, and is below 2^37, so i is off by one at most.
     const double ratio = static_cast<double>(leading(position)) / static_cast<double>(leading(size));
     const auto i = static_cast<std::int64_t>(std::ldexp(ratio, bit_width(position) - bit_width(size)));
     const Int rest = position - Int(i) * size;
@@ -180,13 +181,13 @@ class Exact {
     return rest < size ? i : i + 1;
   }
 
-  /// Where the line from (a, b), b <= level, to (a + da, b + db), db > 0, is at b = level: over db.
+  /// The place, times db, where the line from (a, b), b <= level, to (a + da, b + db), db > 0, is at b = level.
   static Int crossing(const Int& a, const Int& b, const Int& da, const Int& db, const Int& level) {
     return a * db + da * (level - b);
   }
 
-  /// Of [first, last] those that are not beside an axis on one side throughout: side(j) is -1, 0 or 1 in this order, or
-  /// in the other.
+  /// The part of [first, last] without the runs at either end that lie beside an axis on one side.  Domain: side(j) is
+  /// -1, 0 or 1, and monotonic.
   template <class Side>
   static std::pair<std::int64_t, std::int64_t> between_sides(std::int64_t first, std::int64_t last,
                                                              Side side) {
@@ -204,14 +205,13 @@ class Exact {
       last = after(first - 1, last, [&](std::int64_t j) { return side(j) != ends; }) - 1;
     return {first, last};
   }
-  /// Of a place a, over size, whether it is beyond the end of an axis.
+  /// The side of a/size with respect to an axis: -1 or 1 beyond its ends, else 0.
   static int side_of(const Int& a, const Int& size, const Extent& e) {
     return !(Int(e.first) * size < a) ? -1 : !(a < Int(e.last) * size) ? 1 : 0;
   }
 
-  /// What the edge from (a, b) to (a1, b1) crosses where b is a whole number of texels; `transposed`: b is x.
-  /// Beyond the ends of the axis of b alpha does not depend on it; beyond those of a it depends on b alone: one
-  /// period is enough.
+  /// Takes the marks where the edge from (a, b) to (a1, b1) crosses whole b; `transposed`: b is x.  Beyond the ends of
+  /// the axis of b alpha does not depend on it.  Beyond those of a alpha depends on b alone, and one period is enough.
   void crossings(Int a, Int b, Int a1, Int b1, const Extent& of_a, const Extent& of_b, bool transposed) {
     if (b1 < b) {
       std::swap(a, a1);
@@ -245,7 +245,7 @@ class Exact {
     return Int(j) * unit_ == b ? j - 1 : j;
   }
 
-  /// Of an edge that comes back to where alpha is as at its beginning, the part up to there.
+  /// Shortens an edge that closes, to the part before alpha repeats.
   void fold(const Int& x, const Int& y, Int& x1, Int& y1) const {
     for (const auto& [columns, lines] : closings_) {
       const std::int64_t across = columns < 0 ? -columns : columns, down = lines < 0 ? -lines : lines;
@@ -267,7 +267,7 @@ class Exact {
     crossings(x0, y0, x1, y1, across_, down_, false);
     if (!done()) crossings(y0, x0, y1, x1, down_, across_, true);
     if (done() || x0 == x1 || y0 == y1) return;
-    // The cells that it visits, row by row, and where alpha depends on both coordinates.
+    // Visits the edge's cells, row by row, where alpha depends on both coordinates.
     if (y1 < y0) {
       std::swap(x0, x1);
       std::swap(y0, y1);
@@ -293,11 +293,11 @@ class Exact {
     }
   }
 
-  /// On the edge (x, y) + t (dx, dy), from the corner of cell (i, j):
+  /// Takes the mark where alpha stands still on the edge (x, y) + t (dx, dy), counted from the corner of cell (i, j):
   ///   S^2 alpha = m + l t + k t^2 with the value m - l^2/4k at t = -l/2k.
   void standstill(const Int& x, const Int& y, const Int& dx, const Int& dy, std::int64_t i, std::int64_t j) {
     const Int a = texel(i, j), right = texel(i + 1, j), under = texel(i, j + 1), across = texel(i + 1, j + 1);
-    // A mean of four on one side is on that side, and the corners have said so.
+    // The sign of a mean of four heights of one sign is that sign, which the corners have borne.
     const bool negative = a < Int(0);
     if (negative == (right < Int(0)) && negative == (under < Int(0)) && negative == (across < Int(0))) return;
     const Int b = right - a, c = under - a, d = a - right - under + across;
@@ -315,8 +315,8 @@ class Exact {
     take(sign(least ? value : -value));
   }
 
-  /// Those strictly within.  A row beyond the ends of its axis is as the last one before: a line from one of its
-  /// centres, on along y, leaves the region through an edge where alpha is the same.
+  /// Takes the marks of centres strictly within.  A row beyond the ends of its axis is as the last one before: a line
+  /// from one of its centres, along y, leaves the region through an edge where alpha is the same.
   void centres() {
     const auto [low, high] = std::minmax_element(y_.begin(), y_.end());
     rows(std::max(whole(*low, unit_) + 1, down_.first), std::min(whole_below(*high), down_.last),
@@ -337,7 +337,7 @@ class Exact {
     return sides_.columns(column_ + first, column_ + end - 1);
   }
 
-  /// Those of the rows [top, bottom] that are met, wherever in these.
+  /// The columns that the outline meets anywhere in the rows [top, bottom].
   Columns met(std::int64_t top, std::int64_t bottom) const {
     const Int level = Int(top) * unit_, next = Int(bottom + 1) * unit_;
     std::int64_t first = cells_ + 2, last = -1;
@@ -372,7 +372,7 @@ class Exact {
   const Outline<Int>& outline_;
   const std::vector<Int>&x_, &y_;
   const std::vector<Closing>& closings_;
-  Extent across_, down_;  ///< from (column, row)
+  Extent across_, down_;  ///< counted from (column, row)
   Marks marks_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Near which rows a dilated triangle's outline turns.  Internal to impl/bake.
+// The rows near which a dilated triangle's outline turns.  Internal to impl/bake.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace mmverify::impl::bake::detail {
 
-/// Rows within two of where a corner, moved by `grown` along y, is.
+/// The rows within two of each corner, moved up and down by `grown`.
 inline std::array<Bend, 6> bends(const Triangle& p, double grown) noexcept {
   std::array<Bend, 6> all;
   for (std::size_t k = 0; k < 3; ++k) {

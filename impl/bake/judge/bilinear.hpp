@@ -1,4 +1,4 @@
-// How a bilinearly sampled micro-triangle is judged.  Internal to impl/bake.
+// The judge of micro-triangles sampled bilinearly.  Internal to impl/bake.
 #pragma once
 
 #include <algorithm>
@@ -23,10 +23,10 @@ namespace mmverify::impl::bake::detail {
 template <class Texel>
 class Bilinear {
  public:
-  /// Coordinates' offset from those of texels.
+  /// The offset of its coordinates from those of texels.
   static constexpr double offset = 0.5;
 
-  /// `inner`: of a micro-triangle that is not turned.
+  /// Domain: `inner` is that of a micro-triangle that is not turned.
   Bilinear(const TexturePropertiesOf<Texel>& sides, const ExactBase& exact, const Triangle& base,
            index::Level level, const InnerBox& inner, double delta, double margin) noexcept
       : sides_(sides),
@@ -61,7 +61,7 @@ class Bilinear {
   }
 
   Marks texels(const Triangle& p) const noexcept { return filter_.texels(filter_.box(p)); }
-  /// Of the sixteen nodes that one is cut into, if they can be asked together.
+  /// The marks of the sixteen nodes that a node is cut into, if vectors take them together.
   SixteenNodes sixteen_nodes(const Triangle& p, bool turned, std::uint32_t height,
                              std::uint32_t index) const noexcept {
     if (height > largest_) return {};
@@ -72,14 +72,14 @@ class Bilinear {
     return detail::sixteen_nodes(in);
   }
 
-  /// One of no quad.
+  /// The code of one micro-triangle, which shares no edge with others.
   unsigned single(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
     Quad quad;
     return leaf(p, {filter_.g(p[0]), filter_.g(p[1]), filter_.g(p[2])}, turned, index, quad, {own, own, own},
                 counts);
   }
 
-  /// The four children of a node, in one byte; their six corners sampled once.
+  /// The codes of a node's four children, in one byte; their six corners are sampled once.
   unsigned four(const Triangle& p, PlanePoint p01, PlanePoint p02, PlanePoint p12, bool turned,
                 std::uint32_t index, BakeCounts& counts) const {
     const double g0 = filter_.g(p[0]), g1 = filter_.g(p[1]), g2 = filter_.g(p[2]), g01 = filter_.g(p01),
@@ -91,8 +91,8 @@ class Bilinear {
            leaf({p12, p02, p[2]}, {g12, g02, g2}, turned, index + 3, quad, {2, own, own}, counts) << 6;
   }
 
-  /// The sixteen of a node, in four bytes: in vectors where they are small, one by one where they are large
-  /// and where vectors cannot tell.
+  /// The codes of a node's sixteen micro-triangles, in four bytes: in vectors if they are small, one by one if they are
+  /// large or if vectors cannot decide.
   std::uint32_t sixteen(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
     std::optional<SixteenMarks> marks;
     if constexpr (!std::is_same_v<Texel, float>)
@@ -111,8 +111,8 @@ class Bilinear {
     return coded(*marks, p, turned, index, counts);
   }
 
-  /// The codes of those that are wanted of the four nodes of sixteen that one is cut into; false if they are
-  /// not asked together: there is but one, they are too large, or vectors cannot be asked (placed()).  Bit c of wanted: node c.
+  /// The codes of those of a node's four quarters, nodes of sixteen, that are wanted; bit c of wanted: quarter c.
+  /// False if they are not taken together: only one is wanted, they are too large, or placed() is false.
   bool sixty_four(const Triangle& p, bool turned, std::uint32_t index, std::uint32_t wanted,
                   BakeCounts& counts, std::array<std::uint32_t, 4>& codes) const {
     if constexpr (std::is_same_v<Texel, float>) return false;
@@ -136,13 +136,13 @@ class Bilinear {
   }
 
  private:
-  /// The edges between the four children of a node, each asked at most once: 0 p01 p02, 1 p01 p12, 2 p02 p12.
+  /// The marks of the edges between a node's four children, each judged once at most: 0 p01 p02, 1 p01 p12, 2 p02 p12.
   struct Quad {
     std::array<Marks, 3> edge{};
   };
-  static constexpr std::size_t own = 3;  ///< an edge of no other child
+  static constexpr std::size_t own = 3;  ///< an edge that no other child has
 
-  /// The codes of a node; what its marks do not decide is asked one by one.
+  /// The codes of a node.  Micro-triangles that its marks do not decide are judged one by one.
   std::uint32_t coded(const SixteenMarks& marks, const Triangle& p, bool turned, std::uint32_t index,
                       BakeCounts& counts) const {
     const std::uint32_t unknowns = marks.below & marks.opaque, leaning = unknowns & marks.leans_to_opaque,
@@ -166,17 +166,17 @@ class Bilinear {
 
   using Box = typename BilinearFilter<Texel>::Box;
 
-  /// Whether vectors are asked: see impl/bake/sixteen/sixteen.hpp.
+  /// Whether vectors may judge: see impl/bake/sixteen/sixteen.hpp.
   bool in_vectors() const noexcept {
     return !std::is_same_v<Texel, float> && filter_.usable() && filter_.delta() < 0x1p-30 &&
            filter_.margin() == 0 && sides_.pitch() <= std::size_t{1} << 20;
   }
 
-  /// Of the node of this height at `index`.
+  /// The shape of the node of this height at `index`.
   const SixteenShape& shape(std::uint32_t height, bool turned, std::uint32_t index) const noexcept {
     return shapes_[height][2 * reversed(index) + turned];
   }
-  /// And what judges alpha there: a node at p0, p0 + b, p0 + c.
+  /// Fills in the part of a shape that judges alpha, for a node at p0, p0 + b, p0 + c.
   void judging(SixteenShape& of, PlanePoint b, PlanePoint c, double size) const noexcept {
     const double delta = sixteen_delta(size, filter_.delta());
     of.take_edges(b, c, delta, sixteen_margin(size, filter_.delta()));
@@ -186,7 +186,8 @@ class Bilinear {
     take_bounds(of, sides_.scale, std::min(sides_.clear_below, sides_.clear_opaque), delta);
   }
 
-  /// Of a node in one picture: where it and its bits are.  False where it is too large, or lines say nothing.
+  /// Writes to `in` the places of a node's texels and bits.  False if it is too large, or in no picture, or not
+  /// bounded.
   bool placed(const Triangle& p, const SixteenWindow& w, SixteenInput& in) const noexcept {
     if (w.size > sixteen_window || !lines_.usable) return false;
     const auto picture = sides_.in_one_picture(w.left, w.right, w.top, w.bottom);
@@ -208,10 +209,9 @@ class Bilinear {
     in.rows = static_cast<std::int32_t>(w.height);
     in.p0 = w.local(p[0]);
   }
-  /// Whether the edge p0 p1 of the node at `index` goes the other way than the base triangle's:
-  /// each fourth child's does (children()).
+  /// Whether the edge p0 p1 of the node at `index` goes against the base triangle's: each fourth child reverses it.
   static std::size_t reversed(std::uint32_t index) noexcept {
-    // The parity of the even bits, folded: not all processors that this is compiled for can count.
+    // The parity of the even bits, folded, since not all target processors can count bits.
     std::uint32_t fourth = index & index >> 1 & 0x55555550;
     fourth ^= fourth >> 16;
     fourth ^= fourth >> 8;
@@ -219,10 +219,10 @@ class Bilinear {
     return (fourth ^ fourth >> 2) & 1;
   }
 
-  /// Texels a side where they are not in one picture: a word of bits.
+  /// The most texels a side that are copied if they are not in one picture: a word has their bits.
   static constexpr std::int64_t most_copied = 32;
 
-  /// None where it is too large, or lines say nothing.
+  /// The marks of a node of sixteen; none if it is too large, or lines bound nothing.
   std::optional<SixteenMarks> asked(const Triangle& p, bool turned, std::uint32_t index) const {
     SixteenInput in;
     const SixteenWindow w(filter_.box(p));
@@ -237,7 +237,7 @@ class Bilinear {
     if (w.size > most_copied || !lines_.usable) return std::nullopt;
     place(p, w, in);
     constexpr std::size_t pitch = most_copied;
-    std::array<Texel, pitch * pitch + 4> texels;  // 4 bytes from the last can be read
+    std::array<Texel, pitch * pitch + 4> texels;  // 4 bytes from the last texel on can be read
     std::array<std::uint32_t, 2 * pitch> opaque_rows{}, visible_rows{};
     sides_.copy(w.left, w.top, static_cast<std::size_t>(w.width), static_cast<std::size_t>(w.height), pitch,
                 texels.data(), opaque_rows.data(), visible_rows.data());
@@ -253,7 +253,7 @@ class Bilinear {
   static PlanePoint centroid_of(const Triangle& p) noexcept {
     return {(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
   }
-  /// Of one that bears both marks.
+  /// The code of a micro-triangle that bears both marks.
   unsigned leaning(PlanePoint centroid, std::uint32_t index, BakeCounts& counts) const {
     const double at = filter_.g(centroid) - lean_;
     if (std::fabs(at) > filter_.bound()) return at > 0 ? unknown | 1 : unknown;
@@ -261,7 +261,7 @@ class Bilinear {
     return code_of(exact_(index, both));
   }
 
-  /// `edges`: which of the quad's the edges p0 p1, p1 p2, p2 p0 are.
+  /// `edges`: the numbers in the quad of the edges p0 p1, p1 p2, p2 p0.
   unsigned leaf(const Triangle& p, const std::array<double, 3>& g, bool turned, std::uint32_t index,
                 Quad& quad, const std::array<std::size_t, 3>& edges, BakeCounts& counts) const {
     const PlanePoint centroid = centroid_of(p);
@@ -282,7 +282,7 @@ class Bilinear {
     return code_of(exact_(index));
   }
 
-  /// Of a triangle whose texels bear both marks; `seen` at its corners.
+  /// The marks of a triangle whose texels bear both marks; its corners bear `seen`.
   Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, PlanePoint centroid,
                Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
     seen = static_cast<Marks>(seen | inner_.centres(centroid, turned));
@@ -304,10 +304,10 @@ class Bilinear {
     return ((seen | (within & filter_.clear())) & both) == both ? both : uncertain;
   }
 
-  /// Of a closed edge with g at its ends; of one that closes, the part up to there.  All of an edge that turns from a
-  /// closing by 2 delta or less a texel of it is within 3 delta of a line that closes, which the bound has room for.
+  /// The marks of a closed edge with g at its ends; if it closes, of the part up to there.  An edge that deviates from
+  /// a closing by 2 delta or less a texel is within 3 delta of a line that closes, which the bound has room for.
   Marks edge(PlanePoint p, PlanePoint q, double at_p, double at_q) const noexcept {
-    constexpr double long_one = 1024;  // texels; shorter ones take less time than to look
+    constexpr double long_one = 1024;  // texels; shorter edges take less time than the search
     const double dx = q.x - p.x, dy = q.y - p.y;
     if (std::fabs(dx) + std::fabs(dy) > long_one)
       for (const Closing& c : exact_.closings()) {
@@ -322,7 +322,7 @@ class Bilinear {
     return filter_.edge(p, q, at_p, at_q);
   }
 
-  /// Of the segments of the dilated triangle, until both marks are seen.
+  /// The marks of the segments of the dilated triangle, until both are seen.
   Marks outline(const Triangle& p, Marks seen) const {
     const double m = filter_.margin();
     std::array<PlanePoint, 12> moved;
@@ -349,13 +349,13 @@ class Bilinear {
   const ExactBase& exact_;
   Within inner_;
   Lines lines_;
-  /// By height, of nodes with p0 at either end of their edges p0 p1: not turned, turned.
+  /// The shapes by height: p0 at either end of the base triangle's edge p0 p1, each not turned, then turned.
   std::array<std::array<SixteenShape, 4>, max_bake_level + 1> shapes_;
-  std::uint32_t largest_ = 0;  ///< of these heights; 0: none
-  /// Whether nodes are small enough for four of them to share a window.
+  std::uint32_t largest_ = 0;  ///< the largest height with shapes; 0: none
+  /// The size below which four nodes share a window.
   static constexpr double most_shared = 32;
   bool share_ = false;
-  double lean_;  ///< g where alpha begins to lean to opaque: blended, half of the way from 1 to 0
+  double lean_;  ///< g where alpha begins to lean to opaque: with BLEND half of the way from 1 to 0
 };
 
 }  // namespace mmverify::impl::bake::detail

@@ -1,4 +1,4 @@
-// States as maps hold them, from marks.  Internal to impl/bake.
+// Packed states from marks.  Internal to impl/bake.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace mmverify::impl::bake::detail {
 // Packed codes: T 0, O 1, UT 2, UO 3.
 inline constexpr unsigned opaque_code = 1, unknown = 2;
 
-/// Beside marks that are certain: there may be others.
+/// Beside certain marks: other marks are possible.
 inline constexpr Marks uncertain = 4;
 
-/// Of one mark.
+/// The code of a micro-triangle with one mark.
 inline unsigned known_code(Marks all) noexcept { return all == opaque ? opaque_code : 0; }
 
 inline unsigned code_of(const ExactBase::Answer& answer) noexcept {

@@ -1,22 +1,22 @@
-// What a closed triangle sees of bilinear alpha, in binary64, with a bound on every error: where it cannot
-// tell, it says so.  Internal to impl/bake.
+// The marks that a closed triangle bears in bilinear alpha, in binary64, with a bound on every error; if it cannot
+// decide it says so.  Internal to impl/bake.
 //
-// What is judged is the triangle T' whose corners are the computed ones, each within `delta` of those of the
-// true T along either axis.  Let g be sampled stored numbers less the threshold (impl/bake/texture/properties.hpp), all of them
-// within R of each other and of 0.  g changes by at most R a texel along either axis, so the ranges of g over
-// T and T' differ by less than 2 R delta.  Over T', g is least and greatest on an edge or at a centre within
-// (impl/bake/exact/seen.hpp), and rounding moves no computed point off its edge by more than delta:
+// The judged triangle T' has the computed corners, each within `delta` of those of the true triangle T along either
+// axis.  Let g be sampled stored numbers less the threshold (impl/bake/texture/properties.hpp), all of them within R of
+// each other and of 0.  g changes by at most R a texel along either axis, so the ranges of g over T and T' differ by
+// less than 2 R delta.  Over T', g is least and greatest on an edge or at a centre within (impl/bake/exact/seen.hpp),
+// and rounding moves no computed point off its edge by more than delta:
 //   edges    are cut where they cross rows and columns of centres; a piece is judged by the cell of its
 //            middle.  A cut that is off by a rounding, or a piece that is lost to one, is no longer than some
 //            delta, over which g and the neighbouring cell's g differ by no more than the bound below.
-//   centres  that rounding leaves out, or takes in, are within delta of an edge.  Left out, the edge has
-//            spoken for them, to within the bound; taken in, they count as seen only if all texels that bear
-//            the mark are farther from its limit than the bound.
-// The bound is R (2^5 delta + 2^-43): eight times what delta makes, and 2^-53 of R for each of the handful of
+//   centres  that rounding leaves out, or takes in, are within delta of an edge.  If one is left out, the edge
+//            bears its mark, to within the bound.  If one is taken in, it counts as seen only if all texels that
+//            bear the mark are farther from its limit than the bound.
+// The bound is R (2^5 delta + 2^-43): eight times the effect of delta, and 2^-53 of R for each of the handful of
 // operations, the rounded threshold's among them, many times over.
-// Boxes are grown by delta and asked of whole texels: what they say is exact.
+// Boxes are grown by delta and hold whole texels: their marks are exact.
 //
-// With a margin m the same is said of T' + [-m, m]^2, whose edges are segments as in impl/bake/exact/seen.hpp; moving a
+// With a margin m the same holds for T' + [-m, m]^2, whose edges are segments as in impl/bake/exact/seen.hpp; moving a
 // corner by m rounds once more, which delta has room for.
 #pragma once
 
@@ -50,13 +50,13 @@ class BilinearFilter {
         clear_(static_cast<Marks>((sides.clear_below > bound_ ? below : 0) |
                                   (sides.clear_opaque > bound_ ? opaque : 0))) {}
 
-  /// Where coordinates are too large for binary64, nothing is certain.
+  /// False if coordinates are too large for binary64: then nothing is certain.
   bool usable() const noexcept { return usable_; }
   double delta() const noexcept { return delta_; }
   double margin() const noexcept { return margin_; }
   double bound() const noexcept { return bound_; }
 
-  /// Stored numbers, sampled, less the threshold.
+  /// The sampled stored number at p, less the threshold.
   double g(PlanePoint p) const noexcept {
     const std::int64_t i = floored(p.x), j = floored(p.y);
     const double fx = p.x - static_cast<double>(i), fy = p.y - static_cast<double>(j);
@@ -64,13 +64,13 @@ class BilinearFilter {
     const double top = f.a + fx * (f.right - f.a), under = f.below + fx * (f.across - f.below);
     return top + fy * (under - top) - sides_.threshold;
   }
-  /// The marks that g proves; there may be others if it is close to a limit.
+  /// The marks that a value of g proves; there may be others if it is close to a limit.
   Marks side(double g) const noexcept { return range(g, g); }
-  /// The same of all from the least to the greatest, which occur.
+  /// The marks that all g from the least to the greatest prove.  Domain: both occur.
   Marks range(double least, double greatest) const noexcept {
     return static_cast<Marks>((greatest > bound_ - sides_.gap ? opaque : 0) | (least < -bound_ ? below : 0));
   }
-  /// And whether there are no others.
+  /// The same, with `uncertain` unless there are no others.
   Marks range_or_uncertain(double least, double greatest) const noexcept {
     const bool is_below = least<-bound_, is_opaque = greatest> bound_ - sides_.gap;
     const bool sure = (is_below || least > bound_) && (is_opaque || greatest < -transparent_);
@@ -88,10 +88,10 @@ class BilinearFilter {
             floored(std::max(std::max(p[0].y, p[1].y), p[2].y) + reach_) + 1};
   }
 
-  /// Of all those texels, exactly.
+  /// The marks of all texels of a box, exactly.
   Marks texels(const Box& box) const noexcept { return sides_.of(box.left, box.right, box.top, box.bottom); }
 
-  /// Of a closed edge with g at its ends: halves, until a box settles them or they cross few lines.
+  /// The marks of a closed edge with g at its ends: it is halved until a box settles the parts or they cross few lines.
   Marks edge(PlanePoint p, PlanePoint q, double at_p, double at_q) const noexcept {
     const double d = 4 * delta_;
     const Box box{floored(std::min(p.x, q.x) - d), floored(std::max(p.x, q.x) + d) + 1,
@@ -108,14 +108,14 @@ class BilinearFilter {
     return (all_of_it & both) == both ? both : all_of_it;
   }
 
-  /// Of the centres within, or none where they add nothing to what is seen; `box` is the triangle's.
+  /// The marks of the centres within, or 0 if they add nothing to `seen`; `box` is the triangle's.
   Marks centres(const Triangle& p, const Box& box, Marks seen) const noexcept {
-    // The cells' outer texels are not within.
+    // The outer texels of the cells are not within.
     if (box.left + 1 >= box.right || box.top + 1 >= box.bottom) return 0;
     const Marks about = texels({box.left + 1, box.right - 1, box.top + 1, box.bottom - 1});
     if ((seen | about) == seen || is_line(p)) return 0;
     Marks marks = 0;
-    // Beyond its ends an axis has no centre that an edge does not speak for (impl/bake/exact/seen.hpp).
+    // Beyond its ends an axis has no centre whose mark no edge bears (impl/bake/exact/seen.hpp).
     const std::int64_t top = std::max(box.top + 1, down_.first),
                        bottom = std::min(box.bottom - 1, down_.last),
                        period = bottom - top < down_.period ? 0 : down_.period;
@@ -128,17 +128,17 @@ class BilinearFilter {
         [&](std::int64_t j) { return within(p, j); }, take);
     return marks;
   }
-  /// The marks of texels that are clear of their limits.
+  /// The marks whose texels are all clear of their limits.
   Marks clear() const noexcept { return clear_; }
 
  private:
-  /// From cell to cell.  Where it enters a column or row of centres, g is a mean of two texels; in a cell, a
-  /// share s of the way from v to w,
+  /// The marks of an edge, cell by cell.  On a column or row of centres, g is a mean of two texels; in a cell, a share
+  /// s of the way from v to w,
   ///   g = v + (w - v) s - K s (1 - s),   K = d dx dy of the piece,
   /// which stands still at s = (1 - (w - v) / K) / 2 if |w - v| < |K|.
   /// Beyond an axis's ends all cells are one, and there g does not depend on it.
-  /// dx is 0 or, coordinates being products of 39 bits less 1/2 and halved 12 times, well above 2^-100, so
-  /// that 1/dx is finite; dy likewise.
+  /// dx is 0 or well above 2^-100, since coordinates are products of 39 bits less 1/2 and halved 12 times: so 1/dx is
+  /// finite, and 1/dy likewise.
   Marks walked(PlanePoint p, PlanePoint q, double at_p, double at_q) const noexcept {
     const double dx = q.x - p.x, dy = q.y - p.y;
     std::int64_t i = std::clamp(floored(p.x), across_.first - 1, across_.last),
@@ -189,9 +189,9 @@ class BilinearFilter {
     return range_or_uncertain(least, greatest);
   }
 
-  /// Whether edges speak for all centres of a long one: it is within 5 delta of its longest edge.
+  /// Whether the edges of a long triangle bear the marks of all its centres: it is within 5 delta of its longest edge.
   bool is_line(const Triangle& p) const noexcept {
-    constexpr double long_one = 1024;  // texels; of shorter ones rows take less time
+    constexpr double long_one = 1024;  // texels; rows of shorter ones take less time
     const double ax = p[1].x - p[0].x, ay = p[1].y - p[0].y, bx = p[2].x - p[0].x, by = p[2].y - p[0].y,
                  length = std::max({std::fabs(ax), std::fabs(ay), std::fabs(bx), std::fabs(by)});
     return margin_ == 0 && length > long_one && std::fabs(ax * by - ay * bx) <= 2 * delta_ * length;
@@ -200,16 +200,16 @@ class BilinearFilter {
   /// The columns of the centres on row j.
   Columns within(const Triangle& p, std::int64_t j) const noexcept {
     const auto level = static_cast<double>(j);
-    // What is within m of the level along y reaches m beyond it along x.
+    // Points within m of the level along y reach m beyond it along x.
     const Reach reach = margin_ == 0 ? at_level(p, level) : between(p, level - margin_, level + margin_);
     const double from = reach.from - margin_, to = reach.to + margin_;
     if (from > to) return {};
     return sides_.columns(-floored(-from), floored(to));
   }
 
-  /// Of a cell.
+  /// Whether cell k lies beyond the ends of an axis.
   static bool is_beyond(std::int64_t k, const Extent& e) noexcept { return k < e.first || k >= e.last; }
-  /// How many cells' borders are between two texels where alpha depends on this axis, or about as many.
+  /// The number of cell borders, or about as many, between two texels where alpha depends on this axis.
   static std::int64_t cells(std::int64_t from, std::int64_t to, const Extent& e) noexcept {
     return std::clamp(to, e.first - 1, e.last + 1) - std::clamp(from, e.first - 1, e.last + 1);
   }

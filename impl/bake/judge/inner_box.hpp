@@ -1,4 +1,4 @@
-// A rectangle within a triangle: most of what is mixed shows it there.  Internal to impl/bake.
+// A rectangle within a triangle: most mixed triangles bear both marks there.  Internal to impl/bake.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 
 namespace mmverify::impl::bake::detail {
 
-/// From the triangle's centroid.  Empty: left > right.
+/// A rectangle, counted from the triangle's centroid.  Empty: left > right.
 struct InnerBox {
   double left = 1, right = -1, top = 1, bottom = -1;
 };
 
-/// The largest of a few, between rows at multiples of 1/12 of the height.
+/// The largest of some rectangles within p, between rows at multiples of 1/12 of the height.
 inline InnerBox inner_box(const Triangle& p) noexcept {
   const PlanePoint c{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
   const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
@@ -44,11 +44,11 @@ inline InnerBox inner_box(const Triangle& p) noexcept {
   return best;
 }
 
-/// The same of micro-triangles, which are this one moved or turned by half a circle: what texels are within.
+/// The inner box of micro-triangles, which are one triangle moved or turned by half a circle, and its texels' marks.
 class Within {
  public:
-  /// `inner`: of one that is not turned.  Shrunk by 4 delta, so that it is within the true triangle, whose
-  /// centroid may be 2 delta off; grown by the margin, as the triangle is.
+  /// `inner` is that of a micro-triangle that is not turned.  It is shrunk by 4 delta, so that it is within the true
+  /// triangle, whose centroid may be 2 delta off, and grown by the margin, as the triangle is.
   Within(const TextureProperties& sides, const InnerBox& inner, double margin, double delta) noexcept
       : sides_(sides) {
     const InnerBox box = inner.left > inner.right ? InnerBox{0, 0, 0, 0} : inner;
@@ -58,14 +58,14 @@ class Within {
     worth_it_ = (box.right - box.left + 2 * margin) * (box.bottom - box.top + 2 * margin) >= 16;
   }
 
-  /// Of the texels whose centres are at whole numbers; of none where it is too small to hold several.
+  /// The marks of texels whose centres are in the box, centres at whole numbers; 0 if the box is too small for several.
   Marks centres(PlanePoint centroid, bool turned) const noexcept {
     if (!worth_it_) return 0;
     const InnerBox& b = boxes_[turned];
     return of(-floored(-(centroid.x + b.left)), floored(centroid.x + b.right),
               -floored(-(centroid.y + b.top)), floored(centroid.y + b.bottom));
   }
-  /// Of the texels that begin at whole numbers and which it meets.
+  /// The marks of the texels that the box meets, texels beginning at whole numbers.
   Marks texels(PlanePoint centroid, bool turned) const noexcept {
     const InnerBox& b = boxes_[turned];
     if (b.left > b.right || b.top > b.bottom) return 0;
@@ -79,7 +79,7 @@ class Within {
   }
 
   const TextureProperties& sides_;
-  std::array<InnerBox, 2> boxes_;  ///< not turned, turned
+  std::array<InnerBox, 2> boxes_;  ///< not turned; turned
   bool worth_it_;
 };
 

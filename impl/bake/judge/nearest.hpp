@@ -1,13 +1,13 @@
-// How a micro-triangle sampled nearest is judged: by the texels that it meets.  Internal to impl/bake.
+// The judge of micro-triangles sampled nearest: by the texels that they meet.  Internal to impl/bake.
 //
-// T is the true triangle, T' the computed one, each within `delta` of the other; P and P' are they, dilated
-// by the margin m.  In the row of texels with j <= y < j + 1
-//   at most  those that P' + [-delta, delta]^2 meets.  Its points there come from points of T' with
+// T is the true triangle, T' the computed one, each within `delta` of the other; P and P' are T and T' dilated by the
+// margin m.  In the row of texels with j <= y < j + 1, P meets
+//   at most  the texels that P' + [-delta, delta]^2 meets.  Its points there come from points of T' with
 //            j - m - delta <= y <= j + 1 + m + delta, moved by at most m + delta along x.
-//   at least those that it meets by delta: a point (x, y) of P' with i + 2 delta <= x <= i + 1 - 2 delta and
+//   at least the texels that P' meets by delta: a point (x, y) of P' with i + 2 delta <= x <= i + 1 - 2 delta and
 //            j + 2 delta <= y <= j + 1 - 2 delta has a point of P within the texel (i, j).
-// A computed crossing lies within delta of its edge, at a y within delta of the level: hence 2 delta where
-// the above says delta, and 4 where it says 2.
+// A computed crossing lies within delta of its edge, at a y within delta of the level: hence 2 delta where the above
+// has delta, and 4 where it has 2.
 #pragma once
 
 #include <algorithm>
@@ -99,13 +99,13 @@ class Nearest {
   }
   Marks texels(const Box& b) const noexcept { return sides_.of(b.left, b.right, b.top, b.bottom); }
 
-  /// Of a triangle whose texels bear both marks.
+  /// The marks of a triangle whose texels bear both marks.
   Marks judged(const Triangle& p, const Box& around, PlanePoint centroid, bool turned) const noexcept {
     Marks seen = inner_.texels(centroid, turned);
     if (seen == both) return both;
     Marks most = 0;
     const double near = margin_ + 2 * delta_, far = margin_ - 2 * delta_;
-    // Beyond its ends an axis has one row, of all that is there.
+    // Beyond its ends an axis has one row: the first or last row takes everything beyond.
     const Extent down = sides_.down();
     const std::int64_t top = std::clamp(around.top, down.first, down.last),
                        bottom = std::clamp(around.bottom, down.first, down.last);

@@ -1,21 +1,20 @@
-// The lines that bound micro-triangles of one base triangle: each is the base triangle made smaller, and
-// moved or turned by half a circle, so that their edges have three slopes among them.  Internal to
-// impl/bake.
+// The lines that bound micro-triangles of one base triangle.  Each micro-triangle is the base triangle made smaller,
+// and moved or turned by half a circle, so that all edges together have three slopes.  Internal to impl/bake.
 //
-// A line through (x', y') is at x' + (y - y') s on row y, s = dx/dy of an edge of the base triangle; of those
-// through a triangle's corners the one farthest to a side bounds it.  Two of the three, A and B, bound it on
-// one side, C on the other; turned, the sides change.  A flat edge, one that falls by less than a texel over
-// the whole base triangle, bounds nothing here: rows end there.
+// A line through (x', y') is at x' + (y - y') s on row y, with s = dx/dy of an edge of the base triangle.  Of the lines
+// of a slope through a triangle's corners the outermost bounds it.  Two of the three, A and B, bound it on one side, C
+// on the other; for a turned triangle the sides change.  A flat edge falls by less than a texel over the whole base
+// triangle and bounds nothing here: rows end there.
 //
 // T is a true triangle, T' the computed one, its corners within delta of T's along either axis.  True and
 // computed dx and dy differ by 2 delta at most and |dy| >= 1, so that slopes differ by less than
 // 2^2 delta (1 + |s|), and lines on rows up to `reach` = 2^7 from (x', y') by less than
 //   (2^9 + 1) delta (1 + |s|).
-// In binary32, of whole rows and places within `reach` of the origin, the place at row 0, the slope and their
-// sum are rounded: 2^-24 each of at most 2^8 (1 + |s|), and so once more where a margin is added or a strip's
-// columns are taken away.  So with
+// In binary32, with whole rows and places within `reach` of the origin, the place at row 0, the slope and their sum are
+// rounded: 2^-24 each of at most 2^8 (1 + |s|), and once more if a margin is added or a strip's columns are taken off.
+// With
 //   margin (1 + |s|),   margin = 2^10 delta + 2^-12,
-// to spare, a point that seems to be on T's side of a line is, and one that is seems so.
+// to spare, points of T are computed to be on T's side of a line, and points that are not are computed so.
 #pragma once
 
 #include <array>
@@ -30,11 +29,11 @@ namespace mmverify::impl::bake::detail {
 struct Lines {
   static constexpr double reach = 128;
 
-  /// Whether the below holds.  Not of a triangle of no area or less than two texels high.
+  /// Whether the members below are set; false for a triangle of no area or less than two texels high.
   bool usable = false;
-  /// Of A, B, C.  Without B, A is there twice.
+  /// The slopes of A, B, C; A's twice if there is no B.
   std::array<double, 3> slope{};
-  bool ab_left = false;  ///< A and B are to the left, unless turned
+  bool ab_left = false;  ///< A and B are on the left, unless turned
   bool has_flat = false;
   double margin = 0;
 
@@ -45,9 +44,9 @@ struct Lines {
     const auto dy = [&p](std::size_t k) { return p[(k + 1) % 3].y - p[k].y; };
     const double area = dx(0) * -dy(2) + dy(0) * dx(2),
                  size = std::fabs(dx(0)) + std::fabs(dy(0)) + std::fabs(dx(2)) + std::fabs(dy(2));
-    // Each of four factors is off by 2 delta at most, their products by what 2^-40 of all is more than.
+    // Each of four factors is off by 2 delta at most; 2^-40 of the sum of sizes exceeds the rounding of their products.
     if (!(margin < 0x1p-6) || !(std::fabs(area) > 1 + (4 * delta + 0x1p-40 * size) * size)) return;
-    // With y down, an edge is to the left where its dy and the area have different signs.
+    // With y down, an edge is on the left if its dy and the area have different signs.
     std::array<std::size_t, 3> left{}, right{};
     std::size_t lefts = 0, rights = 0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -23,14 +23,14 @@ inline PlanePoint middle(PlanePoint a, PlanePoint b) noexcept {
   return {(a.x + b.x) * 0.5, (a.y + b.y) * 0.5};
 }
 
-/// The four that a triangle is cut into, in the order and with the corners of impl/index/index.hpp; the second is
+/// The four triangles that one is cut into, in the order and with the corners of impl/index/index.hpp; the second is
 /// turned.
 inline std::array<Triangle, 4> children(const Triangle& p) noexcept {
   const PlanePoint p01 = middle(p[0], p[1]), p02 = middle(p[0], p[2]), p12 = middle(p[1], p[2]);
   return {Triangle{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}};
 }
 
-/// From one x to another; none: from > to.
+/// An interval of x; empty: from > to.
 struct Reach {
   double from = 1e300, to = -1e300;
   void take(double x) noexcept {
@@ -39,14 +39,14 @@ struct Reach {
   }
 };
 
-/// Where a segment whose ends are on either side of a level is at it; within its ends' x, however that
-/// rounds.
+/// The x at which a segment crosses a level; within its ends' x, however that rounds.  Domain: its ends are on
+/// different sides of the level.
 inline double crossing(PlanePoint a, PlanePoint b, double level) noexcept {
   return std::clamp(a.x + (level - a.y) * ((b.x - a.x) / (b.y - a.y)), std::min(a.x, b.x),
                     std::max(a.x, b.x));
 }
 
-/// Of a triangle's part at y = level.
+/// The reach of a triangle at y = level.
 inline Reach at_level(const Triangle& p, double level) noexcept {
   Reach reach;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -56,7 +56,7 @@ inline Reach at_level(const Triangle& p, double level) noexcept {
   return reach;
 }
 
-/// Of a triangle's part with low <= y <= high.
+/// The reach of a triangle's part with low <= y <= high.
 inline Reach between(const Triangle& p, double low, double high) noexcept {
   Reach reach;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// Which of a node of sixteen meet no mixed cell, and what texels are within them (impl/bake/sixteen/sixteen.cpp).
+// The marks of a node of sixteen from mixed cells, and from texels within (impl/bake/sixteen/sixteen.cpp).
 #include <algorithm>
 
 #include "impl/bake/sixteen/vectors-inl.hpp"
@@ -15,27 +15,26 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::bake::detail {
 namespace HWY_NAMESPACE {
 
-/// Columns of cells that a word holds: the last one's right texel is in it, too.
+/// Columns of cells of a word of texels: the word has the last cell's right texel, too.
 constexpr std::int32_t word_cells = 31;
 
-/// Which cells between two rows of texels are mixed.
+/// The mixed cells between two rows of texels, a bit each.
 HWY_INLINE Int mixed_of(Int opaque_top, Int opaque_under, Int seen_top, Int seen_under) {
   const Int all = hn::And(opaque_top, opaque_under), some = hn::Or(seen_top, seen_under);
   const auto next = [](Int x) HWY_ATTR { return hn::BitCast(I(), hn::ShiftRight<1>(hn::BitCast(U(), x))); };
   return hn::AndNot(hn::And(all, next(all)), hn::Or(some, next(some)));
 }
 
-/// The window's bits: word s rows + row is of 32 texels from column 8 s on, so that whatever is up to 24 columns
-/// wide is in one.
+/// The window's bits: word s rows + row has 32 texels from column 8 s on, so that one word has any 24 columns.
 struct Words {
   static constexpr std::size_t rows = sixteen_window + 16, most = sixteen_window / 8;
   using Rows = std::array<std::uint32_t, rows * most>;
   static_assert(rows >= sixteen_window + 4, "for FourRows");
   HWY_ALIGN Rows opaque, visible;
-  HWY_ALIGN std::array<std::uint32_t, rows> mixed;  ///< cells that are, where it is small
-  const Rows* seen;                                 ///< visible, or with MASK opaque
-  bool is_small;                                    ///< all in the words from column 0 on, of 32 rows
-  bool few_rows;                                    ///< of 16
+  HWY_ALIGN std::array<std::uint32_t, rows> mixed;  ///< the mixed cells, if the window is small
+  const Rows* seen;                                 ///< visible, or opaque with MASK
+  bool is_small;  ///< the words from column 0 on have all texels, in 32 rows at most
+  bool few_rows;  ///< 16 rows at most
 
   HWY_INLINE explicit Words(const SixteenInput& in)
       : seen(in.visible == in.opaque ? &opaque : &visible),
@@ -53,11 +52,11 @@ struct Words {
     }
   }
 
-  /// Row j, of texels or of cells, where it is small.
+  /// Row j, of texels or of cells.  Domain: is_small.
   HWY_INLINE Int row(const std::uint32_t* of, Int j) const {
     return few_rows ? among(I(), reinterpret_cast<const std::int32_t*>(of), j) : among_rows(of, j);
   }
-  /// Where words that hold column x begin.
+  /// The number s of the words that have column x.
   HWY_INLINE Int origin(Int x) const { return is_small ? set(0) : hn::ShiftRight<3>(x); }
 
  private:
@@ -74,7 +73,7 @@ struct Words {
       const auto low_shift = hn::Set(u, bit), high_shift = hn::Set(u, 31 - bit);
       for (std::int32_t r = 0; r < in.rows; r += lanes) {
         const auto low = hn::LoadU(u, word + r), high = hn::LoadU(u, word + in.strip + r);
-        // 32 - bit places, which no shift may be.
+        // A shift by 32 - bit places in two steps, for 32 is no valid shift.
         hn::StoreU(hn::Or(hn::Shr(low, low_shift), hn::Shl(hn::Add(high, high), high_shift)), u,
                    to.data() + s * rows + static_cast<std::size_t>(r));
       }
@@ -82,7 +81,7 @@ struct Words {
   }
 };
 
-/// Four rows of each lane's own word, from a row of its own on.
+/// Four rows of each lane's own word, from the lane's own row on.
 class FourRows {
  public:
   HWY_INLINE void take(const Words::Rows& of, Int word, Int first) {
@@ -93,7 +92,7 @@ class FourRows {
     for (std::int32_t r = 0; r < 4; ++r)
       hn::StoreU(hn::GatherIndex(d, all, hn::Add(at, set(r))), d, rows_[static_cast<std::size_t>(r)].data());
 #else
-    // Each lane's four are loaded at once, which costs less than to gather them, and turned.
+    // Each lane's four words are loaded at once, which costs less than a gather, and transposed.
     HWY_ALIGN SixteenLanes::Ints begin;
     hn::StoreU(at, d, begin.data());
     const auto fours = [&](std::size_t n) HWY_ATTR { return fours_of(d, all, begin.data() + n); };
@@ -115,7 +114,7 @@ class FourRows {
 
  private:
 #if HWY_TARGET != HWY_SCALAR
-  /// Block b: four from begin[4 b] on.
+  /// The words for block b: four from begin[4 b] on.
   template <class D>
   static HWY_INLINE hn::Vec<D> fours_of(D d, const std::int32_t* all, const std::int32_t* begin) {
     if constexpr (hn::MaxLanes(D()) == 4) {
@@ -130,7 +129,7 @@ class FourRows {
   HWY_ALIGN std::array<SixteenLanes::Ints, 4> rows_;
 };
 
-/// Its rows one after another, of words of each lane's own.
+/// Each lane's own word, row after row.
 class RowByRow {
  public:
   HWY_INLINE RowByRow(const SixteenInput& in, const Words& words, Int word, Int first)
@@ -145,7 +144,7 @@ class RowByRow {
   }
   HWY_INLINE void ask() {
     if (words_.is_small) {
-      // Lanes that are done stay in the window.
+      // Lanes that are done repeat the last row.
       const Int at = hn::Min(row, last_);
       are = words_.row(words_.opaque.data(), at);
       seen = one_plane_ ? are : words_.row(words_.seen->data(), at);
@@ -160,13 +159,13 @@ class RowByRow {
   HWY_INLINE void go_on() { row = hn::Add(row, set(1)); }
 
   Int row;
-  Int are, seen, mixed;  ///< what ask() found: opaque, visible; cells that are mixed
+  Int are, seen, mixed;  ///< results of ask(): opaque texels, visible texels, mixed cells
 
  private:
   HWY_INLINE void take_next(Int at) {
     const std::size_t r = taken_++ % 4;
     if (r == 0) {
-      // Lanes that are done stay near the window: Words has room.
+      // Lanes that are done stay near the window, where Words has room.
       const Int first = hn::Min(at, hn::Add(last_, set(2)));
       opaque_.take(words_.opaque, word_, first);
       if (!one_plane_) visible_.take(*words_.seen, word_, first);
@@ -183,27 +182,27 @@ class RowByRow {
   FourRows opaque_, visible_;
 };
 
-/// Bits [from, end).  Domain: 0 <= from, end < 32.
+/// The bits [from, end).  Domain: 0 <= from, end < 32.
 HWY_INLINE Int run(Int from, Int end) {
   const Int all = set(-1);
   return hn::AndNot(hn::Shl(all, end), hn::Shl(all, from));
 }
-/// To the nearest whole numbers, within a word.
+/// x rounded to the nearest whole number, clamped to a word.
 HWY_INLINE Int in_word(Float x) {
   const Float within = hn::Min(hn::Max(x, hn::Zero(F())), set(static_cast<float>(word_cells)));
   return hn::And(hn::BitCast(I(), hn::Add(within, set(whole_only))), set(word_cells));
 }
 
-/// Bit k of each, of micro-triangles.
+/// Marks of micro-triangles from cells: bit k for micro-triangle k.
 struct CellMarks {
-  std::uint32_t fit = 0;                 ///< those that a word holds: the others are not judged here
-  std::uint32_t meets_mixed = 0;         ///< may meet a mixed cell
-  std::uint32_t begins_opaque = 0;       ///< a cell that it may meet begins with an opaque texel
-  std::uint32_t have = 0, have_not = 0;  ///< of the centres between the lines, of rows beside a flat edge
-  std::uint32_t perhaps = 0, perhaps_not = 0;  ///< of all rows
+  std::uint32_t fit = 0;                       ///< a word has all its cells; the others are not judged here
+  std::uint32_t meets_mixed = 0;               ///< may meet a mixed cell
+  std::uint32_t begins_opaque = 0;             ///< a cell that it may meet has an opaque first texel
+  std::uint32_t have = 0, have_not = 0;        ///< centres within: visible; not opaque
+  std::uint32_t perhaps = 0, perhaps_not = 0;  ///< the same with the rows beside a flat edge
 };
 
-/// x shifted to begin at bit `to`; no bits where that is not in [0, 32).
+/// x shifted to begin at bit `to`; 0 if `to` is not in [0, 32).
 HWY_INLINE Int to_bit(Int x, Int to) {
   const auto bits = hn::BitCast(U(), x);
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
@@ -214,22 +213,22 @@ HWY_INLINE Int to_bit(Int x, Int to) {
 #endif
 }
 
-/// A grid of up to 16 rows of 8 columns of cells, or of 16, in words: bit b of word w is of row
-/// row + (32 w + b) / columns.
+/// A grid of up to 16 rows of 8 or 16 columns of cells, in words: bit b of word w is in row row + (32 w + b) / columns.
 struct CellGrid {
   static constexpr std::size_t most_words = 8;
   std::int32_t row = 0, column = 0;
   bool is_narrow = true;  ///< 8 columns
-  std::size_t words = 0;  ///< of its rows
+  std::size_t words = 0;  ///< words of its rows
 };
-/// Which mixed cells of a grid each micro-triangle of a small shape may meet, a word after the other.
+/// The mixed cells of a grid that each micro-triangle of a small shape may meet, a word after the other.
 struct MetCells {
   CellGrid grid;
   std::array<Ints, CellGrid::most_words> words;
 };
 
-/// `centres`: whether they are asked; `keeps`: whether the met cells are kept.
-/// Domain, if kept: shape.is_small, words.is_small, met.grid of what the node may meet.
+/// Judges micro-triangles [k, k + lanes) by cells.  `centres`: also by the centres within; `keeps`: writes the met
+/// cells.
+/// Domain, if kept: shape.is_small, words.is_small, and met.grid covers the cells that the node may meet.
 template <bool centres, bool keeps>
 MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::size_t k, CellMarks& marks,
                               MetCells& met) {
@@ -251,14 +250,14 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
   marks.fit |= bits_of(hn::RebindMask(F(), hn::Lt(hn::Sub(end_column, origin), set(word_cells + 1))), k);
   const Float x = hn::ConvertTo(F(), origin), left = hn::ConvertTo(F(), hn::Sub(first_column, origin)),
               right = hn::ConvertTo(F(), hn::Sub(end_column, origin));
-  // The lines, in columns of the word.
+  // The lines, in columns counted from the word's first.
   std::array<Float, 3> outside, at;
   for (std::size_t l = 0; l < 3; ++l) {
     const Float line = hn::Sub(hn::NegMulAdd(y0, set(shape.slope[l]), x0), x);
     outside[l] = hn::Add(line, of([l](const Micro& m) { return m.outside[l]; }));
     at[l] = hn::Add(line, of([l](const Micro& m) { return m.at[l]; }));
   }
-  // From where to where the lines leave a row.
+  // The part of a row between the lines.
   struct Span {
     Float from, to;
   };
@@ -268,8 +267,7 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     const Float a = line(0), b = line(1), c = line(2);
     return Span{hn::IfThenElse(ab_left, hn::Max(a, b), c), hn::IfThenElse(ab_left, c, hn::Min(a, b))};
   };
-  // Where an edge's line goes on beyond a corner it bounds nothing: there the box does.  Rows that meet a flat
-  // edge have centres on both sides of it.
+  // An edge's line bounds nothing beyond its corners: there the box does.  Rows at a flat edge have centres beyond it.
   const Float from_column = hn::Sub(hn::Add(x0, of([](const Micro&m) { return m.first_column; })), x),
               to_column = hn::Sub(hn::Add(x0, of([](const Micro&m) { return m.last_column; })), x);
   const Float from_row = hn::Add(y0, of([](const Micro&m) { return m.first_row; })),
@@ -298,8 +296,8 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     const Int mixed = hn::And(cells, rows_of.mixed);
     some_mixed = hn::Or(some_mixed, mixed);
     if constexpr (keeps) {
-      // What is before the grid is only within its margin, and not met; what is beyond a row of it seems to be
-      // in the next one, which may keep a mark from being said.
+      // Cells before the grid are only within its margin, and not met.  Cells beyond the end of a grid row appear in
+      // the next row, which may keep a mark uncertain.
       const Int in_grid = hn::Shr(mixed, set(met.grid.column));
       met_0 = hn::Or(met_0, to_bit(in_grid, to));
       met_1 = hn::Or(met_1, to_bit(in_grid, hn::Sub(to, set(32))));

@@ -1,4 +1,4 @@
-// The edges of a node of sixteen, in mixed cells (impl/bake/sixteen/sixteen.cpp).
+// The marks of the edges of a node of sixteen, in mixed cells (impl/bake/sixteen/sixteen.cpp).
 #include <algorithm>
 
 #include "impl/bake/sixteen/cells-inl.hpp"
@@ -15,22 +15,22 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::bake::detail {
 namespace HWY_NAMESPACE {
 
-/// Bit k of each: of some edge of micro-triangle k.
+/// Marks of micro-triangles from their edges: bit k for micro-triangle k.
 struct EdgeMarks {
-  std::uint32_t below = 0, opaque = 0;                  ///< certain
-  std::uint32_t perhaps_below = 0, perhaps_opaque = 0;  ///< not certain that there is none
+  std::uint32_t below = 0, opaque = 0;                  ///< certain marks
+  std::uint32_t perhaps_below = 0, perhaps_opaque = 0;  ///< marks that cannot be excluded
 };
 
-/// Of edges (SixteenLanes).
+/// The direction and the first corner of edges (SixteenLanes).
 HWY_INLINE Int direction_of(Int edges) { return hn::ShiftRight<24>(edges); }
 HWY_INLINE Int first_corner_of(Int edges) { return hn::And(hn::ShiftRight<16>(edges), set(15)); }
 
-/// What pieces of edges bear.
+/// The marks of pieces of edges.
 class PieceMarks {
  public:
   HWY_INLINE PieceMarks() : certain_(set(0)), perhaps_(certain_) {}
 
-  /// Of edges, 0 for none, each in a cell; x, y: its first corner, from the cell's.
+  /// Judges edges, each in a cell; edge 0 is none.  x, y: the edge's first corner, counted from the cell's.
   HWY_INLINE void judge(const SixteenShape& shape, Int edge, const Cell& c, Float x, Float y) {
     const Directions by(direction_of(edge));
     const Float dx = by(shape.dx), dy = by(shape.dy), zero = hn::Zero(F()), one = set(1.0f);
@@ -52,7 +52,7 @@ class PieceMarks {
     };
     const Float v = at(from), w = at(to), part = hn::Sub(to, from), rise = hn::Sub(w, v);
     const Float K = hn::Mul(hn::Mul(c.twist, hn::Mul(dx, part)), hn::Mul(dy, part));
-    // v + rise s - K s (1 - s), where it stands still; elsewhere v.
+    // The value v + rise s - K s (1 - s) where it stands still, else v.
     const Mask stands = hn::Lt(hn::Abs(rise), hn::Abs(K));
     const Float s = hn::IfThenElseZero(
         stands, hn::Sub(set(0.5f), hn::Div(rise, hn::IfThenElse(stands, hn::Add(K, K), one))));
@@ -73,29 +73,29 @@ class PieceMarks {
   }
 
  private:
-  /// Of edges' micro-triangles: bits of below, and from bit 16 on of opaque.
+  /// The marks by micro-triangle: below from bit 0 on, opaque from bit 16 on.
   Int certain_, perhaps_;
 };
 
-/// Pieces of some edges, in mixed cells, judged a vector of them at a time.
+/// The pieces of some edges in mixed cells, judged a vector of them at a time.
 template <class Texel>
 class Pieces {
  public:
   HWY_INLINE explicit Pieces(const SixteenInput& in) : in_(in), pending_(set(0)) {}
 
-  /// Of edges, by their place in a list.
+  /// Sets the vector of edges; x, y are their first corners.
   HWY_INLINE void edges(Float x, Float y, Int edges) {
     hn::StoreU(x, F(), x_.data());
     hn::StoreU(y, F(), y_.data());
     hn::StoreU(edges, I(), edges_.data());
   }
-  /// Of those edges, in cells (i, j).
+  /// Adds the pieces of `those` edges in the cells (i, j).
   HWY_INLINE void add(Mask those, Int i, Int j) {
     const Int all = hn::Or(hn::Iota(I(), 0), hn::Or(hn::ShiftLeft<8>(i), hn::ShiftLeft<16>(j)));
     const Int more = hn::Compress(all, hn::RebindMask(I(), those));
     const std::size_t count = hn::CountTrue(F(), those), lanes = hn::Lanes(F());
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-    // In a register: what was stored in parts would be long in coming back.
+    // Pending pieces stay in a register: a load of a vector stored in parts is slow.
     const auto from = [](std::size_t lane) { return static_cast<__mmask16>(0xffffu << lane); };
     pending_ = Int{_mm512_mask_expand_epi32(pending_.raw, from(count_), more.raw)};
     count_ += count;
@@ -113,7 +113,7 @@ class Pieces {
     hn::StoreU(hn::LoadU(I(), places_.data() + lanes), I(), places_.data());
 #endif
   }
-  /// All that were added.
+  /// Judges all pending pieces.
   HWY_INLINE void finish() {
     if (count_ == 0) return;
 #if HWY_TARGET != HWY_AVX3 && HWY_TARGET != HWY_AVX3_DL
@@ -126,7 +126,7 @@ class Pieces {
 
  private:
   MMVERIFY_LARGE void judge(std::size_t count) {
-    // Those beyond are at (0, 0), which can be read.
+    // Lanes beyond `count` take cell (0, 0), which can be read.
     const auto is_one = hn::FirstN(I(), count);
     const Int all = hn::IfThenElseZero(is_one, pending_), byte = set(255);
     const Int place = hn::And(all, byte), i = hn::And(hn::ShiftRight<8>(all), byte),
@@ -141,8 +141,8 @@ class Pieces {
   PieceMarks found_;
   HWY_ALIGN Table x_, y_;
   HWY_ALIGN SixteenLanes::Ints edges_;
-  /// Places in the vector of edges, columns and rows, from bits 0, 8 and 16 on: what is to be judged, and
-  /// where it is gathered, with room for what one more adds.
+  /// The pending pieces: the place in the vector of edges from bit 0 on, the column from bit 8, the row from bit 16.
+  /// places_ gathers them, with room for one more vector.
   static_assert(sixteen_window <= 256);
   Int pending_;
 #if HWY_TARGET != HWY_AVX3 && HWY_TARGET != HWY_AVX3_DL
@@ -151,7 +151,7 @@ class Pieces {
   std::size_t count_ = 0;
 };
 
-/// The pieces of a vector of edges, those of list.
+/// Adds the pieces of the edges list[0..count), a vector of them at most.
 template <class Texel>
 HWY_INLINE void add_pieces(const SixteenInput& in, const Words& words, const std::int32_t* list,
                            std::size_t count, Pieces<Texel>& pieces) {
@@ -184,7 +184,7 @@ HWY_INLINE void add_pieces(const SixteenInput& in, const Words& words, const std
     while (true) {
       const Mask those = hn::RebindMask(F(), hn::Ne(met, set(0)));
       if (hn::AllFalse(F(), those)) break;
-      // The lowest bit, a power of 2 below 2^31, and its number.
+      // The lowest bit, a power of 2 below 2^31, and its number from the exponent.
       const Int lowest = hn::And(met, hn::Neg(met));
       const Int bit = hn::Sub(hn::ShiftRight<23>(hn::BitCast(I(), hn::ConvertTo(F(), lowest))), set(127));
       pieces.add(those, hn::Add(origin, bit), rows_of.row);
@@ -195,7 +195,7 @@ HWY_INLINE void add_pieces(const SixteenInput& in, const Words& words, const std
   pieces.finish();
 }
 
-/// Of the edges of some micro-triangles.
+/// The marks of the edges of micro-triangles `asked`.
 template <class Texel>
 MMVERIFY_LARGE EdgeMarks ask_edges(const SixteenInput& in, const Words& words, std::uint32_t asked) {
   HWY_ALIGN std::array<std::int32_t, 48> list;
@@ -207,7 +207,7 @@ MMVERIFY_LARGE EdgeMarks ask_edges(const SixteenInput& in, const Words& words, s
     hn::StoreU(hn::Compress(edges, hn::RebindMask(I(), those)), I(), list.data() + count);
     count += hn::CountTrue(F(), those);
   }
-  // Nobody's, at (0, 0), to fill the last vector.
+  // Edge 0 belongs to no micro-triangle, and fills the last vector.
   hn::StoreU(set(0), I(), list.data() + count);
   Pieces<Texel> pieces(in);
   for (std::size_t n = 0; n < count; n += lanes) add_pieces(in, words, list.data() + n, count - n, pieces);

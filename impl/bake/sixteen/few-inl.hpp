@@ -1,4 +1,4 @@
-// A node of sixteen that meets few mixed cells, cell by cell (impl/bake/sixteen/sixteen.cpp).
+// A node of sixteen that meets few mixed cells, judged cell by cell (impl/bake/sixteen/sixteen.cpp).
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -21,14 +21,14 @@ namespace HWY_NAMESPACE {
 /// The mixed cells that a node of a small shape may meet.
 class FewCells {
  public:
-  /// More than these take longer one by one than together.
+  /// Above this number cells take longer one by one than together.
   static constexpr int most = 16;
 
   /// Domain: words.is_small, shape.is_small.
   HWY_INLINE void take(const SixteenInput& in, const Words& words) {
     const SixteenShape& shape = *in.shape;
     const SixteenShape::Micro& node = shape.whole;
-    // Not below 0: floor.
+    // The cast is floor, since the places are not below 0.
     grid.row = static_cast<std::int32_t>(in.p0[1] + node.top);
     grid.column = static_cast<std::int32_t>(in.p0[0] + node.left);
     const std::int32_t last_row = static_cast<std::int32_t>(in.p0[1] + node.bottom),
@@ -81,17 +81,17 @@ class FewCells {
   }
 
   bool are_few = false, are_none = false;
-  bool begin_opaque = false;  ///< a cell that it may meet, mixed or not, begins with an opaque texel
+  bool begin_opaque = false;  ///< a cell that it may meet, mixed or not, has an opaque first texel
   CellGrid grid;
 
-  /// Bits of words 2 n, and from 32 on of 2 n + 1, of the grid.
+  /// The bits of the grid's words 2 n, and from bit 32 on of 2 n + 1.
   HWY_INLINE std::uint64_t bits(std::size_t n) const { return bits_[n]; }
 
  private:
   std::array<std::uint64_t, CellGrid::most_words / 2> bits_{};
 };
 
-/// Few's cells and their alpha, cell after cell.
+/// The cells of a FewCells, and their alpha.
 class FewAlpha {
  public:
   template <class Texel>
@@ -115,7 +115,7 @@ class FewAlpha {
         ++count;
       }
   }
-  /// What was taken, in numbers; long after it was stored one by one, or that would have to be waited for.
+  /// Converts the taken cells to floats and computes their limits: long after the single stores, or loads would wait.
   HWY_INLINE void make_ready(const SixteenShape& shape) {
     for (std::size_t k = 0; k < FewCells::most; k += hn::Lanes(F())) {
       const auto put = [k](Float x, Table& to) HWY_ATTR { hn::StoreU(x, F(), to.data() + k); };
@@ -137,20 +137,20 @@ class FewAlpha {
   }
 
   std::size_t count = 0;
-  HWY_ALIGN SixteenLanes::Ints place;  ///< column, and row from bit 8 on
-  /// Where in the grid: a word, and a bit alone.
+  HWY_ALIGN SixteenLanes::Ints place;  ///< the column, and the row from bit 8 on
+  /// The cell's word in the grid, and its bit there.
   std::array<std::size_t, FewCells::most> word;
   SixteenLanes::Ints bit;
   HWY_ALIGN Table column, row, a, right, below, twist;
-  /// Beyond these at all corners of a micro-triangle, alpha is beyond its limit all over it.
+  /// The limits of the cell's own alpha at all corners, beyond which a micro-triangle lacks the mark in the cell.
   HWY_ALIGN Table most_below, least_opaque;
 
  private:
-  /// a, right, below and twist, in whole numbers.
+  /// The numbers a, right, below and twist as integers.
   HWY_ALIGN std::array<SixteenLanes::Ints, 4> whole_;
 };
 
-/// Sixteen numbers, each part's from a table of sixteen.
+/// table[at], for sixteen numbers and a table of sixteen.
 HWY_INLINE Floats among_all(const Floats& table, const Ints& at) {
   Floats found;
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
@@ -163,20 +163,20 @@ HWY_INLINE Floats among_all(const Floats& table, const Ints& at) {
   return found;
 }
 
-/// Bit k of each, of micro-triangle k.
+/// Marks of micro-triangles from few cells: bit k for micro-triangle k.
 struct FewMarks {
-  /// Of each of few's cells, those that may meet it and may bear the mark in it; of all of them.
+  /// The micro-triangles that may meet cell n and may bear the mark in it.
   std::array<std::uint32_t, FewCells::most> below_in, opaque_in;
   std::uint32_t perhaps_below = 0, perhaps_opaque = 0;
-  std::uint32_t leans = 0, leans_to_opaque = 0;  ///< how it leans, and that this is certain
-  SixteenLanes::Ints vertices;  ///< what they bear: 1 below, 2 opaque, 4 no below, 8 no opaque
+  std::uint32_t leans = 0, leans_to_opaque = 0;  ///< the lean of the centroid is certain; it leans to opaque
+  SixteenLanes::Ints vertices;  ///< marks of micro-vertices: 1 below, 2 opaque, 4 no below, 8 no opaque
 };
 
-/// Of places in cells that are not mixed what they bear, as vertices do, as far as it is certain.
+/// The certain marks of places in cells that are not mixed, in the bits of FewMarks::vertices.
 HWY_INLINE Int unmixed(const SixteenInput& in, const Words& words, const Located& at) {
   const Float half = set(0.5f);
   const Float from_middle = hn::Max(hn::Abs(hn::Sub(at.x, half)), hn::Abs(hn::Sub(at.y, half)));
-  // Where marks are clear, a border is as good.
+  // If marks are clear, a place on a border is certain as well.
   const float most = in.shape->clear && in.shape->gap == 0 ? 1.0f : 0.5f - 2 * in.shape->delta;
   const auto is_within = hn::RebindMask(I(), hn::Lt(from_middle, set(most)));
   const Int one = set(1), are = words.row(words.opaque.data(), at.j),
@@ -186,7 +186,7 @@ HWY_INLINE Int unmixed(const SixteenInput& in, const Words& words, const Located
   return hn::IfThenElseZero(hn::AndNot(has(mixed), is_within), marks);
 }
 
-/// Sixteen places: their cells, what is known without alpha, and alpha as far as it was met.
+/// Sixteen places: their cells, the marks that cells alone prove, and alpha if a taken cell contains the place.
 struct Places {
   Floats x, y, at;
   Ints place, unmixed;
@@ -203,7 +203,7 @@ struct Places {
       at[p] = set(std::numeric_limits<float>::quiet_NaN());
     }
   }
-  /// Alpha of cell n, taken where it is their own.
+  /// Returns alpha of cell n at all places, and stores it for the places in that cell.
   HWY_INLINE Floats take(const FewAlpha& cells, std::size_t n) {
     const Cell cell{set(cells.a[n]), set(cells.right[n]), set(cells.below[n]), set(cells.twist[n])};
     Floats g;
@@ -215,8 +215,8 @@ struct Places {
   }
 };
 
-/// What micro-triangles bear in the mixed cells that they meet, and vertices and centroids anywhere.
-/// Domain: shape.is_small, words.is_small; few.are_few, cells taken from it, met in its grid.
+/// The marks of micro-triangles in the mixed cells that they meet, and of vertices and centroids anywhere.
+/// Domain: shape.is_small, words.is_small; few.are_few, `cells` taken from it, `met` in its grid.
 MMVERIFY_LARGE FewMarks ask_few(const SixteenInput& in, const Words& words, const MetCells& met,
                                 FewAlpha& cells) {
   const F f;
@@ -267,7 +267,7 @@ MMVERIFY_LARGE FewMarks ask_few(const SixteenInput& in, const Words& words, cons
   return marks;
 }
 
-/// The edges of micro-triangles in those cells where they may bear a mark that is asked.
+/// The marks of edges in the cells where their micro-triangles may bear a mark still asked for.
 MMVERIFY_LARGE EdgeMarks ask_few_edges(const SixteenInput& in, const FewAlpha& cells, const FewMarks& found,
                                        std::uint32_t ask_below, std::uint32_t ask_opaque) {
   const std::size_t lanes = hn::Lanes(F());
@@ -278,7 +278,7 @@ MMVERIFY_LARGE EdgeMarks ask_few_edges(const SixteenInput& in, const FewAlpha& c
     hn::StoreU(place(in, 0, i, j), F(), x.data() + k);
     hn::StoreU(place(in, 1, i, j), F(), y.data() + k);
   }
-  // Edges, and from bit 20 on cells; room for a vector more.
+  // Edges, with the cell's number from bit 20 on; there is room for one more vector.
   HWY_ALIGN std::array<std::int32_t, 32 * FewCells::most + 16> list;
   std::size_t count = 0;
   for (std::size_t n = 0; n < cells.count; ++n) {

@@ -14,14 +14,14 @@ struct SixteenLanes {
   using Floats = std::array<float, 16>;
   using Ints = std::array<std::int32_t, 16>;
 
-  Floats vertex_i{}, vertex_j{};      ///< micro-vertex v is at (i, j), of 1
-  Floats centroid_i{}, centroid_j{};  ///< of micro-triangle k, on the curve
-  Floats micro_i{}, micro_j{};        ///< the least of its corners'
-  std::array<Ints, 3> corner{};       ///< its micro-vertices
-  Ints at_vertex{};                   ///< bit k: micro-vertex v is micro-triangle k's
-  std::uint32_t turned = 0;           ///< bit k: micro-triangle k is, as seen from the node
-  /// An edge, of 30, and two more that are nobody's, to fill vectors.  Bit k: micro-triangle k has it; from
-  /// bit 16 on, its first corner; from bit 24 on, its direction (SixteenShape); bits 20 to 23 are free.
+  Floats vertex_i{}, vertex_j{};      ///< micro-vertex v is at (i, j), the node's sides being 1
+  Floats centroid_i{}, centroid_j{};  ///< centroid of micro-triangle k, on the curve
+  Floats micro_i{}, micro_j{};        ///< the least i and j of its corners
+  std::array<Ints, 3> corner{};       ///< numbers of its micro-vertices
+  Ints at_vertex{};                   ///< bit k: micro-triangle k has micro-vertex v
+  std::uint32_t turned = 0;           ///< bit k: micro-triangle k is turned, as seen from the node
+  /// The 30 edges, and two more of no micro-triangle, to fill vectors.  Bit k: micro-triangle k has the edge; from bit
+  /// 16 on, its first corner; from bit 24 on, its direction (SixteenShape); bits 20 to 23 are free.
   std::array<std::int32_t, 32> edges{};
 
   constexpr SixteenLanes() {
@@ -46,7 +46,7 @@ struct SixteenLanes {
       }
       micro_i[k] = static_cast<float>(low_i) / 4;
       micro_j[k] = static_cast<float>(low_j) / 4;
-      // Of (a, b) (a+1, b) (a, b+1), or of (a+1, b) (a, b+1) (a+1, b+1).
+      // An upright one has the corners (a, b) (a+1, b) (a, b+1), a turned one (a+1, b) (a, b+1) (a+1, b+1).
       if (i % 3 == 2) turned |= std::uint32_t{1} << k;
       centroid_i[k] = static_cast<float>(i) / 12;
       centroid_j[k] = static_cast<float>(j) / 12;

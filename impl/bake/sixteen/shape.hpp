@@ -1,8 +1,9 @@
-// What nodes of sixteen of one base triangle at one level have in common: they are one triangle, moved or
-// turned by half a circle, and so are their micro-triangles and their edges.  Internal to impl/bake.
+// The common geometry of nodes of sixteen of one base triangle at one level: they are one triangle, moved or turned by
+// half a circle, and so are their micro-triangles and their edges.  Internal to impl/bake.
 //
-// All of it is computed in binary64, from the base triangle's sides cut to a node's, which are off by less
-// than delta of impl/bake/judge/filter.hpp, and rounded once: what that makes of places is in impl/bake/sixteen/sixteen.hpp.
+// It is computed in binary64, from the base triangle's sides cut to a node's, which are off by less than delta of
+// impl/bake/judge/filter.hpp, and rounded once.  The errors that follow for places are in
+// impl/bake/sixteen/sixteen.hpp.
 #pragma once
 
 #include <algorithm>
@@ -18,17 +19,17 @@ namespace mmverify::impl::bake::detail {
 struct SixteenShape {
   std::array<float, 2> p01{}, p02{};  ///< x, y
   float threshold = 0, gap = 0, lean = 0, bound = 0, edge_bound = 0, beyond_bound = 0, delta = 0;
-  std::array<float, 3> slope{};  ///< of the lines A, B, C (impl/bake/plane/lines.hpp)
-  bool ab_left = false;          ///< of micro-triangles that are turned as the node is
+  std::array<float, 3> slope{};  ///< slopes of the lines A, B, C (impl/bake/plane/lines.hpp)
+  bool ab_left = false;          ///< for micro-triangles that are turned as the node is
   bool has_flat = false;
   bool clear = false;
 
-  /// A micro-triangle that is turned as the node is, (0, 0) (1, 0) (0, 1), or not, (1, 0) (0, 1) (1, 1), from
-  /// (0, 0): its box, grown by the margin; its rows, those beside a flat edge left out, and its columns, where
+  /// A micro-triangle that is turned as the node is, (0, 0) (1, 0) (0, 1), or not, (1, 0) (0, 1) (1, 1), counted from
+  /// (0, 0).  It has its box, grown by the margin; its rows without those beside a flat edge; and the columns where
   /// centres can be within.
-  /// Lines at row 0: `outside` by a margin and over a row, for cells; `at`, for centres.  With half a place
-  /// off them, or added, floor and the number after it are the nearest whole ones; so have first_column and
-  /// last_column.
+  /// Lines are at row 0: `outside` is moved out by a margin and over a row, for cells; `at` is for centres.  Half a
+  /// place is subtracted or added, so that floor and the number after it are the nearest whole ones; so it is in
+  /// first_column and last_column.
   struct Micro {
     float left, right, top, bottom, first_row, last_row, first_column, last_column;
     std::array<float, 3> outside, at;
@@ -39,18 +40,18 @@ struct SixteenShape {
   /// Whether a micro-triangle meets at most 4 rows and 4 columns of cells.
   bool is_small = false;
 
-  /// By direction: (1, 0), (0, 1) and (-1, 1) from an edge's first corner.
+  /// Values by direction: (1, 0), (0, 1) and (-1, 1) from an edge's first corner.
   using OfEdges = std::array<float, 4>;
-  /// 0 for an edge that does not go along the axis.
+  /// Steps of an edge, and 1 / step, or 0 if the edge does not go along the axis.
   alignas(16) OfEdges dx{}, dy{}, per_x{}, per_y{};
   /// The least and the greatest dx dy / 4, and 0.
   float least_bend = 0, most_bend = 0;
-  /// Their boxes, grown by the margin; slopes, 0 where they fall by less than a quarter of a texel; lines to
-  /// both sides at row 0, over a row, with half a place off them, or added.
+  /// Boxes of edges, grown by the margin; slopes, 0 for edges that fall by less than a quarter of a texel; lines to
+  /// both sides at row 0, moved out over a row, with half a place subtracted or added.
   alignas(16) OfEdges left{}, right{}, top{}, bottom{}, edge_slope{}, low{}, high{};
 
   SixteenShape() = default;
-  /// Of a node at p0, p0 + b, p0 + c; margin: of lines there.  No edges yet.
+  /// The shape, without edges yet, of a node at p0, p0 + b, p0 + c; margin: that of its lines.
   SixteenShape(PlanePoint b, PlanePoint c, const Lines& lines, bool turned, double margin) noexcept
       : p01{static_cast<float>(b.x), static_cast<float>(b.y)},
         p02{static_cast<float>(c.x), static_cast<float>(c.y)},
@@ -64,7 +65,7 @@ struct SixteenShape {
     is_small = micro[0].right - micro[0].left < 2.5f && micro[0].bottom - micro[0].top < 2.5f;
     if (is_small) take_micro(whole, {PlanePoint{0, 0}, b, c}, lines, ab_left, margin);
   }
-  /// Of the same node; off: what its corners in binary32 are off.
+  /// Adds the edges of the same node; off: the error of its corners in binary32.
   void take_edges(PlanePoint b, PlanePoint c, double off, double margin) noexcept {
     delta = static_cast<float>(off);
     take_edge(0, {b.x / 4, b.y / 4}, off, margin);
@@ -108,7 +109,7 @@ struct SixteenShape {
     right[e] = static_cast<float>(std::max(to.x, 0.0) + margin);
     top[e] = static_cast<float>(std::min(to.y, 0.0) - margin);
     bottom[e] = static_cast<float>(std::max(to.y, 0.0) + margin);
-    // A flat one's line is everywhere.
+    // The line of a flat edge bounds nothing.
     const bool is_flat = std::fabs(to.y) < 0.25;
     const double s = is_flat ? 0 : to.x / to.y, out = is_flat ? 1e6 : 16 * off * (1 + std::fabs(s));
     edge_slope[e] = static_cast<float>(s);

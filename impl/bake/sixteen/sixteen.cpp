@@ -16,9 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::bake::detail {
 namespace HWY_NAMESPACE {
 
-/// Which places, those of bits [k, k + lanes), are in cells that are not mixed, and of which mark.  With one
-/// limit, and where marks are clear, alpha there is beyond all bounds on that side.  Bits are near, texels
-/// may be far.
+/// The places of bits [k, k + lanes) in cells that are not mixed, and their marks.  With one limit, and if marks are
+/// clear, alpha there is beyond all bounds on that side.  Bits are in cache, texels may not be.
 struct Known {
   std::uint32_t places = 0, opaque = 0;
 };
@@ -35,13 +34,13 @@ HWY_INLINE Known known_by_cells(const SixteenInput& in, const Words& words, cons
   return {places, places & has(row.are)};
 }
 
-/// What those are that `asked` have for corners; micro-triangles by what all of their corners bear, and by
-/// what some do.
+/// The marks of `asked` micro-triangles from their corners: the marks of any corner, and the marks that no corner
+/// bears.
 struct CornerMarks {
   std::uint32_t below = 0, opaque = 0, no_below = 0, no_opaque = 0;
-  std::uint32_t one_no_below = 0, one_no_opaque = 0;  ///< what one of them does not
+  std::uint32_t one_no_below = 0, one_no_opaque = 0;  ///< marks that at least one corner certainly lacks
 };
-/// vertices: 1 below, 2 opaque, 4 no below, 8 no opaque.
+/// The bits of vertices: 1 below, 2 opaque, 4 no below, 8 no opaque.
 HWY_INLINE CornerMarks of_corners(const SixteenLanes::Ints& vertices, std::uint32_t asked) {
   CornerMarks marks;
   for (std::size_t k = 0; k < 16; k += hn::Lanes(F())) {
@@ -91,7 +90,7 @@ MMVERIFY_LARGE CornerMarks ask_corners(const SixteenInput& in, const Words& word
   return of_corners(vertices, asked);
 }
 
-/// How alpha leans at the centroids of `unknowns`.
+/// Writes how alpha leans at the centroids of `unknowns`.
 template <class Texel>
 MMVERIFY_LARGE void ask_centroids(const SixteenInput& in, const Words& words, std::uint32_t unknowns,
                                   SixteenMarks& marks) {
@@ -112,7 +111,7 @@ MMVERIFY_LARGE void ask_centroids(const SixteenInput& in, const Words& words, st
   }
 }
 
-/// What cells say, and which of those that meet mixed ones are left.
+/// Takes the marks from cells; returns the micro-triangles at mixed cells that still lack a mark.
 template <bool keeps>
 HWY_INLINE std::uint32_t take_cells(const SixteenInput& in, const Words& words, CellMarks& cells,
                                     MetCells& met, SixteenMarks& marks) {
@@ -128,14 +127,14 @@ HWY_INLINE std::uint32_t take_cells(const SixteenInput& in, const Words& words, 
   return judged & ~(marks.below & marks.opaque);
 }
 
-/// What some corners bear, those of `left`.
+/// Adds the marks of corners to the micro-triangles `left`, and removes those that now bear both.
 HWY_INLINE void take_corners(const CornerMarks& corners, std::uint32_t& left, SixteenMarks& marks) {
   marks.below |= corners.below & left;
   marks.opaque |= corners.opaque & left;
   left &= ~(marks.below & marks.opaque);
 }
 
-/// What edges bear; no_below, no_opaque: what nothing else does, beside the centres within.
+/// Adds the marks of edges; no_below, no_opaque: lacking the mark but for edges and the centres within.
 HWY_INLINE void take_edges(const EdgeMarks& edges, const CellMarks& cells, std::uint32_t no_below,
                            std::uint32_t no_opaque, std::uint32_t left, SixteenMarks& marks) {
   marks.below |= edges.below & left;
@@ -144,7 +143,7 @@ HWY_INLINE void take_edges(const EdgeMarks& edges, const CellMarks& cells, std::
   marks.lacks_opaque |= left & no_opaque & ~(marks.opaque | edges.perhaps_opaque | cells.perhaps);
 }
 
-/// By few cells.
+/// Judges a node that meets few mixed cells.
 template <class Texel>
 HWY_INLINE void judge_few(const SixteenInput& in, const Words& words, const FewCells& few,
                           SixteenMarks& marks) {
@@ -167,7 +166,7 @@ HWY_INLINE void judge_few(const SixteenInput& in, const Words& words, const FewC
   const EdgeMarks edges = ask_few_edges(in, alpha, found, left & ~marks.below, left & ~marks.opaque);
   take_edges(edges, cells, corners.one_no_below, corners.one_no_opaque, left, marks);
 }
-/// By any.
+/// Judges any node.
 template <class Texel>
 HWY_INLINE void judge_many(const SixteenInput& in, const Words& words, SixteenMarks& marks) {
   CellMarks cells;
@@ -208,7 +207,7 @@ HWY_INLINE void sixteen_of(const SixteenInput& window, std::span<const SixteenNo
                            SixteenMarks* marks) {
   const Words words(window);
   constexpr auto line = static_cast<std::int32_t>(64 / sizeof(Texel));
-  // Texels may be far; they are on their way while bits are looked at.
+  // Texels may be far: they are prefetched while bits are looked at.
   for (std::int32_t r = 0; r < window.rows; ++r) {
     const Texel* const row = static_cast<const Texel*>(window.texels) + std::ptrdiff_t{r} * window.pitch;
     if (words.is_small) {

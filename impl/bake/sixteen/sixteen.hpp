@@ -1,21 +1,18 @@
-// A node of sixteen micro-triangles at once, in binary32 and SIMD: what is certain of each.  Internal to
-// impl/bake.
+// A node of sixteen micro-triangles at once, in binary32 and SIMD: the certain marks of each.  Internal to impl/bake.
 //
-// Coordinates are local: texels from a whole texel near by, none beyond S <= 96 of it in size.  A
-// micro-vertex is
+// Coordinates are local: texels from a whole texel nearby, none beyond S <= 96 of it in size.  A micro-vertex is
 //   p0 + i/4 (p1 - p0) + j/4 (p2 - p0),   i + j <= 4
-// of a rounded corner and the base triangle's sides, cut to a node's and rounded; nine roundings of 2^-24 S
-// or less, those of p0, p1 - p0, p2 - p0 and of thirds among them, leave it, and a centroid, within 2^-20 S
-// of its place along either axis.  Another corner, or an end, taken from one by what all micro-triangles or
-// edges have in common (impl/bake/sixteen/shape.hpp), is off by no more: five of the nine are made. delta is that
-// and what coordinates in binary64 were off; T is a true triangle, T' the computed one, R as in
-// impl/bake/judge/filter.hpp.
+// of a rounded corner and the base triangle's sides, cut to a node's and rounded.  Nine roundings of 2^-24 S or less,
+// those of p0, p1 - p0, p2 - p0 and of thirds among them, leave it, and a centroid, within 2^-20 S of its place along
+// either axis.  Another corner, or an end, computed from it by the common shape (impl/bake/sixteen/shape.hpp), is off
+// by no more: five of the nine are made.  delta is 2^-20 S plus delta64, the error of coordinates in binary64.  T is a
+// true triangle, T' the computed one, R as in impl/bake/judge/filter.hpp.
 //
-// The latter is less than 2^-30, so that slopes (impl/bake/plane/lines.hpp) put no line off by more than 2^-21 (1 + |s|)
-// over the rows here.
+// delta64 is less than 2^-30, so that slopes (impl/bake/plane/lines.hpp) move no line by more than 2^-21 (1 + |s|) over
+// the rows here.
 //
-// A cell is mixed unless its four texels are all opaque, or none of them is visible (not transparent; with MASK
-// that is opaque): one that is not bears one mark, as only cells whose four texels differ hold a contour.
+// A cell is mixed unless its four texels are all opaque, or none of them is visible (not transparent; with MASK that is
+// opaque).  A cell that is not mixed bears one mark, since only cells whose four texels differ contain a contour.
 //
 //   cells    Every cell that T meets is in a row that T reaches and between the lines, a margin outside.  If no
 //            cell that may be met is mixed, all of T bears one mark: cells that share a corner share a texel.
@@ -26,22 +23,22 @@
 //            beyond bound = R (2 delta + 2^-19) its marks are certain.
 //   centres  between the lines, each off by less than 1.6 delta (1 + |s|) along x, and in T's rows and columns:
 //            within 1.6 delta of T along either axis, beside a flat edge twice that, so that g at a point of T
-//            differs by less than 6.4 R delta.  They count as seen where clear, the least that a texel is from
-//            its limit, is more than 8 R delta.  Those left out are within 3 delta of an edge, which speaks for
-//            them to within its bound.
-//   edges    What T bears it bears on an edge or at a centre within (impl/bake/exact/seen.hpp).  Along an
-//            edge, from the first corner on, a mark begins only in a mixed cell, since cells with a border in
-//            common share the texels that say what is on it.  So only mixed cells are asked: those within
-//            2^4 delta (1 + |s|) of the edge's line and 4 delta of its box; s is rounded once, off by less
-//            than 2^3 delta (1 + |s|) with what sides are off, where it falls by a quarter of a texel or
-//            more, and no line bounds it where it falls by less.
+//            differs by less than 6.4 R delta.  They count as seen if clear, the least distance of a texel from
+//            its limit, is more than 8 R delta.  Centres left out are within 3 delta of an edge, which bears
+//            their marks to within its bound.
+//   edges    Every mark of T is borne on an edge or at a centre within (impl/bake/exact/seen.hpp).  Along an
+//            edge, from the first corner on, a mark begins only in a mixed cell, since cells with a common
+//            border share the texels that decide alpha on it.  So only mixed cells are judged: those within
+//            2^4 delta (1 + |s|) of the edge's line and 4 delta of its box.  s is rounded once and off by less
+//            than 2^3 delta (1 + |s|) with the sides' errors, if the edge falls by a quarter of a texel or
+//            more; if it falls by less, no line bounds it.
 //   pieces   The edge is P + t (Q - P), t from where it enters the cell, grown to every side, to where it
 //            leaves it, so that all t of the true edge in the true cell are among them.  There the cell's own
 //            alpha a + bx + cy + dxy is least and greatest at an end or where it stands still
 //            (impl/bake/judge/filter.hpp, walked()).  A cell's own alpha is off g by less than 12 R delta, the
 //            true edge's by 2 R delta more, and roundings are less than 2^-18 R: less than
 //            edge_bound = R (24 delta + 2^-17).
-// What neither a corner, nor a piece, nor a centre within bears, T does not.
+// A mark that neither a corner, nor a piece, nor a centre within bears, T lacks.
 //
 // Micro-triangles less than 2.5 texels wide and high, which meet few mixed cells, need no pieces for most:
 //   beyond   Each mixed cell's own alpha g_C = a + bx + cy + dxy is continued beyond it over all of T.  It is
@@ -52,18 +49,18 @@
 //            6 R a texel along either axis: corners are off by 12 R delta, K / 4 by 5 R delta, and roundings
 //            of values below 2^5 R are less than 2^-15 R: less than
 //            beyond_bound = R (2^5 delta + 2^-14).
-//            Where g_C is beyond that in each mixed cell that T may meet, T's part in these lacks a mark. The
+//            If g_C is beyond that in each mixed cell that T may meet, T's part in these lacks a mark.  The
 //            rest of T is in cells of one mark each: were some of them of the mark lacked, T would be two
-//            closed sets without a common point, but T is connected; so if a corner lacks it, too, all of T
-//            does.  Cells that T only seems to meet may keep this from being said, and make nothing wrong.
-//   single   A cell where g_C is not is asked by itself.  T's part in it is bounded by pieces of T's edges and
+//            closed sets without a common point, but T is connected.  So if a corner lacks it, too, all of T
+//            does.  Cells that T only seems to meet may keep this from being found, and make nothing wrong.
+//   single   A cell where g_C is not beyond is judged alone.  T's part in it is bounded by pieces of T's edges and
 //            of the cell's own; one bilinear alpha is least and greatest there, and on the cell's own edges
 //            where their pieces end: at a centre, or on an edge of T.  If neither a piece of T's edges in
 //            that cell bears the mark, nor a centre within, T's part in it lacks it, as if g_C were beyond.
-//            A mark that T is known to bear is not asked for.
-//   places   A micro-vertex, or centroid, more than 2 delta from its cell's border is truly in it: if that is
-//            not mixed, it bears what the cell's texels do.  Nearer it does where, with one limit, clear is
-//            more than 8 R delta: alpha of the cell is that far from the limit, and differs by 2 R delta.
+// A mark that T is known to bear is not looked for.
+//   places   A micro-vertex, or centroid, more than 2 delta from its cell's border is truly in it: if the cell is
+//            not mixed, the place bears its texels' mark.  Nearer it does if, with one limit, clear is more than
+//            8 R delta: alpha of the cell is that far from the limit, and differs by 2 R delta.
 #pragma once
 
 #include <array>
@@ -80,41 +77,41 @@ inline constexpr std::int64_t sixteen_window = 96;
 
 struct SixteenInput {
   const SixteenShape* shape;
-  /// That at the local origin; what is 4 bytes from those asked for can be read.
+  /// The texel at the local origin; 4 bytes from each texel of the window on can be read.
   const void* texels;
   std::int32_t pitch;
-  std::int32_t columns, rows;  ///< of texels in the window
+  std::int32_t columns, rows;  ///< texels in the window
   std::array<float, 2> p0;     ///< x, y
-  /// Words of a plane (impl/bake/texture/plane.hpp): row 0 of the strip that column 0 is in, at `bit`; visible is opaque
-  /// with MASK.
+  /// Words of a plane (impl/bake/texture/plane.hpp): row 0 of the strip of column 0, at `bit`.  visible is opaque with
+  /// MASK.
   const std::uint32_t *opaque, *visible;
   std::size_t strip;
   std::uint32_t bit;
 };
 
-/// Bit k of each: micro-triangle k of the sixteen.
+/// Marks of micro-triangles: bit k for micro-triangle k of the sixteen.
 struct SixteenMarks {
-  std::uint32_t below = 0, opaque = 0;              ///< certain
-  std::uint32_t lacks_below = 0, lacks_opaque = 0;  ///< certainly no alpha of it bears the mark
-  std::uint32_t by_texels = 0;                      ///< of these, those whose texels said so
-  std::uint32_t leans_to_opaque = 0, leans = 0;     ///< of those that bear both, how; that it is certain
-  std::uint32_t leaves = 0;                         ///< how many are decided, and not by texels
+  std::uint32_t below = 0, opaque = 0;              ///< certain marks
+  std::uint32_t lacks_below = 0, lacks_opaque = 0;  ///< no alpha of it bears the mark, certainly
+  std::uint32_t by_texels = 0;                      ///< those of them that texels alone decided
+  std::uint32_t leans_to_opaque = 0, leans = 0;     ///< the centroid leans to opaque; its lean is certain
+  std::uint32_t leaves = 0;                         ///< number of micro-triangles decided, and not by texels
 };
 
-/// Of sixteen nodes, the parts of a larger one as micro-triangles are: those that meet no mixed cell.
+/// Marks of sixteen nodes, which are the parts of a larger one as micro-triangles are: those that meet no mixed cell.
 struct SixteenNodes {
   bool known = false;
   std::uint32_t of_one_mark = 0, opaque = 0;
 };
-/// No texel is read.
+/// The marks of sixteen nodes from bits alone; no texel is read.
 SixteenNodes sixteen_nodes(const SixteenInput& input);
 
-/// One of several nodes in a window: what else the input's shape and p0 say.
+/// One of several nodes in a window; it replaces the input's shape and p0.
 struct SixteenNode {
   const SixteenShape* shape;
   std::array<float, 2> p0;
 };
-/// marks[n] of nodes[n].
+/// Writes the marks of nodes[n] to marks[n].
 /// Texel: std::uint8_t or std::uint16_t.
 template <class Texel>
 void sixteen(const SixteenInput& input, std::span<const SixteenNode> nodes, SixteenMarks* marks);

@@ -1,4 +1,4 @@
-// What a node of sixteen is made of, in vectors (impl/bake/sixteen/sixteen.cpp).  Compiled once for each target.
+// Vectors, cells and places of a node of sixteen (impl/bake/sixteen/sixteen.cpp).  Compiled once for each target.
 #include <hwy/highway.h>
 
 #include "impl/bake/sixteen/lanes.hpp"
@@ -26,7 +26,7 @@ using Mask = hn::Mask<F>;
 using Int = hn::Vec<I>;
 using Table = SixteenLanes::Floats;
 
-/// Vectors that sixteen take.
+/// The number of vectors that sixteen numbers take.
 constexpr std::size_t parts = 16 / hn::MaxLanes(F());
 using Floats = std::array<Float, parts>;
 using Ints = std::array<Int, parts>;
@@ -35,7 +35,7 @@ using Ints = std::array<Int, parts>;
 // Vectors
 // ---------------------------------------------------------------------------------------------------------------------
 
-// Large functions: under sanitizers a compiler would take minutes over all of them in one.
+// Large functions are not inlined under sanitizers, where a compiler would take minutes over all of them in one.
 #undef MMVERIFY_LARGE
 #define MMVERIFY_LARGE HWY_INLINE
 #ifdef __has_feature
@@ -48,16 +48,15 @@ using Ints = std::array<Int, parts>;
 HWY_INLINE Float set(float x) { return hn::Set(F(), x); }
 HWY_INLINE Int set(std::int32_t x) { return hn::Set(I(), x); }
 
-/// To the nearest whole number, of two equally near ones the even one: in the low bits of a float so large
-/// that it has no others.  A conversion would have to think of numbers that are too large. Domain: |x| <
-/// 2^22.
+/// The nearest whole number, the even one of two equally near, from the low bits of a float so large that it has no
+/// others.  A conversion would also handle numbers that are too large.  Domain: |x| < 2^22.
 constexpr float whole_only = 0x1.8p23f;
 constexpr std::int32_t whole_only_bits = 0x4b400000;
 HWY_INLINE Int nearest(Float x) {
   return hn::Sub(hn::BitCast(I(), hn::Add(x, set(whole_only))), set(whole_only_bits));
 }
-/// floor; of a whole number, or one that is off it by a rounding, perhaps the one below or above: what is
-/// asked here is beyond a margin, or a cell's coordinate, 0 or 1 of which are one place.
+/// floor; of a whole number, or one within a rounding of it, perhaps the number below or above.  That is harmless:
+/// results here have a margin, or are a cell's coordinate, where 0 and 1 of neighbours are one place.
 HWY_INLINE Int floored(Float x) { return nearest(hn::Sub(x, set(0.5f))); }
 
 /// table[at].  Domain: at in [0, 16).
@@ -69,7 +68,7 @@ HWY_INLINE hn::Vec<D> among(D d, const Value* table, Int at) {
   return hn::GatherIndex(d, table, at);
 #endif
 }
-/// Domain: at in [0, 32).
+/// rows[at].  Domain: at in [0, 32).
 HWY_INLINE Int among_rows(const std::uint32_t* rows, Int at) {
   const auto* const table = reinterpret_cast<const std::int32_t*>(rows);
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
@@ -79,7 +78,7 @@ HWY_INLINE Int among_rows(const std::uint32_t* rows, Int at) {
 #endif
 }
 
-/// Of edges, by their directions.
+/// A table lookup of edges by their directions.
 class Directions {
  public:
   HWY_INLINE explicit Directions(Int of)
@@ -119,7 +118,7 @@ HWY_INLINE std::uint32_t zeros_of(Int x, std::size_t k) {
   return bits_of(hn::RebindMask(F(), hn::Eq(x, set(0))), k);
 }
 
-/// All bits of all lanes.
+/// The bits that any lane has.
 HWY_INLINE std::uint32_t any_of(Int x) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
   return static_cast<std::uint32_t>(_mm512_reduce_or_epi32(x.raw));
@@ -132,7 +131,7 @@ HWY_INLINE std::uint32_t any_of(Int x) {
 #endif
 }
 
-/// Lane l: bit k + l.
+/// The mask whose lane l is bit k + l.
 HWY_INLINE Mask mask_of(std::uint32_t bits, std::size_t k) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
   return Mask{static_cast<__mmask16>(bits >> k)};
@@ -141,12 +140,12 @@ HWY_INLINE Mask mask_of(std::uint32_t bits, std::size_t k) {
   return hn::RebindMask(F(), hn::Eq(hn::And(lanes, set(1)), set(1)));
 #endif
 }
-/// Where x has any of the bits.
+/// The lanes in which x has any of the bits.
 HWY_INLINE Mask have_any(Int x, std::uint32_t bits) {
   return hn::RebindMask(F(), hn::Ne(hn::And(x, set(static_cast<std::int32_t>(bits))), set(0)));
 }
 
-/// alpha = a + fx right + fy (below + fx twist), stored, of one cell.
+/// The stored alpha of one cell, a + fx right + fy (below + fx twist).
 struct Cell {
   Float a, right, below, twist;
 
@@ -171,7 +170,7 @@ HWY_INLINE Cell cell(const SixteenInput& in, Int i, Int j) {
           hn::ConvertTo(F(), twist)};
 }
 
-/// A place's cell, and its place in it.
+/// The cell of a place, and its coordinates within the cell.
 struct Located {
   Int i, j;
   Float x, y;
@@ -188,7 +187,7 @@ template <class Texel>
 HWY_INLINE Float sampled(const SixteenInput& in, const Located& at) {
   return hn::Sub(cell<Texel>(in, at.i, at.j).at(at.x, at.y), set(in.shape->threshold));
 }
-/// g at those places that are wanted; the others read one texel, which costs less than many.
+/// g at the wanted places; the other lanes read one common texel, which costs less.
 template <class Texel>
 HWY_INLINE Float sampled(const SixteenInput& in, Located at, Mask wanted) {
   const auto is_wanted = hn::RebindMask(I(), wanted);
@@ -197,7 +196,7 @@ HWY_INLINE Float sampled(const SixteenInput& in, Located at, Mask wanted) {
   return sampled<Texel>(in, at);
 }
 
-/// p0 + i p01 + j p02, along an axis.
+/// The coordinate p0 + i p01 + j p02 along an axis.
 HWY_INLINE Float place(const SixteenInput& in, std::size_t axis, Float i, Float j) {
   return hn::MulAdd(j, set(in.shape->p02[axis]), hn::MulAdd(i, set(in.shape->p01[axis]), set(in.p0[axis])));
 }

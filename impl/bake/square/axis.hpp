@@ -1,4 +1,4 @@
-// Where the edges of regions fall among the centres of texels, along one axis.  Internal to impl/bake.
+// The positions of regions' edges among the centres of texels, along one axis.  Internal to impl/bake.
 //
 // Positions are whole multiples of 1/D texel, D = 2 side, counted from the centre of texel 0: the edge i of a
 // box's `side` regions is at D x + 2 i width - side, the centre of texel k at D k.
@@ -27,14 +27,14 @@ constexpr Between between(std::int64_t position, std::int64_t unit) noexcept {
 }
 
 struct Axis {
-  std::int64_t d;      ///< D
-  std::int64_t step;   ///< of the edges: 2 width
-  std::int64_t first;  ///< edge 0
+  std::int64_t d;      ///< D, the unit: positions are multiples of 1/D texel
+  std::int64_t step;   ///< distance of edges: 2 width
+  std::int64_t first;  ///< position of edge 0
   std::int64_t texels;
 
-  std::vector<Between> edges;  ///< each of them among the centres: divided once, asked in every row
+  std::vector<Between> edges;  ///< edges among the centres: divided once, used in every row
 
-  /// Of `side` regions of the texels [begin, begin + size) among `all`.
+  /// The axis of `side` regions over the texels [begin, begin + size) of `all`.
   Axis(std::uint32_t begin, std::uint32_t size, std::uint32_t all, std::uint32_t side)
       : d(2 * std::int64_t{side}), step(2 * std::int64_t{size}), first(d * begin - side), texels(all) {
     for (std::int64_t i = 0; i <= side; ++i) edges.push_back(between(edge(i), d));
@@ -45,7 +45,7 @@ struct Axis {
   /// The texels whose centres lie in region i, less those on its low edge (the edge's own points), are
   /// [centres(i), centres(i + 1)).
   std::int64_t centres(std::int64_t i) const noexcept { return at_edge(i).k + 1; }
-  /// Clamp to edge.
+  /// The index clamped to the texture's edge.
   std::int64_t wrapped(std::int64_t k) const noexcept { return std::clamp<std::int64_t>(k, 0, texels - 1); }
 };
 

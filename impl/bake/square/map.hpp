@@ -1,8 +1,8 @@
 // Maps of a box of a texture (impl/bake/bake.hpp): the exact state of each of side x side regions, or of their
 // halves.
 //
-// A region, or half, is O where alpha >= cutoff on all of it, edges included, T where alpha < cutoff on all
-// of it, else C. So regions that share a point are never O and T.
+// A region, or half, is O if alpha >= cutoff on all of it, edges included, T if alpha < cutoff on all of it, else C.
+// So regions that share a point are never O and T.
 //
 // Axes: the map's y counts from the BOTTOM (impl/vq/vq.hpp), the texture's rows from the top. Region (0, 0) is
 // the box's lower left; the region of column i and, from the top, row j is [x + width i/side, x + width
@@ -22,17 +22,17 @@ namespace mmverify::impl::bake {
 /// The largest number of regions along a side, for which all integers below stay in 64 bits.
 inline constexpr std::uint32_t max_side = 256;
 
-/// states[x + side y] of region (x, y).  Exact, in integers.
+/// Writes the state of region (x, y) to states[x + side y].  Exact, in integers.
 /// Domain: the box lies in the texture and is not empty; side in 1..max_side; states.size() = side^2.
-/// Errors: std::invalid_argument where that does not hold.
+/// Errors: std::invalid_argument outside the domain.
 void square_map(const AlphaView& texture, const Box& box, Cutoff cutoff, std::uint32_t side,
                 std::span<vq::State> states);
 
-/// The same, where each region is cut in two by the diagonal from its upper left to its lower right, as
-/// subdivision cuts the two triangles (0,0) (1,0) (0,1) and (1,1) (0,1) (1,0) of the map's unit square: for
-/// side = 2^n the 2 4^n micro-triangles of both at level n.
-///   states[2 (x + side y)] of the lower left half of region (x, y), and [... + 1] of the upper right
-/// Domain and errors as above, but states.size() = 2 side^2.
+/// Writes the states of the halves of regions, cut by the diagonal from upper left to lower right, as subdivision cuts
+/// the triangles (0,0) (1,0) (0,1) and (1,1) (0,1) (1,0) of the map's unit square: for side = 2^n the 2 4^n
+/// micro-triangles of both at level n.
+///   states[2 (x + side y)] is the lower left half of region (x, y), and [... + 1] the upper right
+/// Domain, errors: as square_map(), but states.size() = 2 side^2.
 void triangle_map(const AlphaView& texture, const Box& box, Cutoff cutoff, std::uint32_t side,
                   std::span<vq::State> states);
 

@@ -1,4 +1,4 @@
-// Which sides of the cutoff alpha is on, at points and over spans.  Internal to impl/bake.
+// The marks of alpha at points and over spans.  Internal to impl/bake.
 //
 // No integer overflows: with width, height <= 2^14, side <= 2^8 and so D <= 2^9, and cutoff =
 // numerator/denominator below 2^32/2^32,
@@ -21,7 +21,7 @@
 
 namespace mmverify::impl::bake::detail {
 
-/// Domain: something has been seen.
+/// The state of a region with these marks.  Domain: marks is not 0.
 constexpr vq::State state_of(Marks marks) noexcept {
   return marks == both ? vq::State::C : marks == opaque ? vq::State::O : vq::State::T;
 }
@@ -30,7 +30,7 @@ struct Sampler {
   const AlphaView& texture;
   Cutoff cutoff;
   Axis across, down;
-  /// Bytes from here on are opaque; 256 if none is.
+  /// The least opaque byte; 256 if none is opaque.
   std::int64_t least_opaque = 0;
 
   Sampler(const AlphaView& t, const Box& box, Cutoff c, std::uint32_t side)
@@ -46,12 +46,12 @@ struct Sampler {
   }
   std::int64_t byte(std::int64_t x, std::int64_t y) const noexcept { return row(y)[across.wrapped(x)]; }
 
-  /// Of alpha = value / (255 unit).
+  /// The mark of alpha = value / (255 unit).
   Marks mark(std::int64_t value, std::int64_t unit) const noexcept {
     return value * cutoff.denominator >= 255 * unit * cutoff.numerator ? opaque : below;
   }
 
-  /// Of the texels [begin, end) of a row, all of them real.
+  /// The marks of the texels [begin, end) of a row.  Domain: all of them are in the texture.
   Marks span(const std::uint8_t* of, std::int64_t begin, std::int64_t end) const noexcept {
     if (begin >= end) return 0;
     std::uint8_t least = 255, greatest = 0;
@@ -62,15 +62,15 @@ struct Sampler {
     return static_cast<Marks>((least < least_opaque ? below : 0) | (greatest >= least_opaque ? opaque : 0));
   }
 
-  /// On the row of centres y, f/unit of the way from texel k to k + 1.
+  /// The mark on the row of centres y, f/unit of the way from texel k to k + 1.
   Marks on_row(Between x, std::int64_t unit, std::int64_t y) const noexcept {
     return mark(byte(x.k, y) * (unit - x.f) + byte(x.k + 1, y) * x.f, unit);
   }
-  /// On the column of centres x.
+  /// The mark on the column of centres x, f/unit of the way from texel k to k + 1.
   Marks on_column(std::int64_t x, Between y, std::int64_t unit) const noexcept {
     return mark(byte(x, y.k) * (unit - y.f) + byte(x, y.k + 1) * y.f, unit);
   }
-  /// Where edge i across meets edge j down.
+  /// The mark where edge i across meets edge j down.
   Marks corner(std::int64_t i, std::int64_t j) const noexcept {
     const Between &x = across.at_edge(i), &y = down.at_edge(j);
     const std::int64_t d = across.d;
@@ -79,8 +79,7 @@ struct Sampler {
   }
 };
 
-/// Throws std::invalid_argument unless the box is in the texture, the side in 1..max_side and so many states
-/// are asked for.
+/// Throws std::invalid_argument unless the box is in the texture, the side in 1..max_side and states = expected.
 void check(const AlphaView& texture, const Box& box, Cutoff cutoff, std::uint32_t side, std::size_t states,
            std::size_t expected);
 

@@ -32,7 +32,7 @@ class Regions {
   bool outside(std::int64_t i, std::int64_t j) const noexcept {
     return i < 0 || i >= side_ || j < 0 || j >= side_;
   }
-  /// Nothing more can change it.
+  /// Whether nothing more can change the region's state.
   bool known_code(std::int64_t i, std::int64_t j) const noexcept { return outside(i, j) || at(i, j) == both; }
   void take(std::int64_t i, std::int64_t j, Marks marks) noexcept {
     if (outside(i, j)) return;
@@ -40,7 +40,7 @@ class Regions {
     all = static_cast<Marks>(all | marks);
   }
 
-  /// A row of centres within the regions of row j.
+  /// Takes a row of centres within the regions of row j.
   void texel_row(std::int64_t j, std::int64_t y) noexcept {
     const std::uint8_t* const row = s_.row(y);
     for (std::int64_t i = 0; i < side_; ++i)
@@ -53,7 +53,7 @@ class Regions {
     }
   }
 
-  /// Edge j, between the regions of rows j - 1 and j.
+  /// Takes edge j, between the regions of rows j - 1 and j.
   void edge_row(std::int64_t j) noexcept {
     const Between y = s_.down.at_edge(j);
     for (std::int64_t i = 0; i < side_; ++i)

@@ -6,11 +6,11 @@ namespace {
 
 using namespace detail;
 
-// Not ISO C++, but both compilers of this project have it.
+// __int128 is not ISO C++, but both compilers of this project have it.
 __extension__ typedef __int128 Wide;
 
-/// The halves of region (i, j), j from the top.  As in a square map, but a piece may have a slanted edge, on
-/// the diagonal. Along that, alpha is a quadratic, so that beside the corners of the pieces its turning
+/// The marks of the halves of region (i, j), j from the top.  As in a square map, but a piece may have a slanted edge,
+/// on the diagonal.  Along that, alpha is a quadratic, so its turning point counts beside the corners of the pieces.
 /// points count.
 class Halves {
  public:
@@ -33,7 +33,7 @@ class Halves {
     upper = static_cast<Marks>(upper | m);
   }
 
-  /// The diagonal at a position down the texture, in units of 1/(D height) texel across; and the other way.
+  /// The diagonal's x at a position down the texture, in units of 1/(D height) texel; and its y at a position across.
   Between across_at(std::int64_t y) const noexcept {
     return between(s_.across.edge(i_) * height_ + (y - s_.down.edge(j_)) * width_, s_.across.d * height_);
   }
@@ -41,7 +41,7 @@ class Halves {
     return between(s_.down.edge(j_) * width_ + (x - s_.across.edge(i_)) * height_, s_.down.d * width_);
   }
 
-  /// The rows of centres: what they cross, and the centres to either side of the diagonal.
+  /// Takes the rows of centres: the edges and the diagonal where they cross, and the centres on either side of it.
   void centres_and_rows() noexcept {
     const std::int64_t d = s_.across.d, begin = s_.across.centres(i_), end = s_.across.centres(i_ + 1);
     for (std::int64_t y = s_.down.centres(j_); y < s_.down.centres(j_ + 1); ++y) {
@@ -57,7 +57,7 @@ class Halves {
     }
   }
 
-  /// What the columns of centres cross.
+  /// Takes the columns of centres: the edges and the diagonal where they cross.
   void columns() noexcept {
     const std::int64_t d = s_.down.d;
     const Between top = s_.down.at_edge(j_), bottom = s_.down.at_edge(j_ + 1);
@@ -68,7 +68,7 @@ class Halves {
     }
   }
 
-  /// Of every cell that the diagonal visits.
+  /// Takes the turning point in every cell that the diagonal visits.
   void turning_points() noexcept {
     const std::int64_t d = s_.down.d, begin = s_.down.edge(j_), end = s_.down.edge(j_ + 1);
     for (std::int64_t y = s_.down.at_edge(j_).k; y <= s_.down.at_edge(j_ + 1).k; ++y) {
@@ -77,15 +77,15 @@ class Halves {
     }
   }
 
-  /// Of the cell between the centres (x, y) and (x+1, y+1).  With X, Y from its least corner in units of 1/D,
+  /// Takes the turning point in the cell between the centres (x, y) and (x+1, y+1), X, Y from its least corner in 1/D:
   ///   255 D^2 alpha = a D^2 + b D X + c D Y + e X Y,   (X, Y) = (X0, Y0) + t (2 width, 2 height)
   ///                 = m + l t + k t^2,   whose turning point is at t = -l/2k and has the value m - l^2/4k.
-  /// |X0|, |Y0| < 2^16, as the cell meets the region, so k < 2^39, l < 2^42, m < 2^42: 4km, l^2 < 2^84, times
-  /// a denominator < 2^116.
+  /// |X0|, |Y0| < 2^16, as the cell meets the region, so k < 2^39, l < 2^42, m < 2^42: 4km, l^2 < 2^84, times a
+  /// denominator < 2^116.
   void turning_point(std::int64_t x, std::int64_t y) noexcept {
     const std::int64_t a = s_.byte(x, y), right = s_.byte(x + 1, y), down = s_.byte(x, y + 1),
                        far = s_.byte(x + 1, y + 1);
-    // Bilinear alpha is a mean of the four: where they agree, so does it, and the corners have said so.
+    // Bilinear alpha is a mean of the four: if they agree, so does it, and the corners have marked it.
     const int opaque_ones = (a >= s_.least_opaque) + (right >= s_.least_opaque) + (down >= s_.least_opaque) +
                             (far >= s_.least_opaque);
     if (opaque_ones == 0 || opaque_ones == 4) return;
@@ -98,7 +98,7 @@ class Halves {
                  m = d * (a * d + b * x0 + c * y0) + e * x0 * y0;
     const bool least = k > 0;
     if (!least) k = -k, l = -l, m = -m;
-    // In the closed cell and on the diagonal, all times 2k.
+    // The turning point must lie in the closed cell and on the diagonal; all is times 2k.
     const Wide two_k = Wide(2) * k, at_x = two_k * x0 - Wide(l) * dx, at_y = two_k * y0 - Wide(l) * dy;
     if (l > 0 || -l > two_k || at_x < 0 || at_x > two_k * d || at_y < 0 || at_y > two_k * d) return;
     Wide value = 2 * two_k * m - Wide(l) * l;

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Domain: least is a Texel.
+/// Sets bit x of bytes if row[x] >= least.  Domain: least is a Texel.
 template <class Texel>
 HWY_INLINE void compare(const Texel* row, std::size_t width, Texel least, std::uint8_t* bytes) {
 #if HWY_TARGET == HWY_SCALAR
@@ -29,7 +29,7 @@ HWY_INLINE void compare(const Texel* row, std::size_t width, Texel least, std::u
   const hn::ScalableTag<Texel> d;
   const std::size_t lanes = hn::Lanes(d);
   static_assert(hn::MaxLanes(hn::ScalableTag<Texel>()) >= 8);
-  // Where the greater of the two is the texel; unsigned numbers are not compared otherwise on all targets.
+  // A texel is at least the limit if it is the greater of the two; not all targets compare unsigned numbers otherwise.
   const auto marked = [&d, limit = hn::Set(d, least)](const Texel* from) HWY_ATTR {
     const auto texels = hn::LoadU(d, from);
     return hn::Eq(hn::Max(texels, limit), texels);

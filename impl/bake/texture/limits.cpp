@@ -7,7 +7,7 @@
 namespace mmverify::impl::bake::detail {
 namespace {
 
-/// n / d in lowest terms, of whole numbers.
+/// The fraction n / d of whole numbers, in lowest terms.
 struct Fraction {
   Binary n, d;
 };

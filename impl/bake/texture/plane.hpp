@@ -1,10 +1,10 @@
-// Which texels have a property: for any rectangle, whether some have it and whether some have not.  Internal
-// to impl/bake.
+// Texels with a property: for any rectangle, whether some texel has it, and whether some has not.  Internal to
+// impl/bake.
 //
-// Texels are bits, twice over: in tiles of 8x8 of a word each, of which rows of bits say which hold some and
-// which hold nothing else; and in strips 32 texels wide, a word a row, the rows of a strip one after another,
-// so that a vector of rows is one load.  A megabyte of texels takes 270 kB, which stays in a cache where
-// their sums would not.
+// Texels are bits, stored twice.  Tiles of 8x8 texels are a word each; rows of bits say which tiles have some such
+// texel, and which have others.  Strips are 32 texels wide, a word a row, the rows of a strip one after another, so
+// that a vector of rows is one load.  A megabyte of texels takes 270 kB, which stays in a cache where their sums would
+// not.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class Plane {
  public:
   Plane() = default;
 
-  /// `pack(y, bytes)`: sets bit x of bytes where texel (x, y) has it; it may write bits_slack beyond.
+  /// `pack(y, bytes)` sets bit x of bytes if texel (x, y) has the property; it may write bits_slack bytes beyond.
   /// Domain: 1..16384 a side.
   template <class Pack>
   Plane(std::uint32_t width, std::uint32_t height, Pack pack)
@@ -64,8 +64,8 @@ class Plane {
     }
   }
 
-  /// Texels [32 k, 32 k + 32) of row y, the lowest bits first, are word y + strip k.  Those beyond the row's
-  /// end mean nothing; rows_beyond more than there are, and one strip more, can be read.
+  /// The texels [32 k, 32 k + 32) of row y, the lowest bits first, are word y + strip k.  Bits beyond the row's end
+  /// mean nothing.  One strip more can be read, and rows_beyond rows more.
   const std::uint32_t* strips() const noexcept { return strips_.data(); }
   std::size_t strip() const noexcept { return strip_; }
   static constexpr std::size_t rows_beyond = 32;
@@ -73,7 +73,7 @@ class Plane {
   struct Found {
     bool some, some_not;
   };
-  /// Of the texels [left, right] x [top, bottom], ends included, all within the texture.
+  /// Looks at the texels [left, right] x [top, bottom], ends included.  Domain: all of them are in the texture.
   Found in(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
     const auto l = static_cast<std::size_t>(left), r = static_cast<std::size_t>(right),
                t = static_cast<std::size_t>(top), b = static_cast<std::size_t>(bottom);
@@ -111,7 +111,7 @@ class Plane {
   static std::uint64_t rows(std::size_t from, std::size_t to) noexcept {
     return (~std::uint64_t{0} << (8 * from)) & (~std::uint64_t{0} >> (56 - 8 * to));
   }
-  /// Byte i of word j becomes byte j of word i: blocks of four bytes, of two, of one change places.
+  /// Byte i of word j becomes byte j of word i: blocks of four bytes, then of two, of one change places.
   static void transpose(std::array<std::uint64_t, 8>& words) noexcept {
     for (const auto& [step, mask] : {std::pair<std::size_t, std::uint64_t>{4, 0xffffffff},
                                      {2, 0x0000ffff0000ffff},
@@ -123,7 +123,7 @@ class Plane {
         words[k] ^= changed << (8 * step);
       }
   }
-  /// Of the tiles [from, end) of a row.  Domain: from < end.
+  /// Adds the tiles [from, end) of a row.  Domain: from < end.
   void whole_tiles(std::size_t row, std::size_t from, std::size_t end, std::uint64_t& have,
                    std::uint64_t& have_not) const noexcept {
     for (std::size_t word = from / 64; word <= (end - 1) / 64; ++word) {
@@ -136,10 +136,10 @@ class Plane {
   }
 
   std::size_t tiles_across_ = 0, words_ = 0, strip_ = 0;
-  /// Tile (i, j) at i + tiles_across j; texel (x, y) of it is bit x + 8 y.
+  /// Tile (i, j) is tiles_[i + tiles_across j]; texel (x, y) of it is bit x + 8 y.
   std::vector<std::uint64_t> tiles_;
   std::vector<std::uint32_t> strips_;
-  /// Bit i of row j, words_ to a row: whether tile (i, j) has some that have it; and some that have not.
+  /// Bit i of row j, words_ to a row: whether tile (i, j) has texels with the property; and whether it has others.
   std::vector<std::uint64_t> some_, some_not_;
 };
 

@@ -11,14 +11,14 @@
 namespace mmverify::impl::bake::detail {
 namespace {
 
-/// Stored numbers in their order, and what is known of all of one kind.
+/// The stored numbers of a type of texel, in their order.
 template <class Texel>
 struct Kind {
   static constexpr std::int64_t first = 0, last = std::numeric_limits<Texel>::max();
   static std::int32_t number(std::int64_t k) noexcept { return static_cast<std::int32_t>(k); }
   static Binary stored(std::int64_t k) noexcept { return {k, 0}; }
 };
-/// Those of one size and two signs are k and -k.
+/// Floats are ordered so that k and -k have one size and two signs.
 template <>
 struct Kind<float> {
   static constexpr std::int64_t first = -0x7f7fffff, last = 0x7f7fffff;
@@ -29,7 +29,7 @@ struct Kind<float> {
   static Binary stored(std::int64_t k) noexcept { return binary(number(k)); }
 };
 
-/// The least stored number that is opaque; one more than the last if none is: heights rise with it.
+/// The least opaque stored number; one more than the last if none is opaque.  Heights rise with the number.
 template <class Texel>
 auto least_opaque(const Limits& limits) {
   constexpr int finest = -149;
@@ -45,7 +45,7 @@ auto least_opaque(const Limits& limits) {
   return Kind<Texel>::number(low);
 }
 
-/// Where opaque begins, rounded; infinite where the slope is 0.
+/// The stored number at which opaque begins, rounded; infinite if the slope is 0.
 double threshold_of(const Limit& l) noexcept {
   double slope = 1;
   for (const Binary& b : l.slope) slope *= rounded(b);
@@ -98,7 +98,7 @@ TexturePropertiesOf<Texel>::TexturePropertiesOf(const TexelView<Texel>& texture,
   threshold = std::clamp(threshold, -2 * scale, 2 * scale);
   gap = limits.blend && visible ? threshold : 0;
 
-  // Of rows of texels from `from` on; of none where `from` is beyond them.
+  // The plane of texels that are at least `from`.
   const auto plane = [&texture](auto from) {
     return Plane(texture.width, texture.height, [&](std::uint32_t j, std::uint8_t* bytes) {
       const Texel* const row = texture.texels + j * texture.pitch;
@@ -113,7 +113,7 @@ TexturePropertiesOf<Texel>::TexturePropertiesOf(const TexelView<Texel>& texture,
   };
   opaque_ = plane(least);
   if (limits.blend) {
-    // The least that is more than 0.
+    // Visible texels are at least the least number above 0.
     if constexpr (std::is_same_v<Texel, float>)
       visible_ = plane(visible ? std::numeric_limits<float>::denorm_min() : HUGE_VALF);
     else

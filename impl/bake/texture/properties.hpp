@@ -1,5 +1,5 @@
-// A texture by what its texels say: for any rectangle of wrapped texels, whether some are not opaque and
-// whether some are not transparent.  Internal to impl/bake.
+// A texture's marks: for any rectangle of wrapped texels, whether some are not opaque, and some not transparent.
+// Internal to impl/bake.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,15 @@
 
 namespace mmverify::impl::bake::detail {
 
-// Marks here: `below`, some alpha is not opaque; `opaque`, some alpha is not transparent.  With MASK a point
-// bears one of them, with BLEND at least one.  Bilinear alpha is a mean of texels, and all alphas that lack a
-// mark are on one side of a limit: what no texel bears no mean of them does.
+// Marks here: `below`, some alpha is not opaque; `opaque`, some alpha is not transparent.  With MASK a point bears one
+// of them, with BLEND at least one.  Bilinear alpha is a mean of texels, and all alphas that lack a mark are on one
+// side of a limit: a mark that no texel bears, no mean of them bears.
 
 class TextureProperties {
  public:
   virtual ~TextureProperties() = default;
 
-  /// Of the texels [left, right] x [top, bottom], ends included, before wrapping.
+  /// The marks of the texels [left, right] x [top, bottom], ends included, before wrapping.
   Marks of(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
     if (left >= 0 && right < width_ && top >= 0 && bottom < height_) return within(left, right, top, bottom);
     return wrapped_around(left, right, top, bottom);
@@ -33,7 +33,7 @@ class TextureProperties {
 
   Extent across() const noexcept { return extent(wrap_x_, width_); }
   Extent down() const noexcept { return extent(wrap_y_, height_); }
-  /// Columns that mean the same texels as [left, right]: the same ones for many that do.
+  /// Columns of the same texels as [left, right]: the same columns for many such ranges.
   Columns columns(std::int64_t left, std::int64_t right) const noexcept {
     if (left > right) return {};
     const Extent e = across();
@@ -41,18 +41,18 @@ class TextureProperties {
     return {std::clamp(left, e.first, e.last), std::clamp(right, e.first, e.last)};
   }
 
-  /// Texel (i, j), before wrapping, as it is stored.
+  /// The stored number of texel (i, j), before wrapping.
   virtual Binary stored(std::int64_t i, std::int64_t j) const noexcept = 0;
 
   Limits limits;
   /// Stored numbers are multiples of 2^finest and below 2^most in size.
   int finest = 0, most = 0;
-  /// They are within `scale` of 0, and of each other.
+  /// Stored numbers are within `scale` of 0, and of each other.
   double scale = 0;
-  /// Where they begin to be opaque, rounded, or +-2 scale if it is beyond; less gap, where they cease to be
-  /// transparent.
+  /// Stored numbers are opaque from threshold on, rounded, or +-2 scale if it is beyond; transparent up to threshold -
+  /// gap.
   double threshold = 0, gap = 0;
-  /// How far they are from there: those that are not opaque, and those that are not transparent, at least.
+  /// The least distances from there: of numbers that are not opaque, and of numbers that are not transparent.
   double clear_below = 0, clear_opaque = 0;
 
  protected:
@@ -90,7 +90,7 @@ class TexturePropertiesOf final : public TextureProperties {
                : texture_.texels[static_cast<std::size_t>(y) * texture_.pitch + static_cast<std::size_t>(x)];
   }
 
-  /// A type whose differences of texels are exact, or rounded once.
+  /// A type in which differences of texels are exact, or rounded once.
   using Number = std::conditional_t<std::is_same_v<Texel, float>, double, std::int32_t>;
   /// The texels (i, j), (i+1, j), (i, j+1), (i+1, j+1).
   struct Four {
@@ -105,11 +105,11 @@ class TexturePropertiesOf final : public TextureProperties {
     return {texel(i, j), texel(i + 1, j), texel(i, j + 1), texel(i + 1, j + 1)};
   }
 
-  /// Somewhere, texels [left, right] x [top, bottom] that lie in one picture as they are: the first of them.
+  /// The first of the texels [left, right] x [top, bottom], if these lie in one picture as they are.
   /// Four bytes from each of them can be read.
   struct InOnePicture {
     const Texel* first;
-    std::int64_t left, top;  ///< of the picture
+    std::int64_t left, top;  ///< its place in the picture
   };
   std::optional<InOnePicture> in_one_picture(std::int64_t left, std::int64_t right, std::int64_t top,
                                              std::int64_t bottom) const noexcept {
@@ -127,8 +127,8 @@ class TexturePropertiesOf final : public TextureProperties {
     return InOnePicture{texture_.texels + at(x, y), x, y};
   }
   std::size_t pitch() const noexcept { return texture_.pitch; }
-  /// Texels [left, left + width) x [top, top + height), before wrapping, copied: rows of `pitch`, and their
-  /// bits. Domain: width and height at most 32.
+  /// Copies the texels [left, left + width) x [top, top + height), before wrapping, to rows of `pitch`, and their bits.
+  /// Domain: width and height at most 32.
   void copy(std::int64_t left, std::int64_t top, std::size_t width, std::size_t height, std::size_t pitch,
             Texel* to, std::uint32_t* opaque_rows, std::uint32_t* visible_rows) const noexcept;
   const Plane& opaque_plane() const noexcept { return opaque_; }
@@ -138,7 +138,7 @@ class TexturePropertiesOf final : public TextureProperties {
   TexelView<Texel> texture_;
   Texel border_;
   std::conditional_t<std::is_same_v<Texel, float>, float, std::int32_t>
-      least_opaque_;  ///< or one more than any
+      least_opaque_;  ///< or one more than any texel
 };
 
 }  // namespace mmverify::impl::bake::detail

@@ -1,4 +1,4 @@
-// A region row by row, where rows repeat themselves.  Internal to impl/bake.
+// A region row by row, with repeating rows left out.  Internal to impl/bake.
 #pragma once
 
 #include <algorithm>
@@ -20,10 +20,10 @@ struct Bend {
   std::int64_t from, to;
 };
 
-/// Calls take(columns(j), j) for the rows [first, last] in their order until that returns false.  With a period rows are
-/// left out that say nothing new: those after a whole period of rows that have the same columns, up to the first row
-/// that has others.
-/// Time: the rows of a period and those whose columns are not the row's before; a search of 40 steps for each run.
+/// Calls take(columns(j), j) for the rows [first, last] in their order until that returns false.  With a period, rows
+/// that say nothing new are left out: after a period of rows with the same columns, those up to the first row with
+/// others.
+/// Time: the rows of a period and rows whose columns differ from the row before; a search of 40 steps for each run.
 /// Domain: between bends each of a row's two ends moves one way only.  period: in rows, or 0.
 template <class Of, class Take>
 void each_row(std::int64_t first, std::int64_t last, std::int64_t period, std::span<const Bend> bends,
@@ -40,7 +40,7 @@ void each_row(std::int64_t first, std::int64_t last, std::int64_t period, std::s
     std::int64_t end = last + 1;
     for (const Bend& bend : bends)
       if (bend.to >= j) end = std::min(end, bend.from);
-    // Both ends move one way from j to the row before `end`: the rows that are as j are the first of these.
+    // Both ends move one way from j to the row before `end`: the rows with the columns of j come first.
     while (end - j > 1) {
       const std::int64_t middle = j + (end - j) / 2;
       (columns(middle) == here ? j : end) = middle;

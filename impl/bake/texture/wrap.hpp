@@ -1,4 +1,4 @@
-// Which texels indices mean beyond a texture's edges.
+// The texels that indices mean beyond a texture's edges.
 #pragma once
 
 #include <algorithm>
@@ -40,16 +40,16 @@ constexpr std::int64_t wrapped(Wrap wrap, std::int64_t i, std::int64_t n) noexce
   return i < 0 ? 0 : n - 1;
 }
 
-/// Which indices of an axis mean what others do not: those below `first` mean what first does, those beyond `last` what
-/// last does; with a period, k and k + period mean the same, and first and last are beyond all indices.
+/// The indices of an axis that mean distinct texels: those below `first` mean the same as first, those beyond `last`
+/// the same as last.  With a period, k and k + period mean the same, and first and last are beyond all indices.
 struct Extent {
   std::int64_t first, last;
-  std::int64_t period;  ///< or 0
+  std::int64_t period;  ///< 0: none
 
   constexpr bool ends() const noexcept { return period == 0; }
 };
 
-/// Domain: n in 1..2^31.
+/// The extent of an axis of n texels.  Domain: n in 1..2^31.
 constexpr Extent extent(Wrap wrap, std::int64_t n) noexcept {
   constexpr std::int64_t beyond = std::int64_t{1} << 61;
   switch (wrap) {
@@ -67,8 +67,7 @@ constexpr Extent extent(Wrap wrap, std::int64_t n) noexcept {
   return {0, n - 1, 0};
 }
 
-/// What the indices [from, to] mean together: at most two runs of texels, ends included, and perhaps the
-/// border.
+/// The texels that the indices [from, to] mean together: at most two runs, ends included, and perhaps the border.
 struct Runs {
   int count = 0;
   bool border = false;
@@ -80,7 +79,7 @@ struct Runs {
   }
 };
 
-/// Domain: from <= to, n in 1..2^31, sizes below 2^62.
+/// The texels that the indices [from, to] mean.  Domain: from <= to, n in 1..2^31, sizes below 2^62.
 constexpr Runs runs(Wrap wrap, std::int64_t from, std::int64_t to, std::int64_t n) noexcept {
   Runs r;
   const std::int64_t last = n - 1;
@@ -102,8 +101,8 @@ constexpr Runs runs(Wrap wrap, std::int64_t from, std::int64_t to, std::int64_t 
       break;
     }
     case Wrap::mirrored_repeat: {
-      // There and back is 2n, [0, n) as it is, [n, 2n) reversed.  A run over no turn is a run, over one turn
-      // it starts or ends at the texture's edge, over two it is everything.
+      // One way and back is 2n: [0, n) as it is, [n, 2n) reversed.  A run over no turn is a run; over one turn it
+      // starts or ends at the texture's edge; over two it is everything.
       const std::int64_t a = modulo(from, 2 * n), b = a + (to - from);
       if (a < n) {
         if (b < n)

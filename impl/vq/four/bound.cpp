@@ -17,12 +17,13 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::int32_t unit = 64;  ///< of a region, and prices are whole; a power of 2, to multiply by shifts
-constexpr std::uint32_t lanes = 64;  ///< the vectors of a map
-// Chosen by hand: they say when to stop, and any values give a true bound.  With these, noise takes ten
-// seconds to a minute, and continuous maps some 0.1 s (docs/VQ.md).
+constexpr std::int32_t unit =
+    64;  ///< prices are whole parts of a region; a power of 2, to multiply by shifts
+constexpr std::uint32_t lanes = 64;  ///< vectors of a map
+// Limits chosen by hand: any values give a true bound, these decide when to stop.  With these, noise takes ten seconds
+// to a minute, and continuous maps some 0.1 s (docs/VQ.md).
 constexpr int rounds = 10;
-constexpr std::size_t most_found = 400;  ///< new entries a round
+constexpr std::size_t most_found = 400;  ///< new entries of a round
 
 HWY_INLINE std::int32_t ones(Set4 v) { return static_cast<std::int32_t>(__builtin_popcount(v)); }
 
@@ -83,7 +84,7 @@ class Bound {
     return hn::GetLane(hn::SumOfLanes(i32, sum));
   }
 
-  /// What nothing within a set is worth more than; a source in left_out does not count.
+  /// A bound of worth() for all subsets of a set; a source in left_out does not count.
   HWY_INLINE std::int32_t at_most(Set4 set, const Prices& left_out) const {
     const hn::ScalableTag<std::int32_t> i32;
     const hn::RebindToUnsigned<decltype(i32)> u32;
@@ -106,7 +107,7 @@ class Bound {
     return sum;
   }
 
-  /// Values all candidates; the greatest 13 come first.  Their sum.
+  /// Computes all candidates' worth, moves the greatest 13 to the front, and returns their sum.
   HWY_INLINE std::int64_t value() {
     for (Candidate& c : pool_) c.worth = worth(c.set);
     const auto first = std::min(pool_.size(), stored_entries);
@@ -117,7 +118,7 @@ class Bound {
     return sum;
   }
 
-  /// A source that n of the 13 pay for wants a higher price where n > 1, a lower one where n = 0: 1 - n.
+  /// The slope of a price: 1 - n if n of the 13 pay for the source.  The price should rise if n > 1, fall if n = 0.
   Prices slope() const {
     Prices slope;
     slope.fill(1);
@@ -131,11 +132,11 @@ class Bound {
     return slope;
   }
 
-  /// Better prices for the pool, until they would do.
+  /// Lowers the bound by better prices for the pool, until it is low enough.
   void descend(int steps) {
     Prices best_price = price_;
     std::int64_t best = std::numeric_limits<std::int64_t>::max();
-    // Polyak's step times a number between 0 and 2; 1.5, and halving after ten steps in vain, chosen by hand.
+    // Polyak's step times a number in (0, 2): 1.5, halved after ten steps in vain, both chosen by hand.
     double eager = 1.5;
     int stale = 0;
     for (int step = 0; step < steps; ++step) {
@@ -164,7 +165,7 @@ class Bound {
 
   struct Shown {
     std::int64_t bound;
-    std::vector<Set4> found;  ///< entries outside the pool that are worth more than its 13th
+    std::vector<Set4> found;  ///< entries outside the pool, worth more than its 13th
   };
 
   Shown show() {
@@ -177,9 +178,9 @@ class Bound {
       for (std::size_t k = 0; k < stored_entries; ++k) bound += std::max(worths[k], others);
       return bound;
     };
-    // Others may be worth more than the 13th where even so much would do.
+    // Sets outside the pool may be worth more than the 13th, as long as the bound stays below enough_ with that worth.
     threshold_ = worths.back();
-    // By halves, from all regions of a vector on.
+    // The threshold rises by halving steps that begin at all regions of a vector.
     for (std::int32_t more = 16 * unit; more > 0; more /= 2)
       if (bound_if(threshold_ + more) < enough_) threshold_ += more;
     open_ = threshold_;
@@ -189,7 +190,7 @@ class Bound {
     std::sort(found_.begin(), found_.end(), std::greater<>());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     if (found_.size() > most_found) found_.resize(most_found);
-    // The 13 greatest among the pool's, those found, and any number that are worth what was left open.
+    // The 13 greatest are taken from the pool, the found sets, and any number of sets of the worth left open.
     for (const auto& [worth, set] : found_) {
       worths.push_back(worth);
       shown.found.push_back(set);
@@ -199,9 +200,9 @@ class Bound {
     return shown;
   }
 
-  /// All subsets of a set, but for the sources left out: those count as if they had nothing in common.
+  /// Visits all subsets of a set; sources left out count as if they had nothing in common with it.
   HWY_INLINE void look(Set4 set, const Prices& left_out, std::int32_t bound) {
-    // The source that has most to offer and is not wholly around the set.
+    // Splits by the source with the greatest gain that is not wholly around the set.
     std::int32_t most = 0;
     std::uint32_t at = lanes;
     for (std::uint32_t k = 0; k < lanes; ++k) {
@@ -213,7 +214,7 @@ class Bound {
       }
     }
     if (at == lanes) {
-      // Every source that counts is around it: the bound is its worth.
+      // Every source that counts is around the set, so the bound is its worth.
       if (std::none_of(pool_.begin(), pool_.end(), [=](const Candidate& c) { return c.set == set; }))
         found_.push_back({bound, set});
       return;
@@ -239,7 +240,7 @@ class Bound {
 
   HWY_ALIGN std::array<Set4, lanes> v_;
   HWY_ALIGN Prices most_, price_;
-  std::int64_t enough_;  ///< the bound would do below this
+  std::int64_t enough_;  ///< the bound is low enough below this
   std::uint32_t nodes_;
   Bounded4& result_;
   std::vector<Candidate> pool_;

@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::vq {
 namespace HWY_NAMESPACE {
 
-// Lays a vector down, transformed: four rows of four states, rows of the map 32 apart.
+// Writes a transformed vector: four rows of four states, 32 apart in the map.
 HWY_INLINE void lay(const std::uint8_t* vector, const std::uint8_t* sources, std::uint8_t* to) {
 #if HWY_TARGET == HWY_SCALAR
   for (std::size_t k = 0; k < 16; ++k) to[32 * (k / 4) + k % 4] = vector[sources[k]];

@@ -23,7 +23,7 @@ class Search {
     all_ = best_.substitutions;
   }
 
-  /// Each effort begins with all that the one below it does, and so is never worse.
+  /// Each effort begins with all steps of the lower one, and so is never worse.
   Encoded4 run(Effort effort) {
     order_ = by_distinct_vectors();
     merge(fast_merges);
@@ -35,10 +35,10 @@ class Search {
     return best_;
   }
 
-  /// And a bound for every choice, whose prices name entries to begin with once more.
+  /// Computes also a bound for every choice of transforms; the bound's prices name entries for one more exchange.
   Proved4 prove() {
     run(Effort::thorough);
-    // Best first: what they find makes the others' bounds easier.
+    // The best choices come first: their results make the bounds of the others easier.
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Found& a, const Found& b) { return a.codebook.kept > b.codebook.kept; });
     std::uint32_t most = 0;
@@ -62,7 +62,7 @@ class Search {
   }
 
  private:
-  // Chosen by hand, on 36 alpha textures (docs/VQ.md): `fast` loses 1.4 % more regions than `balanced`, in a
+  // Limits chosen by hand, on 36 alpha textures (docs/VQ.md): `fast` loses 1.4 % more regions than `balanced`, in a
   // seventh of the time; beyond 64 exchanges `thorough` gains nothing there, for three times the time.
   static constexpr std::size_t fast_merges = 96, fast_exchanges = 2, balanced_exchanges = 64;
 
@@ -72,7 +72,7 @@ class Search {
   };
   struct Found {
     Codebook4 codebook;
-    std::uint32_t number;  ///< of the transforms
+    std::uint32_t number;  ///< number of the choice of transforms
   };
 
   Sources4 sources(std::uint32_t number) const {
@@ -82,18 +82,18 @@ class Search {
     return of;
   }
 
-  /// By merging, the choices of transforms that leave the fewest distinct vectors, until there are so many.
+  /// Merges entries under the choices of transforms with the fewest distinct vectors, until `most` choices are done.
   void merge(std::size_t most) {
     while (found_.size() < order_.size() && best_.substitutions != 0) {
       const auto& [distinct, number] = order_[found_.size()];
-      // A map that fits leaves few under some choice, and is found whatever the effort.
+      // A map that fits has few distinct vectors under some choice, and every effort takes that.
       if (found_.size() >= most && distinct > stored_entries) break;
       found_.push_back({merged(sources(number)), number});
       take(found_.back());
     }
   }
 
-  /// By exchanging, those that keep most so far.
+  /// Exchanges entries under the choices of transforms that keep most so far.
   void exchange_best(std::size_t most) {
     std::vector<Found*> best;
     for (Found& found : found_) best.push_back(&found);
@@ -105,7 +105,7 @@ class Search {
     }
   }
 
-  /// Each choice of transforms with how many distinct vectors it leaves, in that order.
+  /// All choices of transforms, each with its number of distinct vectors, in ascending order of that.
   std::vector<std::pair<std::size_t, std::uint32_t>> by_distinct_vectors() const {
     std::vector<Set4> all;
     for (const Source& source : sources_) all.insert(all.end(), source.codable.begin(), source.codable.end());
@@ -135,11 +135,11 @@ class Search {
   }
 
   Vectors4 vectors_;
-  std::vector<Source> sources_;  ///< of the vectors that are not uniform
+  std::vector<Source> sources_;  ///< vectors that are not uniform
   std::vector<std::pair<std::size_t, std::uint32_t>> order_;
-  std::vector<Found> found_;  ///< of the first choices in that order
+  std::vector<Found> found_;  ///< results for the first choices in that order
   Encoded4 best_;
-  std::uint32_t all_ = 0;  ///< O and T of the sources
+  std::uint32_t all_ = 0;  ///< regions O and T of the sources
 };
 
 }  // namespace

@@ -14,14 +14,14 @@ namespace mmverify::impl::vq::detail {
 
 static_assert(std::endian::native == std::endian::little, "words are loaded as they lie");
 
-/// Of the quadrants TL, TR, BL, BR; of TL there is none stored: the zeros below are the identity.
+/// The transform of a quadrant TL, TR, BL or BR.  TL has none stored: the zeros shifted in are the identity.
 inline std::uint32_t transform4(const std::uint8_t* block, std::uint32_t quadrant) noexcept {
   std::uint16_t three;
   std::memcpy(&three, block + 32, sizeof three);
   return (std::uint32_t{three} << 3 >> (3 * quadrant)) & 7;
 }
 
-/// Where the code of an index from 3 on begins, in bits; table 2.
+/// The first bit of the code of each index from 3 on; table 2.
 inline constexpr auto code_at4 = [] {
   std::array<std::uint16_t, 17> at{};
   std::uint16_t next = 265;
@@ -33,7 +33,7 @@ inline constexpr auto code_at4 = [] {
 }();
 static_assert(code_at4[16] == 512);
 
-/// At least the 20 bits from there on.
+/// The 20 bits from the code of an index on; the code may be shorter.
 inline std::uint32_t code4(const std::uint8_t* block, std::uint32_t index) noexcept {
   const std::uint32_t byte = std::min(code_at4[index] / 8u, 56u);
   std::uint64_t word;
@@ -41,14 +41,14 @@ inline std::uint32_t code4(const std::uint8_t* block, std::uint32_t index) noexc
   return static_cast<std::uint32_t>(word >> (code_at4[index] - 8 * byte)) & 0xfffff;
 }
 
-/// How a code is written: simple, vertical, horizontal, generic.
+/// The kind of each index's code: 0 simple, 1 vertical, 2 horizontal, 3 generic.
 inline constexpr std::array<std::uint8_t, 16> kind4{0, 0, 0, 0, 0, 0, 1, 2, 3, 3, 3, 3, 3, 3, 3, 3};
 
-/// Which bits of the block say that region k of an entry is C, and its palette.
+/// The bits of the block for one region of an entry: whether it is C, and its palette.
 struct Place4 {
   std::uint16_t checked, palette;
 };
-/// By index and region; of the indices that are not stored, some place.
+/// The places by index and region; meaningless for the indices 0 to 2, which have no code.
 inline constexpr auto places4 = [] {
   std::array<std::array<Place4, 16>, 16> table{};
   for (std::uint32_t index = 3; index < 16; ++index)
@@ -66,7 +66,7 @@ inline constexpr auto places4 = [] {
 /// The states of every index, 16 bytes each.
 using Codebook = std::array<std::array<std::uint8_t, 16>, 16>;
 
-/// Eight bits to eight bytes of 0 or 1.
+/// Spreads eight bits to eight bytes of 0 or 1.
 constexpr std::uint64_t bytes_of_bits(std::uint64_t bits) noexcept {
   const std::uint64_t apart = (bits & 0xff) * 0x0101010101010101 & 0x8040201008040201;
   return (apart + 0x7f7f7f7f7f7f7f7f) >> 7 & 0x0101010101010101;
@@ -77,8 +77,8 @@ inline Codebook codebook(const std::uint8_t* block) noexcept {
   for (std::uint32_t index = 0; index < 3; ++index) vectors[index].fill(static_cast<std::uint8_t>(index));
   for (std::uint32_t index = 3; index < 16; ++index) {
     const std::uint32_t code = code4(block, index), kind = kind4[index];
-    // The bits in the order of the regions, and a byte of ones where the palette is {O, C}: columns 0 and 1
-    // of two rows are bytes 0, 1, 4 and 5.
+    // `checked` has a bit a region in order; `opaque` has a byte of ones for each region with the palette {O, C}.
+    // Columns 0 and 1 of two rows are bytes 0, 1, 4 and 5.
     constexpr std::uint64_t left = 0x0000ffff0000ffff, right = ~left;
     const auto ones = [code](std::uint32_t bit) { return 0 - std::uint64_t{code >> bit & 1}; };
     std::uint32_t checked = code & 0xffff;

@@ -7,11 +7,10 @@
 #include "impl/vq/four/sets.hpp"
 #include "impl/vq/vq.hpp"
 
-// Algorithm 2, in its order and with its names.  What the print leaves open: where partitions score alike,
-// the one made first is taken; of splits that score alike, the first one tried.  A partition that has nothing
-// left to split is represented by its only vector.  O beside T is taken apart before (codable), as no
-// representative could hold both.  In the end every vector gets its best representative, as section 4.2 has
-// it.
+// Algorithm 2, in its order and with its names.  Where the print is open: among partitions with one score the oldest is
+// taken, among splits with one score the first tried.  A partition with nothing left to split is represented by its
+// only vector.  O beside T is taken apart before (codable), as no representative could hold both.  In the end every
+// vector gets its best representative, as in section 4.2.
 namespace mmverify::impl::vq {
 namespace {
 
@@ -19,20 +18,20 @@ using namespace detail;
 
 struct Member {
   Set4 v;
-  std::uint32_t count;  ///< of the merged vectors
+  std::uint32_t count;  ///< number of the merged vectors
 };
 
-/// What the score of a set of vectors needs.
+/// The data for the score of a set of vectors.
 struct Sum {
   Set4 common = ~Set4{0};
-  std::uint32_t vectors = 0, states = 0;  ///< how many, and how many O and T they have
+  std::uint32_t vectors = 0, states = 0;  ///< their number, and the number of their O and T
 
   void add(const Member& m) {
     common &= m.v;
     vectors += m.count;
     states += m.count * size(m.v);
   }
-  /// Substitutions if all of them used the best compatible vector, or all C.
+  /// The substitutions if all vectors used the best compatible vector, or all C.
   std::uint32_t score(bool all_c) const { return states - (all_c ? 0 : vectors * size(common)); }
 };
 
@@ -49,12 +48,12 @@ Partition partition_of(std::vector<Member> members, bool all_c) {
   return {std::move(members), all_c, all_c ? 0 : sum.common, sum.score(all_c)};
 }
 
-/// Of a region: T, C or O.
+/// The state of one region of a set: T, C or O.
 State state_at(Set4 v, std::uint32_t dimension) {
   return (v >> dimension & 1) != 0 ? State::T : (v >> (16 + dimension) & 1) != 0 ? State::O : State::C;
 }
 
-/// The best two parts of a partition that is not of one vector alone.
+/// The best two parts of a partition of more than one vector.
 std::pair<Partition, Partition> best_parts(const Partition& p) {
   std::uint32_t best_score = std::numeric_limits<std::uint32_t>::max(), best_d = 0;
   State best_apart = State::T;
@@ -72,7 +71,7 @@ std::pair<Partition, Partition> best_parts(const Partition& p) {
           b.states += of_state[other].states;
         }
       if (a.vectors == 0 || b.vectors == 0) continue;
-      // Without an all C to hand on, it is the same who keeps it.
+      // Without an all-C entry to pass on, both choices are the same.
       for (const bool a_keeps : {false, true}) {
         if (a_keeps && !p.all_c) continue;
         const std::uint32_t score = a.score(p.all_c && a_keeps) + b.score(p.all_c && !a_keeps);
@@ -90,7 +89,7 @@ std::pair<Partition, Partition> best_parts(const Partition& p) {
           partition_of(std::move(b), p.all_c && !best_a_keeps)};
 }
 
-/// The print gives each partition an entry, and so the one that is all C, too.
+/// Creates the codebook.  The print gives each partition an entry, also the one that is all C.
 std::vector<Set4> create_codebook(std::vector<Member> merged, bool c_is_free) {
   std::vector<Partition> partitions{partition_of(std::move(merged), true)};
   const auto taken = [&] {

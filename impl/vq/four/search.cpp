@@ -16,13 +16,13 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::uint32_t lanes = 64;  ///< the vectors of a map
+constexpr std::uint32_t lanes = 64;  ///< vectors of a map
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Merging
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Entries so far, a lane each; a lane that has none costs more to merge with than any.
+/// The entries so far, one a lane; merging with an empty lane costs more than anything else.
 class Merge {
  public:
   HWY_INLINE explicit Merge(const Sources4& sources) {
@@ -60,7 +60,7 @@ class Merge {
       kept_[other] = none;
       rep_[other] = 0;
       --left_;
-      // Those whose partner is no longer what it was look again; the others may find the new one nearer.
+      // Entries whose partner changed search again; the others may find the merged entry nearer.
       for (std::uint32_t k = 0; k < used_; ++k) {
         if (users_[k] == 0) continue;
         const std::uint32_t partner = partner_[k] & 63;
@@ -77,7 +77,7 @@ class Merge {
   }
 
  private:
-  /// More than all that is kept, 64 vectors of 16 regions; 6 bits higher, above a lane, it is still a word.
+  /// A cost above all that is kept, 64 vectors of 16 regions; shifted by 6 bits, above a lane, it still fits a word.
   static constexpr std::uint32_t none = 1u << 20;
 
   static HWY_INLINE std::uint32_t ones(Set4 v) { return static_cast<std::uint32_t>(__builtin_popcount(v)); }
@@ -86,7 +86,7 @@ class Merge {
     return kept_[a] + kept_[b] - (users_[a] + users_[b]) * ones(rep_[a] & rep_[b]);
   }
 
-  /// The other entry that a merges with at the least cost, the cost above its lane.
+  /// Finds the other entry that `a` merges with at the least cost; partner_ has the cost above the lane.
   HWY_INLINE void find_partner(std::uint32_t a) {
     const hn::ScalableTag<std::uint32_t> u32;
     const auto rep = hn::Set(u32, rep_[a]), users = hn::Set(u32, users_[a]), kept = hn::Set(u32, kept_[a]),
@@ -109,10 +109,10 @@ class Merge {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What a codebook keeps
+// The regions that a codebook keeps
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// How many regions are kept of each source.
+/// The number of regions kept of each source.
 struct HWY_ALIGN Kept {
   std::array<std::uint8_t, lanes> of{};
 };
@@ -128,7 +128,7 @@ HWY_INLINE std::uint32_t sum(const Kept& kept) {
   return total;
 }
 
-/// How much more is kept where there is this, too.
+/// The number of regions that `more` keeps beyond `now`.
 HWY_INLINE std::uint32_t gain(const std::uint8_t* HWY_RESTRICT more, const Kept& now) {
   const hn::CappedTag<std::uint8_t, lanes> bytes;
   const hn::Repartition<std::uint64_t, decltype(bytes)> words;
@@ -139,8 +139,7 @@ HWY_INLINE std::uint32_t gain(const std::uint8_t* HWY_RESTRICT more, const Kept&
   return static_cast<std::uint32_t>(hn::GetLane(hn::SumOfLanes(words, total)));
 }
 
-/// Gives every entry all that its users have in common, as long as that changes anything; entries without a
-/// user go.
+/// Grows every entry to the intersection of its users, as long as that changes anything; entries without a user go.
 HWY_INLINE void grow(const Sources4& sources, Codebook4& codebook) {
   for (bool changed = true; changed;) {
     changed = false;
@@ -174,18 +173,18 @@ HWY_INLINE void grow(const Sources4& sources, Codebook4& codebook) {
 // Exchanging
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Candidates for an entry, each once, with what each keeps.
+/// The candidates for an entry, each once, with the regions that it keeps of each source.
 class Pool {
  public:
   explicit Pool(const Sources4& sources) : sources_(sources), seen_(slots) {
     for (std::uint32_t a = 0; a < sources.count; ++a)
       for (std::uint32_t b = a; b < sources.count; ++b) add(sources.v[a] & sources.v[b]);
-    kept_.reserve(sets_.size() + 1024);  // an entry and a source: at most 13 times 64
+    kept_.reserve(sets_.size() + 1024);  // 13 entries with 64 sources each, at most
     for (const Set4 set : sets_) keep(sources_, set, kept_.emplace_back().of.data());
     fixed_ = sets_.size();
   }
 
-  /// The candidates that depend on the entries, in place of those before.
+  /// Replaces the candidates that depend on the entries.
   void add_of(const std::vector<Set4>& entries) {
     sets_.resize(fixed_);
     kept_.resize(fixed_);
@@ -198,7 +197,7 @@ class Pool {
       }
   }
 
-  /// The candidate that adds most, and how much; none where nothing adds more than `above`.
+  /// The candidate that adds most, and its gain; {0, above} if none adds more than `above`.
   HWY_INLINE std::pair<Set4, std::uint32_t> best(const Kept& now, std::uint32_t above) const {
     std::pair<Set4, std::uint32_t> found{0, above};
     for (std::size_t c = 0; c < sets_.size(); ++c)
@@ -208,12 +207,12 @@ class Pool {
   }
 
  private:
-  /// 2^13: more than three for each pair of 64, 2080 with those of one and the same, so that few collide.
+  /// 2^13 slots: more than three for each pair of 64 sources, 2080 with pairs of one and the same, so that few collide.
   static constexpr std::size_t slots = 8192;
 
   void add(Set4 set) {
     if (set == 0) return;
-    // 2^32 over the golden ratio, as Knuth has it; its 13 highest bits.
+    // The multiplier is 2^32 over the golden ratio, as in Knuth; the slot is the product's 13 highest bits.
     std::size_t slot = set * 0x9e3779b1u >> 19;
     while (seen_[slot] != 0 && seen_[slot] != set) slot = (slot + 1) % slots;
     if (seen_[slot] == set) return;
@@ -245,7 +244,7 @@ void exchange_entries(const Sources4& sources, Codebook4& codebook) {
     std::uint32_t most = codebook.kept;
     std::size_t out = rows.size();
     Set4 in = 0;
-    // With room left, nothing need go.
+    // If there is room, an entry can be added and none removed.
     for (std::size_t e = rows.size() < stored_entries ? rows.size() : 0; e <= rows.size(); ++e) {
       if (e == rows.size() && rows.size() == stored_entries) break;
       const Kept rest = kept_without(rows, e);

@@ -8,7 +8,7 @@
 namespace mmverify::impl::vq::detail {
 namespace {
 
-/// Whether these regions are of one palette.
+/// Whether these regions have one palette.
 constexpr bool one_palette(Set4 v, std::uint32_t regions) {
   return (v & regions) == 0 || (v & regions << 16) == 0;
 }
@@ -19,7 +19,7 @@ constexpr bool simple(Set4 v) { return one_palette(v, 0xffff); }
 constexpr bool vertical(Set4 v) { return one_palette(v, left) && one_palette(v, right); }
 constexpr bool horizontal(Set4 v) { return one_palette(v, low) && one_palette(v, high); }
 
-/// The greatest part of a set that is of one palette in each half; of equal ones T.
+/// The greatest part of a set with one palette in each half; of equal ones T.
 constexpr Set4 in_halves(Set4 v, std::uint32_t first, std::uint32_t second) {
   Set4 out = 0;
   for (const std::uint32_t half : {first, second}) {
@@ -29,7 +29,7 @@ constexpr Set4 in_halves(Set4 v, std::uint32_t first, std::uint32_t second) {
   return out;
 }
 
-/// Where a transform takes region k.
+/// The place to which a transform moves region k.
 constexpr auto moves = [] {
   std::array<std::array<std::uint8_t, 16>, 8> table{};
   for (std::uint32_t t = 0; t < 8; ++t)
@@ -39,7 +39,7 @@ constexpr auto moves = [] {
 
 constexpr std::uint32_t opaque(Set4 v, std::uint32_t regions) { return (v & regions << 16) != 0 ? 1 : 0; }
 
-/// The code by which index 3 + place writes a set that fits there.
+/// The code of a set at index 3 + place.  Domain: the set fits there.
 std::uint32_t code_of(std::size_t place, Set4 v) {
   const std::uint32_t checked = ~(v | v >> 16) & 0xffff;
   switch (kind4[3 + place]) {
@@ -120,7 +120,7 @@ std::optional<Places> places_of(const std::vector<Set4>& entries) {
   const auto take_generic = [&](std::int8_t k) {
     return next_generic < stored_entries && take(next_generic++, k);
   };
-  // The more places a set may have, the later it chooses.
+  // Sets with fewer possible places choose first.
   for (const int round : {0, 1, 2, 3})
     for (std::size_t e = 0; e < entries.size(); ++e) {
       const Set4 v = entries[e];

@@ -12,8 +12,8 @@
 
 namespace mmverify::impl::vq::detail {
 
-/// What is T of the 16 regions in the low half, what is O in the high half; the rest is C.  An entry is
-/// usable for a vector where it is a subset, and keeps as many regions as it has.
+/// A vector as a set: bit k of the low half if region k is T, of the high half if it is O; else the region is C.  An
+/// entry is usable for a vector if it is a subset, and keeps as many regions as it has.
 using Set4 = std::uint32_t;
 
 inline constexpr Set4 all_t = 0xffff, all_o = 0xffff0000;
@@ -27,10 +27,10 @@ constexpr std::uint32_t quadrant_of_vector4(std::uint32_t vector) noexcept {
   return (vector % 8 < 4 ? 0 : 1) + (vector < 32 ? 2 : 0);
 }
 
-/// Of each aligned 2x2 that holds both O and T the lesser part becomes C, of two and two O: no code has both.
+/// The set without O beside T in an aligned 2x2: the lesser part becomes C, O if they are equal, for no code has both.
 Set4 codable(Set4 v) noexcept;
 
-/// A vector as it stands in the codebook before each of the transforms.
+/// A vector as it is stored in the codebook, for each of the transforms.
 std::array<Set4, 8> stored(Set4 v) noexcept;
 
 /// The transforms of TR, BL and BR from a number below 512, three bits each.
@@ -40,18 +40,18 @@ constexpr Transforms combination(std::uint32_t number) noexcept {
           static_cast<std::uint8_t>(number >> 6 & 7)};
 }
 
-inline constexpr std::size_t stored_entries = 13;  ///< the indices 3..15
+inline constexpr std::size_t stored_entries = 13;  ///< the indices 3..15 are stored
 
-/// Which entry each of the indices 3..15 gets, so that its code can write it (table 2); -1 none.  Nothing
-/// where there are more than 13, or more that only a generic code can write than there are of those.
+/// The entry of each of the indices 3..15, such that its code can write it (table 2); -1 none.  Nothing if there are
+/// more than 13 entries, or more that need a generic code than there are such codes.
 using Places = std::array<std::int8_t, stored_entries>;
 std::optional<Places> places_of(const std::vector<Set4>& entries);
 
-/// The same entries where they have places; else some are made smaller until they have, first the one that
-/// loses the sources least.  Domain: at most 13 entries, each codable.
+/// Keeps the entries if they have places; else makes some smaller until they have, first the one that loses the sources
+/// least.  Domain: at most 13 entries, each codable.
 void fit_places(std::vector<Set4>& entries, std::span<const Set4> sources);
 
-/// The block of a codebook that has places, each vector by what keeps most of it.
+/// The block of a codebook with places; each vector takes the entry that keeps most of it.
 Encoded4 written(const Vectors4& vectors, const Transforms& transforms, const std::vector<Set4>& entries);
 
 }  // namespace mmverify::impl::vq::detail

@@ -18,7 +18,7 @@ State region(const Block2& block, std::uint32_t x, std::uint32_t y) noexcept {
 
 Map2 decode(const Block2& block) noexcept {
   const std::uint64_t word = detail::last_word(block);
-  // Each quadrant's eight vectors, transformed: two rows of two.
+  // The eight vectors of each quadrant, transformed: two rows of two regions.
   std::array<std::array<std::array<State, 4>, 8>, 4> vectors{};
   for (std::uint32_t q = 0; q < 4; ++q) {
     const auto& from = detail::sources<2>[detail::transform(word, q)];

@@ -13,25 +13,25 @@ namespace mmverify::impl::vq::detail {
 
 static_assert(std::endian::native == std::endian::little, "words are loaded as they lie");
 
-inline constexpr std::uint32_t indices_bits = 192;  ///< the last word holds the rest
+inline constexpr std::uint32_t indices_bits = 192;  ///< the last word has the rest
 
-/// Bits from the last word's lowest on.
+/// The places in the last word, in bits from the lowest on.
 inline constexpr std::uint32_t transform_bits = 9, shared_at = 9, own_at = 24;
 
 constexpr std::uint32_t quadrant(std::uint32_t x, std::uint32_t y) noexcept {
-  return (x < 8 ? 0 : 1) + (y < 8 ? 2 : 0);  // TL, TR, BL, BR; of a region
+  return (x < 8 ? 0 : 1) + (y < 8 ? 2 : 0);  // the quadrant of a region: TL, TR, BL, BR
 }
 
-/// Domain: index in 3..7.
+/// The first bit of an entry's code.  Domain: index in 3..7.
 constexpr std::uint32_t code_at(std::uint32_t quadrant, std::uint32_t index) noexcept {
   return index < 6 ? shared_at + 5 * (index - 3) : own_at + 10 * quadrant + 5 * (index - 6);
 }
 
-/// Which bits of the last word say that region k of an entry is C, and its palette.
+/// The bits of the last word for one region of an entry: whether it is C, and its palette.
 struct Place2 {
   std::uint8_t checked, palette;
 };
-/// By quadrant, index and region; of the indices that are not stored, some place.
+/// The places by quadrant, index and region; meaningless for the indices 0 to 2, which have no code.
 inline constexpr auto places2 = [] {
   std::array<std::array<std::array<Place2, 4>, 8>, 4> table{};
   for (std::uint32_t q = 0; q < 4; ++q)
@@ -60,7 +60,7 @@ constexpr State picked(std::uint64_t code, std::uint32_t k) noexcept {
   return static_cast<State>(checked | (opaque & ~checked) << 1);
 }
 
-/// Of TL there is none stored: the zeros below are the identity.
+/// The transform of a quadrant.  TL has none stored: the zeros shifted in are the identity.
 constexpr std::uint32_t transform(std::uint64_t word, std::uint32_t quadrant) noexcept {
   return static_cast<std::uint32_t>(word << 3 >> (3 * quadrant)) & 7;
 }

@@ -6,15 +6,14 @@
 #include "impl/vq/two/sets.hpp"
 #include "impl/vq/vq.hpp"
 
-// Algorithm 1, in its order and with its names.  What the print leaves open: vectors are sorted by their
-// entry's number; of equal scores the last one in that order is taken first, as from the end of a stably
-// sorted list.
+// Algorithm 1, in its order and with its names.  Where the print is open: vectors are sorted by their entry's number;
+// among equal scores the last one in that order is taken first, as from the end of a stably sorted list.
 namespace mmverify::impl::vq {
 namespace {
 
 using namespace detail;
 
-/// MergedVecs, one of them.
+/// One of MergedVecs.
 struct Candidate {
   Entry entry;
   std::uint32_t score = 0;
@@ -23,7 +22,7 @@ struct Candidate {
   bool in_one() const { return std::count(quadrants.begin(), quadrants.end(), true) == 1; }
 };
 
-/// The entry that a vector is; of O beside T the greater part, of two and two T.
+/// The entry of a vector; for O beside T the entry of the greater part, T if they are equal.
 Entry nearest_entry(const Sets& v) {
   return entry_of(size(v.o) > size(v.t) ? v.o : v.t, size(v.o) > size(v.t));
 }
@@ -38,7 +37,7 @@ struct Codebook {
   }
 };
 
-/// Takes the last first.
+/// Takes the last candidate first.
 Codebook create_codebook(std::vector<Candidate> prioritised) {
   Codebook cb;
   while (!cb.full() && !prioritised.empty()) {
@@ -62,7 +61,7 @@ Codebook create_codebook(std::vector<Candidate> prioritised) {
   return cb;
 }
 
-/// Room that is left repeats an entry that is there.
+/// The choice of a codebook; entries left free repeat one of the others.
 Choice choice_of(const Codebook& cb, const std::array<std::uint8_t, 4>& transforms) {
   Choice choice;
   Entry some = 0;

@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 
 HWY_INLINE std::uint32_t ones(std::uint64_t x) { return static_cast<std::uint32_t>(__builtin_popcountll(x)); }
 
-// The most that a quadrant keeps with these shared and any two of its own; perhaps less.
+// A bound on the regions that a quadrant keeps with the shared entries and any two of its own.
 HWY_INLINE std::uint32_t bound(const Sources& s, const Kept& kept, std::uint64_t have) {
   std::uint32_t first = 0, second = 0;
   for (const Entry e : s.useful) {
@@ -26,7 +26,7 @@ HWY_INLINE std::uint32_t bound(const Sources& s, const Kept& kept, std::uint64_t
   return ones(have) + first + second;
 }
 
-// What a quadrant keeps with the best two of its own, which it names.
+// The regions that a quadrant keeps with the best two entries of its own, which are written to `own`.
 HWY_INLINE std::uint32_t best_pair(const Sources& s, const Kept& kept, std::uint64_t have,
                                    std::array<Entry, 2>& own) {
   std::uint32_t best = ones(have);
@@ -41,7 +41,7 @@ HWY_INLINE std::uint32_t best_pair(const Sources& s, const Kept& kept, std::uint
   return best;
 }
 
-// Takes these shared entries where they beat the best so far.
+// Takes these shared entries if they beat the best so far.
 HWY_INLINE void try_shared(const Sources& s, const std::array<Entry, 3>& shared, Choice& best) {
   std::array<std::array<std::uint32_t, 8>, 4> limit{};
   std::array<std::uint32_t, 4> most{};

@@ -1,11 +1,10 @@
 // The search for the best codebook of VQ2.  Internal to impl/vq.
 //
-// An entry keeps a set of regions as T or as O, and has C elsewhere; for a source vector it is usable where
-// that set lies within the vector's own T or O, and keeps as many regions as it has.  Of several usable
-// entries the vector takes the one that keeps most.  With 16 vectors a quadrant, "entry e keeps at least j
-// regions of vector k", j = 1, 2, 3, is a set of 48 bits, and what a codebook keeps is the size of the union
-// of its entries' sets.  So the two own entries of a quadrant bring no more than the two greatest single
-// gains over the shared ones.
+// An entry keeps a set of regions as T or as O, and has C elsewhere.  It is usable for a source vector if that set lies
+// within the vector's own T or O, and keeps as many regions as it has.  Of several usable entries the vector takes the
+// one that keeps most.  With 16 vectors a quadrant, "entry e keeps at least j regions of vector k", j = 1, 2, 3, is a
+// set of 48 bits, and a codebook keeps as many regions as the union of its entries' sets has bits.  So the two own
+// entries of a quadrant bring no more than the two greatest single gains over the shared ones.
 #pragma once
 
 #include <array>
@@ -15,17 +14,17 @@
 
 namespace mmverify::impl::vq::detail {
 
-/// 14 sets of regions, neither none nor all four, as T; and as O.
+/// The number of entries: 14 sets of regions, neither none nor all four, as T; and the same as O.
 inline constexpr std::size_t entries = 28;
 using Entry = std::uint8_t;
 
-/// What each entry keeps in a quadrant under a transform.
+/// The regions that each entry keeps in a quadrant under a transform, as a set of bits.
 using Kept = std::array<std::uint64_t, entries>;
 
 struct Sources {
   std::array<std::array<Kept, 8>, 4> kept;  ///< by quadrant and transform; TL has the identity alone
-  std::vector<Entry> useful;                ///< those that keep anything anywhere; at least one
-  std::uint32_t all;                        ///< what would be kept without loss
+  std::vector<Entry> useful;                ///< entries that keep anything anywhere; at least one
+  std::uint32_t all;                        ///< regions kept without loss
 };
 
 struct Choice {
@@ -35,7 +34,7 @@ struct Choice {
   std::uint32_t kept = 0;
 };
 
-/// A choice that keeps most.
+/// A choice that keeps as many regions as any.
 Choice best_choice(const Sources& sources);
 
 }  // namespace mmverify::impl::vq::detail

@@ -1,4 +1,4 @@
-// Vectors of a VQ2 map as sets of regions, what an entry keeps of one, and the block of a choice of entries.
+// Vectors of a VQ2 map as sets of regions, the regions that an entry keeps, and the block of a choice of entries.
 // Internal to impl/vq.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace mmverify::impl::vq::detail {
 
-/// Of four regions, how many.
+/// The number of regions in a set of four.
 constexpr std::uint32_t size(std::uint32_t set) noexcept {
   return (set & 1) + (set >> 1 & 1) + (set >> 2 & 1) + (set >> 3 & 1);
 }
@@ -25,7 +25,7 @@ struct Sets {
 using Vectors2 = std::array<Sets, 64>;  ///< vector (X, Y) at X + 8Y
 Vectors2 vectors_of(const Map2& map);
 
-/// As it stands in the codebook, before the transform.
+/// A vector as it is stored in the codebook, before the transform.
 Sets stored(std::uint32_t transform, const Sets& v) noexcept;
 
 constexpr std::uint32_t quadrant_of_vector(std::uint32_t vector) noexcept {
@@ -35,17 +35,17 @@ constexpr std::uint32_t quadrant_of_vector(std::uint32_t vector) noexcept {
 constexpr std::uint32_t set_of(Entry e) noexcept { return e % 14u + 1; }
 constexpr bool opaque(Entry e) noexcept { return e >= 14; }
 
-/// The entry that is T, or O, in a set.  Domain: neither none nor all four.
+/// The entry that is T, or O, in a set and C elsewhere.  Domain: neither none nor all four.
 constexpr Entry entry_of(std::uint32_t set, bool opaque) noexcept {
   return static_cast<Entry>(set - 1 + (opaque ? 14 : 0));
 }
 
-/// How many regions an entry keeps of a vector as the codebook would have it; 0 where it is not usable.
+/// The number of regions that an entry keeps of a vector as stored in the codebook; 0 if it is not usable.
 constexpr std::uint32_t keeps(Entry e, const Sets& v) noexcept {
   return (set_of(e) & ~(opaque(e) ? v.o : v.t)) == 0 ? size(set_of(e)) : 0;
 }
 
-/// The block of a choice, each vector by what keeps most of it.
+/// The block of a choice; each vector takes the entry that keeps most of it.
 Encoded2 written(const Vectors2& vectors, const Choice& choice);
 
 }  // namespace mmverify::impl::vq::detail
