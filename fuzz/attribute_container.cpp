@@ -36,7 +36,7 @@ slow::PackedShape specified(const fast::PackedShape& s) {
   return {static_cast<slow::MapAt>(s.at), s.level, s.channels, s.maps, s.error};
 }
 
-/// Codes of packed bytes; nothing where they are refused.  What is taken is what the specification takes.
+/// The codes of packed bytes; none if they are refused.  The specification must accept the same bytes.
 std::optional<Bytes> unpacked(const fast::PackedShape& shape, const Bytes& bytes) {
   std::optional<Bytes> codes;
   try {
@@ -70,7 +70,7 @@ void packed(const fast::PackedShape& shape, Bytes codes) {
   require(entropy >= 0 && entropy <= 16.0 * static_cast<double>(codes.size()), "an entropy of no residuals");
 }
 
-/// CRC-32C, a bit at a time, of all but itself.
+/// CRC-32C, a bit at a time, of all bytes but its own.
 std::uint32_t crc32c(const Bytes& bytes) {
   std::uint32_t crc = ~0u;
   for (std::size_t k = 0; k < bytes.size(); ++k) {
@@ -87,7 +87,7 @@ void put_right(Bytes& bytes) {
   for (std::size_t k = 0; k < 4; ++k) bytes[40 + k] = static_cast<std::uint8_t>(crc >> 8 * k);
 }
 
-/// The reader under test; with PLANTED one that is wrong.
+/// The reader under test; with PLANTED a wrong one.
 fast::AttributeMaps read(const Bytes& bytes) {
 #ifdef PLANTED
   Bytes other = bytes;
@@ -112,7 +112,7 @@ void file(const Bytes& bytes) {
     return;
   }
   require(fast::write_attributes(maps) == bytes, "other bytes of the same maps");
-  // The header once more, by its places.
+  // The header is read once more, by its byte positions.
   std::uint32_t checksum = 0;
   for (std::size_t at = 44; at-- > 40;) checksum = checksum << 8 | bytes[at];
   require(crc32c(bytes) == checksum, "a wrong checksum taken");

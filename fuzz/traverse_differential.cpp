@@ -39,8 +39,8 @@ void require_equal(const char* what, const Record& r, std::uint32_t expected, st
   std::abort();
 }
 
-/// The combination that words mean; bits that mean nothing are left out.  What is held is a special index or of a map: the
-/// words do not tell, and the decision does not depend on it.
+/// The combination that words encode; unused bits are ignored.  The words do not tell a special index from a
+/// map, and the decision does not depend on it.
 slow::Combination combination(const Record& r) {
   const auto bit = [](std::uint32_t word, std::uint32_t value) { return (word & value) != 0; };
   slow::Combination c;
@@ -87,7 +87,7 @@ void blends(const std::vector<Record>& records) {
   std::vector<fast::Hit> hits;
   std::vector<slow::Hit> slow_hits;
   for (const Record& r : records) {
-    // Distances that binary32 holds.
+    // binary32 represents these distances exactly.
     const std::uint32_t distance = r.who >> 9;
     const bool accepted = (r.who & 0x80) != 0;
     hits.push_back({static_cast<float>(distance), accepted, r.candidate});

@@ -20,7 +20,7 @@ States<Format> decoded(const slow::BlockBytes<Format>& block) {
   constexpr auto size = static_cast<std::uint32_t>(8 * Format::side);
   const States<Format> expected = meant<Format>(block), map = fast::decode(block);
   require_same<Format>(expected, map, "decode is not the specification's");
-  // A region's middle is a binary32 number, as is its distance from 1.
+  // A region's middle is a binary32 number, and so is its distance from 1.
   const auto middle = [](std::uint32_t at) {
     return (static_cast<float>(at) + 0.5f) / static_cast<float>(size);
   };

@@ -27,8 +27,8 @@ namespace {
 
 using namespace mmverify::fuzz;
 
-/// The bytes of an input, and after them zeros, or ones that all of its bytes decide: a short input is a
-/// whole map then, and each change of it another.
+/// The bytes of an input, followed by zeros, or by bytes that all of its bytes determine: a short input is
+/// then a whole map, and each change to it gives another map.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -101,7 +101,7 @@ States<Format> drawn(std::uint32_t how, Bytes in) {
   return map;
 }
 
-/// Vectors that are not continuous, counted by both.
+/// Compares the counts of vectors that are not continuous.
 template <class Format>
 void check_continuity(const States<Format>& map) {
   constexpr std::size_t side = Format::side;
@@ -116,7 +116,7 @@ void check_continuity(const States<Format>& map) {
   require(fast::discontinuous_vectors(map) == count, "discontinuous vectors are others", side);
 }
 
-/// What PLANTED does to a block.
+/// The block after PLANTED has spoiled it.
 template <class Format>
 slow::BlockBytes<Format> planted(const slow::BlockBytes<Format>& block) {
 #ifdef PLANTED
@@ -138,7 +138,7 @@ slow::BlockBytes<Format> planted(const slow::BlockBytes<Format>& block) {
   return block;
 }
 
-/// One encoder on one map; gives the number of substitutions.
+/// Judges one encoder on one map, and returns the number of substitutions.
 template <class Format, class Encode>
 std::uint32_t judge(const States<Format>& map, bool block_holds_it, bool keeps_what_fits,
                     const std::string& who, Encode encode) {
@@ -176,7 +176,7 @@ void vq2(std::uint32_t how, std::uint8_t which, Bytes in) {
 void vq4(std::uint32_t how, std::uint8_t which, Bytes in) {
   const fast::Map4 map = drawn<slow::Vq4>(how, in);
   check_continuity<slow::Vq4>(map);
-  // The slow ones take half a second under sanitizers; the others are to be asked more often.
+  // The slow encoders take half a second under sanitizers; the fast ones run more often.
   const bool asked[] = {(which & 2) == 0, (which & 2) != 0 || (which & 1) != 0, (which & 12) == 12};
   std::uint32_t before = ~0u;
   constexpr const char* names[] = {"fast", "balanced", "thorough"};

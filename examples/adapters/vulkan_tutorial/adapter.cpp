@@ -1,6 +1,7 @@
-// The opacity micromap builder of Khronos' Vulkan-Tutorial as a subject: its classification as a baker, its curve as
-// corners.  The recipe takes these functions out of the checkout's file, the rest of which needs its engine and a
-// device.  It samples the nearest texel at four places and asks the shader from 0.05 up and below 0.95.
+// The opacity micromap builder of Khronos' Vulkan-Tutorial as a subject: its classification as a baker, its
+// curve as corners.  The recipe extracts these functions from the checkout's file, since the rest needs its
+// engine and a device.  It samples the nearest texel at four places, and leaves states to the shader from
+// 0.05 up and below 0.95.
 #include <array>
 #include <atomic>
 #include <cassert>
