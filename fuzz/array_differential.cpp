@@ -1,8 +1,8 @@
 // Arrays of many triangles: a file read twice, or maps built, changed and written twice.
 //
-// Input: a byte, even: the rest is a file; odd: a byte of choices, an encoding, a base triangle, a bound, how many of the
-// maps are there before, and maps: a byte each of level (two bits), format and "filled", then packed bytes or the one that
-// fills it.  Bytes that are missing are zeros.
+// Input: a byte.  If it is even, the rest is a file.  If it is odd, a byte of choices, an encoding, a base triangle, a
+// bound, the number of maps that exist before, and maps: each a byte of level (two bits), format and "filled", then
+// packed bytes, or the one byte that fills it.  Missing bytes are zeros.
 //
 // Covers: impl/array/api.hpp impl/array/build.* impl/array/change.* impl/array/container.*
 #include <algorithm>

@@ -1,12 +1,12 @@
 // Files of attribute micromaps, and packed maps, on raw bytes: a refusal, or maps that write back to the very same bytes.
 //
-// Input: a byte, its remainder by 4 how the rest is taken:
+// Input: a byte, whose remainder by 4 names the form of the rest:
 //   0  a file
-//   1  a file whose checksum is put right first, so that what lies behind it is reached
-//   2  codes to pack; 3 packed bytes.  Both begin with a shape: a byte whose bit 0 says vertices, bits 1..2 the level,
+//   1  a file whose checksum is corrected first, so that the reader reaches the bytes behind it
+//   2  codes to pack; 3 packed bytes.  Both begin with a shape: a byte whose bit 0 means vertices, bits 1..2 the level,
 //      0..3, bits 3..4 the channels less one, bits 5..6 the maps less one; then an error for each channel, its remainder by
-//      128.  Codes that are missing are zeros.
-// With PLANTED the harness's reader of files lets the flags of no triangle pass where flags mean means.
+//      128.  Missing codes are zeros.
+// With PLANTED the harness's reader of files accepts the flags of no triangle if flags mean means.
 //
 // Covers: impl/attribute/container.* impl/attribute/compress.hpp impl/attribute/compress/*
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Any texture under any triangle: impl's map is the specification's, micro-triangle by micro-triangle.
+// Any texture under any triangle: impl's map must be the specification's, micro-triangle by micro-triangle.
 //
-// Input, bytes that are missing being 0:
+// Input; missing bytes are 0:
 //   0  width - 1 (bits 0..2), height - 1 (bits 3..5), texels of 8 bits, 16, binary32 (bits 6..7: 0 1 2, 3 is
 //      0)
 //   1  the wraps' numbers u + 5 v, modulo 25
@@ -15,7 +15,7 @@
 //   then texels, of 8 bits as they are, of 16 and binary32 a byte each that stands for byte 257, or for
 //      (byte - 64) / 64
 //
-// With PLANTED what is compared is spoiled: with mirror-once along u, a border above 0 and a level above 1
+// With PLANTED the compared states are spoiled: with mirror-once along u, a border above 0 and a level above 1
 // the last unknown is opaque.
 //
 // Covers: impl/bake/* impl/common/binary.hpp impl/common/wide.hpp

@@ -1,8 +1,8 @@
-// Arrays of micromaps: two validators on whatever the bytes say, builders on maps made of them, and a breach
-// planted in what was built.
+// Arrays of micromaps: two validators on arbitrary fields, builders on maps from the bytes, and a breach
+// planted in the built array.
 //
-// Input: a byte, even: a Reader's numbers are the fields of an Input, and its bytes the buffers; odd: they
-// are maps and options to build, then the breach and where to plant it.  Bytes that are missing are zeros.
+// Input: a byte.  If it is even, a Reader's numbers are the fields of an Input, and its bytes the buffers; if
+// odd, they are maps and options to build, then the breach and its place.  Missing bytes are zeros.
 //
 // Covers: impl/micromap/array.* impl/micromap/histogram.hpp impl/micromap/rules.hpp impl/micromap/validate.*
 #include <cstddef>

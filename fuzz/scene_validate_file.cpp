@@ -1,9 +1,9 @@
 // `mmverify validate` on a file of any kind: it returns from all bytes, with findings of known codes; and
 // other readers accept a file without errors.
 //
-// Input: a byte says what the rest is.
+// Input: a byte that names the form of the rest.
 //   's'   a sidecar's JSON up to a zero byte, then the bytes that every file beside it has
-//   'a'   an array file of version 2, whose checksum is put right first
+//   'a'   an array file of version 2, whose checksum is corrected first
 //   else  a file as it is, with nothing beside it
 //
 // Covers: scene/validate/build.* scene/validate/container.* scene/validate/file.* scene/validate/issues.* scene/validate/sidecar.*

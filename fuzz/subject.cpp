@@ -1,9 +1,9 @@
 // Someone else's codec or index function under attack: the shared library that MMVERIFY_SUBJECT names, behind
 // sdk/mmverify_subject.h.  Build it with -fsanitize=fuzzer-no-link,address and the fuzzer sees its branches
-// and its overruns; without, it still sees its answers.
+// and its overruns; without the flags, it still sees its answers.
 //
-// Input: a byte that chooses what is asked, and what to ask.  Entry points that the library lacks are passed
-// over.
+// Input: a byte that chooses the question, and the question's arguments.  Entry points that the library lacks
+// are skipped.
 #include <dlfcn.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // impl/traverse/ against the specification, on any words.
 //
-// Input: records of 16 bytes, four little-endian words.  Each is a decision: who traces and whether it is set up for
-// micromaps, the candidate, the instance's flags, the ray's; and a hit: its distance and whether it is accepted, of
-// the first word, and its value, the second.  Bytes after the last whole record are ignored.  Decisions are judged alone,
-// then all as spans.  All hits are one ray's, in the order of their records; its payload is the last word of all, its
-// operation that word's lowest byte, by its remainder.
+// Input: records of 16 bytes, four little-endian words.  A record is a decision: the API and its setup for micromaps,
+// the candidate, the instance's flags, the ray's.  It is also a hit: the first word has its distance and whether it is
+// accepted, the second its value.  Bytes after the last whole record are ignored.  Decisions are judged alone, then all
+// as spans.  All hits belong to one ray, in the order of their records; the ray's payload is the last word of all, its
+// operation the remainder of that word's lowest byte.
 //
 // Covers: impl/traverse/*
 #include <cstddef>

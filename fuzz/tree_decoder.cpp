@@ -1,8 +1,8 @@
 // The decoders on raw bytes: an error, or a map that is written back to the very same bytes.
 //
-// Input, taken in three ways at once:
-//   as a container, and as one whose checksum is put right first, so that what lies behind it is reached;
-//   as a stream: a byte of level (its remainder by 13), a byte whose lowest bit says four states and whose
+// Input, read in three ways at once:
+//   as a container, and as one whose checksum is corrected first, so that the reader reaches the bytes behind it;
+//   as a stream: a byte of level (its remainder by 13), a byte whose lowest bit means four states and whose
 //   rest, times 4 and plus 1, is the number of nodes, then the tree's bytes, then the states'.
 //
 // Covers: impl/tree/bits.hpp impl/tree/container.* impl/tree/decode.hpp impl/tree/stream.*

@@ -1,9 +1,9 @@
 // A map through every form of the tree, compared with the map and the specification.
 //
 // Input: a byte of level (its remainder by 8; the rest chooses the depths of a second form), a byte whose
-// lowest bit says four states and whose rest says how the map is drawn: bit 1, flat bytes as they are; else
-// runs, a byte each: its low bits the state, the rest an exponent of 2 for the length.  What is missing is
-// transparent.
+// lowest bit means four states and whose rest chooses the form of the map: with bit 1, flat bytes as they are;
+// else runs, a byte each: its low bits the state, the rest an exponent of 2 for the length.  Missing states
+// are transparent.
 //
 // Covers: impl/tree/*
 #include <algorithm>

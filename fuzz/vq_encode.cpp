@@ -1,5 +1,5 @@
-// Any map through every encoder: only O and T become C, as many as it counts; its own block loses nothing
-// more; more effort is never worse.  And its discontinuous vectors are those of the specification.
+// Any map through every encoder: only O and T become C, as many as the encoder counts; its own block loses
+// nothing more; more effort is never worse.  The map's discontinuous vectors are the specification's.
 //
 // Input: a byte of the format (bit 0: VQ4) and of how the map is drawn (bits 1 and 2), a byte that chooses
 // the encoders (VQ2, by its low two bits: 1 the optimum, 2 Algorithm 1, else both; VQ4: fast unless bit 1,
@@ -9,11 +9,11 @@
 //   1  regions, two bits each
 //   2  a byte k, k % 12 + 1 vectors of a byte each that hashes to its code words, then for each of the map's
 //      vectors a byte: which of them, by its low five bits, and the transform it is turned by, the high three
-//   3  a block's bytes: the map is what it means
-// What is missing is T; of the last two, bytes that those before decide.
+//   3  a block's bytes, whose decoded map is the map
+// Missing regions are T; missing bytes of the last two ways derive from the bytes before.
 //
-// With PLANTED the harness's encoders are broken on purpose: where BR is rotated by 270, the first
-// entry in use there has one C less.  A fuzzer that does not find that looks in the wrong place.
+// With PLANTED the harness's encoders are broken on purpose: if BR is rotated by 270, the first
+// entry in use there has one C less.  A fuzzer that does not find this looks in the wrong place.
 //
 // Covers: impl/vq/*/encode.cpp impl/vq/*/paper.cpp impl/vq/*/search.* impl/vq/*/sets.* impl/vq/continuity.cpp
 // Covers: impl/vq/transform.hpp impl/vq/vq.hpp

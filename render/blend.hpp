@@ -25,7 +25,7 @@ struct Blending {
       nullptr;  ///< must outlive this; a geometry without maps blends grey_of(its colour number)
 };
 
-/// The payload that blending starts from: 0xffffffff for min and multiply, else 0.
+/// The payload that blending starts from, which changes no value: 255 a channel for min and multiply, else 0.
 std::uint32_t neutral(impl::traverse::Operation operation);
 
 /// The grey that a geometry without maps blends.

@@ -1,4 +1,4 @@
-// Frames as pictures: what is seen, and how often the any-hit shader was called.
+// Pictures of frames: the camera's view, and the number of any-hit calls.
 #pragma once
 
 #include <cstdint>

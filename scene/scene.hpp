@@ -1,5 +1,8 @@
 // A scene as its micromaps need it: triangles, UVs, the inputs of alpha.  Plain data, without types of any
 // reader.
+//
+// Coordinates are glTF's: u along a row of texels, v down from the first row.  Indices into the vectors of a
+// Scene are those of the file, so that a message about `meshes[3]` leads to the file's mesh 3.
 #pragma once
 
 #include <array>

@@ -37,6 +37,7 @@ struct SceneBakeFigures {
 };
 
 /// The figures of a scene's bakes.  Times are of one thread.
+/// Throws std::invalid_argument unless 0 < rounds <= most_rounds and first <= last <= 12; scene::BadScene.
 SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options);
 
 }  // namespace mmverify::bench

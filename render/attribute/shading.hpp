@@ -1,4 +1,4 @@
-// How a surface looks: the Trowbridge-Reitz (GGX) model of glTF's metal and roughness.
+// The look of a surface: the Trowbridge-Reitz (GGX) model of glTF's metal and roughness.
 #pragma once
 
 #include <array>

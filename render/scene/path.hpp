@@ -51,7 +51,7 @@ struct Path {
   LeftOut left_out;
 };
 
-/// Law traverse.same_image on a scene: t, triangle, instance and light of each pixel are those of the texture alone.
+/// Law traverse.same_image on a scene: each pixel has the t, triangle, instance and light of the texture alone.
 /// Domain: as of each_forms(); a plan with triangles; at least one camera.
 /// Errors: as of each_forms() and Tracer::frame.
 Path along_path(const scene::Scene& scene, const scene::Plan& plan, const SceneWorld& world,

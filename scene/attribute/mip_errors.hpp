@@ -107,6 +107,7 @@ class MipErrors {
 };
 
 /// The map of a level at or below `of`, laid out as MapBaker's.
+/// Domain: level <= of <= 12, as many values as the map of level `of` has.
 std::vector<MapValue> mip_of_map(std::span<const MapValue> map, MapKind kind, unsigned of, unsigned level,
                                  const CodeMeaning& meaning);
 

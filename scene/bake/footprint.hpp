@@ -31,6 +31,7 @@ struct Footprint {
 };
 
 /// The footprint of a scene.  Domain: arrays of this baked plan.
+/// Source: Succinct Opacity Micromaps, 5.1 and table 2.
 Footprint footprint(const Scene& scene, const Plan& plan, const SceneArrays& arrays, unsigned threads = 0);
 
 }  // namespace mmverify::scene

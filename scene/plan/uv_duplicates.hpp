@@ -24,8 +24,8 @@ class UvDuplicates {
  public:
   struct Found {
     std::size_t number;  ///< of the distinct triangle
-    VertexOrder order;   ///< from this one's vertices to those of the first that came; where several are
-                         ///< right, the first in lexical order
+    VertexOrder order;   ///< from its vertices to those of the first equal triangle; of several that fit,
+                         ///< the first in lexical order
     bool is_new;
   };
 

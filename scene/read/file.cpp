@@ -117,7 +117,7 @@ fs::path in_folder_of(const std::string& file, const std::string& name, const st
   const fs::path folder = fs::path(file).parent_path(), path = folder / name;
   std::error_code error;
   const fs::path real = fs::canonical(path, error);
-  if (error) return path;  // whoever reads it says why it cannot be read
+  if (error) return path;  // its reader reports the reason
   const auto holds_it = [&](const fs::path& home) {
     return !home.empty() &&
            std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();

@@ -115,7 +115,7 @@ void place_instances(const Document& document, const Buffers& buffers, const nlo
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Where each use is
+// The places of uses
 // ---------------------------------------------------------------------------------------------------------------------
 
 Transform product(const Transform& a, const Transform& b) {

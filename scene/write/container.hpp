@@ -11,7 +11,7 @@
 namespace mmverify::scene {
 
 /// The bytes of a GLB whose JSON and BIN chunk have `json` and `binary` bytes; both are padded to four.
-/// Without bytes, `binary` has no chunk.
+/// If `binary` is 0, there is no BIN chunk.
 ///   12 + 8 + pad(json) + (binary = 0 ? 0 : 8 + pad(binary))
 /// Errors: std::length_error if the sum exceeds its header's 32 bits.
 /// Source: glTF 2.0, 4.4.

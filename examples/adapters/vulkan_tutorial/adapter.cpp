@@ -50,7 +50,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1() {
   return baker_subject("Vulkan-Tutorial", bake, [](mmverify_bake_support_t& it) {
     it.max_level = 4, it.formats = 1U << MMVERIFY_4_STATE, it.texels = 1U << MMVERIFY_UNORM8, it.max_mips = 1;
     it.alpha_modes = 1U << MMVERIFY_MASK;
-#ifndef ADAPTER_SCENE  // which has it asked for scenes as they are, filtered
+#ifndef ADAPTER_SCENE  // under it, scenes are baked as they are, filtered
     it.filters = 1U << MMVERIFY_NEAREST, it.wraps = 1U << MMVERIFY_REPEAT;
 #endif
     it.restrictions = MMVERIFY_BAKE_NO_FACTORS | MMVERIFY_BAKE_NO_MARGIN, it.fixed_cutoff = 0.5F;
