@@ -10,7 +10,7 @@ namespace mmverify::scene {
 /// The pictures of a folder, sorted by name, each on a square of its own: two triangles with all of the
 /// texture, repeated, linearly filtered, MASK with the cutoff 1/2.  Files other than .png, .jpg and .jpeg,
 /// and folders within, are ignored.
-/// Errors: BadScene where the folder cannot be read or has no picture, and as of decode_alpha().
+/// Errors: BadScene if the folder cannot be read or has no picture, and as of decode_alpha().
 Scene load_textures(const std::string& folder);
 
 }  // namespace mmverify::scene

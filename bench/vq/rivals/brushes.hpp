@@ -38,11 +38,11 @@ struct Brushes {
   static std::uint32_t most(std::uint32_t side, std::uint32_t budget);
 
   /// The brushes of a map, found greedily from the top: each is the brush of T or O that gives most regions
-  /// their state, and no region that is not covered yet a wrong one.  Another painting is tried too: half the
-  /// brushes or fewer of one colour on top, then brushes of C on regions of neither colour, then the other
-  /// colour below.  The better painting is then mutated, one brush at a time; a mutation that makes a region
-  /// wrong or loses more is taken back (Johansson's way, by which the paper was inspired).  Some O and T
-  /// become C, and nothing else changes.
+  /// their state, and no region that is not covered yet a wrong one.  Other paintings are tried too: half the
+  /// brushes or fewer of one colour on top, then brushes of C on open regions that are not of the other
+  /// colour, then the other colour below.  The best painting is then mutated, one brush at a time; a mutation
+  /// that makes a region wrong or loses more is taken back (Johansson's way, by which the paper was
+  /// inspired).  Some O and T become C, and nothing else changes.
   /// Errors: std::invalid_argument unless the map is 16x16 or 32x32 and the budget has room for a brush.
   Bits encode(States map, std::uint32_t budget) const;
   /// The map of side x side regions.  Domain: `words` of the budget's length from encode() for such a map.
